@@ -1,0 +1,20 @@
+# gaspard_embed(OUT NAME FILES patterns...): files as constants in the program.
+# Makes generated/NAME.hpp and NAME.cpp with `std::span<const EmbeddedFile> NAME()`; sets OUT to the source.
+function(gaspard_embed out name)
+  cmake_parse_arguments(ARG "" "" "FILES" ${ARGN})
+  set(files)
+  foreach(pattern IN LISTS ARG_FILES)
+    file(GLOB found CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/${pattern})
+    list(APPEND files ${found})
+  endforeach()
+  list(SORT files)
+  set(source ${CMAKE_BINARY_DIR}/generated/${name}.cpp)
+  set(header ${CMAKE_BINARY_DIR}/generated/${name}.hpp)
+  string(REPLACE ";" "|" packed "${files}")
+  add_custom_command(OUTPUT ${source} ${header}
+    COMMAND ${CMAKE_COMMAND} -DNAME=${name} "-DFILES=${packed}" -DROOT=${CMAKE_SOURCE_DIR}
+            -DOUT=${CMAKE_BINARY_DIR}/generated -P ${CMAKE_SOURCE_DIR}/cmake/write_embedded.cmake
+    DEPENDS ${files} ${CMAKE_SOURCE_DIR}/cmake/write_embedded.cmake
+    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} VERBATIM COMMENT "Embedding ${name}")
+  set(${out} ${source} ${header} PARENT_SCOPE)
+endfunction()

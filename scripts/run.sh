@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and opens the window. Arguments go to gaspard.
+# Without a display: runs the default scenario and says where the picture is.
+set -euo pipefail
+here=$(cd "$(dirname "$0")/.." && pwd)
+"$here/scripts/install-packages.sh" build
+log=$(mktemp); trap 'rm -f "$log"' EXIT
+echo "Building in $here/build (the first time takes a few minutes) ..."
+{ cmake -S "$here" -B "$here/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGASPARD_NATIVE=ON -DGASPARD_TESTS=OFF \
+  && cmake --build "$here/build"; } >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+rm -f "$log"; trap - EXIT
+if [ $# -eq 0 ] && [ -z "${DISPLAY:-}" ] && [ -z "${WAYLAND_DISPLAY:-}" ]; then
+  echo "No display: running the scenario plane-ring without a window."
+  out="$PWD/gaspard-out/plane-ring"
+  "$here/build/gaspard" run plane-ring --out "$out"
+  echo "The picture is $out/view.png"
+  exit 0
+fi
+exec "$here/build/gaspard" "$@"

@@ -1,0 +1,190 @@
+#include "core/base/parameter.hpp"
+
+#include "core/base/check.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace gaspard {
+
+namespace {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t substitute = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitute});
+        }
+    }
+    return row[b.size()];
+}
+
+std::string kind_name(ParameterKind kind) {
+    switch (kind) {
+    case ParameterKind::real: return "a number";
+    case ParameterKind::integer: return "a whole number";
+    case ParameterKind::boolean: return "true or false";
+    case ParameterKind::choice: return "one of its choices";
+    case ParameterKind::text: return "a text";
+    }
+    return {};
+}
+
+template <class Number> bool read_all(std::string_view text, Number& number) {
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return code == std::errc{} && end == text.data() + text.size();
+}
+
+void check_range(const std::string& name, const ParameterRow& row, double value) {
+    if (!std::isfinite(value)) throw InputError(name + " must be a finite number, not " + format_number(value));
+    if (value < row.minimum || value > row.maximum)
+        throw InputError(name + " = " + format_number(value) + " is out of range: " + describe_range(row));
+}
+
+} // namespace
+
+std::string format_number(double value) {
+    char buffer[32];
+    const auto [end, code] = std::to_chars(buffer, buffer + sizeof buffer, value);
+    return code == std::errc{} ? std::string(buffer, end) : std::string("nan");
+}
+
+std::string format_value(const Value& value) {
+    if (const auto* real = std::get_if<double>(&value)) return format_number(*real);
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
+    if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
+    return std::get<std::string>(value);
+}
+
+std::string describe_range(const ParameterRow& row) {
+    if (row.kind == ParameterKind::choice) {
+        std::string list;
+        for (const auto& choice : row.choices) list += (list.empty() ? "" : ", ") + choice;
+        return list;
+    }
+    if (row.kind == ParameterKind::boolean) return "true, false";
+    if (row.kind == ParameterKind::text) return "text";
+    return format_number(row.minimum) + " to " + format_number(row.maximum);
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+    std::string best;
+    std::size_t smallest = std::max<std::size_t>(2, word.size() / 2) + 1;
+    for (const auto& candidate : candidates)
+        if (const std::size_t d = edit_distance(word, candidate); d < smallest) smallest = d, best = candidate;
+    return best;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+    const std::string best = nearest(word, candidates);
+    return best.empty() ? std::string() : " (did you mean '" + best + "'?)";
+}
+
+Values::Values(std::string section, std::vector<ParameterRow> rows)
+    : section_(std::move(section)), rows_(std::move(rows)) {
+    for (const auto& row : rows_) values_.push_back(row.default_value);
+    for (const auto& row : rows_) set(row.key, row.default_value); // a default out of its own range is our fault
+}
+
+bool Values::has(std::string_view key) const {
+    return std::any_of(rows_.begin(), rows_.end(), [&](const auto& row) { return row.key == key; });
+}
+
+std::size_t Values::index(std::string_view key) const {
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        if (rows_[i].key == key) return i;
+    std::vector<std::string> known;
+    for (const auto& row : rows_) known.push_back(section_ + "." + row.key);
+    const std::string name = section_ + "." + std::string(key);
+    throw InputError("unknown key " + name + did_you_mean(name, known));
+}
+
+double Values::real(std::string_view key) const {
+    const auto* value = std::get_if<double>(&at(key));
+    GASPARD_CHECK(value != nullptr);
+    return *value;
+}
+
+std::int64_t Values::integer(std::string_view key) const {
+    const auto* value = std::get_if<std::int64_t>(&at(key));
+    GASPARD_CHECK(value != nullptr);
+    return *value;
+}
+
+bool Values::boolean(std::string_view key) const {
+    const auto* value = std::get_if<bool>(&at(key));
+    GASPARD_CHECK(value != nullptr);
+    return *value;
+}
+
+const std::string& Values::text(std::string_view key) const {
+    const auto* value = std::get_if<std::string>(&at(key));
+    GASPARD_CHECK(value != nullptr);
+    return *value;
+}
+
+const Value& Values::at(std::string_view key) const { return values_[index(key)]; }
+
+void Values::set(std::string_view key, const Value& value) {
+    const std::size_t i = index(key);
+    const ParameterRow& row = rows_[i];
+    const std::string name = section_ + "." + row.key;
+    const auto wrong_kind = [&] {
+        throw InputError(name + " wants " + kind_name(row.kind) + ", not '" + format_value(value) + "'");
+    };
+    switch (row.kind) {
+    case ParameterKind::real: {
+        double real = 0;
+        if (const auto* given = std::get_if<double>(&value)) real = *given;
+        else if (const auto* whole = std::get_if<std::int64_t>(&value)) real = static_cast<double>(*whole);
+        else wrong_kind();
+        check_range(name, row, real);
+        values_[i] = real;
+        return;
+    }
+    case ParameterKind::integer: {
+        const auto* whole = std::get_if<std::int64_t>(&value);
+        if (!whole) wrong_kind();
+        check_range(name, row, static_cast<double>(*whole));
+        break;
+    }
+    case ParameterKind::boolean:
+        if (!std::holds_alternative<bool>(value)) wrong_kind();
+        break;
+    case ParameterKind::choice: {
+        const auto* word = std::get_if<std::string>(&value);
+        if (!word) wrong_kind();
+        if (std::find(row.choices.begin(), row.choices.end(), *word) == row.choices.end())
+            throw InputError(name + " = '" + *word + "' is not known" + did_you_mean(*word, row.choices) +
+                             "; allowed: " + describe_range(row));
+        break;
+    }
+    case ParameterKind::text:
+        if (!std::holds_alternative<std::string>(value)) wrong_kind();
+        break;
+    }
+    values_[i] = value;
+}
+
+void Values::parse(std::string_view key, std::string_view text) {
+    const ParameterRow& row = rows_[index(key)];
+    if (row.kind == ParameterKind::real) {
+        if (double real = 0; read_all(text, real)) return set(key, real);
+    } else if (row.kind == ParameterKind::integer) {
+        if (std::int64_t whole = 0; read_all(text, whole)) return set(key, whole);
+    } else if (row.kind == ParameterKind::boolean) {
+        if (text == "true" || text == "false") return set(key, text == "true");
+    }
+    set(key, std::string(text));
+}
+
+void Values::reset(std::string_view key) { values_[index(key)] = rows_[index(key)].default_value; }
+
+} // namespace gaspard

@@ -1,0 +1,79 @@
+// Parameter rows: everything a user can turn is declared once, as a row beside the code that uses it.
+// Slider, --set, TOML, `gaspard list`, tooltip and documentation are made from the row.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace gaspard {
+
+enum class ParameterKind { real, integer, boolean, choice, text };
+enum class ParameterScale { linear, logarithmic };
+
+using Value = std::variant<double, std::int64_t, bool, std::string>;
+
+struct ParameterRow {
+    std::string key{};    ///< within its section: "amplitude"
+    std::string label{};  ///< as a slider shows it: "Amplitude"
+    std::string symbol{}; ///< as the paper writes it; may be empty
+    std::string unit{};   ///< may be empty
+    ParameterKind kind = ParameterKind::real;
+    double minimum = -std::numeric_limits<double>::infinity(); ///< inclusive; of numbers only
+    double maximum = std::numeric_limits<double>::infinity();  ///< inclusive; of numbers only
+    ParameterScale scale = ParameterScale::linear;
+    Value default_value = 0.0;
+    std::vector<std::string> choices{}; ///< of kind choice only
+    std::string help{};                 ///< one line
+};
+
+/// The values of one section ("monitor"), one for each of its rows. Always complete and always in range.
+class Values {
+  public:
+    Values() = default;
+    /// Takes the rows' defaults.
+    Values(std::string section, std::vector<ParameterRow> rows);
+
+    const std::string& section() const { return section_; }
+    const std::vector<ParameterRow>& rows() const { return rows_; }
+    bool has(std::string_view key) const;
+
+    double real(std::string_view key) const;
+    std::int64_t integer(std::string_view key) const;
+    bool boolean(std::string_view key) const;
+    const std::string& text(std::string_view key) const; ///< of kinds choice and text
+    const Value& at(std::string_view key) const;
+
+    /// Throws InputError: key unknown (names the nearest), wrong kind, not finite, or out of range.
+    /// A whole number is taken where a real is wanted.
+    void set(std::string_view key, const Value& value);
+    /// The same from text as given on a command line.
+    void parse(std::string_view key, std::string_view text);
+    void reset(std::string_view key);
+
+    friend bool operator==(const Values& a, const Values& b) {
+        return a.section_ == b.section_ && a.values_ == b.values_;
+    }
+
+  private:
+    std::size_t index(std::string_view key) const;
+
+    std::string section_;
+    std::vector<ParameterRow> rows_;
+    std::vector<Value> values_;
+};
+
+/// A number in the C locale that reads back to the same double.
+std::string format_number(double value);
+std::string format_value(const Value& value);
+/// What a row allows, for people: "1 to 480", "ring, bell".
+std::string describe_range(const ParameterRow& row);
+/// The candidate with the smallest edit distance to `word`; empty if none is close.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+/// " (did you mean 'x'?)", or nothing where no candidate is near.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
+} // namespace gaspard

@@ -1,0 +1,21 @@
+// A picture in memory and its PNG file.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace gaspard {
+
+/// 8-bit sRGB with alpha, rows from top to bottom.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+/// Throws MachineError if it cannot be written whole.
+void write_png(const std::filesystem::path& file, const Image& image);
+/// Throws InputError if it is not a readable picture.
+Image read_image(const std::filesystem::path& file);
+
+} // namespace gaspard

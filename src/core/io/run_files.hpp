@@ -1,0 +1,18 @@
+// What `run` leaves in its folder: summary.json, history.csv, state.bin and the meshes in the chosen formats.
+#pragma once
+
+#include "core/io/formats.hpp"
+#include "core/session/run.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gaspard {
+
+std::string history_csv(const std::vector<StepReport>& history);
+std::string summary_json(Run& run);
+/// Writes all of them; throws MachineError at the first that fails.
+void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats);
+
+} // namespace gaspard

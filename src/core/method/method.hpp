@@ -1,0 +1,67 @@
+// A method turns a state into the next one; it prints nothing and knows no thread, window or file.
+#pragma once
+
+#include "core/base/parameter.hpp"
+#include "core/mesh/discretisation.hpp"
+#include "core/monitor/monitor.hpp"
+
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace gaspard {
+
+/// What an iteration changes, as named arrays. `layout` says what they mean ("plane periodic Q2 n=60"): a state
+/// fits a method exactly when the layouts are equal.
+struct State {
+    struct Array {
+        std::string name;
+        std::vector<double> values;
+        friend bool operator==(const Array&, const Array&) = default;
+    };
+    std::string layout;
+    std::vector<Array> arrays;
+
+    friend bool operator==(const State&, const State&) = default;
+};
+
+/// The numbers of one iterate, as the method knows them.
+struct Evaluation {
+    double residual = 0;  ///< normalised: McRae et al. (5.1) divided by the norm of <v, theta>
+    double theta = 0;     ///< the constant that m det(dx/dxi) is to equal
+    double step_size = 0; ///< of the update that led here; 0 at the start
+};
+
+class Method {
+  public:
+    virtual ~Method() = default;
+    /// The state in which every node stands at xi.
+    virtual State initial_state() const = 0;
+    /// Evaluates the equation at `state` and leaves it as it is.
+    virtual Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token stop) = 0;
+    /// One update of the unknowns, then the evaluation of what came out. The last evaluate() or step() must have
+    /// been of this very state and monitor. A result that is not finite is a value (the run ends as diverged).
+    virtual Evaluation step(const Monitor& monitor, State& state, std::stop_token stop) = 0;
+    /// Where the mesh's nodes stand for the state last evaluated, in physical coordinates.
+    virtual const Points& positions() const = 0;
+    /// New values of the method's own parameters; the state stays.
+    virtual void configure(const Values& values) = 0;
+};
+
+/// A kind of method as the user sees it.
+struct MethodType {
+    std::string name;
+    std::string label;
+    std::string help;
+    std::vector<ParameterRow> rows; ///< beyond those that every method has (tolerance, max_iterations, ...)
+    std::function<std::unique_ptr<Method>(std::shared_ptr<const Discretisation>, const Values&)> make;
+};
+
+/// Rows that every method has; the run reads them.
+std::vector<ParameterRow> common_method_rows();
+
+MethodType relaxation_method();
+
+} // namespace gaspard

@@ -1,0 +1,46 @@
+// The monitor m(x) > 0: where it is large, the mesh is to be dense.
+#pragma once
+
+#include "core/base/parameter.hpp"
+#include "core/base/points.hpp"
+#include "core/mesh/space.hpp"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gaspard {
+
+class Monitor {
+  public:
+    virtual ~Monitor() = default;
+    /// m at every point (physical coordinates). `values` has x.size() entries.
+    virtual void values(const Points& x, std::span<double> values) const = 0;
+    /// grad m at every point, in the coordinates of space.
+    virtual void gradients(const Points& x, Points& gradients) const = 0;
+    /// A number that changes when the monitor does.
+    virtual std::uint64_t version() const { return 0; }
+    /// Throws InputError where m <= 0 or not finite for some point of space, naming the parameter to change.
+    virtual void check() const = 0;
+};
+
+/// A kind of monitor as the user sees it. Adding one is a file with its rows and `make`, and a line in monitors.cpp.
+struct MonitorType {
+    std::string name;
+    std::string label;
+    std::string help;
+    std::string equation; ///< as in the source, with the rows' symbols
+    std::vector<ParameterRow> rows;
+    std::function<std::shared_ptr<const Monitor>(const Values&, const Space&)> make;
+};
+
+MonitorType constant_monitor();
+MonitorType ring_monitor();
+MonitorType bell_monitor();
+
+/// All built-in monitors, in the order in which `list` shows them.
+std::vector<MonitorType> monitor_types();
+
+} // namespace gaspard

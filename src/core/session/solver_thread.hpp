@@ -1,0 +1,95 @@
+// A run on a thread of its own: commands in; out come the newest snapshot and every report.
+#pragma once
+
+#include "core/session/channel.hpp"
+#include "core/session/run.hpp"
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+namespace gaspard {
+
+struct StartCommand {}; ///< run until the status is final
+struct PauseCommand {};
+struct StepCommand {};  ///< one iteration, then pause
+struct ResetCommand {}; ///< back to the identity map, paused or running as before
+/// Other values, from the present map where possible; a run that had ended goes on.
+struct ChangeCommand {
+    Scenario scenario;
+};
+/// Done between two steps on the solver thread, which owns the run: exports, tests.
+struct InspectCommand {
+    std::function<void(Run&)> task;
+};
+using Command =
+    std::variant<StartCommand, PauseCommand, StepCommand, ResetCommand, ChangeCommand, InspectCommand>;
+
+/// One entry of the lossless queue. `restarted` precedes row 0 of a new history: the plot begins anew.
+struct SolverEvent {
+    bool restarted = false;
+    StepReport report;
+};
+
+/// How the thread stands, for a status line.
+struct SolverStatus {
+    RunStatus run = RunStatus::preparing;
+    bool paused = true;
+    double progress = 0;  ///< of the preparation, 0 to 1
+    std::string activity; ///< what is being prepared
+    std::string message;  ///< the last sentence for the user: an input error, a map that could not be kept, a fault
+    std::uint64_t messages = 0; ///< how many sentences so far, so that the same one twice is seen twice
+};
+
+class SolverThread {
+  public:
+    struct Options {
+        bool start_running = true;
+        std::size_t report_capacity = 4096; ///< the run waits when nobody takes its reports
+        std::function<void()> notify{};     ///< called on the solver thread after anything new; must be quick
+    };
+
+    SolverThread(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, Options options);
+    /// Stops within one step (or within the preparation, at its next look at the stop token).
+    ~SolverThread();
+    SolverThread(const SolverThread&) = delete;
+    SolverThread& operator=(const SolverThread&) = delete;
+
+    void post(Command command);
+    /// The newest snapshot; null until the first.
+    std::shared_ptr<const Snapshot> latest() const { return latest_.get(); }
+    /// Every report since the last call, in order, none left out.
+    std::vector<SolverEvent> drain() { return reports_.drain(); }
+    SolverStatus status() const;
+
+  private:
+    void work(std::stop_token stop);
+    bool prepare(std::stop_token stop);
+    void execute(Command command, std::stop_token stop);
+    void publish(bool restarted, std::stop_token stop);
+    void say(std::string message);
+    void update(const std::function<void(SolverStatus&)>& change);
+    std::deque<Command> wait_for_commands(std::stop_token stop);
+
+    std::shared_ptr<const Catalogue> catalogue_;
+    Scenario scenario_;
+    Options options_;
+    std::unique_ptr<Run> run_; ///< touched by the solver thread only
+    std::size_t published_ = 0; ///< rows of the run's history already in the queue
+    bool running_ = false, step_once_ = false;
+
+    Latest<Snapshot> latest_;
+    Channel<SolverEvent> reports_;
+    mutable std::mutex mutex_; ///< commands_ and status_
+    std::condition_variable_any wake_;
+    std::deque<Command> commands_;
+    SolverStatus status_;
+    std::jthread thread_; ///< last, so that it ends before what it uses
+};
+
+} // namespace gaspard

@@ -1,0 +1,34 @@
+// What eye and files need of a mesh: points to show, triangles that fill the cells, segments that draw their edges.
+//
+// The structure is made once per mesh; positions and node fields follow a snapshot through fixed weights:
+//   shown point p = sum over j of w_pj * node j
+// Cells of order 1 in the plane need no further points (p = node); curved edges and faces are cut finer.
+#pragma once
+
+#include "core/mesh/mesh.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gaspard {
+
+struct Tessellation {
+    std::size_t point_count = 0;
+    // Row p of the weights: entries starts[p] .. starts[p + 1] of nodes and weights. All empty: p = node p.
+    std::vector<std::uint32_t> starts, nodes;
+    std::vector<double> weights;
+    std::vector<std::uint32_t> triangles;      ///< three points each
+    std::vector<std::uint32_t> triangle_cells; ///< which cell each triangle belongs to
+    std::vector<std::uint32_t> segments;       ///< two points each; an edge shared by cells is drawn once
+};
+
+/// `cuts` pieces per curved edge (order 2 only). Of solids, the boundary faces and all edges of those faces.
+Tessellation tessellate(const Mesh& mesh, int cuts = 8);
+
+/// The shown points for given node positions (mesh numbering).
+Points shown_points(const Tessellation& tessellation, const Points& nodes);
+/// The shown values of a node field.
+std::vector<double> shown_values(const Tessellation& tessellation, std::span<const double> nodes);
+
+} // namespace gaspard

@@ -1,0 +1,82 @@
+#include "core/base/error.hpp"
+#include "core/base/parameter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gaspard {
+namespace {
+
+Values sample() {
+    return Values("monitor", {{.key = "amplitude", .minimum = 0, .maximum = 100, .default_value = 10.0},
+                              {.key = "cells",
+                               .kind = ParameterKind::integer,
+                               .minimum = 4,
+                               .maximum = 480,
+                               .default_value = std::int64_t{60}},
+                              {.key = "boundary",
+                               .kind = ParameterKind::choice,
+                               .default_value = std::string("periodic"),
+                               .choices = {"periodic", "walls"}},
+                              {.key = "on", .kind = ParameterKind::boolean, .default_value = true}});
+}
+
+std::string message_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Values, TakeTheirRowsDefaults) {
+    const Values values = sample();
+    EXPECT_EQ(values.real("amplitude"), 10.0);
+    EXPECT_EQ(values.integer("cells"), 60);
+    EXPECT_EQ(values.text("boundary"), "periodic");
+    EXPECT_TRUE(values.boolean("on"));
+}
+
+TEST(Values, ParseEveryKindFromText) {
+    Values values = sample();
+    values.parse("amplitude", "2.5e1");
+    values.parse("cells", "4");
+    values.parse("boundary", "walls");
+    values.parse("on", "false");
+    EXPECT_EQ(values.real("amplitude"), 25.0);
+    EXPECT_EQ(values.integer("cells"), 4);
+    EXPECT_EQ(values.text("boundary"), "walls");
+    EXPECT_FALSE(values.boolean("on"));
+}
+
+TEST(Values, RefuseWhatIsOutOfRangeAndKeepTheOldValue) {
+    Values values = sample();
+    EXPECT_NE(message_of([&] { values.parse("cells", "0"); }).find("4 to 480"), std::string::npos);
+    EXPECT_NE(message_of([&] { values.parse("cells", "1000000000"); }).find("4 to 480"), std::string::npos);
+    EXPECT_NE(message_of([&] { values.parse("amplitude", "nan"); }).find("finite"), std::string::npos);
+    EXPECT_NE(message_of([&] { values.set("amplitude", INFINITY); }).find("finite"), std::string::npos);
+    EXPECT_NE(message_of([&] { values.parse("cells", "4.5"); }).find("a whole number"), std::string::npos);
+    EXPECT_NE(message_of([&] { values.parse("on", "yes"); }).find("true or false"), std::string::npos);
+    EXPECT_EQ(values, sample());
+}
+
+TEST(Values, NameTheNearestKeyAndChoice) {
+    Values values = sample();
+    EXPECT_NE(message_of([&] { values.parse("amplitud", "1"); }).find("'monitor.amplitude'"), std::string::npos);
+    EXPECT_NE(message_of([&] { values.parse("boundary", "wals"); }).find("'walls'"), std::string::npos);
+}
+
+TEST(Values, NumbersReadBackToTheSameDouble) {
+    for (const double value : {0.1, 1.0 / 3, 1e-300, 123456789.123456789, -0.0})
+        EXPECT_EQ(std::stod(format_number(value)), value);
+}
+
+TEST(Nearest, IsSilentWhereNothingIsNear) {
+    EXPECT_EQ(nearest("plane-rng", {"plane-ring", "plane-bell"}), "plane-ring");
+    EXPECT_EQ(nearest("xyzzy", {"plane-ring", "plane-bell"}), "");
+}
+
+} // namespace
+} // namespace gaspard
