@@ -10,8 +10,8 @@ namespace gaspard {
 
 [[noreturn]] inline void check_failed(const char* expression,
                                       std::source_location where = std::source_location::current()) {
-    throw InternalError(std::string("internal fault: ") + expression + " does not hold (" + where.file_name() + ":" +
-                        std::to_string(where.line()) + ")");
+    throw InternalError(std::string("internal fault: ") + expression + " does not hold (" +
+                        where.file_name() + ":" + std::to_string(where.line()) + ")");
 }
 
 } // namespace gaspard

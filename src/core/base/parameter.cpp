@@ -28,24 +28,32 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string kind_name(ParameterKind kind) {
     switch (kind) {
-    case ParameterKind::real: return "a number";
-    case ParameterKind::integer: return "a whole number";
-    case ParameterKind::boolean: return "true or false";
-    case ParameterKind::choice: return "one of its choices";
-    case ParameterKind::text: return "a text";
+    case ParameterKind::real:
+        return "a number";
+    case ParameterKind::integer:
+        return "a whole number";
+    case ParameterKind::boolean:
+        return "true or false";
+    case ParameterKind::choice:
+        return "one of its choices";
+    case ParameterKind::text:
+        return "a text";
     }
     return {};
 }
 
-template <class Number> bool read_all(std::string_view text, Number& number) {
+template <class Number>
+bool read_all(std::string_view text, Number& number) {
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
     return code == std::errc{} && end == text.data() + text.size();
 }
 
 void check_range(const std::string& name, const ParameterRow& row, double value) {
-    if (!std::isfinite(value)) throw InputError(name + " must be a finite number, not " + format_number(value));
+    if (!std::isfinite(value))
+        throw InputError(name + " must be a finite number, not " + format_number(value));
     if (value < row.minimum || value > row.maximum)
-        throw InputError(name + " = " + format_number(value) + " is out of range: " + describe_range(row));
+        throw InputError(name + " = " + format_number(value) + " is out of range: " + describe_range(row) +
+                         (row.help.empty() ? "" : " (" + row.help + ")"));
 }
 
 } // namespace
@@ -78,7 +86,8 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
     std::string best;
     std::size_t smallest = std::max<std::size_t>(2, word.size() / 2) + 1;
     for (const auto& candidate : candidates)
-        if (const std::size_t d = edit_distance(word, candidate); d < smallest) smallest = d, best = candidate;
+        if (const std::size_t d = edit_distance(word, candidate); d < smallest)
+            smallest = d, best = candidate;
     return best;
 }
 
@@ -90,7 +99,8 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 Values::Values(std::string section, std::vector<ParameterRow> rows)
     : section_(std::move(section)), rows_(std::move(rows)) {
     for (const auto& row : rows_) values_.push_back(row.default_value);
-    for (const auto& row : rows_) set(row.key, row.default_value); // a default out of its own range is our fault
+    for (const auto& row : rows_)
+        set(row.key, row.default_value); // a default out of its own range is our fault
 }
 
 bool Values::has(std::string_view key) const {
@@ -142,9 +152,12 @@ void Values::set(std::string_view key, const Value& value) {
     switch (row.kind) {
     case ParameterKind::real: {
         double real = 0;
-        if (const auto* given = std::get_if<double>(&value)) real = *given;
-        else if (const auto* whole = std::get_if<std::int64_t>(&value)) real = static_cast<double>(*whole);
-        else wrong_kind();
+        if (const auto* given = std::get_if<double>(&value))
+            real = *given;
+        else if (const auto* whole = std::get_if<std::int64_t>(&value))
+            real = static_cast<double>(*whole);
+        else
+            wrong_kind();
         check_range(name, row, real);
         values_[i] = real;
         return;

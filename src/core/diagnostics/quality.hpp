@@ -39,7 +39,8 @@ class QualityMeter {
 
     std::shared_ptr<const Mesh> mesh_;
     std::vector<Sample> quadrature_;
-    std::vector<Sample> samples_; ///< where the sign of the Jacobian is looked at: nodes and quadrature points
+    std::vector<Sample>
+        samples_; ///< where the sign of the Jacobian is looked at: nodes and quadrature points
     std::vector<double> reference_; ///< det d xi / d(reference), per cell and sample
     std::vector<double> measure_;   ///< of the computational cells
     Points points_;

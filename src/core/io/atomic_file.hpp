@@ -8,9 +8,9 @@
 
 namespace gaspard {
 
-/// Calls `write` with a binary stream in the C locale. Whatever goes wrong (an exception of `write`, a full disk, a
-/// folder that vanished), the temporary file is removed and an older file of that name is left as it was.
-/// Throws MachineError naming file and cause.
+/// Calls `write` with a binary stream in the C locale. Whatever goes wrong (an exception of `write`, a full
+/// disk, a folder that vanished), the temporary file is removed and an older file of that name is left as it
+/// was. Throws MachineError naming file and cause.
 void write_atomically(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 

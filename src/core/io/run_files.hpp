@@ -13,6 +13,7 @@ namespace gaspard {
 std::string history_csv(const std::vector<StepReport>& history);
 std::string summary_json(Run& run);
 /// Writes all of them; throws MachineError at the first that fails.
-void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats);
+void write_run_files(const std::filesystem::path& folder, Run& run,
+                     const std::vector<const Format*>& formats);
 
 } // namespace gaspard

@@ -1,7 +1,8 @@
 // Cells of dimension 1 to 3 and order 1 or 2, and the mesh of one kind of them, in our own arrays.
 //
 // A mesh is the computational one (nodes xi). The physical mesh has the same cells, with other positions x of
-// the same nodes. A periodic domain is unwrapped: nodes at both sides, identified only by the function spaces.
+// the same nodes. A periodic domain is unwrapped: nodes at both sides, identified only by the function
+// spaces.
 #pragma once
 
 #include "core/base/points.hpp"
@@ -15,10 +16,12 @@ namespace gaspard {
 
 enum class CellShape { line, triangle, quadrilateral, hexahedron };
 
-/// What one kind of cell is. Nodes are numbered as in VTK: corners, then edges, then faces, then the interior.
+/// What one kind of cell is. Nodes are numbered as in VTK: corners, then edges, then faces, then the
+/// interior.
 struct CellKind {
     CellShape shape = CellShape::quadrilateral;
-    int order = 1; ///< 1: straight edges; 2: one more node per edge (and face, and cell, for squares and cubes)
+    int order =
+        1; ///< 1: straight edges; 2: one more node per edge (and face, and cell, for squares and cubes)
 
     friend bool operator==(const CellKind&, const CellKind&) = default;
 };
@@ -37,7 +40,8 @@ void shape_functions(CellKind kind, Vec3 point, std::span<double> values, std::s
 
 /// The edges of one cell as local node numbers: two per edge of order 1, three (end, end, middle) of order 2.
 std::span<const std::vector<int>> cell_edges(CellKind kind);
-/// The faces of one solid cell as local corner numbers, outward and counter-clockwise; empty for lines and surfaces.
+/// The faces of one solid cell as local corner numbers, outward and counter-clockwise; empty for lines and
+/// surfaces.
 std::span<const std::vector<int>> cell_faces(CellKind kind);
 
 struct Mesh {

@@ -7,14 +7,15 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 namespace gaspard {
 
-/// What an iteration changes, as named arrays. `layout` says what they mean ("plane periodic Q2 n=60"): a state
-/// fits a method exactly when the layouts are equal.
+/// What an iteration changes, as named arrays. `layout` says what they mean ("plane periodic Q2 n=60"): a
+/// state fits a method exactly when the layouts are equal.
 struct State {
     struct Array {
         std::string name;
@@ -39,10 +40,14 @@ class Method {
     virtual ~Method() = default;
     /// The state in which every node stands at xi.
     virtual State initial_state() const = 0;
+    /// The same map for this method's own layout, made from a state of another resolution or method; nothing
+    /// where there is no way.
+    virtual std::optional<State> adopt(const State& other) = 0;
     /// Evaluates the equation at `state` and leaves it as it is.
     virtual Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token stop) = 0;
-    /// One update of the unknowns, then the evaluation of what came out. The last evaluate() or step() must have
-    /// been of this very state and monitor. A result that is not finite is a value (the run ends as diverged).
+    /// One update of the unknowns, then the evaluation of what came out. The last evaluate() or step() must
+    /// have been of this very state and monitor. A result that is not finite is a value (the run ends as
+    /// diverged).
     virtual Evaluation step(const Monitor& monitor, State& state, std::stop_token stop) = 0;
     /// Where the mesh's nodes stand for the state last evaluated, in physical coordinates.
     virtual const Points& positions() const = 0;

@@ -26,7 +26,8 @@ class Monitor {
     virtual void check() const = 0;
 };
 
-/// A kind of monitor as the user sees it. Adding one is a file with its rows and `make`, and a line in monitors.cpp.
+/// A kind of monitor as the user sees it. Adding one is a file with its rows and `make`, and a line in
+/// monitors.cpp.
 struct MonitorType {
     std::string name;
     std::string label;

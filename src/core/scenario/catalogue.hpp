@@ -1,6 +1,6 @@
-// All there is to choose from, and what goes with what: one table of capabilities (domain x boundary x monitor x
-// method). The window greys out from it, the command line validates against it. A catalogue is a value: tests add
-// fixtures to a copy.
+// All there is to choose from, and what goes with what: one table of capabilities (domain x boundary x
+// monitor x method). The window greys out from it, the command line validates against it. A catalogue is a
+// value: tests add fixtures to a copy.
 #pragma once
 
 #include "core/mesh/discretisation.hpp"
@@ -24,7 +24,9 @@ struct Capability {
     std::vector<std::string> boundaries; ///< of domain.boundary; empty: the domain has no such key
     std::vector<std::string> monitors;
     std::vector<std::string> methods;
-    std::function<std::shared_ptr<const Discretisation>(const Values& domain, const Progress&, std::stop_token)> prepare;
+    std::function<std::shared_ptr<const Discretisation>(const Values& domain, const Progress&,
+                                                        std::stop_token)>
+        prepare;
 };
 
 struct Catalogue {
@@ -51,10 +53,11 @@ Section method_section(const Catalogue& catalogue, std::string_view type);
 /// The scenario with every default filled in; types may be empty for the first of the catalogue.
 Scenario default_scenario(const Catalogue& catalogue);
 
-/// Sets one value by its full key ("monitor.amplitude", "monitor.type"). A new type takes that type's defaults.
-/// Throws InputError: unknown or reserved key, wrong kind, out of range.
+/// Sets one value by its full key ("monitor.amplitude", "monitor.type"). A new type takes that type's
+/// defaults. Throws InputError: unknown or reserved key, wrong kind, out of range.
 void set_value(const Catalogue& catalogue, Scenario& scenario, std::string_view key, const Value& value);
-/// The same for a list of "key=value" texts from a command line; types first, so that the order does not matter.
+/// The same for a list of "key=value" texts from a command line; types first, so that the order does not
+/// matter.
 void apply_settings(const Catalogue& catalogue, Scenario& scenario, const std::vector<std::string>& settings);
 
 /// A scenario that has passed: combination allowed, monitor positive. Everything a run needs to begin.

@@ -10,7 +10,8 @@
 
 namespace gaspard {
 
-/// Throws InputError with file and line: broken TOML, unknown key (with the nearest known one), value out of range.
+/// Throws InputError with file and line: broken TOML, unknown key (with the nearest known one), value out of
+/// range.
 Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const std::string& origin);
 Scenario load_scenario(const Catalogue& catalogue, const std::filesystem::path& file);
 /// The complete scenario, every default filled in; reads back to the same scenario.

@@ -12,8 +12,10 @@
 
 namespace gaspard {
 
-/// A first-in, first-out queue of at most `capacity` values. Nothing is dropped: a full queue holds its writer back.
-template <class T> class Channel {
+/// A first-in, first-out queue of at most `capacity` values. Nothing is dropped: a full queue holds its
+/// writer back.
+template <class T>
+class Channel {
   public:
     explicit Channel(std::size_t capacity) : capacity_(capacity) {}
 
@@ -44,7 +46,8 @@ template <class T> class Channel {
 };
 
 /// Holds the newest value only.
-template <class T> class Latest {
+template <class T>
+class Latest {
   public:
     void put(std::shared_ptr<const T> value) {
         std::lock_guard lock(mutex_);

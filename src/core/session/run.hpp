@@ -15,8 +15,8 @@ namespace gaspard {
 
 class Run {
   public:
-    /// Prepares the operators and evaluates the start (row 0 of the history). Throws InputError; Interrupted when
-    /// stopped on the way. `start` replaces the identity map as the first iterate.
+    /// Prepares the operators and evaluates the start (row 0 of the history). Throws InputError; Interrupted
+    /// when stopped on the way. `start` replaces the identity map as the first iterate.
     Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, const Progress& progress = {},
         std::stop_token stop = {}, const State* start = nullptr);
 
@@ -27,8 +27,8 @@ class Run {
     /// Ends the run here as interrupted, with full diagnostics of the present iterate.
     void interrupt();
 
-    /// Goes on with other values, from the present map where it can; else from the start. Returns a sentence for the
-    /// user where the map could not be kept, else nothing. Throws InputError and changes nothing.
+    /// Goes on with other values, from the present map where it can; else from the start. Returns a sentence
+    /// for the user where the map could not be kept, else nothing. Throws InputError and changes nothing.
     std::string change(const Scenario& scenario, const Progress& progress = {}, std::stop_token stop = {});
     /// Back to the identity map.
     void reset();

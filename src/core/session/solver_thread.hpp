@@ -42,7 +42,8 @@ struct SolverStatus {
     bool paused = true;
     double progress = 0;  ///< of the preparation, 0 to 1
     std::string activity; ///< what is being prepared
-    std::string message;  ///< the last sentence for the user: an input error, a map that could not be kept, a fault
+    std::string
+        message; ///< the last sentence for the user: an input error, a map that could not be kept, a fault
     std::uint64_t messages = 0; ///< how many sentences so far, so that the same one twice is seen twice
 };
 
@@ -79,7 +80,7 @@ class SolverThread {
     std::shared_ptr<const Catalogue> catalogue_;
     Scenario scenario_;
     Options options_;
-    std::unique_ptr<Run> run_; ///< touched by the solver thread only
+    std::unique_ptr<Run> run_;  ///< touched by the solver thread only
     std::size_t published_ = 0; ///< rows of the run's history already in the queue
     bool running_ = false, step_once_ = false;
 

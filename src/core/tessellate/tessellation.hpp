@@ -1,4 +1,5 @@
-// What eye and files need of a mesh: points to show, triangles that fill the cells, segments that draw their edges.
+// What eye and files need of a mesh: points to show, triangles that fill the cells, segments that draw their
+// edges.
 //
 // The structure is made once per mesh; positions and node fields follow a snapshot through fixed weights:
 //   shown point p = sum over j of w_pj * node j

@@ -1,9 +1,8 @@
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 
 namespace gaspard {
 namespace {
@@ -64,7 +63,8 @@ TEST(Values, RefuseWhatIsOutOfRangeAndKeepTheOldValue) {
 
 TEST(Values, NameTheNearestKeyAndChoice) {
     Values values = sample();
-    EXPECT_NE(message_of([&] { values.parse("amplitud", "1"); }).find("'monitor.amplitude'"), std::string::npos);
+    EXPECT_NE(message_of([&] { values.parse("amplitud", "1"); }).find("'monitor.amplitude'"),
+              std::string::npos);
     EXPECT_NE(message_of([&] { values.parse("boundary", "wals"); }).find("'walls'"), std::string::npos);
 }
 

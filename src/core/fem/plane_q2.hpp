@@ -1,0 +1,87 @@
+// The mixed finite elements of McRae, Cotter, Budd on the unit square, n x n squares, doubly periodic or with
+// walls:
+//
+//   V = Q2, Sigma = (Q2)^{2x2} symmetric;  physical vertices and monitor in Q1
+//   x = xi + Pi_Q1 grad phi                                                               (3.5)
+//   <tau, sigma> = -<div tau, grad phi>              for all tau                          (3.8)
+//   theta = integral of m det(I + sigma) / area                                           (3.6)
+//   r_v = <v, m det(I + sigma) - theta>              for all v                            (3.3), (5.1)
+//   <grad v, grad u> = r_v                           for all v, mean of u = 0             (3.7)
+//
+// All integrals are exact: m in Q1, sigma in Q2, v in Q2 make degree 7 in each direction, 4 Gauss points.
+// Walls: phi is even, the normal derivative and sigma_12 vanish there, so nodes slide along straight sides.
+//
+// Shapes: a Q2 function is size() x size() values, x running fastest; line unknown 2 c is vertex c, 2 c + 1
+// the middle of cell c. Nodes are those of unit_square_mesh(n), also where the domain is periodic.
+#pragma once
+
+#include "core/fem/line_map.hpp"
+#include "core/linear/tensor_poisson.hpp"
+#include "core/mesh/discretisation.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace gaspard {
+
+/// sigma, the weak Hessian of phi: three Q2 functions.
+struct WeakHessian {
+    std::vector<double> xx, yy, xy;
+};
+
+class PlaneQ2 final : public Discretisation {
+  public:
+    explicit PlaneQ2(LineGrid grid);
+
+    std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
+    std::size_t unknowns() const override { return size() * size(); }
+    const LineGrid& grid() const { return grid_; }
+    std::size_t size() const { return grid_.size(2); } ///< unknowns per direction
+
+    /// Buffers for one caller; operators allocate nothing.
+    struct Room {
+        TensorPoisson::Room poisson;
+        std::vector<double> a, b, c;
+    };
+    Room make_room() const;
+
+    /// (3.5): x at the mesh's nodes.
+    void positions(std::span<const double> phi, Points& x, Room& room) const;
+    /// (3.8), sigma eliminated exactly.
+    void hessian(std::span<const double> phi, WeakHessian& sigma, Room& room) const;
+
+    struct Residual {
+        double theta = 0;
+        double normalised = 0; ///< l2 norm of r / l2 norm of <v, theta>
+    };
+    /// (3.6) and (5.1) for the monitor's values at the mesh's nodes; fills r.
+    Residual residual(std::span<const double> monitor, const WeakHessian& sigma, std::span<double> r) const;
+    /// (3.7): u = (stiffness)^-1 r with mean 0. May be in place.
+    void poisson(std::span<const double> r, std::span<double> u, Room& room) const;
+
+    /// A potential for this grid whose Laplacian is that of `phi` of another grid with the same boundary: the
+    /// start on a finer or coarser mesh. (Interpolating phi itself would leave kinks that the Hessian sees.)
+    std::vector<double> transfer(const LineGrid& from, std::span<const double> phi, Room& room) const;
+
+  private:
+    void add_cell(std::size_t i, std::size_t j, std::span<const double> monitor, const WeakHessian& sigma,
+                  std::span<double> r) const;
+    std::vector<double> line_weights() const;
+
+    LineGrid grid_;
+    std::shared_ptr<const Mesh> mesh_;
+    LineMap second_;   ///< M^-1 <v', u'>: minus the second derivative
+    LineMap first_;    ///< M^-1 <v, u'>, into odd functions
+    LineMap slope_q1_; ///< projection of u' to degree 1, odd
+    LineMap value_q1_; ///< projection of u to degree 1, even
+    TensorPoisson poisson_;
+    std::vector<double> weights_; ///< <v, 1> per line
+    // Values of the local functions at the Gauss points.
+    static constexpr std::size_t gauss = 4;
+    std::array<std::array<double, 3>, gauss> q2_{};
+    std::array<std::array<double, 2>, gauss> q1_{};
+    std::array<double, gauss> gauss_weights_{};
+};
+
+} // namespace gaspard

@@ -1,0 +1,51 @@
+// The eigenvectors of quadratic finite elements on a line of n equal cells, applied by FFT:
+//
+//   K s = lambda M s,   S^T M S = I,   S^T K S = diag(lambda)                    (fast diagonalisation)
+//
+// K stiffness, M mass, on [0,1] closed to a ring (2 n unknowns) or with natural ends (2 n + 1 unknowns; the
+// even functions of the ring of length 2). Unknown 2 c is vertex c, unknown 2 c + 1 the middle of cell c. An
+// eigenvector is a cos(2 pi k c / P) at the vertices and b cos(2 pi k (c + 1/2) / P) at the middles, P cells
+// in the ring, or the same with sines; (a, b) solves a 2 x 2 problem. Vertices and middles travel as one
+// complex sequence.
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace gaspard {
+
+class LineSpectrum {
+  public:
+    LineSpectrum(std::size_t cells, bool periodic);
+
+    std::size_t size() const { return eigenvalues_.size(); }
+    /// lambda, in the order of the coefficients; the first is 0, its eigenvector constant.
+    const std::vector<double>& eigenvalues() const { return eigenvalues_; }
+
+    /// One caller's plans and buffers, so that transforms allocate nothing; not to be shared by threads.
+    struct Room {
+        struct Plans;
+        std::shared_ptr<Plans> plans;
+        std::vector<std::complex<double>> time, frequency;
+    };
+    Room make_room() const;
+    /// c = S^T b for one line of size() contiguous values; in place is allowed.
+    void analyse(const double* b, double* c, Room& room) const;
+    /// u = S c.
+    void synthesise(const double* c, double* u, Room& room) const;
+
+  private:
+    struct Mode { ///< the two branches of one frequency, scaled to unit mass
+        double vertex[2], middle[2];
+        std::complex<double> half_shift; ///< exp(i pi k / P)
+    };
+
+    std::size_t cells_, ring_; ///< n, and P
+    bool periodic_;
+    std::vector<Mode> modes_; ///< frequencies 0 .. floor(P / 2)
+    std::vector<double> eigenvalues_;
+};
+
+} // namespace gaspard

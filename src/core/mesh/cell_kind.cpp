@@ -1,0 +1,182 @@
+// Lagrange shape functions of order 1 and 2 and the local numbering of nodes, edges and faces (as in VTK).
+#include "core/base/check.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace gaspard {
+
+namespace {
+
+// One row per kind of cell; everything else is looked up here.
+struct CellTable {
+    CellKind kind;
+    const char* name;
+    int dimension;
+    int corners;
+    std::vector<Vec3> nodes; ///< reference positions
+    std::vector<std::vector<int>> edges;
+    std::vector<std::vector<int>> faces;
+};
+
+const std::vector<std::vector<int>> cube_faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                                  {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+
+std::vector<Vec3> cube_nodes(int order) {
+    std::vector<Vec3> nodes = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                               {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+    if (order == 1) return nodes;
+    for (const Vec3 middle : {Vec3{.5, 0, 0},
+                              {1, .5, 0},
+                              {.5, 1, 0},
+                              {0, .5, 0},
+                              {.5, 0, 1},
+                              {1, .5, 1},
+                              {.5, 1, 1},
+                              {0, .5, 1},
+                              {0, 0, .5},
+                              {1, 0, .5},
+                              {1, 1, .5},
+                              {0, 1, .5}})
+        nodes.push_back(middle);
+    for (const Vec3 face : {Vec3{0, .5, .5}, {1, .5, .5}, {.5, 0, .5}, {.5, 1, .5}, {.5, .5, 0}, {.5, .5, 1}})
+        nodes.push_back(face);
+    nodes.push_back({.5, .5, .5});
+    return nodes;
+}
+
+const std::vector<CellTable>& cell_tables() {
+    static const std::vector<CellTable> tables = {
+        {{CellShape::line, 1}, "line", 1, 2, {{0, 0, 0}, {1, 0, 0}}, {{0, 1}}, {}},
+        {{CellShape::line, 2}, "line", 1, 2, {{0, 0, 0}, {1, 0, 0}, {.5, 0, 0}}, {{0, 1, 2}}, {}},
+        {{CellShape::triangle, 1},
+         "triangle",
+         2,
+         3,
+         {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+         {{0, 1}, {1, 2}, {2, 0}},
+         {}},
+        {{CellShape::triangle, 2},
+         "triangle",
+         2,
+         3,
+         {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {.5, 0, 0}, {.5, .5, 0}, {0, .5, 0}},
+         {{0, 1, 3}, {1, 2, 4}, {2, 0, 5}},
+         {}},
+        {{CellShape::quadrilateral, 1},
+         "quadrilateral",
+         2,
+         4,
+         {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+         {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
+         {}},
+        {{CellShape::quadrilateral, 2},
+         "quadrilateral",
+         2,
+         4,
+         {{0, 0, 0},
+          {1, 0, 0},
+          {1, 1, 0},
+          {0, 1, 0},
+          {.5, 0, 0},
+          {1, .5, 0},
+          {.5, 1, 0},
+          {0, .5, 0},
+          {.5, .5, 0}},
+         {{0, 1, 4}, {1, 2, 5}, {2, 3, 6}, {3, 0, 7}},
+         {}},
+        {{CellShape::hexahedron, 1},
+         "hexahedron",
+         3,
+         8,
+         cube_nodes(1),
+         {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}},
+         cube_faces},
+        {{CellShape::hexahedron, 2},
+         "hexahedron",
+         3,
+         8,
+         cube_nodes(2),
+         {{0, 1, 8},
+          {1, 2, 9},
+          {2, 3, 10},
+          {3, 0, 11},
+          {4, 5, 12},
+          {5, 6, 13},
+          {6, 7, 14},
+          {7, 4, 15},
+          {0, 4, 16},
+          {1, 5, 17},
+          {2, 6, 18},
+          {3, 7, 19}},
+         cube_faces},
+    };
+    return tables;
+}
+
+const CellTable& table(CellKind kind) {
+    for (const auto& entry : cell_tables())
+        if (entry.kind == kind) return entry;
+    check_failed("the kind of cell is in the table");
+}
+
+// Lagrange polynomials on [0,1] of the node at `node` (0, 1/2 or 1): value and derivative.
+struct ValueAndSlope {
+    double value, slope;
+};
+ValueAndSlope lagrange(int order, double node, double s) {
+    if (order == 1) return node == 0 ? ValueAndSlope{1 - s, -1} : ValueAndSlope{s, 1};
+    if (node == 0) return {(1 - s) * (1 - 2 * s), 4 * s - 3};
+    if (node == 1) return {s * (2 * s - 1), 4 * s - 1};
+    return {4 * s * (1 - s), 4 - 8 * s};
+}
+
+void tensor_shapes(const CellTable& cell, Vec3 point, std::span<double> values, std::span<Vec3> gradients) {
+    const int order = cell.kind.order;
+    for (std::size_t i = 0; i < cell.nodes.size(); ++i) {
+        const auto a = lagrange(order, cell.nodes[i].x, point.x);
+        const auto b = cell.dimension > 1 ? lagrange(order, cell.nodes[i].y, point.y) : ValueAndSlope{1, 0};
+        const auto c = cell.dimension > 2 ? lagrange(order, cell.nodes[i].z, point.z) : ValueAndSlope{1, 0};
+        values[i] = a.value * b.value * c.value;
+        gradients[i] = {a.slope * b.value * c.value, a.value * b.slope * c.value,
+                        a.value * b.value * c.slope};
+    }
+}
+
+void triangle_shapes(int order, Vec3 p, std::span<double> values, std::span<Vec3> gradients) {
+    const double l[3] = {1 - p.x - p.y, p.x, p.y};
+    const Vec3 dl[3] = {{-1, -1, 0}, {1, 0, 0}, {0, 1, 0}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        values[i] = order == 1 ? l[i] : l[i] * (2 * l[i] - 1);
+        gradients[i] = order == 1 ? dl[i] : (4 * l[i] - 1) * dl[i];
+    }
+    if (order == 1) return;
+    for (std::size_t e = 0; e < 3; ++e) {
+        const std::size_t a = e, b = (e + 1) % 3;
+        values[3 + e] = 4 * l[a] * l[b];
+        gradients[3 + e] = 4 * (l[a] * dl[b] + l[b] * dl[a]);
+    }
+}
+
+} // namespace
+
+int cell_dimension(CellKind kind) { return table(kind).dimension; }
+int corners_per_cell(CellKind kind) { return table(kind).corners; }
+int nodes_per_cell(CellKind kind) { return static_cast<int>(table(kind).nodes.size()); }
+
+std::string cell_name(CellKind kind) {
+    return std::string(table(kind).name) + ", order " + std::to_string(kind.order);
+}
+
+std::span<const Vec3> reference_nodes(CellKind kind) { return table(kind).nodes; }
+std::span<const std::vector<int>> cell_edges(CellKind kind) { return table(kind).edges; }
+std::span<const std::vector<int>> cell_faces(CellKind kind) { return table(kind).faces; }
+
+void shape_functions(CellKind kind, Vec3 point, std::span<double> values, std::span<Vec3> gradients) {
+    const CellTable& cell = table(kind);
+    GASPARD_CHECK(values.size() == cell.nodes.size() && gradients.size() == cell.nodes.size());
+    if (kind.shape == CellShape::triangle)
+        triangle_shapes(kind.order, point, values, gradients);
+    else
+        tensor_shapes(cell, point, values, gradients);
+}
+
+} // namespace gaspard

@@ -1,0 +1,46 @@
+// The monitor that asks for nothing: the mesh stays as it is.
+#include "core/base/check.hpp"
+#include "core/monitor/monitor.hpp"
+
+#include <algorithm>
+
+namespace gaspard {
+
+namespace {
+
+class ConstantMonitor final : public Monitor {
+  public:
+    explicit ConstantMonitor(double value) : value_(value) {}
+
+    void values(const Points& x, std::span<double> values) const override {
+        GASPARD_CHECK(values.size() == x.size());
+        std::fill(values.begin(), values.end(), value_);
+    }
+    void gradients(const Points& x, Points& gradients) const override { gradients = Points(x.size()); }
+    void check() const override {} // the row's range keeps it positive
+
+  private:
+    double value_;
+};
+
+} // namespace
+
+MonitorType constant_monitor() {
+    return {.name = "constant",
+            .label = "Constant",
+            .help = "equal cells: no node moves",
+            .equation = "m(x) = v",
+            .rows = {{.key = "value",
+                      .label = "Value",
+                      .symbol = "v",
+                      .minimum = 0.001,
+                      .maximum = 1000,
+                      .scale = ParameterScale::logarithmic,
+                      .default_value = 1.0,
+                      .help = "any positive number gives the same mesh"}},
+            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+                return std::make_shared<ConstantMonitor>(v.real("value"));
+            }};
+}
+
+} // namespace gaspard

@@ -1,0 +1,53 @@
+#include "core/monitor/radial.hpp"
+
+#include "core/base/check.hpp"
+
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+// 1 / cosh^2 without overflow: for large |t| it is 0 to double precision.
+double sech_squared(double t) {
+    const double e = std::exp(-2 * std::abs(t));
+    return 4 * e / ((1 + e) * (1 + e));
+}
+
+} // namespace
+
+void SechMonitor::values(const Points& x, std::span<double> values) const {
+    GASPARD_CHECK(values.size() == x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const Vec3 d = displacement(space_, p_.centre, x[i]);
+        values[i] = 1 + p_.amplitude * sech_squared(p_.sharpness * (dot(d, d) - p_.radius_squared));
+    }
+}
+
+void SechMonitor::gradients(const Points& x, Points& gradients) const {
+    gradients.resize(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const Vec3 d = displacement(space_, p_.centre, x[i]);
+        const double t = p_.sharpness * (dot(d, d) - p_.radius_squared);
+        // d/dt sech^2 t = -2 tanh t sech^2 t;  grad t = 2 B d
+        gradients.set(i, (-4 * p_.amplitude * p_.sharpness * std::tanh(t) * sech_squared(t)) * d);
+    }
+}
+
+void SechMonitor::check() const {
+    if (1 + p_.amplitude <= 0)
+        throw InputError("monitor.amplitude = " + format_number(p_.amplitude) +
+                         " makes the monitor zero or negative; it must be greater than -1");
+}
+
+ParameterRow center_row(const std::string& key, const std::string& label, const std::string& symbol) {
+    return {.key = key,
+            .label = label,
+            .symbol = symbol,
+            .minimum = 0,
+            .maximum = 1,
+            .default_value = 0.5,
+            .help = "where the feature stands; the square is [0, 1] x [0, 1]"};
+}
+
+} // namespace gaspard

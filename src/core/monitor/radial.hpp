@@ -1,0 +1,32 @@
+// Monitors that depend on the distance from a centre only:  m(x) = f(|x - c|^2).
+// On the periodic square the distance is to the nearest image of the centre.
+#pragma once
+
+#include "core/monitor/monitor.hpp"
+
+namespace gaspard {
+
+/// m = 1 + A sech^2( B (|x - c|^2 - r^2) ): the ring (5.3) with r > 0, the bell (5.4) with r = 0.
+class SechMonitor final : public Monitor {
+  public:
+    struct Parameters {
+        double amplitude;      ///< A > -1
+        double sharpness;      ///< B, in 1 / length^2; larger is narrower
+        double radius_squared; ///< r^2
+        Vec3 centre;           ///< c
+    };
+    SechMonitor(Parameters parameters, Space space) : p_(parameters), space_(space) {}
+
+    void values(const Points& x, std::span<double> values) const override;
+    void gradients(const Points& x, Points& gradients) const override;
+    void check() const override;
+
+  private:
+    Parameters p_;
+    Space space_;
+};
+
+/// The rows of a centre in the unit square, which every monitor with a centre shares.
+ParameterRow center_row(const std::string& key, const std::string& label, const std::string& symbol);
+
+} // namespace gaspard
