@@ -9,6 +9,9 @@
 #include "core/mesh/mesh.hpp"
 #include "core/monitor/monitor.hpp"
 
+#include <array>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace gaspard {
@@ -23,28 +26,48 @@ struct MeshQuality {
 };
 
 /// Measures a mesh; holds the reference quadrature and the computational measures, and room to work in.
+/// Of a surface in space the Jacobian is negative where the physical cell faces away from the computational
+/// one.
 class QualityMeter {
   public:
-    /// `points` Gauss points per direction for the integral of m.
-    explicit QualityMeter(std::shared_ptr<const Mesh> mesh, int points = 6);
+    /// `points` Gauss points per direction for the integral of m: with 6 the equidistribution of
+    /// the ring is right to 3e-7 of its value at n = 30 and to 1e-8 from n = 60 on.
+    /// `threads` share the cells; the result does not depend on how many.
+    explicit QualityMeter(std::shared_ptr<const Mesh> mesh, int threads = 1, int points = 6);
+    /// The reference is valid until the next call.
     const MeshQuality& measure(const Points& x, const Monitor& monitor);
+    /// What was measured last.
+    const MeshQuality& quality() const { return quality_; }
 
   private:
-    struct Sample {
+    struct Sample { ///< a point of the reference cell, with the shape functions there
         std::vector<double> values;
         std::vector<Vec3> gradients;
-        double weight = 0;
+        double weight = 0; ///< of the quadrature; 0 at points that only look at the sign of the Jacobian
     };
-    double jacobian(std::span<const std::int32_t> cell, const Points& x, const Sample& sample) const;
+    using Tangents = std::array<Vec3, 3>;
+
+    void add_sample(Vec3 point, double weight);
+    Tangents tangents(std::span<const std::int32_t> cell, const Points& x, const Sample& sample) const;
+    double signed_measure(const Tangents& of, const Tangents& reference) const;
+    /// What one thread works in, and what it finds.
+    struct Worker {
+        Points points; ///< quadrature points of a batch of cells
+        std::vector<double> factor, monitor;
+        double min_jacobian = 0, max_jacobian = 0;
+        std::size_t tangled_cells = 0;
+    };
+    void measure_cells(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
+                       Worker& worker);
+    void measure_batch(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
+                       Worker& worker);
 
     std::shared_ptr<const Mesh> mesh_;
-    std::vector<Sample> quadrature_;
-    std::vector<Sample>
-        samples_; ///< where the sign of the Jacobian is looked at: nodes and quadrature points
-    std::vector<double> reference_; ///< det d xi / d(reference), per cell and sample
-    std::vector<double> measure_;   ///< of the computational cells
-    Points points_;
-    std::vector<double> monitor_;
+    int dimension_;
+    std::vector<Sample> samples_;
+    std::size_t quadrature_points_ = 0; ///< the first samples are those of the quadrature
+    std::vector<double> cell_measure_;  ///< of the computational cells
+    std::vector<Worker> workers_;
     MeshQuality quality_;
 };
 

@@ -22,7 +22,7 @@ struct BuiltinScenario {
     std::string_view toml;
 };
 /// The shipped scenarios, embedded at build time.
-const std::vector<BuiltinScenario>& builtin_scenarios();
+std::vector<BuiltinScenario> builtin_scenarios();
 /// A built-in name or the path of a .toml file. Throws InputError, with the nearest name.
 Scenario find_scenario(const Catalogue& catalogue, const std::string& name_or_file);
 

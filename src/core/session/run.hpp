@@ -13,29 +13,36 @@
 
 namespace gaspard {
 
+struct RunOptions {
+    std::optional<State> start{}; ///< the first iterate; empty: the identity map
+    int threads = 1;              ///< how many this run may use; results do not depend on it
+};
+
 class Run {
   public:
     /// Prepares the operators and evaluates the start (row 0 of the history). Throws InputError; Interrupted
-    /// when stopped on the way. `start` replaces the identity map as the first iterate.
-    Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, const Progress& progress = {},
-        std::stop_token stop = {}, const State* start = nullptr);
+    /// when stopped on the way.
+    Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptions options = {},
+        const Progress& progress = {}, std::stop_token stop = {});
 
     /// One iteration; says in its report how the run stands. To be called only while status() is running.
     const StepReport& step(std::stop_token stop = {});
-    /// Steps until the status is final; a request to stop makes it `interrupted`.
-    void finish(std::stop_token stop = {});
     /// Ends the run here as interrupted, with full diagnostics of the present iterate.
     void interrupt();
 
-    /// Goes on with other values, from the present map where it can; else from the start. Returns a sentence
-    /// for the user where the map could not be kept, else nothing. Throws InputError and changes nothing.
+    /// Goes on with other values, from the present map where it can; else from the start. The history goes on
+    /// too, with one more row for the present iterate under the new values. Returns a sentence for the user
+    /// where the map could not be kept, else nothing. Throws InputError (and Interrupted) and changes
+    /// nothing.
     std::string change(const Scenario& scenario, const Progress& progress = {}, std::stop_token stop = {});
-    /// Back to the identity map.
+    /// Back to the identity map, with a new history.
     void reset();
 
     RunStatus status() const { return history_.back().status; }
     const Scenario& scenario() const { return problem_.scenario; }
     const std::vector<StepReport>& history() const { return history_; }
+    /// How often the history has begun anew.
+    int epoch() const { return epoch_; }
     const State& state() const { return state_; }
     const Discretisation& discretisation() const { return *discretisation_; }
     double setup_seconds() const { return setup_seconds_; }
@@ -43,22 +50,33 @@ class Run {
     std::shared_ptr<const Snapshot> snapshot();
 
   private:
-    void prepare(const Progress& progress, std::stop_token stop);
-    void begin();
-    void record(const Evaluation& evaluation, bool last);
+    void begin(State state);
+    void restart_judging();
+    void record(const Evaluation& evaluation, int iteration, std::string note);
     void measure(StepReport& report);
-    RunStatus judge(const StepReport& report) const;
+    RunStatus judge(const StepReport& report, std::string& note);
+    void take_back(Evaluation& evaluation, std::string& note);
 
     std::shared_ptr<const Catalogue> catalogue_;
+    RunOptions options_;
     Problem problem_;
     std::shared_ptr<const Discretisation> discretisation_;
     std::unique_ptr<Method> method_;
     std::optional<QualityMeter> meter_;
     State state_, last_finite_;
     std::vector<StepReport> history_;
-    std::size_t judged_from_ = 0; ///< the history before a change of parameters says nothing of stalling
+    bool measured_ = false; ///< the meter's last measurement is of the present iterate
+    bool not_finite_ = false;
+    // What the end is judged by; begins anew when values change.
+    double first_residual_ = 0, best_residual_ = 0;
+    int judged_from_ = 0, best_iteration_ = 0;
+    int epoch_ = 0;
     double setup_seconds_ = 0, seconds_ = 0, cpu_seconds_ = 0;
     std::uint64_t version_ = 0;
 };
+
+/// The operators of a checked problem.
+std::shared_ptr<const Discretisation> prepare(const Problem& problem, const Progress& progress,
+                                              std::stop_token stop);
 
 } // namespace gaspard

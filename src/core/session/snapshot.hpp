@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gaspard {
@@ -34,20 +35,21 @@ struct StepReport {
     double theta = 0;
     double step_size = 0;
     std::optional<double>
-        equidistribution;            ///< empty where diagnostics were left out (method.diagnostics_every)
-    std::optional<double> exact_rms; ///< empty where no exact map is known
-    std::optional<double> min_jacobian, max_jacobian;
-    std::optional<std::size_t> tangled_cells;
+        equidistribution{};            ///< empty where diagnostics were left out (method.diagnostics_every)
+    std::optional<double> exact_rms{}; ///< empty where no exact map is known
+    std::optional<double> min_jacobian{}, max_jacobian{};
+    std::optional<std::size_t> tangled_cells{};
     double seconds = 0;     ///< cumulative wall time of solving
     double cpu_seconds = 0; ///< cumulative CPU time of the solving thread
     RunStatus status = RunStatus::running;
-    std::string note; ///< a sentence for people, where something is to be said
+    std::string note{}; ///< a sentence for people, where something is to be said
 };
 
 enum class FieldPlace { node, cell };
 
 struct Field {
-    std::string name; ///< "monitor"
+    std::string
+        name; ///< "monitor" (of nodes); "mass" (M_i) and "jacobian" (of cells, the smallest) where measured
     std::string unit; ///< may be empty
     FieldPlace place = FieldPlace::node;
     std::vector<double> values;

@@ -23,14 +23,15 @@ struct ResetCommand {}; ///< back to the identity map, paused or running as befo
 struct ChangeCommand {
     Scenario scenario;
 };
-/// Done between two steps on the solver thread, which owns the run: exports, tests.
+/// Done between two steps on the solver thread, which owns the run: exports, tests. What the task throws ends
+/// the thread as failed, so a task reports its own errors.
 struct InspectCommand {
     std::function<void(Run&)> task;
 };
 using Command =
     std::variant<StartCommand, PauseCommand, StepCommand, ResetCommand, ChangeCommand, InspectCommand>;
 
-/// One entry of the lossless queue. `restarted` precedes row 0 of a new history: the plot begins anew.
+/// One entry of the lossless queue. `restarted`: this is row 0 of a new history, the plot begins anew.
 struct SolverEvent {
     bool restarted = false;
     StepReport report;
@@ -51,6 +52,7 @@ class SolverThread {
   public:
     struct Options {
         bool start_running = true;
+        RunOptions run{};
         std::size_t report_capacity = 4096; ///< the run waits when nobody takes its reports
         std::function<void()> notify{};     ///< called on the solver thread after anything new; must be quick
     };
@@ -70,11 +72,13 @@ class SolverThread {
 
   private:
     void work(std::stop_token stop);
-    bool prepare(std::stop_token stop);
+    void prepare(std::stop_token stop);
     void execute(Command command, std::stop_token stop);
-    void publish(bool restarted, std::stop_token stop);
+    void change(Scenario scenario, std::stop_token stop);
+    void publish(std::stop_token stop);
     void say(std::string message);
     void update(const std::function<void(SolverStatus&)>& change);
+    Progress progress();
     std::deque<Command> wait_for_commands(std::stop_token stop);
 
     std::shared_ptr<const Catalogue> catalogue_;
@@ -82,6 +86,7 @@ class SolverThread {
     Options options_;
     std::unique_ptr<Run> run_;  ///< touched by the solver thread only
     std::size_t published_ = 0; ///< rows of the run's history already in the queue
+    int epoch_ = 0;             ///< of the history they belong to
     bool running_ = false, step_once_ = false;
 
     Latest<Snapshot> latest_;

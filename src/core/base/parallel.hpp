@@ -1,0 +1,33 @@
+// Work on independent items, shared by a few threads.
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <thread>
+#include <vector>
+
+namespace gaspard {
+
+/// Calls work(worker, begin, end) for `workers` ranges that together are 0 .. count, each on its own thread,
+/// the first on the caller's. Every worker is called, also with an empty range. The first exception is
+/// rethrown at the end.
+template <class Work>
+void parallel_ranges(std::size_t workers, std::size_t count, const Work& work) {
+    std::vector<std::exception_ptr> errors(workers);
+    const auto call = [&](std::size_t worker) {
+        try {
+            work(worker, count * worker / workers, count * (worker + 1) / workers);
+        } catch (...) {
+            errors[worker] = std::current_exception();
+        }
+    };
+    {
+        std::vector<std::jthread> threads; // joined at the end of the block
+        for (std::size_t worker = 1; worker < workers; ++worker) threads.emplace_back(call, worker);
+        call(0);
+    }
+    for (const auto& error : errors)
+        if (error) std::rethrow_exception(error);
+}
+
+} // namespace gaspard

@@ -1,0 +1,17 @@
+// Quadrature on the reference cells: Gauss points per direction; on triangles the collapsed square (Duffy).
+#pragma once
+
+#include "core/mesh/mesh.hpp"
+
+#include <vector>
+
+namespace gaspard {
+
+struct CellPoint {
+    Vec3 point;
+    double weight = 0; ///< the weights add up to the measure of the reference cell
+};
+
+std::vector<CellPoint> cell_quadrature(CellShape shape, int points_per_direction);
+
+} // namespace gaspard

@@ -1,0 +1,136 @@
+#include "core/diagnostics/quality.hpp"
+
+#include "core/base/check.hpp"
+#include "core/base/parallel.hpp"
+#include "core/diagnostics/cell_quadrature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gaspard {
+
+namespace {
+
+constexpr std::size_t batch = 64; // cells whose quadrature points are handed to the monitor at once
+
+} // namespace
+
+QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int points)
+    : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)),
+      workers_(static_cast<std::size_t>(threads)) {
+    GASPARD_CHECK(threads >= 1);
+    for (const auto& [point, weight] : cell_quadrature(mesh_->kind.shape, points)) add_sample(point, weight);
+    quadrature_points_ = samples_.size();
+    for (const Vec3 node : reference_nodes(mesh_->kind)) add_sample(node, 0);
+
+    const std::size_t cells = mesh_->cell_count();
+    cell_measure_.assign(cells, 0.0);
+    for (std::size_t i = 0; i < cells; ++i)
+        for (std::size_t q = 0; q < quadrature_points_; ++q) {
+            const Tangents t = tangents(mesh_->cell(i), mesh_->nodes, samples_[q]);
+            cell_measure_[i] += samples_[q].weight * signed_measure(t, t);
+        }
+    quality_.cell_mass.resize(cells);
+    quality_.cell_jacobian.resize(cells);
+    for (Worker& worker : workers_) {
+        worker.points.resize(batch * quadrature_points_);
+        worker.factor.resize(batch * quadrature_points_);
+        worker.monitor.resize(batch * quadrature_points_);
+    }
+}
+
+void QualityMeter::add_sample(Vec3 point, double weight) {
+    const auto n = static_cast<std::size_t>(nodes_per_cell(mesh_->kind));
+    Sample sample{std::vector<double>(n), std::vector<Vec3>(n), weight};
+    shape_functions(mesh_->kind, point, sample.values, sample.gradients);
+    samples_.push_back(std::move(sample));
+}
+
+QualityMeter::Tangents QualityMeter::tangents(std::span<const std::int32_t> cell, const Points& x,
+                                              const Sample& sample) const {
+    Tangents t{};
+    for (std::size_t k = 0; k < cell.size(); ++k) {
+        const Vec3 node = x[static_cast<std::size_t>(cell[k])], g = sample.gradients[k];
+        t[0] = t[0] + g.x * node;
+        t[1] = t[1] + g.y * node;
+        t[2] = t[2] + g.z * node;
+    }
+    return t;
+}
+
+double QualityMeter::signed_measure(const Tangents& of, const Tangents& reference) const {
+    if (dimension_ == 1) return std::copysign(norm(of[0]), dot(of[0], reference[0]));
+    const Vec3 normal = cross(of[0], of[1]);
+    if (dimension_ == 3) return dot(normal, of[2]);
+    return std::copysign(norm(normal), dot(normal, cross(reference[0], reference[1])));
+}
+
+void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
+                                 Worker& worker) {
+    worker.points.resize((end - begin) * quadrature_points_);
+    std::size_t at = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        const auto cell = mesh_->cell(i);
+        double smallest = std::numeric_limits<double>::infinity();
+        for (std::size_t s = 0; s < samples_.size(); ++s) {
+            const Tangents reference = tangents(cell, mesh_->nodes, samples_[s]);
+            const double physical = signed_measure(tangents(cell, x, samples_[s]), reference);
+            const double jacobian = physical / signed_measure(reference, reference);
+            smallest = std::min(smallest, jacobian);
+            worker.max_jacobian = std::max(worker.max_jacobian, jacobian);
+            if (s >= quadrature_points_) continue;
+            Vec3 point;
+            for (std::size_t k = 0; k < cell.size(); ++k)
+                point = point + samples_[s].values[k] * x[static_cast<std::size_t>(cell[k])];
+            worker.points.set(at, point);
+            worker.factor[at++] = samples_[s].weight * physical;
+        }
+        quality_.cell_jacobian[i] = smallest;
+        worker.min_jacobian = std::min(worker.min_jacobian, smallest);
+        if (!(smallest > 0)) ++worker.tangled_cells;
+    }
+    worker.monitor.resize(at);
+    monitor.values(worker.points, worker.monitor);
+    at = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        double mass = 0;
+        for (std::size_t q = 0; q < quadrature_points_; ++q, ++at)
+            mass += worker.factor[at] * worker.monitor[at];
+        quality_.cell_mass[i] = mass / cell_measure_[i];
+    }
+}
+
+void QualityMeter::measure_cells(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
+                                 Worker& worker) {
+    worker.min_jacobian = std::numeric_limits<double>::infinity();
+    worker.max_jacobian = -std::numeric_limits<double>::infinity();
+    worker.tangled_cells = 0;
+    for (; begin < end; begin += batch)
+        measure_batch(begin, std::min(end, begin + batch), x, monitor, worker);
+}
+
+const MeshQuality& QualityMeter::measure(const Points& x, const Monitor& monitor) {
+    GASPARD_CHECK(x.size() == mesh_->node_count());
+    const std::size_t cells = mesh_->cell_count();
+    parallel_ranges(workers_.size(), cells, [&](std::size_t worker, std::size_t begin, std::size_t end) {
+        measure_cells(begin, end, x, monitor, workers_[worker]);
+    });
+    quality_.min_jacobian = workers_.front().min_jacobian;
+    quality_.max_jacobian = workers_.front().max_jacobian;
+    quality_.tangled_cells = 0;
+    for (const Worker& worker : workers_) {
+        quality_.min_jacobian = std::min(quality_.min_jacobian, worker.min_jacobian);
+        quality_.max_jacobian = std::max(quality_.max_jacobian, worker.max_jacobian);
+        quality_.tangled_cells += worker.tangled_cells;
+    }
+
+    double mean = 0, variance = 0;
+    for (const double mass : quality_.cell_mass) mean += mass / static_cast<double>(cells);
+    for (const double mass : quality_.cell_mass)
+        variance += (mass - mean) * (mass - mean) / static_cast<double>(cells);
+    quality_.equidistribution = std::sqrt(variance) / mean;
+    return quality_;
+}
+
+} // namespace gaspard

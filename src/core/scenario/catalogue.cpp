@@ -1,0 +1,129 @@
+#include "core/scenario/catalogue.hpp"
+
+#include "core/base/check.hpp"
+#include "core/fem/plane_q2.hpp"
+#include "core/scenario/output_rows.hpp"
+#include "core/scenario/view_rows.hpp"
+
+#include <algorithm>
+
+namespace gaspard {
+
+namespace {
+
+template <class Type>
+const Type& find(const std::vector<Type>& types, std::string_view name, const char* what) {
+    std::vector<std::string> known;
+    for (const auto& type : types) {
+        if (type.name == name) return type;
+        known.push_back(type.name);
+    }
+    std::string list;
+    for (const auto& one : known) list += (list.empty() ? "" : ", ") + one;
+    throw InputError("unknown " + std::string(what) + " '" + std::string(name) + "'" +
+                     did_you_mean(name, known) + "; there are: " + list);
+}
+
+bool contains(const std::vector<std::string>& list, const std::string& word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+std::string join(const std::vector<std::string>& words) {
+    std::string list;
+    for (const auto& word : words) list += (list.empty() ? "" : ", ") + word;
+    return list;
+}
+
+std::string boundary_of(const Scenario& scenario) {
+    return scenario.domain.values.has("boundary") ? scenario.domain.values.text("boundary") : std::string();
+}
+
+Capability plane_capability() {
+    return {.domain = "plane",
+            .boundaries = {"periodic", "walls"},
+            .monitors = {"ring", "bell", "constant"},
+            .methods = {"relaxation"},
+            .prepare = [](const Values& domain, const Progress& progress,
+                          std::stop_token) -> std::shared_ptr<const Discretisation> {
+                if (progress) progress(0, "preparing the operators of the plane");
+                return std::make_shared<PlaneQ2>(LineGrid{static_cast<std::size_t>(domain.integer("cells")),
+                                                          domain.text("boundary") == "periodic"});
+            }};
+}
+
+} // namespace
+
+const DomainType& Catalogue::domain(std::string_view name) const {
+    return find(domains, name, "domain.type");
+}
+const MonitorType& Catalogue::monitor(std::string_view name) const {
+    return find(monitors, name, "monitor.type");
+}
+const MethodType& Catalogue::method(std::string_view name) const {
+    return find(methods, name, "method.type");
+}
+
+Catalogue builtin_catalogue() {
+    return {.domains = {plane_domain()},
+            .monitors = monitor_types(),
+            .methods = {relaxation_method()},
+            .capabilities = {plane_capability()},
+            .view_rows = view_rows(),
+            .output_rows = output_rows()};
+}
+
+Section domain_section(const Catalogue& catalogue, std::string_view type) {
+    return {std::string(type), Values("domain", catalogue.domain(type).rows)};
+}
+
+Section monitor_section(const Catalogue& catalogue, std::string_view type) {
+    return {std::string(type), Values("monitor", catalogue.monitor(type).rows)};
+}
+
+Section method_section(const Catalogue& catalogue, std::string_view type) {
+    auto rows = catalogue.method(type).rows;
+    for (auto& row : common_method_rows()) rows.push_back(std::move(row));
+    return {std::string(type), Values("method", std::move(rows))};
+}
+
+Scenario default_scenario(const Catalogue& catalogue) {
+    return {.name = "untitled",
+            .title = {},
+            .description = {},
+            .domain = domain_section(catalogue, catalogue.domains.front().name),
+            .monitor = monitor_section(catalogue, catalogue.monitors.front().name),
+            .method = method_section(catalogue, catalogue.methods.front().name),
+            .view = Values("view", catalogue.view_rows),
+            .output = Values("output", catalogue.output_rows)};
+}
+
+const Capability* find_capability(const Catalogue& catalogue, const Scenario& scenario) {
+    const std::string boundary = boundary_of(scenario);
+    for (const auto& row : catalogue.capabilities)
+        if (row.domain == scenario.domain.type &&
+            (row.boundaries.empty() || contains(row.boundaries, boundary)) &&
+            contains(row.monitors, scenario.monitor.type) && contains(row.methods, scenario.method.type))
+            return &row;
+    return nullptr;
+}
+
+Problem check(const Catalogue& catalogue, Scenario scenario) {
+    const Capability* capability = find_capability(catalogue, scenario);
+    if (!capability) {
+        std::string possible;
+        for (const auto& row : catalogue.capabilities)
+            if (row.domain == scenario.domain.type)
+                possible +=
+                    "; possible there: monitors " + join(row.monitors) + " with methods " + join(row.methods);
+        const std::string boundary = boundary_of(scenario);
+        throw InputError("monitor '" + scenario.monitor.type + "' and method '" + scenario.method.type +
+                         "' do not go together on domain '" + scenario.domain.type + "'" +
+                         (boundary.empty() ? "" : " with boundary '" + boundary + "'") + possible);
+    }
+    const Space space = catalogue.domain(scenario.domain.type).space(scenario.domain.values);
+    auto monitor = catalogue.monitor(scenario.monitor.type).make(scenario.monitor.values, space);
+    monitor->check();
+    return {std::move(scenario), space, std::move(monitor), capability};
+}
+
+} // namespace gaspard

@@ -1,0 +1,12 @@
+// The rows of the section "output": what a run without a window writes.
+#pragma once
+
+#include "core/base/parameter.hpp"
+
+#include <vector>
+
+namespace gaspard {
+
+std::vector<ParameterRow> output_rows();
+
+} // namespace gaspard

@@ -1,0 +1,149 @@
+#include "core/scenario/toml.hpp"
+
+#include "core/base/check.hpp"
+#include "core_assets.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <toml++/toml.h>
+
+namespace gaspard {
+
+namespace {
+
+std::string place(const std::string& origin, const toml::source_region& source) {
+    return origin + ":" + std::to_string(source.begin.line) + ": ";
+}
+
+Value to_value(const toml::node& node, const std::string& key) {
+    if (const auto* real = node.as_floating_point()) return real->get();
+    if (const auto* whole = node.as_integer()) return whole->get();
+    if (const auto* boolean = node.as_boolean()) return boolean->get();
+    if (const auto* text = node.as_string()) return text->get();
+    throw InputError(key + " wants a single value");
+}
+
+// Sets every key of one table, its type first, and says where an error is.
+void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::table& table,
+                  const std::string& section, const std::string& origin) {
+    std::vector<std::pair<std::string, const toml::node*>> entries;
+    for (const auto& [key, node] : table) entries.emplace_back(section + "." + std::string(key.str()), &node);
+    std::stable_partition(entries.begin(), entries.end(),
+                          [&](const auto& entry) { return entry.first == section + ".type"; });
+    for (const auto& [key, node] : entries) {
+        try {
+            if (node->is_table())
+                set_value(catalogue, scenario, key, Value(std::string())); // reserved or unknown
+            set_value(catalogue, scenario, key, to_value(*node, key));
+        } catch (const InputError& error) {
+            throw InputError(place(origin, node->source()) + error.what());
+        }
+    }
+}
+
+std::string quoted(const std::string& text) {
+    std::ostringstream out;
+    out << toml::value<std::string>(text);
+    return out.str();
+}
+
+// A real keeps its point, so that it reads back as a real.
+std::string toml_value(const Value& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
+    std::string number = format_value(value);
+    if (std::holds_alternative<double>(value) && number.find_first_of(".en") == std::string::npos)
+        number += ".0";
+    return number;
+}
+
+void write_section(std::ostream& out, const std::string& type, const Values& values) {
+    out << "\n[" << values.section() << "]\n";
+    if (!type.empty()) out << "type = " << quoted(type) << "\n";
+    for (const auto& row : values.rows()) out << row.key << " = " << toml_value(values.at(row.key)) << "\n";
+}
+
+} // namespace
+
+Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const std::string& origin) {
+    const std::vector<std::string> sections = {"domain", "monitor", "method", "view", "output"};
+    toml::table document;
+    try {
+        document = toml::parse(text, origin);
+    } catch (const toml::parse_error& error) {
+        throw InputError(place(origin, error.source()) + std::string(error.description()));
+    }
+    Scenario scenario = default_scenario(catalogue);
+    scenario.name = std::filesystem::path(origin).stem().string();
+    for (const auto& [key, node] : document) {
+        const std::string name(key.str());
+        try {
+            if (name == "title" || name == "description") {
+                if (!node.is_string()) throw InputError(name + " wants a text");
+                (name == "title" ? scenario.title : scenario.description) = node.as_string()->get();
+            } else if (std::find(sections.begin(), sections.end(), name) != sections.end()) {
+                if (!node.is_table()) throw InputError(name + " is a section: write [" + name + "]");
+            } else {
+                auto known = sections;
+                known.insert(known.end(), {"title", "description"});
+                if (name == "pde" || name == "time")
+                    set_value(catalogue, scenario, name, Value(std::string()));
+                throw InputError("unknown section or key '" + name + "'" + did_you_mean(name, known));
+            }
+        } catch (const InputError& error) {
+            throw InputError(place(origin, node.source()) + error.what());
+        }
+    }
+    // Domain first: what is reserved depends on it.
+    for (const auto& name : sections)
+        if (const auto* table = document[name].as_table())
+            read_section(catalogue, scenario, *table, name, origin);
+    return scenario;
+}
+
+Scenario load_scenario(const Catalogue& catalogue, const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    if (!in || std::filesystem::is_directory(file) || !(text << in.rdbuf()))
+        throw InputError("cannot read the scenario file '" + file.string() + "'");
+    return parse_scenario(catalogue, text.str(), file.string());
+}
+
+std::string to_toml(const Scenario& scenario) {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out << "title = " << quoted(scenario.title) << "\n";
+    out << "description = " << quoted(scenario.description) << "\n";
+    write_section(out, scenario.domain.type, scenario.domain.values);
+    write_section(out, scenario.monitor.type, scenario.monitor.values);
+    write_section(out, scenario.method.type, scenario.method.values);
+    write_section(out, {}, scenario.view);
+    write_section(out, {}, scenario.output);
+    return out.str();
+}
+
+std::vector<BuiltinScenario> builtin_scenarios() {
+    std::vector<BuiltinScenario> scenarios;
+    constexpr std::string_view folder = "assets/scenarios/", ending = ".toml";
+    for (const auto& file : core_assets::files())
+        if (file.path.starts_with(folder) && file.path.ends_with(ending)) {
+            std::string_view name = file.path.substr(folder.size());
+            name.remove_suffix(ending.size());
+            scenarios.push_back({name, file.bytes});
+        }
+    return scenarios;
+}
+
+Scenario find_scenario(const Catalogue& catalogue, const std::string& name_or_file) {
+    std::vector<std::string> names;
+    for (const auto& builtin : builtin_scenarios()) {
+        if (builtin.name == name_or_file)
+            return parse_scenario(catalogue, builtin.toml, name_or_file + ".toml");
+        names.emplace_back(builtin.name);
+    }
+    if (name_or_file.ends_with(".toml")) return load_scenario(catalogue, name_or_file);
+    throw InputError("there is no scenario '" + name_or_file + "'" + did_you_mean(name_or_file, names) +
+                     "; `gaspard list scenarios` shows them, and a file's name ends in .toml");
+}
+
+} // namespace gaspard

@@ -1,0 +1,202 @@
+#include "core/session/run.hpp"
+
+#include "core/base/check.hpp"
+#include "core/session/stopwatch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double divergence_factor = 1e3; // of the first residual, or of 1 where that is larger
+constexpr double worthwhile = 0.999; // a residual counts as better when it is below this part of the best
+constexpr int patience = 200;        // iterations without a better residual
+
+} // namespace
+
+std::shared_ptr<const Discretisation> prepare(const Problem& problem, const Progress& progress,
+                                              std::stop_token stop) {
+    auto discretisation = problem.capability->prepare(problem.scenario.domain.values, progress, stop);
+    if (stop.stop_requested()) throw Interrupted();
+    GASPARD_CHECK(discretisation != nullptr);
+    return discretisation;
+}
+
+Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptions options,
+         const Progress& progress, std::stop_token stop)
+    : catalogue_(std::move(catalogue)), options_(std::move(options)),
+      problem_(check(*catalogue_, std::move(scenario))) {
+    const Stopwatch watch;
+    discretisation_ = prepare(problem_, progress, stop);
+    method_ = catalogue_->method(problem_.scenario.method.type)
+                  .make(discretisation_, problem_.scenario.method.values);
+    meter_.emplace(discretisation_->mesh(), options_.threads);
+    State state = method_->initial_state();
+    if (options_.start) {
+        auto adopted = method_->adopt(*options_.start);
+        if (!adopted)
+            throw InputError("the start state is of '" + options_.start->layout + "', which does not fit '" +
+                             state.layout + "'");
+        state = std::move(*adopted);
+    }
+    setup_seconds_ = watch.seconds();
+    begin(std::move(state));
+}
+
+void Run::begin(State state) {
+    state_ = std::move(state);
+    history_.clear();
+    seconds_ = cpu_seconds_ = 0;
+    const Evaluation evaluation = method_->evaluate(*problem_.monitor, state_, {});
+    if (!std::isfinite(evaluation.residual)) throw InputError("the start has no finite residual");
+    restart_judging();
+    record(evaluation, 0, {});
+}
+
+void Run::restart_judging() {
+    judged_from_ = best_iteration_ = history_.empty() ? 0 : history_.back().iteration;
+    first_residual_ = best_residual_ = std::numeric_limits<double>::infinity();
+}
+
+void Run::reset() {
+    ++epoch_;
+    begin(method_->initial_state());
+}
+
+const StepReport& Run::step(std::stop_token stop) {
+    GASPARD_CHECK(status() == RunStatus::running);
+    const Stopwatch watch;
+    last_finite_ = state_;
+    Evaluation evaluation = method_->step(*problem_.monitor, state_, stop);
+    std::string note;
+    if (!std::isfinite(evaluation.residual)) take_back(evaluation, note);
+    record(evaluation, history_.back().iteration + 1, std::move(note));
+    seconds_ += watch.seconds();
+    cpu_seconds_ += watch.cpu_seconds();
+    history_.back().seconds = seconds_;
+    history_.back().cpu_seconds = cpu_seconds_;
+    return history_.back();
+}
+
+// Numbers that are not finite go no further than this: the run ends with the last iterate that was.
+void Run::take_back(Evaluation& evaluation, std::string& note) {
+    const double step_size = evaluation.step_size;
+    state_ = last_finite_;
+    evaluation = method_->evaluate(*problem_.monitor, state_, {});
+    evaluation.step_size = step_size;
+    not_finite_ = true;
+    note = "the last update was not finite and was taken back";
+}
+
+void Run::record(const Evaluation& evaluation, int iteration, std::string note) {
+    StepReport report{.iteration = iteration,
+                      .residual = evaluation.residual,
+                      .theta = evaluation.theta,
+                      .step_size = evaluation.step_size,
+                      .seconds = seconds_,
+                      .cpu_seconds = cpu_seconds_,
+                      .note = std::move(note)};
+    ++version_;
+    measured_ = false;
+    report.status = judge(report, report.note);
+    const auto every = problem_.scenario.method.values.integer("diagnostics_every");
+    if (is_final(report.status) || iteration % every == 0) measure(report);
+    if (is_final(report.status) && *report.tangled_cells > 0) report.status = RunStatus::tangled;
+    history_.push_back(std::move(report));
+}
+
+RunStatus Run::judge(const StepReport& report, std::string& note) {
+    const Values& method = problem_.scenario.method.values;
+    if (std::exchange(not_finite_, false)) return RunStatus::diverged;
+    if (std::isinf(first_residual_)) first_residual_ = report.residual;
+    if (report.residual < worthwhile * best_residual_)
+        best_residual_ = report.residual, best_iteration_ = report.iteration;
+    if (report.residual < method.real("tolerance")) return RunStatus::converged;
+    if (report.residual > divergence_factor * std::max(1.0, first_residual_)) {
+        note = "the residual has grown a thousandfold; a smaller step may help";
+        return RunStatus::diverged;
+    }
+    if (report.iteration - judged_from_ >= method.integer("max_iterations"))
+        return RunStatus::iteration_limit;
+    if (report.iteration - best_iteration_ >= patience) {
+        note = "the residual has not decreased for " + std::to_string(patience) + " iterations";
+        return RunStatus::stalled;
+    }
+    return RunStatus::running;
+}
+
+void Run::measure(StepReport& report) {
+    if (measured_) return;
+    const MeshQuality& quality = meter_->measure(method_->positions(), *problem_.monitor);
+    report.equidistribution = quality.equidistribution;
+    report.min_jacobian = quality.min_jacobian;
+    report.max_jacobian = quality.max_jacobian;
+    report.tangled_cells = quality.tangled_cells;
+    measured_ = true;
+}
+
+void Run::interrupt() {
+    GASPARD_CHECK(status() == RunStatus::running);
+    measure(history_.back());
+    history_.back().status = RunStatus::interrupted;
+}
+
+std::string Run::change(const Scenario& scenario, const Progress& progress, std::stop_token stop) {
+    Problem problem = check(*catalogue_, scenario);
+    const Scenario& old = problem_.scenario;
+    if (problem.scenario.domain == old.domain && problem.scenario.monitor == old.monitor &&
+        problem.scenario.method == old.method) {
+        problem_ = std::move(problem);
+        return {};
+    }
+    const bool new_domain = !(problem.scenario.domain == old.domain);
+    const bool new_method = new_domain || problem.scenario.method.type != old.method.type;
+    std::optional<State> state = state_;
+    if (new_method) {
+        const Stopwatch watch;
+        auto discretisation = new_domain ? prepare(problem, progress, stop) : discretisation_;
+        auto method = catalogue_->method(problem.scenario.method.type)
+                          .make(discretisation, problem.scenario.method.values);
+        state = method->adopt(state_);
+        if (new_domain) meter_.emplace(discretisation->mesh(), options_.threads);
+        discretisation_ = std::move(discretisation);
+        method_ = std::move(method);
+        setup_seconds_ = watch.seconds();
+    } else {
+        method_->configure(problem.scenario.method.values);
+    }
+    problem_ = std::move(problem);
+    if (!state) {
+        reset();
+        return "The map could not be kept: the mesh starts again from the beginning.";
+    }
+    state_ = std::move(*state);
+    const Evaluation evaluation = method_->evaluate(*problem_.monitor, state_, stop);
+    GASPARD_CHECK(std::isfinite(evaluation.residual));
+    restart_judging();
+    record(evaluation, history_.back().iteration, "values changed");
+    return {};
+}
+
+std::shared_ptr<const Snapshot> Run::snapshot() {
+    auto snapshot = std::make_shared<Snapshot>();
+    snapshot->mesh = discretisation_->mesh();
+    snapshot->x = method_->positions();
+    Field monitor{"monitor", "", FieldPlace::node, std::vector<double>(snapshot->x.size())};
+    problem_.monitor->values(snapshot->x, monitor.values);
+    snapshot->fields.push_back(std::move(monitor));
+    if (measured_) {
+        const MeshQuality& quality = meter_->quality();
+        snapshot->fields.push_back({"mass", "", FieldPlace::cell, quality.cell_mass});
+        snapshot->fields.push_back({"jacobian", "", FieldPlace::cell, quality.cell_jacobian});
+    }
+    snapshot->report = history_.back();
+    snapshot->version = version_;
+    return snapshot;
+}
+
+} // namespace gaspard
