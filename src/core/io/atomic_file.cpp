@@ -1,0 +1,123 @@
+#include "core/io/atomic_file.hpp"
+
+#include "core/base/error.hpp"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <locale>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <unistd.h>
+#include <vector>
+
+namespace gaspard {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A file of a name nobody else has, removed at the end unless it was moved to its place. Its functions
+/// return errno.
+class TemporaryFile {
+  public:
+    TemporaryFile() = default;
+    ~TemporaryFile() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+        if (exists_) ::unlink(name_.c_str());
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    int create_in(const fs::path& folder) {
+        const std::string stem = ".gaspard-" + std::to_string(::getpid()) + "-";
+        // O_EXCL makes the name ours: threads of this process and leftovers of a dead one take another
+        // number.
+        for (int number = 0; descriptor_ < 0; ++number) {
+            name_ = folder / (stem + std::to_string(number) + ".tmp");
+            descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (descriptor_ < 0 && errno != EEXIST && errno != EINTR) return errno;
+        }
+        exists_ = true;
+        return 0;
+    }
+
+    int write(std::string_view bytes) {
+        while (!bytes.empty()) {
+            const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+            if (written < 0 && errno != EINTR) return errno;
+            if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+        }
+        return 0;
+    }
+
+    int move_to(const fs::path& file) {
+        // Without this, a crash soon after the rename may leave an empty file. EINVAL: the file system has no
+        // such call.
+        if (::fsync(descriptor_) != 0 && errno != EINVAL) return errno;
+        const int closed = ::close(descriptor_);
+        descriptor_ = -1;
+        if (closed != 0) return errno;
+        if (::rename(name_.c_str(), file.c_str()) != 0) return errno;
+        exists_ = false;
+        return 0;
+    }
+
+  private:
+    fs::path name_;
+    int descriptor_ = -1;
+    bool exists_ = false;
+};
+
+std::string cause(int error) { return std::generic_category().message(error); }
+
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+int try_to_write(const fs::path& folder) {
+    TemporaryFile trial;
+    return trial.create_in(folder);
+}
+
+/// `folder` and those above it that are not there, innermost first.
+std::vector<fs::path> missing_folders(const fs::path& folder) {
+    std::vector<fs::path> missing;
+    std::error_code ignored; // what cannot be looked at cannot be made either, and that error will be told
+    for (fs::path p = folder; !p.empty() && !fs::exists(fs::symlink_status(p, ignored)); p = p.parent_path())
+        missing.push_back(p);
+    return missing;
+}
+
+} // namespace
+
+void write_atomically(const fs::path& file, std::string_view bytes) {
+    TemporaryFile temporary;
+    int error = temporary.create_in(folder_of(file));
+    if (error == 0) error = temporary.write(bytes);
+    if (error == 0) error = temporary.move_to(file);
+    if (error != 0) throw MachineError("cannot write " + file.string() + ": " + cause(error));
+}
+
+void write_atomically(const fs::path& file, const std::function<void(std::ostream&)>& write) {
+    // Gathered in memory first: a writer that throws has then touched nothing, and the system's own error is
+    // at hand.
+    std::ostringstream stream(std::ios::binary);
+    stream.imbue(std::locale::classic());
+    stream.exceptions(std::ios::badbit | std::ios::failbit);
+    write(stream);
+    write_atomically(file, stream.view());
+}
+
+void check_writable(const fs::path& folder) {
+    const std::vector<fs::path> made = missing_folders(folder);
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!error) error = std::error_code(try_to_write(folder), std::generic_category());
+    if (!error) return;
+    std::error_code ignored; // of a folder that was not made after all
+    for (const auto& p : made) fs::remove(p, ignored);
+    throw InputError("cannot write into the folder " + folder.string() + ": " + error.message());
+}
+
+} // namespace gaspard

@@ -1,0 +1,43 @@
+#include "core/base/check.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/image.hpp"
+#include "core/io/read_file.hpp"
+
+#include <limits>
+#include <memory>
+#include <stb_image.h>
+#include <stb_image_write.h> // Debian's libstb holds the implementations
+#include <string>
+
+namespace gaspard {
+
+void write_png(const std::filesystem::path& file, const Image& image) {
+    GASPARD_CHECK(image.width > 0 && image.height > 0);
+    GASPARD_CHECK(image.rgba.size() ==
+                  4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    std::string bytes;
+    const auto append = [](void* to, void* data, int size) {
+        static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+    };
+    const int done = stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(),
+                                            4 * image.width);
+    GASPARD_CHECK(done != 0);
+    write_atomically(file, bytes);
+}
+
+Image read_image(const std::filesystem::path& file) {
+    const std::string bytes = read_file(file);
+    if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+        throw InputError("cannot read the picture " + file.string() + ": it is larger than 2 GiB");
+    Image image;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
+                              &image.width, &image.height, nullptr, 4),
+        &stbi_image_free);
+    if (!pixels) throw InputError("cannot read the picture " + file.string() + ": " + stbi_failure_reason());
+    const auto count = 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    image.rgba.assign(pixels.get(), pixels.get() + count);
+    return image;
+}
+
+} // namespace gaspard
