@@ -34,8 +34,8 @@ struct StepReport {
     double residual = 0;
     double theta = 0;
     double step_size = 0;
-    std::optional<double>
-        equidistribution{};            ///< empty where diagnostics were left out (method.diagnostics_every)
+    // Empty where diagnostics were left out (method.diagnostics_every).
+    std::optional<double> equidistribution{};
     std::optional<double> exact_rms{}; ///< empty where no exact map is known
     std::optional<double> min_jacobian{}, max_jacobian{};
     std::optional<std::size_t> tangled_cells{};

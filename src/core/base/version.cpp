@@ -1,0 +1,7 @@
+#include "core/base/version.hpp"
+
+namespace gaspard {
+
+std::string_view version() { return GASPARD_VERSION; }
+
+} // namespace gaspard

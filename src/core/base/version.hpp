@@ -1,0 +1,9 @@
+#pragma once
+
+#include <string_view>
+
+namespace gaspard {
+
+std::string_view version(); ///< of the program, from CMakeLists.txt
+
+} // namespace gaspard

@@ -1,0 +1,40 @@
+#include "core/published/published.hpp"
+
+#include "core/base/error.hpp"
+
+#include <algorithm>
+
+namespace gaspard {
+
+namespace {
+
+std::string csv_text(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+} // namespace
+
+std::vector<Recipe> recipes() { return mcrae_recipes(); }
+
+Recipe find_recipe(std::string_view id) {
+    std::vector<std::string> known;
+    for (auto& recipe : recipes()) {
+        if (recipe.id == id) return recipe;
+        known.push_back(recipe.id);
+    }
+    throw InputError("there is no recipe for '" + std::string(id) + "'" + did_you_mean(id, known) +
+                     "; `gaspard reproduce` lists them");
+}
+
+std::string published_csv(const std::vector<PublishedRow>& rows) {
+    std::string csv = "row,quantity,ours,published,note\n";
+    for (const auto& row : rows)
+        csv += csv_text(row.row) + "," + csv_text(row.quantity) + "," + format_number(row.ours) + "," +
+               (row.published ? format_number(*row.published) : "") + "," + csv_text(row.note) + "\n";
+    return csv;
+}
+
+} // namespace gaspard

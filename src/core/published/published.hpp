@@ -1,0 +1,49 @@
+// Tables and figures of the papers as recipes: what to compute, and the published number beside ours.
+#pragma once
+
+#include "core/scenario/catalogue.hpp"
+#include "core/tessellate/figure.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gaspard {
+
+struct PublishedRow {
+    std::string row;      ///< "ring, n = 60"
+    std::string quantity; ///< "iterations"
+    double ours = 0;
+    std::optional<double> published{}; ///< empty where the paper prints a curve without numbers
+    std::string note{};
+};
+
+struct Reproduction {
+    std::vector<PublishedRow> rows;
+    std::optional<Figure> figure; ///< empty for tables
+};
+
+/// Says what is being computed; called before each run.
+using Announce = std::function<void(const std::string&)>;
+
+struct Recipe {
+    std::string id;    ///< "mcrae-fig2"
+    std::string title; ///< what the paper shows there
+    std::function<Reproduction(const std::shared_ptr<const Catalogue>&, const Announce&, std::stop_token)> make;
+};
+
+std::vector<Recipe> recipes();
+/// Throws InputError with the nearest known one.
+Recipe find_recipe(std::string_view id);
+
+std::string published_csv(const std::vector<PublishedRow>& rows);
+
+/// The recipes of McRae, Cotter, Budd, "Optimal-transport-based mesh adaptivity on the plane and sphere using finite
+/// elements", SIAM J. Sci. Comput. 40 (2018).
+std::vector<Recipe> mcrae_recipes();
+
+} // namespace gaspard

@@ -1,0 +1,61 @@
+#include "core/base/error.hpp"
+#include "core/published/published.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+TEST(Published, CsvLeavesUnprintedNumbersEmptyAndQuotes) {
+    const std::string csv = published_csv({{"a", "x, y", 0.5, 2.0, "say \"so\""}, {"b", "z", 1e-8}});
+    EXPECT_EQ(csv, "row,quantity,ours,published,note\n"
+                   "a,\"x, y\",0.5,2,\"say \"\"so\"\"\"\n"
+                   "b,z,1e-08,,\n");
+}
+
+TEST(Published, AnUnknownIdNamesTheNearest) {
+    try {
+        find_recipe("mcrae-fig4");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("'mcrae-fig"), std::string::npos);
+    }
+}
+
+TEST(Published, Figure2IsTwoUntangledMeshes) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    int runs = 0;
+    const Reproduction result =
+        find_recipe("mcrae-fig2").make(catalogue, [&](const std::string&) { ++runs; }, {});
+    EXPECT_EQ(runs, 2);
+    ASSERT_TRUE(result.figure.has_value());
+    ASSERT_EQ(result.figure->panels.size(), 2u);
+    for (const auto& panel : result.figure->panels) {
+        const auto& snapshot = std::get<std::shared_ptr<const Snapshot>>(panel.content);
+        EXPECT_EQ(snapshot->mesh->cell_count(), 900u);
+        EXPECT_EQ(snapshot->report.status, RunStatus::converged);
+    }
+    const auto row = std::find_if(result.rows.begin(), result.rows.end(),
+                                  [](const PublishedRow& r) { return r.quantity == "iterations"; });
+    ASSERT_NE(row, result.rows.end());
+    EXPECT_EQ(row->row, "ring, n = 30");
+    EXPECT_EQ(row->ours, 189);
+    for (const auto& r : result.rows)
+        if (r.quantity == "tangled cells") {
+            EXPECT_EQ(r.ours, 0);
+        }
+}
+
+TEST(Published, StopsWhenAsked) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_THROW(find_recipe("mcrae-fig3")
+                     .make(
+                         catalogue, [](const std::string&) {}, source.get_token()),
+                 Interrupted);
+}
+
+} // namespace
+} // namespace gaspard

@@ -1,0 +1,141 @@
+#include "core/base/error.hpp"
+#include "core/scenario/toml.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+class ScenarioTest : public testing::Test {
+  protected:
+    std::string message_of(const std::function<void()>& action) {
+        try {
+            action();
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "no error";
+    }
+    std::string parse_message(const std::string& text) {
+        return message_of([&] { parse_scenario(catalogue, text, "test.toml"); });
+    }
+    void expect_in(const std::string& part, const std::string& whole) {
+        EXPECT_NE(whole.find(part), std::string::npos) << "'" << part << "' is not in: " << whole;
+    }
+    const Catalogue catalogue = builtin_catalogue();
+};
+
+TEST_F(ScenarioTest, EveryBuiltinScenarioPassesAndPinsMethodAndStep) {
+    const auto builtins = builtin_scenarios();
+    ASSERT_EQ(builtins.size(), 3u);
+    for (const auto& builtin : builtins) {
+        const Scenario scenario = find_scenario(catalogue, std::string(builtin.name));
+        EXPECT_EQ(scenario.name, builtin.name);
+        EXPECT_FALSE(scenario.title.empty());
+        EXPECT_FALSE(scenario.description.empty());
+        EXPECT_NO_THROW(check(catalogue, scenario));
+        EXPECT_NE(std::string(builtin.toml).find("step_size"), std::string::npos);
+    }
+    EXPECT_EQ(find_scenario(catalogue, "plane-bell").method.values.real("step_size"), 0.04);
+    EXPECT_EQ(find_scenario(catalogue, "walls-ring").domain.values.text("boundary"), "walls");
+}
+
+TEST_F(ScenarioTest, TomlReadsBackToTheSameScenario) {
+    Scenario scenario = find_scenario(catalogue, "plane-bell");
+    apply_settings(catalogue, scenario,
+                   {"monitor.amplitude=0.1", "monitor.center_x=0.3333333333333333", "domain.cells=17",
+                    "view.blend=1", "method.tolerance=1e-10", "output.formats=obj"});
+    scenario.title = "a \"quoted\" title\nwith \\ and é";
+    const Scenario again = parse_scenario(catalogue, to_toml(scenario), "plane-bell.toml");
+    EXPECT_EQ(again, scenario);
+}
+
+TEST_F(ScenarioTest, SettingsDoNotDependOnTheirOrder) {
+    Scenario first = find_scenario(catalogue, "plane-ring"), second = first;
+    apply_settings(catalogue, first, {"monitor.type=bell", "monitor.amplitude=7"});
+    apply_settings(catalogue, second, {"monitor.amplitude=7", "monitor.type=bell"});
+    EXPECT_EQ(first, second);
+    EXPECT_EQ(first.monitor.values.real("amplitude"), 7);
+    EXPECT_EQ(first.monitor.values.real("sharpness"), 100) << "a new type brings its own defaults";
+}
+
+TEST_F(ScenarioTest, ErrorsNameFileLineAndNearestKey) {
+    expect_in("test.toml:3: unknown key monitor.amplitud (did you mean 'monitor.amplitude'?)",
+              parse_message("[monitor]\ntype = \"ring\"\namplitud = 3\n"));
+    expect_in("test.toml:2: domain.cells = 0 is out of range: 4 to 480",
+              parse_message("[domain]\ncells = 0\n"));
+    expect_in("test.toml:2: domain.cells wants a whole number",
+              parse_message("[domain]\ncells = \"many\"\n"));
+    expect_in("test.toml:2: monitor.amplitude must be a finite number",
+              parse_message("[monitor]\namplitude = nan\n"));
+    expect_in("test.toml:2: ", parse_message("[monitor]\namplitude = = 3\n"));
+    expect_in("test.toml:1: unknown section or key 'monitr' (did you mean 'monitor'?)",
+              parse_message("[monitr]\n"));
+    expect_in("test.toml:2: unknown monitor.type 'rong' (did you mean 'ring'?)",
+              parse_message("[monitor]\ntype = 'rong'\n"));
+    expect_in("wants a single value", parse_message("[monitor]\namplitude = [1, 2]\n"));
+    expect_in("test.toml:1: monitor is a section", parse_message("monitor = 3\n"));
+}
+
+TEST_F(ScenarioTest, ReservedNamesAreErrorsOfTheirOwn) {
+    for (const std::string text : {"[pde]\nepsilon = 1\n", "[time]\nend = 1\n",
+                                   "[domain.target]\ntype = 'disk'\n", "[monitor.target]\ntype = 'ring'\n"})
+        expect_in("is reserved", parse_message(text));
+    Scenario scenario = default_scenario(catalogue);
+    expect_in("is reserved", message_of([&] { apply_settings(catalogue, scenario, {"pde.epsilon=1"}); }));
+    expect_in("is reserved",
+              message_of([&] { apply_settings(catalogue, scenario, {"domain.target.type=disk"}); }));
+}
+
+TEST_F(ScenarioTest, SettingsAreChecked) {
+    Scenario scenario = default_scenario(catalogue);
+    const Scenario before = scenario;
+    expect_in("key=value", message_of([&] { apply_settings(catalogue, scenario, {"monitor.amplitude"}); }));
+    expect_in("'domain.cells'", message_of([&] { apply_settings(catalogue, scenario, {"domain.cell=9"}); }));
+    expect_in("out of range",
+              message_of([&] { apply_settings(catalogue, scenario, {"monitor.amplitude=-3"}); }));
+    EXPECT_EQ(scenario, before);
+}
+
+TEST_F(ScenarioTest, WhatDoesNotGoTogetherIsRefusedWithWhatDoes) {
+    Catalogue smaller = catalogue;
+    smaller.capabilities.front().monitors = {"constant"};
+    expect_in("possible there: monitors constant with methods relaxation",
+              message_of([&] { check(smaller, default_scenario(smaller)); }));
+    EXPECT_EQ(find_capability(smaller, default_scenario(smaller)), nullptr);
+    EXPECT_NE(find_capability(catalogue, default_scenario(catalogue)), nullptr);
+}
+
+TEST_F(ScenarioTest, UnknownScenariosAndFilesAreNamed) {
+    expect_in("'plane-ring'", message_of([&] { find_scenario(catalogue, "plane-rng"); }));
+    expect_in("cannot read", message_of([&] { find_scenario(catalogue, "/nowhere/x.toml"); }));
+    expect_in("cannot read", message_of([&] { load_scenario(catalogue, "/tmp"); }));
+}
+
+TEST_F(ScenarioTest, EveryRowIsFitForASliderAndATooltip) {
+    const auto examine = [&](const Values& values) {
+        std::vector<std::string> keys;
+        for (const auto& row : values.rows()) {
+            const std::string name = values.section() + "." + row.key;
+            EXPECT_FALSE(row.label.empty()) << name;
+            EXPECT_FALSE(row.help.empty()) << name;
+            if (row.kind == ParameterKind::real || row.kind == ParameterKind::integer) {
+                EXPECT_TRUE(std::isfinite(row.minimum) && std::isfinite(row.maximum)) << name;
+                EXPECT_LT(row.minimum, row.maximum) << name;
+            }
+            keys.push_back(row.key);
+        }
+        std::sort(keys.begin(), keys.end());
+        EXPECT_EQ(std::adjacent_find(keys.begin(), keys.end()), keys.end()) << values.section();
+    };
+    for (const auto& type : catalogue.domains) examine(domain_section(catalogue, type.name).values);
+    for (const auto& type : catalogue.monitors) examine(monitor_section(catalogue, type.name).values);
+    for (const auto& type : catalogue.methods) examine(method_section(catalogue, type.name).values);
+    examine(default_scenario(catalogue).view);
+    examine(default_scenario(catalogue).output);
+}
+
+} // namespace
+} // namespace gaspard

@@ -1,0 +1,173 @@
+#include "core/scenario/toml.hpp"
+#include "core/session/solver_thread.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+using namespace std::chrono_literals;
+
+class SolverThreadTest : public testing::Test {
+  protected:
+    Scenario scenario(const std::vector<std::string>& settings = {}) {
+        Scenario result = find_scenario(*catalogue, "plane-ring");
+        apply_settings(*catalogue, result, {"domain.cells=12"});
+        apply_settings(*catalogue, result, settings);
+        return result;
+    }
+    /// Waits for a condition; false after ten seconds.
+    static bool eventually(const std::function<bool()>& condition) {
+        for (const auto end = std::chrono::steady_clock::now() + 10s;
+             std::chrono::steady_clock::now() < end;) {
+            if (condition()) return true;
+            std::this_thread::sleep_for(1ms);
+        }
+        return false;
+    }
+    /// Waits until the thread has done all commands posted before.
+    static void settle(SolverThread& thread) {
+        std::promise<void> done;
+        thread.post(InspectCommand{[&](gaspard::Run&) { done.set_value(); }});
+        ASSERT_EQ(done.get_future().wait_for(10s), std::future_status::ready);
+    }
+    std::shared_ptr<const Catalogue> catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+};
+
+TEST_F(SolverThreadTest, SolvesAndReportsEveryIteration) {
+    std::atomic<int> notices = 0;
+    SolverThread thread(catalogue, scenario(), {.notify = [&] { ++notices; }});
+    ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+    const auto events = thread.drain();
+    ASSERT_GT(events.size(), 10u);
+    EXPECT_TRUE(events.front().restarted);
+    for (std::size_t i = 0; i < events.size(); ++i)
+        EXPECT_EQ(events[i].report.iteration, static_cast<int>(i));
+    EXPECT_EQ(thread.latest()->report.iteration, events.back().report.iteration);
+    EXPECT_EQ(events.back().report.status, RunStatus::converged);
+    EXPECT_GT(notices.load(), 0);
+}
+
+TEST_F(SolverThreadTest, StartsPausedStepsPausesAndGoesOn) {
+    SolverThread thread(catalogue, scenario(), {.start_running = false});
+    ASSERT_TRUE(eventually([&] { return thread.latest() != nullptr; }));
+    settle(thread);
+    EXPECT_EQ(thread.drain().size(), 1u);
+    thread.post(StepCommand{});
+    ASSERT_TRUE(eventually([&] { return thread.latest()->report.iteration == 1; }));
+    settle(thread);
+    EXPECT_EQ(thread.latest()->report.iteration, 1) << "one step only";
+    thread.post(StartCommand{});
+    ASSERT_TRUE(eventually([&] { return thread.latest()->report.iteration > 5; }));
+    thread.post(PauseCommand{});
+    settle(thread);
+    EXPECT_TRUE(eventually([&] { return thread.status().paused; }));
+    const int there = thread.latest()->report.iteration;
+    settle(thread);
+    EXPECT_EQ(thread.latest()->report.iteration, there);
+    thread.post(StartCommand{});
+    EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+}
+
+TEST_F(SolverThreadTest, ResetBeginsANewHistory) {
+    SolverThread thread(catalogue, scenario(), {});
+    ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+    thread.drain();
+    thread.post(PauseCommand{});
+    thread.post(ResetCommand{});
+    ASSERT_TRUE(eventually([&] { return thread.latest()->report.iteration == 0; }));
+    const auto events = thread.drain();
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_TRUE(events[0].restarted);
+    EXPECT_EQ(thread.latest()->x, thread.latest()->mesh->nodes);
+}
+
+TEST_F(SolverThreadTest, NobodyTakingReportsHoldsTheRunBackAndLosesNothing) {
+    SolverThread thread(catalogue, scenario(), {.report_capacity = 4});
+    std::this_thread::sleep_for(100ms); // time enough for dozens of iterations, were it not held back
+    EXPECT_LE(thread.latest()->report.iteration, 5);
+    std::vector<SolverEvent> all;
+    ASSERT_TRUE(eventually([&] {
+        for (auto& event : thread.drain()) all.push_back(event);
+        return !all.empty() && is_final(all.back().report.status);
+    }));
+    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].report.iteration, static_cast<int>(i));
+}
+
+TEST_F(SolverThreadTest, EndsWhileItIsHeldBackAndWhileItRuns) {
+    for (const std::size_t capacity : {std::size_t{2}, std::size_t{100000}}) {
+        const auto begin = std::chrono::steady_clock::now();
+        {
+            SolverThread thread(catalogue, scenario({"method.tolerance=1e-14", "method.step_size=0.001"}),
+                                {.report_capacity = capacity});
+            std::this_thread::sleep_for(30ms);
+        }
+        EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
+    }
+}
+
+TEST_F(SolverThreadTest, EndsWhileItPrepares) {
+    for (int i = 0; i < 20; ++i) SolverThread(catalogue, scenario({"domain.cells=100"}), {});
+}
+
+TEST_F(SolverThreadTest, ChangesThatFollowEachOtherAreMergedAndTheLastWins) {
+    SolverThread thread(catalogue, scenario(), {.start_running = false});
+    ASSERT_TRUE(eventually([&] { return thread.latest() != nullptr; }));
+    settle(thread);
+    std::promise<void> gate;
+    thread.post(InspectCommand{
+        [&](gaspard::Run&) { gate.get_future().wait(); }}); // hold the thread while changes queue up
+    for (int i = 1; i <= 100; ++i)
+        thread.post(ChangeCommand{scenario({"monitor.amplitude=" + std::to_string(i)})});
+    gate.set_value();
+    double amplitude = 0;
+    std::promise<void> done;
+    std::size_t rows = 0;
+    thread.post(InspectCommand{[&](gaspard::Run& run) {
+        amplitude = run.scenario().monitor.values.real("amplitude");
+        rows = run.history().size();
+        done.set_value();
+    }});
+    ASSERT_EQ(done.get_future().wait_for(10s), std::future_status::ready);
+    EXPECT_EQ(amplitude, 100);
+    EXPECT_EQ(rows, 2u) << "the start and one change";
+}
+
+TEST_F(SolverThreadTest, AConvergedRunGoesOnAfterAChange) {
+    SolverThread thread(catalogue, scenario(), {});
+    ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+    const int before = thread.latest()->report.iteration;
+    thread.post(ChangeCommand{scenario({"monitor.amplitude=15"})});
+    ASSERT_TRUE(eventually([&] {
+        return thread.latest()->report.iteration > before && thread.status().run == RunStatus::converged;
+    }));
+}
+
+TEST_F(SolverThreadTest, AnInputErrorIsASentenceAndTheRunGoesOn) {
+    SolverThread thread(catalogue, scenario(), {.start_running = false});
+    ASSERT_TRUE(eventually([&] { return thread.latest() != nullptr; }));
+    Scenario broken = scenario();
+    broken.method.type = "magic";
+    thread.post(ChangeCommand{broken});
+    ASSERT_TRUE(eventually([&] { return thread.status().messages == 1; }));
+    EXPECT_NE(thread.status().message.find("magic"), std::string::npos);
+    thread.post(StartCommand{});
+    EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+}
+
+TEST_F(SolverThreadTest, ABrokenFirstScenarioWaitsForABetterOne) {
+    Scenario broken = scenario();
+    broken.monitor.type = "nothing";
+    SolverThread thread(catalogue, broken, {});
+    ASSERT_TRUE(eventually([&] { return thread.status().messages == 1; }));
+    EXPECT_EQ(thread.status().run, RunStatus::failed);
+    thread.post(StartCommand{});
+    thread.post(ChangeCommand{scenario()});
+    EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+}
+
+} // namespace
+} // namespace gaspard
