@@ -1,0 +1,61 @@
+#include "core/io/formats.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/parameter.hpp"
+
+#include <algorithm>
+
+namespace gaspard {
+
+namespace {
+
+void write_obj_files(const std::filesystem::path& folder, const Snapshot& snapshot) {
+    write_obj(folder / "computational.obj", *snapshot.mesh, snapshot.mesh->nodes);
+    write_obj(folder / "adapted.obj", *snapshot.mesh, snapshot.x);
+}
+
+void write_glb_files(const std::filesystem::path& folder, const Snapshot& snapshot) {
+    write_glb(folder / "adapted.glb", snapshot);
+}
+
+const Format& find_format(std::string_view name) {
+    std::vector<std::string> names;
+    for (const auto& format : formats()) {
+        if (format.name == name) return format;
+        names.push_back(format.name);
+    }
+    std::string allowed;
+    for (const auto& known : names) allowed += (allowed.empty() ? "" : ", ") + known;
+    throw InputError("unknown format '" + std::string(name) + "'" + did_you_mean(name, names) +
+                     "; there are: " + allowed);
+}
+
+} // namespace
+
+const std::vector<Format>& formats() {
+    static const std::vector<Format> table = {
+        {"obj",
+         "Wavefront OBJ: corner vertices and straight-edged faces, before and after",
+         {"computational.obj", "adapted.obj"},
+         &write_obj_files},
+        {"glb",
+         "binary glTF 2.0: the adapted mesh coloured by the monitor, with an animation from the "
+         "computational mesh",
+         {"adapted.glb"},
+         &write_glb_files},
+    };
+    return table;
+}
+
+std::vector<const Format*> parse_formats(std::string_view list) {
+    std::vector<const Format*> chosen;
+    while (true) {
+        const auto comma = list.find(',');
+        const Format* format = &find_format(list.substr(0, comma));
+        if (std::find(chosen.begin(), chosen.end(), format) == chosen.end()) chosen.push_back(format);
+        if (comma == std::string_view::npos) return chosen;
+        list.remove_prefix(comma + 1);
+    }
+}
+
+} // namespace gaspard

@@ -1,0 +1,228 @@
+// adapted.glb: one node with one mesh; its faces and its edges are two primitives that share their vertices.
+#include "core/base/check.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/formats.hpp"
+#include "core/tessellate/colour_map.hpp"
+#include "core/tessellate/tessellation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <tiny_gltf.h>
+
+namespace gaspard {
+
+namespace {
+
+/// Three numbers per vertex, as the file has them.
+using Triples = std::vector<float>;
+
+Triples single_precision(const Points& points) {
+    Triples triples;
+    triples.reserve(3 * points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (const double value : {points.x[i], points.y[i], points.z[i]}) {
+            const auto single = static_cast<float>(value);
+            GASPARD_CHECK(std::isfinite(single));
+            triples.push_back(single);
+        }
+    return triples;
+}
+
+Points difference(const Points& a, const Points& b) {
+    Points result(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) result.set(i, a[i] - b[i]);
+    return result;
+}
+
+/// The colour maps are in sRGB; vertex colours of glTF are linear light.
+float linear_light(unsigned char srgb) {
+    const double s = srgb / 255.0;
+    return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+}
+
+Triples colours_of(const std::vector<double>& values) {
+    const ColourMap& map = colour_maps().front();
+    const ColourRange range = range_of(values);
+    Triples triples;
+    triples.reserve(3 * values.size());
+    for (const double value : values)
+        for (const unsigned char channel : colour_at(map, range.position(value)))
+            triples.push_back(linear_light(channel));
+    return triples;
+}
+
+/// Puts arrays into the model's one buffer; each function returns the number of the accessor that describes
+/// the array.
+class Packer {
+  public:
+    explicit Packer(tinygltf::Model& model) : model_(model) { model_.buffers.resize(1); }
+
+    int positions(const Triples& triples) {
+        const int number = vertices(triples);
+        auto& accessor = model_.accessors.back();
+        accessor.minValues.assign(3, std::numeric_limits<double>::infinity());
+        accessor.maxValues.assign(3, -std::numeric_limits<double>::infinity());
+        for (std::size_t i = 0; i < triples.size(); ++i) {
+            const double value = static_cast<double>(triples[i]);
+            accessor.minValues[i % 3] = std::min(accessor.minValues[i % 3], value);
+            accessor.maxValues[i % 3] = std::max(accessor.maxValues[i % 3], value);
+        }
+        return number;
+    }
+
+    int vertices(const Triples& triples) {
+        return add(triples, TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
+    }
+
+    /// 16 bits where they do; the largest number of either type is not a vertex in glTF.
+    int indices(const std::vector<std::uint32_t>& numbers, std::size_t vertex_count) {
+        const int target = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+        if (vertex_count > std::numeric_limits<std::uint16_t>::max())
+            return add(numbers, TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, target);
+        std::vector<std::uint16_t> small;
+        small.reserve(numbers.size());
+        for (const auto number : numbers) small.push_back(static_cast<std::uint16_t>(number));
+        return add(small, TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, target);
+    }
+
+    int times(const std::vector<float>& seconds) {
+        const int number = weights(seconds);
+        model_.accessors.back().minValues = {static_cast<double>(seconds.front())};
+        model_.accessors.back().maxValues = {static_cast<double>(seconds.back())};
+        return number;
+    }
+
+    int weights(const std::vector<float>& values) {
+        return add(values, TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_FLOAT, 0);
+    }
+
+  private:
+    template <class T>
+    int add(const std::vector<T>& values, int type, int component, int target) {
+        auto& bytes = model_.buffers[0].data;
+        tinygltf::BufferView view;
+        view.buffer = 0;
+        view.byteOffset = bytes.size();
+        view.byteLength = values.size() * sizeof(T);
+        view.target = target;
+        bytes.resize((view.byteOffset + view.byteLength + 3) / 4 *
+                     4); // every array begins at a multiple of 4
+        std::memcpy(bytes.data() + view.byteOffset, values.data(), view.byteLength);
+        model_.bufferViews.push_back(view);
+
+        tinygltf::Accessor accessor;
+        accessor.bufferView = static_cast<int>(model_.bufferViews.size()) - 1;
+        accessor.componentType = component;
+        accessor.type = type;
+        accessor.count = values.size() / (type == TINYGLTF_TYPE_VEC3 ? 3 : 1);
+        model_.accessors.push_back(accessor);
+        return static_cast<int>(model_.accessors.size()) - 1;
+    }
+
+    tinygltf::Model& model_;
+};
+
+int add_material(tinygltf::Model& model, const std::string& name, std::vector<double> colour, bool lit) {
+    tinygltf::Material material;
+    material.name = name;
+    material.doubleSided = true;
+    material.pbrMetallicRoughness.baseColorFactor = std::move(colour);
+    material.pbrMetallicRoughness.metallicFactor = 0;
+    if (!lit) {
+        const std::string unlit = "KHR_materials_unlit";
+        material.extensions[unlit] = tinygltf::Value(tinygltf::Value::Object());
+        if (model.extensionsUsed.empty()) model.extensionsUsed.push_back(unlit);
+    }
+    model.materials.push_back(material);
+    return static_cast<int>(model.materials.size()) - 1;
+}
+
+/// Stands at xi, moves to x, stands there: in a viewer that repeats, both ends are seen.
+void add_animation(tinygltf::Model& model, Packer& packer) {
+    tinygltf::AnimationSampler sampler;
+    sampler.input = packer.times({0.0f, 0.5f, 3.5f, 4.5f});
+    sampler.output = packer.weights({1.0f, 1.0f, 0.0f, 0.0f});
+    tinygltf::AnimationChannel channel;
+    channel.sampler = 0;
+    channel.target_node = 0;
+    channel.target_path = "weights";
+    tinygltf::Animation animation;
+    animation.name = "from computational to adapted";
+    animation.samplers.push_back(sampler);
+    animation.channels.push_back(channel);
+    model.animations.push_back(animation);
+}
+
+void add_scene(tinygltf::Model& model, tinygltf::Mesh mesh) {
+    model.asset.version = "2.0";
+    model.asset.generator = "Gaspard " GASPARD_VERSION;
+    mesh.name = "adapted";
+    mesh.weights = {0};
+    model.meshes.push_back(std::move(mesh));
+    tinygltf::Node node;
+    node.name = "adapted";
+    node.mesh = 0;
+    model.nodes.push_back(node);
+    tinygltf::Scene scene;
+    scene.nodes = {0};
+    model.scenes.push_back(scene);
+    model.defaultScene = 0;
+}
+
+tinygltf::Primitive primitive(int mode, int indices, int material, int position, int displacement) {
+    tinygltf::Primitive result;
+    result.mode = mode;
+    result.indices = indices;
+    result.material = material;
+    result.attributes["POSITION"] = position;
+    result.targets = {{{"POSITION", displacement}}};
+    return result;
+}
+
+tinygltf::Model build_model(const Snapshot& snapshot) {
+    const Tessellation shape = tessellate(*snapshot.mesh);
+    const Points x = shown_points(shape, snapshot.x);
+    const Points back = difference(shown_points(shape, snapshot.mesh->nodes), x);
+
+    tinygltf::Model model;
+    Packer packer(model);
+    const int position = packer.positions(single_precision(x));
+    const int displacement = packer.positions(single_precision(back));
+    int colour = -1;
+    if (const Field* monitor = snapshot.field("monitor"); monitor && monitor->place == FieldPlace::node)
+        colour = packer.vertices(colours_of(shown_values(shape, monitor->values)));
+
+    tinygltf::Mesh mesh;
+    const bool has_faces = !shape.triangles.empty();
+    if (has_faces) {
+        // Light shows the form of what is bent; on a flat sheet it would only change the colours.
+        const int material = add_material(model, "faces", {1, 1, 1, 1}, snapshot.mesh->space_dimension == 3);
+        mesh.primitives.push_back(primitive(TINYGLTF_MODE_TRIANGLES,
+                                            packer.indices(shape.triangles, x.size()), material, position,
+                                            displacement));
+    }
+    const std::vector<double> ink =
+        has_faces || colour < 0 ? std::vector<double>{0.01, 0.01, 0.01, 1} : std::vector<double>{1, 1, 1, 1};
+    mesh.primitives.push_back(primitive(TINYGLTF_MODE_LINE, packer.indices(shape.segments, x.size()),
+                                        add_material(model, "edges", ink, false), position, displacement));
+    // Of a mesh of lines, the edges are the cells, and carry the colours.
+    if (colour >= 0) mesh.primitives.front().attributes["COLOR_0"] = colour;
+    add_animation(model, packer);
+    add_scene(model, std::move(mesh));
+    return model;
+}
+
+} // namespace
+
+void write_glb(const std::filesystem::path& file, const Snapshot& snapshot) {
+    GASPARD_CHECK(snapshot.mesh && snapshot.x.size() == snapshot.mesh->node_count());
+    const tinygltf::Model model = build_model(snapshot);
+    write_atomically(file, [&](std::ostream& stream) {
+        const bool done = tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, false, true);
+        GASPARD_CHECK(done);
+    });
+}
+
+} // namespace gaspard

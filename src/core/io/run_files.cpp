@@ -1,0 +1,88 @@
+#include "core/io/run_files.hpp"
+
+#include "core/io/atomic_file.hpp"
+#include "core/io/state_file.hpp"
+
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace gaspard {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json section_json(const Section& section) {
+    Json json;
+    json["type"] = section.type;
+    for (const auto& row : section.values.rows())
+        std::visit([&](const auto& value) { json[row.key] = value; }, section.values.at(row.key));
+    return json;
+}
+
+std::uint64_t peak_memory_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
+}
+
+std::string cell_of(const std::optional<double>& value) { return value ? format_number(*value) : ""; }
+
+} // namespace
+
+std::string history_csv(const std::vector<StepReport>& history) {
+    std::string text =
+        "iteration,residual,equidistribution,exact_rms,min_jacobian,tangled_cells,step_size,seconds\n";
+    for (const auto& row : history) {
+        text += std::to_string(row.iteration) + ',' + format_number(row.residual) + ',';
+        text += cell_of(row.equidistribution) + ',' + cell_of(row.exact_rms) + ',' +
+                cell_of(row.min_jacobian) + ',';
+        text += row.tangled_cells ? std::to_string(*row.tangled_cells) : "";
+        text += ',' + format_number(row.step_size) + ',' + format_number(row.seconds) + '\n';
+    }
+    return text;
+}
+
+std::string summary_json(Run& run) {
+    const Scenario& scenario = run.scenario();
+    const StepReport& last = run.history().back();
+    Json json;
+    json["scenario"] = scenario.name;
+    json["domain"] = section_json(scenario.domain);
+    json["monitor"] = section_json(scenario.monitor);
+    json["method"] = section_json(scenario.method);
+    json["cells"] = run.discretisation().mesh()->cell_count();
+    json["unknowns"] = run.discretisation().unknowns();
+    json["status"] = status_name(last.status);
+    json["iterations"] = last.iteration;
+    json["residual"] = last.residual;
+    json["equidistribution"] = or_null(last.equidistribution);
+    json["theta"] = last.theta;
+    json["tangled_cells"] = or_null(last.tangled_cells);
+    json["min_jacobian"] = or_null(last.min_jacobian);
+    json["max_jacobian"] = or_null(last.max_jacobian);
+    json["exact_rms"] = or_null(last.exact_rms);
+    json["setup_seconds"] = run.setup_seconds();
+    json["solve_seconds"] = last.seconds;
+    json["cpu_seconds"] = last.cpu_seconds;
+    json["seconds_per_iteration"] = last.iteration > 0 ? Json(last.seconds / last.iteration) : Json(nullptr);
+    json["peak_memory_bytes"] = peak_memory_bytes();
+    json["version"] = GASPARD_VERSION;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void write_run_files(const std::filesystem::path& folder, Run& run,
+                     const std::vector<const Format*>& formats) {
+    write_atomically(folder / "history.csv", history_csv(run.history()));
+    write_atomically(folder / "summary.json", summary_json(run));
+    write_state(folder / "state.bin", run.state());
+    const auto snapshot = run.snapshot();
+    for (const auto* format : formats) format->write(folder, *snapshot);
+}
+
+} // namespace gaspard
