@@ -37,10 +37,6 @@ struct MonitorType {
     std::function<std::shared_ptr<const Monitor>(const Values&, const Space&)> make;
 };
 
-MonitorType constant_monitor();
-MonitorType ring_monitor();
-MonitorType bell_monitor();
-
 /// All built-in monitors, in the order in which `list` shows them.
 std::vector<MonitorType> monitor_types();
 

@@ -2,6 +2,11 @@
 
 namespace gaspard {
 
+// Each stands in a file of its own.
+MonitorType ring_monitor();
+MonitorType bell_monitor();
+MonitorType constant_monitor();
+
 std::vector<MonitorType> monitor_types() { return {ring_monitor(), bell_monitor(), constant_monitor()}; }
 
 } // namespace gaspard

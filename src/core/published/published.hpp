@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/scenario/catalogue.hpp"
-#include "core/tessellate/figure.hpp"
+#include "core/published/figure.hpp"
 
 #include <functional>
 #include <memory>

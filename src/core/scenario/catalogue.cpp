@@ -39,9 +39,11 @@ std::string boundary_of(const Scenario& scenario) {
 }
 
 Capability plane_capability() {
+    std::vector<std::string> monitors; // all of them are functions of the place
+    for (const auto& type : monitor_types()) monitors.push_back(type.name);
     return {.domain = "plane",
             .boundaries = {"periodic", "walls"},
-            .monitors = {"ring", "bell", "constant"},
+            .monitors = std::move(monitors),
             .methods = {"relaxation"},
             .prepare = [](const Values& domain, const Progress& progress,
                           std::stop_token) -> std::shared_ptr<const Discretisation> {

@@ -1,4 +1,4 @@
-// A figure as plain data: meshes and plots side by side. The graphics draw it without knowing where it comes from.
+// A figure of a paper as plain data: meshes and plots side by side. Who draws it is not its business.
 #pragma once
 
 #include "core/session/snapshot.hpp"
