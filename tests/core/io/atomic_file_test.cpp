@@ -1,0 +1,168 @@
+#include "core/base/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/read_file.hpp"
+#include "support/comma_locale.hpp"
+#include "support/messages.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <atomic>
+#include <csignal>
+#include <fstream>
+#include <sys/resource.h>
+#include <thread>
+
+namespace gaspard {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ExitedWithCode;
+using Names = std::vector<std::string>;
+
+void put(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(AtomicFile, WritesTheBytesAndReplacesAnOlderFile) {
+    const TemporaryFolder folder;
+    const std::string bytes("a\0b\r\nc", 6);
+    write_atomically(folder / "f", bytes);
+    EXPECT_EQ(read_file(folder / "f"), bytes);
+    write_atomically(folder / "f", [](std::ostream& out) { out << "new\n"; });
+    EXPECT_EQ(read_file(folder / "f"), "new\n");
+    EXPECT_EQ(folder.content(), Names{"f"});
+}
+
+TEST(AtomicFile, HasThePermissionsOfAnyOtherNewFile) {
+    const TemporaryFolder folder;
+    put(folder / "plain", "");
+    write_atomically(folder / "ours", "");
+    EXPECT_EQ(fs::status(folder / "ours").permissions(), fs::status(folder / "plain").permissions());
+}
+
+TEST(AtomicFile, WritesARelativeNameIntoThePresentFolder) {
+    const TemporaryFolder folder;
+    const fs::path before = fs::current_path();
+    fs::current_path(folder.path());
+    write_atomically("f", "here");
+    fs::current_path(before);
+    EXPECT_EQ(read_file(folder / "f"), "here");
+}
+
+TEST(AtomicFile, StreamIsInTheCLocale) {
+    const TemporaryFolder folder;
+    const CommaLocale comma;
+    std::ostringstream proof;
+    proof << 1234.5;
+    ASSERT_EQ(proof.str(), "1.234,5");
+    write_atomically(folder / "f", [](std::ostream& out) { out << 1234.5 << ' ' << 1234567; });
+    EXPECT_EQ(read_file(folder / "f"), "1234.5 1234567");
+}
+
+TEST(AtomicFile, AWriterThatThrowsLeavesTheOldFile) {
+    const TemporaryFolder folder;
+    put(folder / "f", "old");
+    const auto write = [](std::ostream& out) {
+        out << "half";
+        throw std::runtime_error("midway");
+    };
+    EXPECT_EQ(message_of<std::runtime_error>([&] { write_atomically(folder / "f", write); }), "midway");
+    EXPECT_EQ(read_file(folder / "f"), "old");
+    EXPECT_EQ(folder.content(), Names{"f"});
+}
+
+TEST(AtomicFile, AMissingFolderIsNamed) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "gone" / "f";
+    const std::string message = message_of<MachineError>([&] { write_atomically(file, "x"); });
+    EXPECT_EQ(message, "cannot write " + file.string() + ": No such file or directory");
+}
+
+TEST(AtomicFile, AFolderInTheWayIsNamedAndNothingIsLeft) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "f");
+    const std::string message = message_of<MachineError>([&] { write_atomically(folder / "f", "x"); });
+    EXPECT_EQ(message, "cannot write " + (folder / "f").string() + ": Is a directory");
+    EXPECT_EQ(folder.content(), Names{"f"});
+}
+
+/// In a process of its own: writes 5000 bytes where files may have 1000, says what happened, leaves with 0.
+[[noreturn]] void write_beyond_the_limit(const fs::path& file) {
+    std::signal(SIGXFSZ, SIG_IGN); // as the program does at its start
+    const rlimit limit{1000, 1000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+        write_atomically(file, std::string(5000, 'x'));
+    } catch (const MachineError& error) {
+        std::fputs(error.what(), stderr);
+        std::_Exit(0);
+    }
+    std::_Exit(1);
+}
+
+TEST(AtomicFileDeathTest, AFullDiskLeavesTheOldFileAndSaysSo) {
+    const TemporaryFolder folder;
+    put(folder / "f", "old");
+    EXPECT_EXIT(write_beyond_the_limit(folder / "f"), ExitedWithCode(0), "cannot write .*/f: File too large");
+    EXPECT_EQ(read_file(folder / "f"), "old");
+    EXPECT_EQ(folder.content(), Names{"f"});
+}
+
+TEST(AtomicFile, WritersOfTheSameFileDoNotMix) {
+    const TemporaryFolder folder;
+    write_atomically(folder / "f", std::string(100000, 'a'));
+    std::atomic<bool> mixed = false;
+    {
+        std::vector<std::jthread> threads;
+        for (const char letter : {'a', 'b', 'c'})
+            threads.emplace_back([&, letter] {
+                for (int i = 0; i < 20; ++i) {
+                    write_atomically(folder / "f", std::string(100000, letter));
+                    const std::string now = read_file(folder / "f");
+                    if (now != std::string(100000, now.at(0))) mixed = true;
+                }
+            });
+    }
+    EXPECT_FALSE(mixed);
+    EXPECT_EQ(folder.content(), Names{"f"});
+}
+
+TEST(CheckWritable, MakesTheFoldersAndLeavesThemEmpty) {
+    const TemporaryFolder folder;
+    check_writable(folder.path() / "a" / "b");
+    EXPECT_TRUE(fs::is_directory(folder.path() / "a" / "b"));
+    EXPECT_TRUE(fs::is_empty(folder.path() / "a" / "b"));
+    check_writable(folder.path() / "a" / "b");      // is there by now
+    check_writable(folder.path() / "a" / "c" / ""); // with a slash at its end
+    EXPECT_TRUE(fs::is_empty(folder.path() / "a" / "c"));
+}
+
+TEST(CheckWritable, NamesAFileInTheWay) {
+    const TemporaryFolder folder;
+    put(folder / "f", "mine");
+    for (const fs::path& wanted : {folder / "f", folder.path() / "f" / "g"})
+        EXPECT_EQ(message_of<InputError>([&] { check_writable(wanted); }),
+                  "cannot write into the folder " + wanted.string() + ": Not a directory");
+    EXPECT_EQ(read_file(folder / "f"), "mine");
+}
+
+TEST(CheckWritable, NamesWhatTheSystemForbids) {
+    const std::string inside = message_of<InputError>([] { check_writable("/proc"); });
+    EXPECT_TRUE(contains(inside, "cannot write into the folder /proc: ")) << inside;
+    const std::string below = message_of<InputError>([] { check_writable("/proc/gaspard/out"); });
+    EXPECT_TRUE(contains(below, "cannot write into the folder /proc/gaspard/out: ")) << below;
+    EXPECT_THROW(check_writable(""), InputError);
+}
+
+TEST(CheckWritable, RemovesWhatItMadeWhenTheTrialFails) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "there");
+    const fs::path wanted = folder.path() / "there" / "new" / std::string(300, 'n');
+    const std::string message = message_of<InputError>([&] { check_writable(wanted); });
+    EXPECT_TRUE(contains(message, "File name too long")) << message;
+    EXPECT_TRUE(fs::is_empty(folder / "there"));
+}
+
+} // namespace
+} // namespace gaspard
