@@ -1,0 +1,216 @@
+// The files of a whole run, read back as a script would: JSON by a parser, CSV by splitting at commas.
+#include "core/base/error.hpp"
+#include "core/io/read_file.hpp"
+#include "core/io/run_files.hpp"
+#include "core/io/state_file.hpp"
+#include "core/scenario/toml.hpp"
+#include "support/comma_locale.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace gaspard {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Scenario small_scenario(const Catalogue& catalogue) {
+    Scenario scenario = find_scenario(catalogue, "plane-ring");
+    apply_settings(
+        catalogue, scenario,
+        {"domain.cells=8", "monitor.center_x=0.25", "method.max_iterations=6", "method.diagnostics_every=4"});
+    return scenario;
+}
+
+Run finished_run(RunOptions options = {}) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Run run(catalogue, small_scenario(*catalogue), std::move(options));
+    while (run.status() == RunStatus::running) run.step();
+    return run;
+}
+
+std::vector<std::string> keys_of(const Json& json) {
+    std::vector<std::string> keys;
+    for (const auto& item : json.items()) keys.push_back(item.key());
+    return keys;
+}
+
+std::vector<std::vector<std::string>> split_csv(const std::string& text) {
+    std::vector<std::vector<std::string>> rows(1, {""});
+    for (const char c : text) {
+        if (c == '\n')
+            rows.push_back({""});
+        else if (c == ',')
+            rows.back().emplace_back();
+        else
+            rows.back().back() += c;
+    }
+    EXPECT_EQ(rows.back(), std::vector<std::string>{""}) << "the file ends with a line's end";
+    rows.pop_back();
+    return rows;
+}
+
+double number(const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    EXPECT_TRUE(!text.empty() && *end == '\0') << "'" << text << "' is a number";
+    return value;
+}
+
+TEST(Summary, HasTheFieldsOfTheContractInTheirOrder) {
+    Run run = finished_run();
+    const Json json = Json::parse(summary_json(run));
+    EXPECT_EQ(keys_of(json), (std::vector<std::string>{"scenario",
+                                                       "domain",
+                                                       "monitor",
+                                                       "method",
+                                                       "cells",
+                                                       "unknowns",
+                                                       "status",
+                                                       "iterations",
+                                                       "residual",
+                                                       "equidistribution",
+                                                       "theta",
+                                                       "tangled_cells",
+                                                       "min_jacobian",
+                                                       "max_jacobian",
+                                                       "exact_rms",
+                                                       "setup_seconds",
+                                                       "solve_seconds",
+                                                       "cpu_seconds",
+                                                       "seconds_per_iteration",
+                                                       "peak_memory_bytes",
+                                                       "version"}));
+}
+
+TEST(Summary, SaysWhatTheRunFound) {
+    Run run = finished_run();
+    const Json json = Json::parse(summary_json(run));
+    const StepReport& last = run.history().back();
+    EXPECT_EQ(json["scenario"], "plane-ring");
+    EXPECT_EQ(json["domain"], (Json{{"type", "plane"}, {"cells", 8}, {"boundary", "periodic"}}));
+    EXPECT_EQ(json["monitor"]["type"], "ring");
+    EXPECT_EQ(json["monitor"]["center_x"], 0.25);
+    EXPECT_EQ(json["method"]["type"], "relaxation");
+    EXPECT_EQ(json["method"]["max_iterations"], 6);
+    for (const auto* section : {&run.scenario().domain, &run.scenario().monitor, &run.scenario().method})
+        EXPECT_EQ(json[section->values.section()].size(), section->values.rows().size() + 1);
+    EXPECT_EQ(json["cells"], 64);
+    EXPECT_EQ(json["unknowns"], run.discretisation().unknowns());
+    EXPECT_EQ(json["status"], "iteration-limit");
+    EXPECT_EQ(json["iterations"], 6);
+    EXPECT_EQ(json["residual"].get<double>(), last.residual);
+    EXPECT_EQ(json["equidistribution"].get<double>(), last.equidistribution);
+    EXPECT_EQ(json["theta"].get<double>(), last.theta);
+    EXPECT_EQ(json["tangled_cells"], 0);
+    EXPECT_EQ(json["min_jacobian"].get<double>(), last.min_jacobian);
+    EXPECT_EQ(json["max_jacobian"].get<double>(), last.max_jacobian);
+    EXPECT_TRUE(json["exact_rms"].is_null());
+    EXPECT_EQ(json["setup_seconds"].get<double>(), run.setup_seconds());
+    EXPECT_EQ(json["solve_seconds"].get<double>(), last.seconds);
+    EXPECT_EQ(json["cpu_seconds"].get<double>(), last.cpu_seconds);
+    EXPECT_DOUBLE_EQ(json["seconds_per_iteration"].get<double>() * 6, last.seconds);
+    EXPECT_GT(json["peak_memory_bytes"].get<std::uint64_t>(), 1u << 20); // this very process needs more
+    EXPECT_EQ(json["version"], "0.1.0");
+}
+
+TEST(Summary, WithoutAnIterationHasNoTimePerIteration) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Run run(catalogue, small_scenario(*catalogue));
+    run.interrupt();
+    const Json json = Json::parse(summary_json(run));
+    EXPECT_EQ(json["status"], "interrupted");
+    EXPECT_EQ(json["iterations"], 0);
+    EXPECT_TRUE(json["seconds_per_iteration"].is_null());
+    EXPECT_TRUE(json["equidistribution"].is_number());
+}
+
+TEST(History, HasARowForTheStartAndOneForEveryIteration) {
+    Run run = finished_run();
+    const auto rows = split_csv(history_csv(run.history()));
+    ASSERT_EQ(rows.size(), 1u + 7u);
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"iteration", "residual", "equidistribution", "exact_rms",
+                                                 "min_jacobian", "tangled_cells", "step_size", "seconds"}));
+    for (std::size_t i = 0; i <= 6; ++i) {
+        const auto& row = rows[i + 1];
+        const StepReport& report = run.history()[i];
+        ASSERT_EQ(row.size(), 8u);
+        EXPECT_EQ(number(row[0]), static_cast<double>(i));
+        EXPECT_EQ(number(row[1]), report.residual);
+        EXPECT_EQ(row[3], "");
+        EXPECT_EQ(number(row[6]), report.step_size);
+        EXPECT_EQ(number(row[7]), report.seconds);
+        const bool measured = i % 4 == 0 || i == 6; // every fourth, and the last
+        for (const std::size_t column : {2u, 4u, 5u})
+            EXPECT_EQ(row[column].empty(), !measured) << "row " << i;
+        if (!measured) continue;
+        EXPECT_EQ(number(row[2]), report.equidistribution);
+        EXPECT_EQ(number(row[4]), report.min_jacobian);
+        EXPECT_EQ(number(row[5]), 0);
+    }
+}
+
+TEST(History, WritesEveryColumnItKnows) {
+    StepReport report;
+    report.iteration = 1234;
+    report.residual = 1234.5;
+    report.equidistribution = 0.25;
+    report.exact_rms = 1e-9;
+    report.min_jacobian = -0.125;
+    report.tangled_cells = 5678;
+    report.step_size = 0.1;
+    report.seconds = 3661.75;
+    const CommaLocale comma;
+    EXPECT_EQ(
+        split_csv(history_csv({report})).at(1),
+        (std::vector<std::string>{"1234", "1234.5", "0.25", "1e-09", "-0.125", "5678", "0.1", "3661.75"}));
+}
+
+TEST(RunFiles, AreThoseOfTheContract) {
+    const TemporaryFolder folder;
+    Run run = finished_run();
+    write_run_files(folder.path(), run, parse_formats("obj,glb"));
+    EXPECT_EQ(folder.content(), (std::vector<std::string>{"adapted.glb", "adapted.obj", "computational.obj",
+                                                          "history.csv", "state.bin", "summary.json"}));
+    EXPECT_EQ(read_file(folder / "history.csv"), history_csv(run.history()));
+    EXPECT_EQ(Json::parse(read_file(folder / "summary.json"))["iterations"], 6);
+}
+
+TEST(RunFiles, TheStateGoesOnWhereTheRunEnded) {
+    const TemporaryFolder folder;
+    Run run = finished_run();
+    write_run_files(folder.path(), run, {});
+    EXPECT_EQ(folder.content(), (std::vector<std::string>{"history.csv", "state.bin", "summary.json"}));
+    const Run next = finished_run({.start = read_state(folder / "state.bin")});
+    EXPECT_EQ(next.history().front().residual, run.history().back().residual);
+    EXPECT_LT(next.history().back().residual, run.history().back().residual);
+}
+
+TEST(RunFiles, AreTheSameBytesButForTimesAndMemory) {
+    const TemporaryFolder first, second;
+    for (const auto* folder : {&first, &second}) {
+        Run run = finished_run();
+        const CommaLocale comma;
+        write_run_files(folder->path(), run, parse_formats("obj,glb"));
+    }
+    for (const char* name : {"adapted.glb", "adapted.obj", "computational.obj", "state.bin"})
+        EXPECT_EQ(read_file(first / name), read_file(second / name)) << name;
+    auto a = Json::parse(read_file(first / "summary.json")),
+         b = Json::parse(read_file(second / "summary.json"));
+    for (Json* json : {&a, &b})
+        for (const char* key :
+             {"setup_seconds", "solve_seconds", "cpu_seconds", "seconds_per_iteration", "peak_memory_bytes"})
+            json->erase(key);
+    EXPECT_EQ(a, b);
+}
+
+TEST(RunFiles, AFolderThatVanishedIsTheMachinesFault) {
+    const TemporaryFolder folder;
+    Run run = finished_run();
+    EXPECT_THROW(write_run_files(folder / "gone", run, {}), MachineError);
+}
+
+} // namespace
+} // namespace gaspard

@@ -1,0 +1,81 @@
+// One small mesh of every shape of cell, written out, and positions that are somewhere else.
+#pragma once
+
+#include "core/mesh/mesh.hpp"
+
+#include <cmath>
+#include <initializer_list>
+
+namespace gaspard {
+
+inline Mesh mesh_of(CellKind kind, int dimension, std::initializer_list<Vec3> nodes,
+                    std::vector<std::int32_t> cells) {
+    Mesh mesh;
+    mesh.kind = kind;
+    mesh.space_dimension = dimension;
+    mesh.nodes = Points(nodes.size());
+    std::size_t i = 0;
+    for (const Vec3 node : nodes) mesh.nodes.set(i++, node);
+    mesh.cells = std::move(cells);
+    return mesh;
+}
+
+/// [0,1] in three lines, the nodes not in the order of the line.
+inline Mesh three_lines() {
+    return mesh_of({CellShape::line, 1}, 1, {{0, 0, 0}, {1, 0, 0}, {0.25, 0, 0}, {2.0 / 3, 0, 0}},
+                   {0, 2, 2, 3, 3, 1});
+}
+
+/// The unit square in two triangles.
+inline Mesh two_triangles() {
+    return mesh_of({CellShape::triangle, 1}, 2, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                   {0, 1, 2, 0, 2, 3});
+}
+
+/// One square of order 2, whose first nodes are no corners.
+inline Mesh curved_square() {
+    return mesh_of({CellShape::quadrilateral, 2}, 3,
+                   {{.5, .5, .1},
+                    {.5, 0, .1},
+                    {0, 0, 0},
+                    {1, 0, 0},
+                    {1, 1, 0},
+                    {0, 1, 0},
+                    {1, .5, 0},
+                    {.5, 1, 0},
+                    {0, .5, 0}},
+                   {2, 3, 4, 5, 1, 6, 7, 8, 0});
+}
+
+/// Two cubes side by side.
+inline Mesh two_cubes() {
+    return mesh_of({CellShape::hexahedron, 1}, 3,
+                   {{0, 0, 0},
+                    {1, 0, 0},
+                    {2, 0, 0},
+                    {0, 1, 0},
+                    {1, 1, 0},
+                    {2, 1, 0},
+                    {0, 0, 1},
+                    {1, 0, 1},
+                    {2, 0, 1},
+                    {0, 1, 1},
+                    {1, 1, 1},
+                    {2, 1, 1}},
+                   {0, 1, 4, 3, 6, 7, 10, 9, 1, 2, 5, 4, 7, 8, 11, 10});
+}
+
+/// Every node a little away from where it was, with digits that no float holds.
+inline Points moved(const Mesh& mesh) {
+    Points x = mesh.nodes;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const Vec3 p = x[i];
+        const int d = mesh.space_dimension;
+        x.set(i,
+              {p.x + 0.01 * std::sin(3.0 + 7 * p.x + p.y), d > 1 ? p.y + 0.02 * std::cos(p.x + 5 * p.y) : 0,
+               d > 2 ? p.z + 0.03 * std::sin(1 + p.x) : 0});
+    }
+    return x;
+}
+
+} // namespace gaspard
