@@ -1,5 +1,6 @@
 // adapted.glb: one node with one mesh; its faces and its edges are two primitives that share their vertices.
 #include "core/base/check.hpp"
+#include "core/base/version.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/formats.hpp"
 #include "core/tessellate/colour_map.hpp"
@@ -157,7 +158,7 @@ void add_animation(tinygltf::Model& model, Packer& packer) {
 
 void add_scene(tinygltf::Model& model, tinygltf::Mesh mesh) {
     model.asset.version = "2.0";
-    model.asset.generator = "Gaspard " GASPARD_VERSION;
+    model.asset.generator = "Gaspard " + std::string(version());
     mesh.name = "adapted";
     mesh.weights = {0};
     model.meshes.push_back(std::move(mesh));

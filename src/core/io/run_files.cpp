@@ -1,5 +1,6 @@
 #include "core/io/run_files.hpp"
 
+#include "core/base/version.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/state_file.hpp"
 
@@ -72,7 +73,7 @@ std::string summary_json(Run& run) {
     json["cpu_seconds"] = last.cpu_seconds;
     json["seconds_per_iteration"] = last.iteration > 0 ? Json(last.seconds / last.iteration) : Json(nullptr);
     json["peak_memory_bytes"] = peak_memory_bytes();
-    json["version"] = GASPARD_VERSION;
+    json["version"] = version();
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
