@@ -25,15 +25,19 @@ QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int po
     for (const Vec3 node : reference_nodes(mesh_->kind)) add_sample(node, 0);
 
     const std::size_t cells = mesh_->cell_count();
+    std::vector<Vec3> nodes(static_cast<std::size_t>(nodes_per_cell(mesh_->kind)));
     cell_measure_.assign(cells, 0.0);
-    for (std::size_t i = 0; i < cells; ++i)
+    for (std::size_t i = 0; i < cells; ++i) {
+        gather(i, mesh_->nodes, nodes);
         for (std::size_t q = 0; q < quadrature_points_; ++q) {
-            const Tangents t = tangents(mesh_->cell(i), mesh_->nodes, samples_[q]);
+            const Tangents t = tangents(nodes, samples_[q]);
             cell_measure_[i] += samples_[q].weight * signed_measure(t, t);
         }
+    }
     quality_.cell_mass.resize(cells);
     quality_.cell_jacobian.resize(cells);
     for (Worker& worker : workers_) {
+        worker.nodes = worker.reference_nodes = nodes;
         worker.points.resize(batch * quadrature_points_);
         worker.factor.resize(batch * quadrature_points_);
         worker.monitor.resize(batch * quadrature_points_);
@@ -47,19 +51,24 @@ void QualityMeter::add_sample(Vec3 point, double weight) {
     samples_.push_back(std::move(sample));
 }
 
-QualityMeter::Tangents QualityMeter::tangents(std::span<const std::int32_t> cell, const Points& x,
-                                              const Sample& sample) const {
+void QualityMeter::gather(std::size_t cell, const Points& x, std::span<Vec3> nodes) const {
+    const auto numbers = mesh_->cell(cell);
+    for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] = x[static_cast<std::size_t>(numbers[k])];
+}
+
+QualityMeter::Tangents QualityMeter::tangents(std::span<const Vec3> nodes, const Sample& sample) const {
     Tangents t{};
-    for (std::size_t k = 0; k < cell.size(); ++k) {
-        const Vec3 node = x[static_cast<std::size_t>(cell[k])], g = sample.gradients[k];
-        t[0] = t[0] + g.x * node;
-        t[1] = t[1] + g.y * node;
-        t[2] = t[2] + g.z * node;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const Vec3 g = sample.gradients[k];
+        t[0] = t[0] + g.x * nodes[k];
+        if (dimension_ > 1) t[1] = t[1] + g.y * nodes[k];
+        if (dimension_ > 2) t[2] = t[2] + g.z * nodes[k];
     }
     return t;
 }
 
 double QualityMeter::signed_measure(const Tangents& of, const Tangents& reference) const {
+    if (dimension_ == 2 && mesh_->space_dimension == 2) return of[0].x * of[1].y - of[0].y * of[1].x;
     if (dimension_ == 1) return std::copysign(norm(of[0]), dot(of[0], reference[0]));
     const Vec3 normal = cross(of[0], of[1]);
     if (dimension_ == 3) return dot(normal, of[2]);
@@ -71,18 +80,19 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
     worker.points.resize((end - begin) * quadrature_points_);
     std::size_t at = 0;
     for (std::size_t i = begin; i < end; ++i) {
-        const auto cell = mesh_->cell(i);
+        gather(i, x, worker.nodes);
+        gather(i, mesh_->nodes, worker.reference_nodes);
         double smallest = std::numeric_limits<double>::infinity();
         for (std::size_t s = 0; s < samples_.size(); ++s) {
-            const Tangents reference = tangents(cell, mesh_->nodes, samples_[s]);
-            const double physical = signed_measure(tangents(cell, x, samples_[s]), reference);
+            const Tangents reference = tangents(worker.reference_nodes, samples_[s]);
+            const double physical = signed_measure(tangents(worker.nodes, samples_[s]), reference);
             const double jacobian = physical / signed_measure(reference, reference);
             smallest = std::min(smallest, jacobian);
             worker.max_jacobian = std::max(worker.max_jacobian, jacobian);
             if (s >= quadrature_points_) continue;
             Vec3 point;
-            for (std::size_t k = 0; k < cell.size(); ++k)
-                point = point + samples_[s].values[k] * x[static_cast<std::size_t>(cell[k])];
+            for (std::size_t k = 0; k < worker.nodes.size(); ++k)
+                point = point + samples_[s].values[k] * worker.nodes[k];
             worker.points.set(at, point);
             worker.factor[at++] = samples_[s].weight * physical;
         }

@@ -48,11 +48,13 @@ class QualityMeter {
     using Tangents = std::array<Vec3, 3>;
 
     void add_sample(Vec3 point, double weight);
-    Tangents tangents(std::span<const std::int32_t> cell, const Points& x, const Sample& sample) const;
+    void gather(std::size_t cell, const Points& x, std::span<Vec3> nodes) const;
+    Tangents tangents(std::span<const Vec3> nodes, const Sample& sample) const;
     double signed_measure(const Tangents& of, const Tangents& reference) const;
     /// What one thread works in, and what it finds.
     struct Worker {
-        Points points; ///< quadrature points of a batch of cells
+        std::vector<Vec3> nodes, reference_nodes; ///< of one cell: x and xi
+        Points points;                            ///< quadrature points of a batch of cells
         std::vector<double> factor, monitor;
         double min_jacobian = 0, max_jacobian = 0;
         std::size_t tangled_cells = 0;
