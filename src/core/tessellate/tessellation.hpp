@@ -22,6 +22,10 @@ struct Tessellation {
     std::vector<std::uint32_t> triangles;      ///< three points each
     std::vector<std::uint32_t> triangle_cells; ///< which cell each triangle belongs to
     std::vector<std::uint32_t> segments;       ///< two points each; an edge shared by cells is drawn once
+    /// Two points per segment: a corner at the far side of each cell beside it, so that a picture can tell
+    /// how close the next line is. The same twice at a border; the segment's own first point where there is
+    /// nothing beside.
+    std::vector<std::uint32_t> segment_sides;
 };
 
 /// `cuts` pieces per curved edge (order 2 only). Of solids, the boundary faces and all edges of those faces.

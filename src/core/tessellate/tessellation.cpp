@@ -1,0 +1,236 @@
+#include "core/tessellate/tessellation.hpp"
+
+#include "core/base/check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace gaspard {
+
+namespace {
+
+using Corner = std::int32_t;
+
+/// A face to be shown: a whole surface cell, or one boundary face of a solid; corners as local numbers of the
+/// cell.
+struct Face {
+    std::uint32_t cell = 0;
+    std::vector<int> corners;
+};
+
+/// Boundary faces of a solid: those that only one cell has.
+std::vector<Face> boundary_faces(const Mesh& mesh) {
+    std::map<std::vector<Corner>, std::pair<Face, int>> seen;
+    for (std::size_t c = 0; c < mesh.cell_count(); ++c)
+        for (const auto& corners : cell_faces(mesh.kind)) {
+            std::vector<Corner> key;
+            for (const int corner : corners) key.push_back(mesh.cell(c)[static_cast<std::size_t>(corner)]);
+            std::sort(key.begin(), key.end());
+            auto& entry = seen[key];
+            entry.first = {static_cast<std::uint32_t>(c), corners};
+            ++entry.second;
+        }
+    std::vector<Face> faces;
+    for (const auto& [key, entry] : seen)
+        if (entry.second == 1) faces.push_back(entry.first);
+    return faces;
+}
+
+std::vector<Face> shown_faces(const Mesh& mesh) {
+    if (cell_dimension(mesh.kind) == 1) return {};
+    if (cell_dimension(mesh.kind) == 3) return boundary_faces(mesh);
+    Face face;
+    for (int i = 0; i < corners_per_cell(mesh.kind); ++i) face.corners.push_back(i);
+    std::vector<Face> faces;
+    for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
+        face.cell = static_cast<std::uint32_t>(c);
+        faces.push_back(face);
+    }
+    return faces;
+}
+
+/// Makes the shown points: corners are shared by number, points on edges by the edge's corners.
+class PointMaker {
+  public:
+    PointMaker(const Mesh& mesh, int cuts, Tessellation& out)
+        : mesh_(mesh), cuts_(cuts), out_(out), corner_points_(mesh.node_count(), unmade),
+          values_(static_cast<std::size_t>(nodes_per_cell(mesh.kind))), gradients_(values_.size()) {
+        if (mesh.kind.order == 1)
+            out_.point_count = mesh.node_count();
+        else
+            out_.starts.push_back(0);
+    }
+
+    std::uint32_t node(std::uint32_t cell, int local) const {
+        return static_cast<std::uint32_t>(mesh_.cell(cell)[static_cast<std::size_t>(local)]);
+    }
+    Vec3 reference(int local) const { return reference_nodes(mesh_.kind)[static_cast<std::size_t>(local)]; }
+
+    std::uint32_t corner(std::uint32_t cell, int local) {
+        const std::uint32_t number = node(cell, local);
+        if (mesh_.kind.order == 1) return number;
+        auto& point = corner_points_[number];
+        if (point == unmade) point = make(cell, reference(local));
+        return point;
+    }
+
+    /// Point `step` of `cuts` on the way from local corner a to local corner b.
+    std::uint32_t on_edge(std::uint32_t cell, int a, int b, int step) {
+        if (step == 0) return corner(cell, a);
+        if (step == cuts_) return corner(cell, b);
+        if (node(cell, a) > node(cell, b)) return on_edge(cell, b, a, cuts_ - step);
+        const std::array<std::uint32_t, 3> key = {node(cell, a), node(cell, b),
+                                                  static_cast<std::uint32_t>(step)};
+        const auto [entry, fresh] = edge_points_.try_emplace(key, unmade);
+        const double t = static_cast<double>(step) / cuts_;
+        if (fresh) entry->second = make(cell, (1 - t) * reference(a) + t * reference(b));
+        return entry->second;
+    }
+
+    std::uint32_t make(std::uint32_t cell, Vec3 where) {
+        shape_functions(mesh_.kind, where, values_, gradients_);
+        for (std::size_t j = 0; j < values_.size(); ++j) {
+            if (values_[j] == 0) continue;
+            out_.nodes.push_back(node(cell, static_cast<int>(j)));
+            out_.weights.push_back(values_[j]);
+        }
+        out_.starts.push_back(static_cast<std::uint32_t>(out_.nodes.size()));
+        return static_cast<std::uint32_t>(out_.point_count++);
+    }
+
+  private:
+    static constexpr std::uint32_t unmade = 0xffffffff;
+
+    const Mesh& mesh_;
+    int cuts_;
+    Tessellation& out_;
+    std::vector<std::uint32_t> corner_points_;
+    std::map<std::array<std::uint32_t, 3>, std::uint32_t> edge_points_;
+    std::vector<double> values_;
+    std::vector<Vec3> gradients_;
+};
+
+void add_triangle(Tessellation& out, std::uint32_t cell, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    out.triangles.insert(out.triangles.end(), {a, b, c});
+    out.triangle_cells.push_back(cell);
+}
+
+/// Cuts a four-sided face into cuts x cuts squares, a three-sided one into cuts^2 triangles.
+void fill_face(const Face& face, int cuts, PointMaker& points, Tessellation& out) {
+    const auto& k = face.corners;
+    const bool triangle = k.size() == 3;
+    const auto point = [&](int i, int j) {
+        if (j == 0) return points.on_edge(face.cell, k[0], k[1], i);
+        if (i == 0) return points.on_edge(face.cell, k[0], k.back(), j);
+        if (triangle && i + j == cuts) return points.on_edge(face.cell, k[1], k[2], j);
+        if (!triangle && i == cuts) return points.on_edge(face.cell, k[1], k[2], j);
+        if (!triangle && j == cuts) return points.on_edge(face.cell, k[3], k[2], i);
+        const double s = static_cast<double>(i) / cuts, t = static_cast<double>(j) / cuts;
+        const Vec3 a = points.reference(k[0]), b = points.reference(k[1]), d = points.reference(k.back());
+        if (triangle) return points.make(face.cell, (1 - s - t) * a + s * b + t * d);
+        const Vec3 c = points.reference(k[2]);
+        return points.make(face.cell, (1 - s) * (1 - t) * a + s * (1 - t) * b + s * t * c + (1 - s) * t * d);
+    };
+    std::vector<std::uint32_t> below, row;
+    for (int j = 0; j <= cuts; ++j) {
+        row.clear();
+        for (int i = 0; i <= (triangle ? cuts - j : cuts); ++i) row.push_back(point(i, j));
+        for (std::size_t i = 0; i + 1 < below.size() && i < row.size(); ++i) {
+            add_triangle(out, face.cell, below[i], below[i + 1], row[i]);
+            if (i + 1 < row.size()) add_triangle(out, face.cell, below[i + 1], row[i + 1], row[i]);
+        }
+        below = row;
+    }
+}
+
+/// An edge of a shown face, known by its two corners.
+struct Edge {
+    std::pair<std::uint32_t, std::uint32_t> corners; ///< nodes, the smaller first
+    std::uint32_t cell = 0;
+    int a = 0, b = 0;         ///< local corners
+    std::uint32_t sides[2]{}; ///< as in Tessellation::segment_sides
+};
+
+void collect_edges(const Face& face, PointMaker& points, std::vector<Edge>& edges) {
+    const auto& k = face.corners;
+    for (std::size_t e = 0; e < k.size(); ++e) {
+        const int a = k[e], b = k[(e + 1) % k.size()], far = k[(e + 2) % k.size()];
+        const std::uint32_t side = points.corner(face.cell, far);
+        edges.push_back({std::minmax({points.node(face.cell, a), points.node(face.cell, b)}),
+                         face.cell,
+                         a,
+                         b,
+                         {side, side}});
+    }
+}
+
+/// Each edge once, with what lies at both sides of it.
+void merge_edges(std::vector<Edge>& edges) {
+    std::stable_sort(edges.begin(), edges.end(),
+                     [](const Edge& a, const Edge& b) { return a.corners < b.corners; });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (kept > 0 && edges[kept - 1].corners == edges[i].corners)
+            edges[kept - 1].sides[1] = edges[i].sides[0];
+        else
+            edges[kept++] = edges[i];
+    }
+    edges.resize(kept);
+}
+
+void draw_edge(const Edge& edge, int cuts, PointMaker& points, Tessellation& out) {
+    for (int i = 0; i < cuts; ++i) {
+        out.segments.push_back(points.on_edge(edge.cell, edge.a, edge.b, i));
+        out.segments.push_back(points.on_edge(edge.cell, edge.a, edge.b, i + 1));
+        out.segment_sides.insert(out.segment_sides.end(), {edge.sides[0], edge.sides[1]});
+    }
+}
+
+void draw_line_cells(const Mesh& mesh, int cuts, PointMaker& points, Tessellation& out) {
+    for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
+        const auto cell = static_cast<std::uint32_t>(c);
+        const std::uint32_t nothing = points.corner(cell, 0);
+        draw_edge({{}, cell, 0, 1, {nothing, nothing}}, cuts, points, out);
+    }
+}
+
+} // namespace
+
+Tessellation tessellate(const Mesh& mesh, int cuts) {
+    GASPARD_CHECK(cuts >= 1);
+    if (mesh.kind.order == 1) cuts = 1;
+    Tessellation out;
+    PointMaker points(mesh, cuts, out);
+    std::vector<Edge> edges;
+    for (const Face& face : shown_faces(mesh)) {
+        fill_face(face, cuts, points, out);
+        collect_edges(face, points, edges);
+    }
+    merge_edges(edges);
+    for (const Edge& edge : edges) draw_edge(edge, cuts, points, out);
+    if (cell_dimension(mesh.kind) == 1) draw_line_cells(mesh, cuts, points, out);
+    return out;
+}
+
+std::vector<double> shown_values(const Tessellation& tessellation, std::span<const double> nodes) {
+    if (tessellation.starts.empty()) {
+        GASPARD_CHECK(nodes.size() == tessellation.point_count);
+        return {nodes.begin(), nodes.end()};
+    }
+    std::vector<double> shown(tessellation.point_count, 0);
+    for (std::size_t p = 0; p < shown.size(); ++p)
+        for (std::size_t k = tessellation.starts[p]; k < tessellation.starts[p + 1]; ++k)
+            shown[p] += tessellation.weights[k] * nodes[tessellation.nodes[k]];
+    return shown;
+}
+
+Points shown_points(const Tessellation& tessellation, const Points& nodes) {
+    Points shown;
+    shown.x = shown_values(tessellation, nodes.x);
+    shown.y = shown_values(tessellation, nodes.y);
+    shown.z = shown_values(tessellation, nodes.z);
+    return shown;
+}
+
+} // namespace gaspard

@@ -1,0 +1,66 @@
+// Where one looks from. Orthographic: world units map to pixels by one scale, whatever their distance.
+//
+// Pixels: x to the right, y down, (0, 0) at the upper left corner of the area that shows the mesh (`Size`).
+// A planar camera looks down the z axis with x to the right and y up; a spatial one has other axes. Pure
+// mathematics.
+#pragma once
+
+#include "core/base/points.hpp"
+
+#include <glm/mat4x4.hpp>
+#include <span>
+
+namespace gaspard {
+
+struct Size {
+    double width = 1, height = 1;
+};
+struct Pixel {
+    double x = 0, y = 0;
+};
+/// Room to leave free at the sides of the area, in pixels.
+struct Insets {
+    double left = 0, top = 0, right = 0, bottom = 0;
+};
+
+struct Box {
+    Vec3 low, high;
+    Vec3 centre() const { return 0.5 * (low + high); }
+    /// Length of the diagonal.
+    double size() const { return norm(high - low); }
+    friend bool operator==(const Box&, const Box&) = default;
+};
+/// The smallest box around all finite points; around the origin where there is none.
+Box bounding_box(const Points& points);
+Box merge(const Box& a, const Box& b);
+
+struct Camera {
+    Vec3 centre;         ///< the world point in the middle of the area
+    double scale = 1;    ///< world units per pixel
+    Vec3 right{1, 0, 0}; ///< of unit length, to the right of the picture
+    Vec3 up{0, 1, 0};    ///< of unit length, orthogonal to `right`
+    friend bool operator==(const Camera&, const Camera&) = default;
+};
+
+/// Looks down the z axis; `box` fills what `insets` leave free, but for a small margin.
+Camera planar_home(const Box& box, Size size, Insets insets = {});
+/// Looks from a fixed direction, somewhat from above (z is up), at all of `box`.
+Camera spatial_home(const Box& box, Size size, Insets insets = {});
+/// The first for boxes without depth, the second for others.
+Camera home(const Box& box, Size size, Insets insets = {});
+
+Pixel to_pixel(const Camera& camera, Size size, Vec3 world);
+/// The point under a pixel, in the plane through the camera's centre that faces the viewer.
+Vec3 to_world(const Camera& camera, Size size, Pixel pixel);
+
+/// The world follows a pointer that has moved by so many pixels.
+void pan(Camera& camera, Pixel by);
+/// Enlarges by `factor` (> 1 comes closer); the point under `fixed` stays there. The scale stays within what
+/// double precision carries around `box`.
+void zoom(Camera& camera, Size size, Pixel fixed, double factor, const Box& box);
+
+/// From world positions minus `origin` to OpenGL's clip coordinates; `depth` is half the depth of the view in
+/// world units: what is farther from the centre is cut off.
+glm::mat4 clip_matrix(const Camera& camera, Size size, Vec3 origin, double depth);
+
+} // namespace gaspard

@@ -1,0 +1,45 @@
+// OpenGL without a window: a context in memory, and pictures of any size drawn in it.
+//
+// Two ways, both found at run time so that the program starts without them: OSMesa (libOSMesa.so.8 or .so.6),
+// and EGL without a surface (libEGL.so.1), which is what remains where Mesa has dropped OSMesa.
+#pragma once
+
+#include "core/io/image.hpp"
+#include "gui/gl_objects.hpp"
+
+#include <memory>
+#include <string_view>
+
+namespace gaspard {
+
+enum class OffscreenBackend { any, osmesa, egl };
+
+/// A context that is current on the thread that made it, for as long as it lives. One at a time per thread.
+class OffscreenContext {
+  public:
+    virtual ~OffscreenContext() = default;
+    virtual const Gl& gl() const = 0;
+    virtual std::string_view backend() const = 0; ///< "OSMesa" or "EGL"
+};
+
+/// `any` tries OSMesa, then EGL. Throws MachineError with one sentence when none works.
+std::unique_ptr<OffscreenContext> make_offscreen_context(OffscreenBackend backend = OffscreenBackend::any);
+
+/// A picture to draw into, with depth, anti-aliased by four samples a pixel where the machine can.
+class RenderTarget {
+  public:
+    /// Throws MachineError where the machine cannot make one of this size.
+    RenderTarget(const Gl& gl, int width, int height);
+    void bind() const; ///< drawing goes here; sets the viewport to all of it
+    Image read() const;
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+  private:
+    const Gl* gl_;
+    int width_, height_;
+    GlFramebuffer drawn_, resolved_;
+    GlRenderbuffer colour_, depth_, resolved_colour_;
+};
+
+} // namespace gaspard

@@ -1,0 +1,47 @@
+// How everything looks: one set of colours and sizes for ImGui, the mesh, legends and plots.
+//
+// Colours are sRGB with straight alpha, 0 to 1. Sizes are in pixels of a display of scale 1; whoever draws
+// multiplies by `scale` (2 on a high-density display, or for a large picture).
+#pragma once
+
+#include <array>
+#include <imgui.h>
+
+namespace gaspard {
+
+struct Colour {
+    float r = 0, g = 0, b = 0, a = 1;
+    friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+inline ImVec4 to_imgui(Colour c) { return {c.r, c.g, c.b, c.a}; }
+/// Packed as ImDrawList wants it; `opacity` multiplies the alpha.
+ImU32 packed(Colour c, float opacity = 1);
+
+struct Theme {
+    Colour background; ///< behind a mesh
+    Colour panel;      ///< windows, legends
+    Colour frame;      ///< fields, sliders, the inside of plots
+    Colour border, grid;
+    Colour text, faint_text;
+    Colour accent;                      ///< what can be grabbed or is selected
+    Colour good, warning, bad;          ///< of a status
+    Colour surface;                     ///< cells without a colour map
+    Colour line_on_dark, line_on_light; ///< cell edges, by what lies below them
+    Colour tangled;                     ///< cells turned inside out; stands out from every colour map
+    std::array<Colour, 8> curves;
+    float font_size = 15;
+    float line_width = 1.0F; ///< of cell edges
+};
+
+Theme dark_theme();
+Theme light_theme();
+
+/// Sets the current ImGui context's style.
+void apply_theme(const Theme& theme, float scale);
+
+/// Makes the embedded font (Latin, Greek, superscripts and some signs) the only one of `atlas`, at the
+/// theme's size times `scale`. Its texture is made by ImGuiRenderer.
+void load_font(ImFontAtlas& atlas, const Theme& theme, float scale);
+
+} // namespace gaspard
