@@ -1,4 +1,5 @@
-// A figure as plain data: meshes and plots side by side. The graphics draw it without knowing where it comes from.
+// A figure as plain data: meshes and plots side by side. The graphics draw it without knowing where it comes
+// from.
 #pragma once
 
 #include "core/session/snapshot.hpp"
