@@ -26,7 +26,7 @@ class ImGuiRenderer {
 
     const Gl& gl_;
     GlProgram program_;
-    GLint clip_, texture_;
+    GLint clip_;
     GlVertexArray array_;
     GlBuffer vertices_, indices_;
     GlTexture font_;

@@ -9,6 +9,10 @@
 #include "gui/mesh_picture.hpp"
 #include "gui/theme.hpp"
 
+#include <array>
+#include <string_view>
+#include <vector>
+
 namespace gaspard {
 
 /// A part of the framebuffer in its own pixels, from the upper left corner.
@@ -31,33 +35,48 @@ class MeshRenderer {
     std::size_t uploaded_bytes() const { return uploaded_bytes_; }
 
   private:
-    /// Numbers that shaders fetch by index: rows of a texture, as buffer textures may be too small.
+    /// Numbers that shaders fetch by index: a texture, 2048 texels wide, as buffer textures may be too small.
     struct Table {
         GlTexture texture;
         int rows = 0;
     };
+    /// Two ends and what lies beside (see Tessellation::segment_sides).
+    using Segment = std::array<std::uint32_t, 4>;
+    struct LineSet {
+        Table table;
+        std::size_t count = 0;
+    };
+    struct LineStyle {
+        float width = 1; ///< in pixels, like the two below
+        float fade_begin = 0, fade_end = 0;
+        float pull = 0;
+        Colour surface, on_dark, on_light, flat_ink;
+    };
+    /// What all draws of one picture share.
+    struct Frame {
+        glm::mat4 clip;
+        glm::vec3 clip_to_pixels;
+        float blend = 1;
+    };
     struct FillUniforms {
-        GLint clip, blend, computational, physical, colours, surface, plain, range;
+        GLint clip, blend, clip_to_pixels, surface;
     };
     struct LineUniforms {
-        GLint clip, blend, computational, physical, segments, colours, viewport, width, fade, plain, range,
-            on_dark, on_light, surface, flat_colour, pull;
+        GLint clip, blend, half_viewport, half_width, fade, pull, surface, on_dark, on_light, flat_ink;
     };
 
     void upload(const MeshPicture& picture);
-    void upload_structure(const MeshPicture& picture);
-    void upload_positions(const Points& points, const std::vector<double>* scalar, Table& table);
-    void upload_colours(const MeshPicture& picture);
+    void upload_structure(const Tessellation& tessellation, int cell_dimension);
+    void upload_points(const Points& points, const MeshPicture& picture, bool with_scalar, Table& table);
+    void upload_colours(std::string_view map);
     void upload_tangled(const MeshPicture& picture);
+    void upload_triangles(const GlVertexArray& array, const std::vector<std::uint32_t>& triangles);
+    void upload_segments(LineSet& set, const std::vector<Segment>& segments);
     void fill_table(Table& table, GLint internal_format, GLenum format, GLenum type, const void* texels,
-                    std::size_t count, std::size_t texel_bytes);
-    void bind_table(const Table& table, int unit);
+                    std::size_t count);
     void set_state(PixelRect area, int framebuffer_height, const Theme& theme);
-    void draw_fill(const MeshPicture& picture, const glm::mat4& clip, const Theme& theme);
-    void draw_lines(const MeshPicture& picture, const glm::mat4& clip, Size size, const Theme& theme,
-                    float scale);
-    void draw_tangled(const MeshPicture& picture, const glm::mat4& clip, Size size, const Theme& theme,
-                      float scale);
+    void draw_fill(const Frame& frame, const GlVertexArray& array, std::size_t count, Colour surface);
+    void draw_lines(const Frame& frame, const LineSet& set, const LineStyle& style);
 
     const Gl& gl_;
     GlProgram fill_program_, line_program_;
@@ -65,10 +84,10 @@ class MeshRenderer {
     LineUniforms line_{};
     GlVertexArray fill_array_, tangled_array_, empty_array_;
     GlBuffer triangles_, tangled_triangles_;
-    Table computational_, physical_, segments_, discs_, outlines_;
+    Table computational_, physical_;
+    LineSet edges_, discs_, outlines_;
     GlTexture colours_;
-    std::size_t triangle_count_ = 0, tangled_count_ = 0, segment_count_ = 0, disc_count_ = 0,
-                outline_count_ = 0;
+    std::size_t tangled_count_ = 0;
     Vec3 centre_;
     MeshPicture shown_; ///< what is on the card; holds its arrays, so that a pointer is a version
     std::size_t uploaded_bytes_ = 0;

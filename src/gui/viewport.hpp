@@ -18,18 +18,18 @@
 namespace gaspard {
 
 struct ViewportText {
-    std::string title;   ///< above the mesh; may be empty
-    std::string subject; ///< what is solved: "plane, ring"; may be empty
-    StepReport report;
+    std::string title{};   ///< above the mesh; may be empty
+    std::string subject{}; ///< what is solved: "plane, ring"; may be empty
+    StepReport report{};
     bool caption = true; ///< whether the line at the bottom is drawn
 };
 
-/// "plane, ring   iteration 52   residual 9.8×10⁻⁹   equidistribution 0.0367   converged": the parts of the
-/// caption.
+/// "plane, ring", "iteration 52", "residual 9.8×10⁻⁹", "equidistribution 0.0367", "converged": what the
+/// caption says.
 std::vector<std::string> caption_parts(const ViewportText& text);
 
-/// What title, legend and caption take of the sides, in pixels. Needs a current ImGui context with its font.
-Insets viewport_insets(const MeshPicture& picture, const ViewportText& text, float scale);
+/// What title, legend and caption take of the sides of an area, in pixels. Needs a current ImGui frame.
+Insets viewport_insets(const MeshPicture& picture, const ViewportText& text, Size area, float scale);
 
 /// Legend and caption over `rect`, where the mesh has been drawn.
 void draw_viewport_overlay(ImDrawList& list, const MeshPicture& picture, const ViewportText& text,

@@ -22,6 +22,7 @@ std::array<unsigned char, 3> colour_at(const ColourMap& map, double t);
 /// The interval of values that the map spans.
 struct ColourRange {
     double low = 0, high = 1;
+    friend bool operator==(const ColourRange&, const ColourRange&) = default;
     double position(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }
 };
 ColourRange range_of(std::span<const double> values);

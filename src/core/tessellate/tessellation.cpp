@@ -150,6 +150,7 @@ struct Edge {
     std::uint32_t cell = 0;
     int a = 0, b = 0;         ///< local corners
     std::uint32_t sides[2]{}; ///< as in Tessellation::segment_sides
+    bool alone = false;       ///< nothing lies beside
 };
 
 void collect_edges(const Face& face, PointMaker& points, std::vector<Edge>& edges) {
@@ -161,7 +162,8 @@ void collect_edges(const Face& face, PointMaker& points, std::vector<Edge>& edge
                          face.cell,
                          a,
                          b,
-                         {side, side}});
+                         {side, side},
+                         false});
     }
 }
 
@@ -181,18 +183,18 @@ void merge_edges(std::vector<Edge>& edges) {
 
 void draw_edge(const Edge& edge, int cuts, PointMaker& points, Tessellation& out) {
     for (int i = 0; i < cuts; ++i) {
-        out.segments.push_back(points.on_edge(edge.cell, edge.a, edge.b, i));
-        out.segments.push_back(points.on_edge(edge.cell, edge.a, edge.b, i + 1));
-        out.segment_sides.insert(out.segment_sides.end(), {edge.sides[0], edge.sides[1]});
+        const std::uint32_t first = points.on_edge(edge.cell, edge.a, edge.b, i);
+        out.segments.insert(out.segments.end(), {first, points.on_edge(edge.cell, edge.a, edge.b, i + 1)});
+        out.segment_sides.insert(out.segment_sides.end(),
+                                 {edge.alone ? first : edge.sides[0], edge.alone ? first : edge.sides[1]});
     }
 }
 
 void draw_line_cells(const Mesh& mesh, int cuts, PointMaker& points, Tessellation& out) {
-    for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
-        const auto cell = static_cast<std::uint32_t>(c);
-        const std::uint32_t nothing = points.corner(cell, 0);
-        draw_edge({{}, cell, 0, 1, {nothing, nothing}}, cuts, points, out);
-    }
+    Edge edge;
+    edge.b = 1;
+    edge.alone = true;
+    for (; edge.cell < mesh.cell_count(); ++edge.cell) draw_edge(edge, cuts, points, out);
 }
 
 } // namespace

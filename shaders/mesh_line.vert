@@ -1,0 +1,51 @@
+#version 330 core
+// A cell's edge as a rectangle on the screen, a little wider than the line, whose fragments know their distance from
+// it. Six vertices (two triangles) per segment; a segment of no length becomes a disc.
+uniform sampler2D computational;
+uniform sampler2D physical;
+uniform usampler2D segments; // two points, and two at the far sides of the cells beside
+uniform mat4 clip;
+uniform float blend;
+uniform vec2 half_viewport; // half its size in pixels
+uniform float half_width;   // of the line, in pixels
+uniform vec2 fade;          // lines closer together than .x pixels vanish, beyond .y they are whole
+uniform float pull;         // towards the viewer, in clip coordinates, so that faces do not hide their own edges
+
+noperspective out vec2 place; // in pixels from the first point: along the line, across it
+noperspective out float scalar;
+flat out float line_length;
+flat out float strength;
+
+vec4 row(sampler2D table, uint i) { return texelFetch(table, ivec2(int(i & 2047u), int(i >> 11)), 0); }
+
+vec3 clip_point(uint i) {
+    return (clip * vec4(mix(row(computational, i).xyz, row(physical, i).xyz, blend), 1.0)).xyz;
+}
+
+void main() {
+    int segment = gl_VertexID / 6;
+    int corner = gl_VertexID % 6;
+    vec2 side = vec2(corner == 1 || corner == 2 || corner == 4, corner == 2 || corner == 4 || corner == 5);
+
+    uvec4 ends = texelFetch(segments, ivec2(segment & 2047, segment >> 11), 0);
+    vec3 a = clip_point(ends.x), b = clip_point(ends.y);
+    vec2 from = a.xy * half_viewport, to = b.xy * half_viewport;
+    line_length = distance(from, to);
+    vec2 along = line_length > 0.0 ? (to - from) / line_length : vec2(1.0, 0.0);
+    vec2 across = vec2(-along.y, along.x);
+
+    strength = 1.0;
+    if (ends.z != ends.x) {
+        float first = abs(dot(clip_point(ends.z).xy * half_viewport - from, across));
+        float second = abs(dot(clip_point(ends.w).xy * half_viewport - from, across));
+        strength = smoothstep(fade.x, fade.y, min(first, second));
+    }
+
+    float reach = half_width + 1.0;
+    place = vec2(mix(-reach, line_length + reach, side.x), mix(-reach, reach, side.y));
+    vec2 spot = from + along * place.x + across * place.y;
+    float t = line_length > 0.0 ? clamp(place.x / line_length, 0.0, 1.0) : 0.0;
+    scalar = mix(row(physical, ends.x).w, row(physical, ends.y).w, t);
+    gl_Position = vec4(spot / half_viewport, mix(a.z, b.z, t) - pull, 1.0);
+    if (strength <= 0.0) gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside: nothing to draw
+}

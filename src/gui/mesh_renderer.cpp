@@ -1,0 +1,278 @@
+#include "gui/mesh_renderer.hpp"
+
+#include "core/base/check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+
+namespace gaspard {
+
+namespace {
+
+constexpr std::size_t table_width = 2048; // as in the shaders
+
+// Texture units.
+constexpr int computational_unit = 0, physical_unit = 1, colours_unit = 2, segments_unit = 3;
+
+// In pixels at scale 1.
+constexpr float disc_width = 5, outline_width = 3;
+constexpr float fade_begin = 1.5F, fade_end = 5;
+
+struct Rgba {
+    float r, g, b, a;
+};
+
+void set_colour(const Gl& gl, GLint where, Colour c) { gl.Uniform4f(where, c.r, c.g, c.b, c.a); }
+
+/// Half the depth of the view, so that all of the box lies within it.
+double view_depth(const Camera& camera, const Box& box) {
+    const Vec3 towards_viewer = cross(camera.right, camera.up);
+    const double offset = std::abs(dot(towards_viewer, box.centre() - camera.centre));
+    return 1.01 * (offset + box.size() / 2) + 1e-300;
+}
+
+} // namespace
+
+MeshRenderer::MeshRenderer(const Gl& gl)
+    : gl_(gl), fill_program_(make_program(gl, "mesh_fill")), line_program_(make_program(gl, "mesh_line")),
+      fill_array_(gl), tangled_array_(gl), empty_array_(gl), triangles_(gl), tangled_triangles_(gl),
+      colours_(gl) {
+    const auto fill = [&](const char* name) { return uniform(gl, fill_program_, name); };
+    const auto line = [&](const char* name) { return uniform(gl, line_program_, name); };
+    fill_ = {fill("clip"), fill("blend"), fill("clip_to_pixels"), fill("surface")};
+    line_ = {line("clip"), line("blend"),   line("half_viewport"), line("half_width"),   line("fade"),
+             line("pull"), line("surface"), line("ink_on_dark"),   line("ink_on_light"), line("flat_ink")};
+    for (const GlProgram* program : {&fill_program_, &line_program_}) {
+        gl.UseProgram(program->name());
+        gl.Uniform1i(uniform(gl, *program, "computational"), computational_unit);
+        gl.Uniform1i(uniform(gl, *program, "physical"), physical_unit);
+        gl.Uniform1i(uniform(gl, *program, "colours"), colours_unit);
+        gl.Uniform1i(uniform(gl, *program, "segments"), segments_unit);
+    }
+    gl.BindVertexArray(fill_array_.name());
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.name());
+    gl.BindVertexArray(tangled_array_.name());
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, tangled_triangles_.name());
+}
+
+void MeshRenderer::fill_table(Table& table, GLint internal_format, GLenum format, GLenum type,
+                              const void* texels, std::size_t count) {
+    constexpr std::size_t texel_bytes = 16;
+    const auto rows = static_cast<int>((count + table_width - 1) / table_width);
+    const auto width = static_cast<GLsizei>(table_width);
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    if (table.texture.name() == 0) table.texture = GlTexture(gl_);
+    gl_.BindTexture(GL_TEXTURE_2D, table.texture.name());
+    if (rows > table.rows) {
+        gl_.TexImage2D(GL_TEXTURE_2D, 0, internal_format, width, rows, 0, format, type, nullptr);
+        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        table.rows = rows;
+    }
+    const auto full = static_cast<GLsizei>(count / table_width),
+               rest = static_cast<GLsizei>(count % table_width);
+    const auto* bytes = static_cast<const unsigned char*>(texels);
+    if (full > 0) gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, full, format, type, bytes);
+    if (rest > 0)
+        gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, format, type,
+                          bytes + static_cast<std::size_t>(full) * table_width * texel_bytes);
+    uploaded_bytes_ += count * texel_bytes;
+}
+
+void MeshRenderer::upload_points(const Points& points, const MeshPicture& picture, bool with_scalar,
+                                 Table& table) {
+    std::vector<Rgba> texels(points.size());
+    const bool coloured = with_scalar && picture.scalar != nullptr;
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const Vec3 p = points[i] - centre_;
+        const double position = coloured ? picture.range.position((*picture.scalar)[i]) : 0;
+        texels[i] = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
+                     static_cast<float>(position)};
+    }
+    fill_table(table, GL_RGBA32F, GL_RGBA, GL_FLOAT, texels.data(), texels.size());
+}
+
+void MeshRenderer::upload_triangles(const GlVertexArray& array, const std::vector<std::uint32_t>& triangles) {
+    const std::size_t bytes = triangles.size() * sizeof(std::uint32_t);
+    gl_.BindVertexArray(array.name());
+    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), triangles.data(), GL_STATIC_DRAW);
+    uploaded_bytes_ += bytes;
+}
+
+void MeshRenderer::upload_segments(LineSet& set, const std::vector<Segment>& segments) {
+    set.count = segments.size();
+    fill_table(set.table, GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, segments.data(), segments.size());
+}
+
+void MeshRenderer::upload_structure(const Tessellation& tessellation, int cell_dimension) {
+    upload_triangles(fill_array_, tessellation.triangles);
+    const auto& ends = tessellation.segments;
+    const auto& sides = tessellation.segment_sides;
+    GASPARD_CHECK(sides.size() == ends.size());
+    std::vector<Segment> segments(ends.size() / 2);
+    for (std::size_t i = 0; i < segments.size(); ++i)
+        segments[i] = {ends[2 * i], ends[2 * i + 1], sides[2 * i], sides[2 * i + 1]};
+    upload_segments(edges_, segments);
+
+    std::vector<Segment> discs;
+    if (cell_dimension == 1)
+        for (std::uint32_t p = 0; p < tessellation.point_count; ++p) discs.push_back({p, p, p, p});
+    upload_segments(discs_, discs);
+}
+
+void MeshRenderer::upload_tangled(const MeshPicture& picture) {
+    std::vector<std::uint32_t> triangles;
+    std::vector<Segment> outlines;
+    if (picture.tangled != nullptr) {
+        const Tessellation& t = *picture.tessellation;
+        for (std::size_t i = 0; i < t.triangle_cells.size(); ++i) {
+            if (!std::binary_search(picture.tangled->begin(), picture.tangled->end(), t.triangle_cells[i]))
+                continue;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = t.triangles[3 * i + k], b = t.triangles[3 * i + (k + 1) % 3];
+                triangles.push_back(a);
+                outlines.push_back({a, b, a, a});
+            }
+        }
+    }
+    tangled_count_ = triangles.size();
+    upload_triangles(tangled_array_, triangles);
+    upload_segments(outlines_, outlines);
+}
+
+void MeshRenderer::upload_colours(std::string_view map) {
+    const auto& colours = colour_map(map).colours;
+    std::vector<unsigned char> texels;
+    for (const auto& c : colours) texels.insert(texels.end(), {c[0], c[1], c[2], 255});
+    gl_.ActiveTexture(GL_TEXTURE0 + colours_unit);
+    gl_.BindTexture(GL_TEXTURE_2D, colours_.name());
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, static_cast<GLsizei>(colours.size()), 1, 0, GL_RGBA,
+                   GL_UNSIGNED_BYTE, texels.data());
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    uploaded_bytes_ += texels.size();
+}
+
+void MeshRenderer::upload(const MeshPicture& picture) {
+    const bool new_structure = picture.tessellation != shown_.tessellation;
+    const bool new_computational = picture.computational != shown_.computational;
+    if (new_structure) upload_structure(*picture.tessellation, picture.cell_dimension);
+    if (new_computational) {
+        centre_ = bounding_box(*picture.computational).centre();
+        upload_points(*picture.computational, picture, false, computational_);
+    }
+    if (new_computational || picture.physical != shown_.physical || picture.scalar != shown_.scalar ||
+        !(picture.range == shown_.range))
+        upload_points(*picture.physical, picture, true, physical_);
+    if (new_structure || picture.tangled != shown_.tangled) upload_tangled(picture);
+    if (shown_.tessellation == nullptr || picture.map != shown_.map) upload_colours(picture.map);
+    shown_ = picture;
+}
+
+void MeshRenderer::set_state(PixelRect area, int framebuffer_height, const Theme& theme) {
+    const int bottom = framebuffer_height - area.y - area.height;
+    gl_.Viewport(area.x, bottom, area.width, area.height);
+    gl_.Scissor(area.x, bottom, area.width, area.height);
+    gl_.Enable(GL_SCISSOR_TEST);
+    gl_.DepthMask(GL_TRUE);
+    gl_.ClearColor(theme.background.r, theme.background.g, theme.background.b, 1);
+    gl_.ClearDepth(1);
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.Enable(GL_BLEND);
+    gl_.BlendEquation(GL_FUNC_ADD);
+    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    const auto bind = [&](int unit, GLuint texture) {
+        gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        gl_.BindTexture(GL_TEXTURE_2D, texture);
+    };
+    bind(computational_unit, computational_.texture.name());
+    bind(physical_unit, physical_.texture.name());
+    bind(colours_unit, colours_.name());
+}
+
+void MeshRenderer::draw_fill(const Frame& frame, const GlVertexArray& array, std::size_t count,
+                             Colour surface) {
+    gl_.UseProgram(fill_program_.name());
+    gl_.UniformMatrix4fv(fill_.clip, 1, GL_FALSE, glm::value_ptr(frame.clip));
+    gl_.Uniform1f(fill_.blend, frame.blend);
+    gl_.Uniform3f(fill_.clip_to_pixels, frame.clip_to_pixels.x, frame.clip_to_pixels.y,
+                  frame.clip_to_pixels.z);
+    set_colour(gl_, fill_.surface, surface);
+    gl_.BindVertexArray(array.name());
+    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT, nullptr);
+}
+
+void MeshRenderer::draw_lines(const Frame& frame, const LineSet& set, const LineStyle& style) {
+    if (set.count == 0) return;
+    gl_.UseProgram(line_program_.name());
+    gl_.ActiveTexture(GL_TEXTURE0 + segments_unit);
+    gl_.BindTexture(GL_TEXTURE_2D, set.table.texture.name());
+    gl_.UniformMatrix4fv(line_.clip, 1, GL_FALSE, glm::value_ptr(frame.clip));
+    gl_.Uniform1f(line_.blend, frame.blend);
+    gl_.Uniform2f(line_.half_viewport, frame.clip_to_pixels.x, frame.clip_to_pixels.y);
+    gl_.Uniform1f(line_.half_width, style.width / 2);
+    gl_.Uniform2f(line_.fade, style.fade_begin, style.fade_end);
+    gl_.Uniform1f(line_.pull, style.pull);
+    set_colour(gl_, line_.surface, style.surface);
+    set_colour(gl_, line_.on_dark, style.on_dark);
+    set_colour(gl_, line_.on_light, style.on_light);
+    set_colour(gl_, line_.flat_ink, style.flat_ink);
+    gl_.BindVertexArray(empty_array_.name());
+    gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * set.count));
+}
+
+void MeshRenderer::draw(const MeshPicture& picture, const Camera& camera, PixelRect area,
+                        int framebuffer_height, const Theme& theme, float scale) {
+    if (area.width <= 0 || area.height <= 0) return;
+    GASPARD_CHECK(picture.tessellation != nullptr);
+    upload(picture);
+    set_state(area, framebuffer_height, theme);
+
+    const Size size = area.size();
+    const double depth = view_depth(camera, picture.box);
+    const Frame frame{clip_matrix(camera, size, centre_, depth),
+                      {static_cast<float>(size.width / 2), static_cast<float>(size.height / 2),
+                       static_cast<float>(depth / camera.scale)},
+                      static_cast<float>(picture.blend)};
+    const bool plain = picture.scalar == nullptr;
+    const Colour no_colour{0, 0, 0, 0};
+    const Colour surface = plain ? theme.surface : no_colour;
+    if (picture.planar()) {
+        gl_.Disable(GL_DEPTH_TEST);
+    } else {
+        gl_.Enable(GL_DEPTH_TEST);
+        gl_.DepthFunc(GL_LEQUAL);
+    }
+    draw_fill(frame, fill_array_, shown_.tessellation->triangles.size(), surface);
+
+    gl_.DepthMask(GL_FALSE);
+    LineStyle style{.width = theme.line_width * scale,
+                    .fade_begin = fade_begin * scale,
+                    .fade_end = fade_end * scale,
+                    .pull = picture.planar() ? 0 : 2e-3F,
+                    .surface = surface,
+                    .on_dark = theme.line_on_dark,
+                    .on_light = theme.line_on_light,
+                    .flat_ink = no_colour};
+    if (picture.cell_dimension == 1) style.flat_ink = theme.faint_text;
+    draw_lines(frame, edges_, style);
+    style.width = disc_width * scale;
+    style.flat_ink = theme.accent;
+    draw_lines(frame, discs_, style);
+
+    if (tangled_count_ > 0) draw_fill(frame, tangled_array_, tangled_count_, theme.tangled);
+    style.width = outline_width * scale;
+    style.flat_ink = theme.tangled;
+    draw_lines(frame, outlines_, style);
+    gl_.DepthMask(GL_TRUE);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.Disable(GL_SCISSOR_TEST);
+}
+
+} // namespace gaspard

@@ -1,0 +1,135 @@
+#include "gui/picture.hpp"
+
+#include "core/base/check.hpp"
+#include "gui/imgui_renderer.hpp"
+#include "gui/mesh_renderer.hpp"
+#include "gui/viewport.hpp"
+
+#include <algorithm>
+
+namespace gaspard {
+
+namespace {
+
+/// An ImGui of its own, without input or settings; gives the caller's back.
+class ImGuiSession {
+  public:
+    ImGuiSession(int width, int height, const Theme& theme, float scale)
+        : previous_(ImGui::GetCurrentContext()), own_(ImGui::CreateContext()) {
+        ImGui::SetCurrentContext(own_);
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+        load_font(*io.Fonts, theme, scale);
+        apply_theme(theme, scale);
+    }
+    ~ImGuiSession() {
+        ImGui::DestroyContext(own_);
+        ImGui::SetCurrentContext(previous_);
+    }
+    ImGuiSession(const ImGuiSession&) = delete;
+    ImGuiSession& operator=(const ImGuiSession&) = delete;
+
+  private:
+    ImGuiContext* previous_;
+    ImGuiContext* own_;
+};
+
+/// Text grows with the picture, but stays readable in a small one.
+float picture_scale(int width, int height) {
+    return std::clamp(std::min(static_cast<float>(width) / 1000, static_cast<float>(height) / 750), 0.75F,
+                      10.0F);
+}
+
+/// Everything one picture needs, in the order in which it must come and go.
+class Canvas {
+  public:
+    Canvas(int width, int height, float scale, const PictureOptions& options)
+        : theme_(options.light ? light_theme() : dark_theme()), scale_(scale),
+          context_(make_offscreen_context(options.backend)), target_(context_->gl(), width, height),
+          session_(width, height, theme_, scale), text_renderer_(context_->gl()),
+          mesh_renderer_(context_->gl()) {
+        target_.bind();
+        ImGui::NewFrame();
+        const Gl& gl = context_->gl();
+        gl.ClearColor(theme_.background.r, theme_.background.g, theme_.background.b, 1);
+        gl.Clear(GL_COLOR_BUFFER_BIT);
+    }
+
+    void mesh(const MeshPicture& picture, const ViewportText& text, PixelRect area) {
+        const Insets insets = viewport_insets(picture, text, area.size(), scale_);
+        mesh_renderer_.draw(picture, home(picture.box, area.size(), insets), area, target_.height(), theme_,
+                            scale_);
+        draw_viewport_overlay(*ImGui::GetBackgroundDrawList(), picture, text, on_screen(area), theme_,
+                              scale_);
+    }
+
+    void plot(const Plot& plot, PixelRect area) {
+        ScreenRect rect = on_screen(area);
+        const float margin = 14 * scale_;
+        rect.min = {rect.min.x + margin, rect.min.y + margin / 2};
+        rect.max = {rect.max.x - margin, rect.max.y - margin / 2};
+        draw_plot(*ImGui::GetBackgroundDrawList(), plot, rect, theme_, scale_);
+    }
+
+    Image finish() {
+        ImGui::Render();
+        text_renderer_.draw(*ImGui::GetDrawData());
+        return target_.read();
+    }
+
+  private:
+    static ScreenRect on_screen(PixelRect area) {
+        const auto x = static_cast<float>(area.x), y = static_cast<float>(area.y);
+        return {{x, y}, {x + static_cast<float>(area.width), y + static_cast<float>(area.height)}};
+    }
+
+    Theme theme_;
+    float scale_;
+    std::unique_ptr<OffscreenContext> context_;
+    RenderTarget target_;
+    ImGuiSession session_;
+    ImGuiRenderer text_renderer_;
+    MeshRenderer mesh_renderer_;
+};
+
+} // namespace
+
+Image render_view(const Snapshot& snapshot, const Values& view, int width, int height,
+                  const std::string& subject, const PictureOptions& options) {
+    PictureMaker maker;
+    const MeshPicture picture = maker.make(snapshot, view.text("color"), view.real("blend"));
+    Canvas canvas(width, height, picture_scale(width, height), options);
+    canvas.mesh(picture, {.subject = subject, .report = snapshot.report}, {0, 0, width, height});
+    return canvas.finish();
+}
+
+Image render_plot(const Plot& plot, int width, int height, const PictureOptions& options) {
+    Canvas canvas(width, height, picture_scale(width, height), options);
+    canvas.plot(plot, {0, 0, width, height});
+    return canvas.finish();
+}
+
+Image render_panels(const std::vector<Panel>& panels, int columns, int width, int height,
+                    const PictureOptions& options) {
+    GASPARD_CHECK(columns > 0 && !panels.empty());
+    const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
+    const int panel_width = width / columns, panel_height = height / rows;
+    Canvas canvas(width, height, picture_scale(panel_width * 3 / 2, panel_height * 3 / 2), options);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const int at = static_cast<int>(i);
+        const PixelRect area{at % columns * panel_width, at / columns * panel_height, panel_width,
+                             panel_height};
+        if (const auto* plot = std::get_if<Plot>(&panels[i])) {
+            canvas.plot(*plot, area);
+            continue;
+        }
+        const auto& panel = std::get<MeshPanel>(panels[i]);
+        PictureMaker maker;
+        canvas.mesh(maker.make(*panel.snapshot, panel.colour, panel.blend),
+                    {.title = panel.title, .caption = false}, area);
+    }
+    return canvas.finish();
+}
+
+} // namespace gaspard

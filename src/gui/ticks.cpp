@@ -1,0 +1,105 @@
+#include "gui/ticks.hpp"
+
+#include "core/base/check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+std::string superscript(int number) {
+    static constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = number < 0 ? "⁻" : "";
+    for (const char c : std::to_string(std::abs(number))) text += digits[static_cast<std::size_t>(c - '0')];
+    return text;
+}
+
+/// Trailing zeros after a point say nothing.
+void strip_zeros(std::string& text) {
+    if (text.find('.') == std::string::npos) return;
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+}
+
+std::string format(double value, std::chars_format how, int precision) {
+    std::array<char, 400> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, how, precision);
+    return {buffer.data(), end.ptr};
+}
+
+} // namespace
+
+std::string power_of_ten(int exponent) { return "10" + superscript(exponent); }
+
+std::string short_number(double value, int digits) {
+    if (!std::isfinite(value)) return std::isnan(value) ? "not a number" : value > 0 ? "∞" : "−∞";
+    if (value == 0) return "0";
+    std::string text = format(value, std::chars_format::scientific, digits - 1);
+    const std::size_t e = text.find('e');
+    const int exponent = std::stoi(text.substr(e + 1));
+    if (exponent >= -3 && exponent < std::max(digits, 5)) {
+        text = format(value, std::chars_format::fixed, std::max(0, digits - 1 - exponent));
+        strip_zeros(text);
+    } else {
+        text.resize(e);
+        strip_zeros(text);
+        text += "×" + power_of_ten(exponent);
+    }
+    if (text.front() == '-') text.replace(0, 1, "−");
+    return text;
+}
+
+std::vector<Tick> linear_ticks(double low, double high, int count) {
+    GASPARD_CHECK(low <= high && std::isfinite(low) && std::isfinite(high));
+    const double span = high - low;
+    // Values that differ by rounding only are one value.
+    if (!(span > 1e-13 * std::max(std::abs(low), std::abs(high)))) return {{low, short_number(low), true}};
+    const double raw = span / std::max(count, 1);
+    const double power = std::pow(10.0, std::floor(std::log10(raw)));
+    double step = 10 * power;
+    for (const double multiple : {1.0, 2.0, 5.0})
+        if (multiple * power >= raw * (1 - 1e-9)) {
+            step = multiple * power;
+            break;
+        }
+    // As many digits as tell neighbours apart.
+    const double largest = std::max(std::abs(low), std::abs(high));
+    const int digits = std::clamp(
+        static_cast<int>(std::floor(std::log10(largest)) - std::floor(std::log10(step))) + 1, 1, 15);
+    std::vector<Tick> ticks;
+    for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
+        const double value = k * step;
+        ticks.push_back({value, short_number(value, digits), true});
+    }
+    return ticks;
+}
+
+std::vector<Tick> log_ticks(double low, double high, int count) {
+    GASPARD_CHECK(0 < low && low <= high && std::isfinite(high));
+    const int first = static_cast<int>(std::ceil(std::log10(low) - 1e-9));
+    const int last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
+    if (last <= first) {
+        std::vector<Tick> ticks = linear_ticks(low, high, count);
+        std::erase_if(ticks, [](const Tick& tick) { return tick.value <= 0; });
+        return ticks;
+    }
+    const int stride =
+        std::max(1, static_cast<int>(std::ceil(static_cast<double>(last - first + 1) / std::max(count, 1))));
+    std::vector<Tick> ticks;
+    for (int exponent = first - 1; exponent <= last; ++exponent) {
+        const double decade = std::pow(10.0, exponent);
+        // Counted from 10^0, so that the labels stay where they are while the axis grows.
+        if (exponent >= first && exponent % stride == 0)
+            ticks.push_back({decade, power_of_ten(exponent), true});
+        if (exponent >= first && exponent % stride != 0) ticks.push_back({decade, "", false});
+        for (int k = 2; k < 10 && stride == 1; ++k)
+            if (k * decade >= low && k * decade <= high) ticks.push_back({k * decade, "", false});
+    }
+    return ticks;
+}
+
+} // namespace gaspard

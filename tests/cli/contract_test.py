@@ -1,0 +1,286 @@
+"""The command line as a contract: exit codes, files, sentences. Usage: contract_test.py PROGRAM [unittest arguments]"""
+import csv
+import json
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = None
+QUICK = ["--set", "domain.cells=12"]
+
+
+def gaspard(*arguments, cwd=None, environment=None, limit=None, timeout=120):
+    def prepare():
+        if limit is not None:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+    return subprocess.run([PROGRAM, *arguments], cwd=cwd, env=environment, text=True, capture_output=True,
+                          timeout=timeout, preexec_fn=prepare)
+
+
+class Contract(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.out = os.path.join(self.folder.name, "out")
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def path(self, name):
+        return os.path.join(self.out, name)
+
+    def summary(self):
+        with open(self.path("summary.json")) as file:
+            return json.load(file)
+
+    def history(self):
+        with open(self.path("history.csv")) as file:
+            return list(csv.DictReader(file))
+
+    def run_quick(self, *arguments, name="plane-ring", render=False, **options):
+        drawing = [] if render else ["--no-render"]
+        return gaspard("run", name, "--out", self.out, *drawing, *QUICK, *arguments, **options)
+
+    def refused(self, result, *parts):
+        """Exit code 2, one sentence that contains the parts, nothing on standard output, nothing written."""
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(result.stdout, "")
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        for part in parts:
+            self.assertIn(part, result.stderr)
+        self.assertFalse(os.path.exists(self.out), "something was written")
+
+
+class Runs(Contract):
+    def test_converges_and_writes_every_file(self):
+        result = self.run_quick(render=True)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(set(os.listdir(self.out)), {"summary.json", "history.csv", "computational.obj", "adapted.obj",
+                                                     "adapted.glb", "state.bin", "view.png"})
+        summary = self.summary()
+        self.assertEqual(set(summary), {
+            "scenario", "domain", "monitor", "method", "cells", "unknowns", "status", "iterations", "residual",
+            "equidistribution", "theta", "tangled_cells", "min_jacobian", "max_jacobian", "exact_rms", "setup_seconds",
+            "solve_seconds", "cpu_seconds", "seconds_per_iteration", "peak_memory_bytes", "version"})
+        self.assertEqual(summary["status"], "converged")
+        self.assertEqual(summary["cells"], 144)
+        self.assertEqual(summary["unknowns"], 576)
+        self.assertLess(summary["residual"], 1e-8)
+        self.assertIsNone(summary["exact_rms"])
+        history = self.history()
+        self.assertEqual(list(history[0]), ["iteration", "residual", "equidistribution", "exact_rms", "min_jacobian",
+                                            "tangled_cells", "step_size", "seconds"])
+        self.assertEqual(len(history), summary["iterations"] + 1)
+        self.assertEqual(float(history[-1]["residual"]), summary["residual"])
+        seconds = [float(row["seconds"]) for row in history]
+        self.assertEqual(seconds, sorted(seconds))
+        with open(self.path("adapted.obj")) as file:
+            lines = file.read().splitlines()
+        self.assertEqual(sum(line.startswith("v ") for line in lines), 13 * 13)
+        self.assertEqual(sum(line.startswith("f ") for line in lines), 144)
+
+    def test_default_folder_is_named_after_the_scenario(self):
+        result = gaspard("run", "plane-bell", "--no-render", "--quiet", *QUICK, cwd=self.folder.name)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        self.assertTrue(os.path.exists(os.path.join(self.folder.name, "gaspard-out", "plane-bell", "summary.json")))
+
+    def test_the_same_input_gives_the_same_bytes(self):
+        names = ["computational.obj", "adapted.obj", "adapted.glb", "state.bin", "view.png"]
+        self.run_quick(render=True)
+        first = {name: open(self.path(name), "rb").read() for name in names}
+        self.run_quick("--threads", "2", render=True)
+        for name in names:
+            self.assertEqual(first[name], open(self.path(name), "rb").read(), name)
+
+    def test_statuses_have_their_exit_codes(self):
+        self.assertEqual(self.run_quick("--max-iterations", "3").returncode, 3)
+        self.assertEqual(self.summary()["status"], "iteration-limit")
+        self.assertEqual(self.run_quick("--set", "method.step_size=5").returncode, 4)
+        self.assertIn(self.summary()["status"], ("diverged", "tangled"))
+        self.assertEqual(self.run_quick("--tolerance", "1e-14", "--set", "domain.cells=32", "--set",
+                                        "monitor.amplitude=2", "--set", "monitor.sharpness=20").returncode, 5)
+        self.assertEqual(self.summary()["status"], "stalled")
+
+    def test_ctrl_c_keeps_what_there_is(self):
+        process = subprocess.Popen([PROGRAM, "run", "plane-ring", "--out", self.out, "--no-render", "--set",
+                                    "method.step_size=0.0005", "--set", "domain.cells=60"], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=20)
+        self.assertEqual(process.returncode, 130, err)
+        self.assertEqual(self.summary()["status"], "interrupted")
+        self.assertEqual(len(self.history()), self.summary()["iterations"] + 1)
+        self.assertGreater(self.summary()["iterations"], 0)
+
+    def test_start_goes_on_from_a_state(self):
+        self.assertEqual(self.run_quick("--max-iterations", "40").returncode, 3)
+        before = self.summary()["residual"]
+        state = os.path.join(self.folder.name, "state.bin")
+        os.rename(self.path("state.bin"), state)
+        self.assertEqual(self.run_quick("--start", state).returncode, 0)
+        self.assertEqual(float(self.history()[0]["residual"]), before)
+
+    def test_diagnostics_every_leaves_gaps_but_not_at_the_end(self):
+        self.run_quick("--set", "method.diagnostics_every=10")
+        history = self.history()
+        self.assertEqual(history[1]["equidistribution"], "")
+        self.assertNotEqual(history[10]["equidistribution"], "")
+        self.assertNotEqual(history[-1]["equidistribution"], "")
+
+    def test_formats_and_size(self):
+        result = self.run_quick("--formats", "obj", "--size", "320x240", render=True)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertFalse(os.path.exists(self.path("adapted.glb")))
+        with open(self.path("view.png"), "rb") as file:
+            header = file.read(24)
+        self.assertEqual((int.from_bytes(header[16:20], "big"), int.from_bytes(header[20:24], "big")), (320, 240))
+
+    def test_a_scenario_file_works_like_a_name(self):
+        file = os.path.join(self.folder.name, "mine.toml")
+        with open(file, "w") as toml:
+            toml.write(gaspard("show", "plane-ring", "--set", "domain.cells=8").stdout)
+        result = gaspard("run", file, "--out", self.out, "--no-render")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.summary()["cells"], 64)
+        self.assertEqual(self.summary()["scenario"], "mine")
+
+
+class BadInput(Contract):
+    def test_values_out_of_range(self):
+        self.refused(self.run_quick("--set", "domain.cells=0"), "domain.cells = 0", "4 to 480")
+        self.refused(self.run_quick("--set", "domain.cells=1000000000"), "4 to 480")
+        self.refused(self.run_quick("--set", "monitor.amplitude=nan"), "finite")
+        self.refused(self.run_quick("--set", "monitor.amplitude=-2"), "monitor.amplitude", "vanish")
+        self.refused(self.run_quick("--set", "domain.cells=1.5"), "whole number")
+        self.refused(self.run_quick("--tolerance", "0"), "method.tolerance")
+        self.refused(self.run_quick("--tolerance", "nan"), "method.tolerance")
+        self.refused(self.run_quick("--max-iterations", "-1"), "method.max_iterations")
+        self.refused(self.run_quick("--threads", "0"), "--threads")
+        self.refused(self.run_quick("--size", "10x10"), "view.width")
+        self.refused(self.run_quick("--size", "big"), "--size wants")
+
+    def test_unknown_names_get_the_nearest(self):
+        self.refused(self.run_quick("--set", "monitor.amplitud=3"), "'monitor.amplitude'")
+        self.refused(self.run_quick("--set", "monitor.type=rong"), "'ring'")
+        self.refused(self.run_quick(name="plane-rin"), "'plane-ring'")
+        self.refused(self.run_quick("--formats", "obj,gld"), "'glb'")
+        self.refused(gaspard("list", "monitor"), "'monitors'")
+        self.refused(gaspard("reproduce", "mcrae-fig20", "--out", self.out), "'mcrae-fig2'")
+        self.refused(gaspard("show", "plane-bel"), "'plane-bell'")
+
+    def test_usage(self):
+        self.refused(gaspard("run"), "SCENARIO")
+        self.refused(gaspard("run", "plane-ring", "--nonsense"), "--nonsense")
+        self.refused(self.run_quick("--set", "domain.cells"), "key=value")
+        self.refused(self.run_quick("--max-iterations", "many"), "many")
+        self.refused(self.run_quick("--seed", "3"), "random")
+        self.refused(self.run_quick("--set", "pde.epsilon=1"), "reserved")
+
+    def test_broken_toml_names_the_line(self):
+        file = os.path.join(self.folder.name, "broken.toml")
+        with open(file, "w") as toml:
+            toml.write("[domain]\ncells = \n")
+        self.refused(gaspard("run", file, "--out", self.out), "broken.toml:2")
+        self.refused(gaspard("run", os.path.join(self.folder.name, "none.toml"), "--out", self.out), "none.toml")
+
+    def test_an_unwritable_folder_is_found_before_solving(self):
+        blocker = os.path.join(self.folder.name, "file")
+        open(blocker, "w").close()
+        begin = time.monotonic()
+        result = gaspard("run", "plane-bell", "--out", os.path.join(blocker, "below"), "--set", "domain.cells=200")
+        self.refused(result, blocker)
+        self.assertLess(time.monotonic() - begin, 2, "it was solved first")
+        self.refused(gaspard("run", "plane-ring", "--out", "/proc/gaspard"), "/proc/gaspard")
+
+    def test_a_state_that_does_not_fit(self):
+        state = os.path.join(self.folder.name, "state.bin")
+        with open(state, "wb") as file:
+            file.write(b"nothing of the kind")
+        self.refused(self.run_quick("--start", state), "state.bin")
+        self.refused(self.run_quick("--start", state + "x"), "state.binx")
+
+
+class Machine(Contract):
+    def test_a_full_disk_is_one_sentence_and_leaves_nothing_half_written(self):
+        result = self.run_quick(limit=2000)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        self.assertIn("File too large", result.stderr)
+        for name in os.listdir(self.out):
+            self.assertLessEqual(os.path.getsize(self.path(name)), 2000)
+            self.assertNotIn("tmp", name)
+        if os.path.exists(self.path("summary.json")):
+            self.summary()
+
+    def test_no_display_is_one_sentence(self):
+        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        result = gaspard("plane-ring", environment=environment)
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        self.assertIn("display", result.stderr)
+        self.refused(gaspard("plane-rng", environment=environment), "'plane-ring'")
+
+    def test_no_opengl_still_writes_the_data(self):
+        # Libraries of the right names that hold none of the functions stand before the real ones.
+        empty = next(line.split()[2] for line in subprocess.run(["ldd", sys.executable], text=True, capture_output=True)
+                     .stdout.splitlines() if "libm.so" in line)
+        hidden = os.path.join(self.folder.name, "libraries")
+        os.mkdir(hidden)
+        for name in ("libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", "libEGL.so.1", "libEGL.so"):
+            shutil.copy(empty, os.path.join(hidden, name))
+        environment = dict(os.environ, LD_LIBRARY_PATH=hidden)
+        result = self.run_quick(render=True, environment=environment)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("OpenGL", result.stderr)
+        self.assertEqual(self.summary()["status"], "converged")
+        self.assertFalse(os.path.exists(self.path("view.png")))
+
+
+class Information(Contract):
+    def test_list_names_everything(self):
+        text = gaspard("list").stdout
+        for word in ("plane-ring", "plane-bell", "walls-ring", "plane", "ring", "bell", "constant", "relaxation", "obj",
+                     "glb", "monitor.sharpness", "method.step_size"):
+            self.assertIn(word, text)
+        self.assertNotIn("relaxation", gaspard("list", "monitors").stdout)
+
+    def test_show_is_complete_and_reads_back(self):
+        text = gaspard("show", "plane-ring", "--set", "monitor.amplitude=3").stdout
+        self.assertIn("amplitude = 3.0", text)
+        self.assertIn("max_iterations", text)
+        file = os.path.join(self.folder.name, "again.toml")
+        with open(file, "w") as toml:
+            toml.write(text)
+        self.assertEqual(gaspard("show", file).stdout, text)
+
+    def test_version_and_help(self):
+        self.assertRegex(gaspard("--version").stdout, r"^gaspard \d+\.\d+\.\d+\n$")
+        self.assertIn("reproduce", gaspard("--help").stdout)
+        self.assertIn("--tolerance", gaspard("run", "--help").stdout)
+
+    def test_reproduce_writes_table_and_picture(self):
+        result = gaspard("reproduce", "mcrae-fig2", "--out", self.out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with open(self.path("mcrae-fig2.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(list(rows[0]), ["row", "quantity", "ours", "published", "note"])
+        self.assertEqual((rows[0]["row"], rows[0]["quantity"], rows[0]["ours"]), ("ring, n = 30", "iterations", "189"))
+        self.assertGreater(os.path.getsize(self.path("mcrae-fig2.png")), 10000)
+        for name in ("mcrae-fig2", "mcrae-fig3", "mcrae-fig13"):
+            self.assertIn(name, gaspard("reproduce").stdout)
+
+    def test_numbers_do_not_follow_the_locale(self):
+        environment = dict(os.environ, LC_ALL="de_DE.UTF-8", LANG="de_DE.UTF-8")
+        self.run_quick("--set", "monitor.amplitude=2.5", environment=environment)
+        self.assertEqual(self.summary()["monitor"]["amplitude"], 2.5)
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
