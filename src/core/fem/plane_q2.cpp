@@ -145,6 +145,21 @@ void PlaneQ2::poisson(std::span<const double> r, std::span<double> u, Room& room
     poisson_.solve(r.data(), u.data(), room.poisson);
 }
 
+void PlaneQ2::apply_mass(const double* f, double* b) const {
+    const std::size_t n = size();
+    const double unit = grid_.h() / 30;
+    std::fill(b, b + unknowns(), 0.0);
+    for (std::size_t cell = 0; cell < grid_.cells; ++cell) {
+        const std::size_t left = 2 * cell * n, middle = left + n, right = (2 * cell + 2) % n * n;
+        for (std::size_t c = 0; c < n; ++c) {
+            const double f0 = f[left + c], f1 = f[middle + c], f2 = f[right + c];
+            b[left + c] += unit * (4 * f0 + 2 * f1 - f2);
+            b[middle + c] += unit * (2 * f0 + 16 * f1 + 2 * f2);
+            b[right + c] += unit * (-f0 + 2 * f1 + 4 * f2);
+        }
+    }
+}
+
 std::vector<double> PlaneQ2::transfer(const LineGrid& from, std::span<const double> phi, Room& room) const {
     GASPARD_CHECK(from.periodic == grid_.periodic);
     const PlaneQ2 coarse(from);
@@ -152,9 +167,9 @@ std::vector<double> PlaneQ2::transfer(const LineGrid& from, std::span<const doub
     WeakHessian sigma;
     coarse.hessian(phi, sigma, coarse_room);
 
-    // The Laplacian of phi, interpolated to this grid's Q2 nodes; times the mass of each node it is a load.
+    // The Laplacian of phi, interpolated to this grid's Q2 nodes; its integrals against v are a load.
     const std::size_t n = size(), other = coarse.size();
-    std::vector<double> load(unknowns());
+    std::vector<double> values(unknowns()), load(unknowns());
     const auto locate = [&](std::size_t i) { // node i of this grid in the other's cells
         const double position = static_cast<double>(i) / (2.0 * static_cast<double>(grid_.cells)) *
                                 static_cast<double>(from.cells);
@@ -176,11 +191,15 @@ std::vector<double> PlaneQ2::transfer(const LineGrid& from, std::span<const doub
                     const std::size_t k = (2 * cell_y + b) % other * other + (2 * cell_x + a) % other;
                     laplacian += weight_y[b] * weight_x[a] * (sigma.xx[k] + sigma.yy[k]);
                 }
-            load[j * n + i] = -weights_[j] * weights_[i] * laplacian;
+            values[j * n + i] = -laplacian;
         }
     }
+    for (int direction = 0; direction < 2; ++direction) {
+        apply_mass(values.data(), load.data());
+        transpose(load.data(), values.data(), n, n);
+    }
     std::vector<double> result(unknowns());
-    poisson(load, result, room);
+    poisson(values, result, room);
     return result;
 }
 

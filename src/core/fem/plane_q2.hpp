@@ -68,6 +68,8 @@ class PlaneQ2 final : public Discretisation {
     void add_cell(std::size_t i, std::size_t j, std::span<const double> monitor, const WeakHessian& sigma,
                   std::span<double> r) const;
     std::vector<double> line_weights() const;
+    /// <v, f> along the first index.
+    void apply_mass(const double* f, double* b) const;
 
     LineGrid grid_;
     std::shared_ptr<const Mesh> mesh_;

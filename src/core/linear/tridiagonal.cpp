@@ -35,7 +35,9 @@ TridiagonalSolver::TridiagonalSolver(std::vector<double> diagonal, std::vector<d
     solve(column.data(), 1, 1);
     border_ = column;
     n_ = open + 1;
-    border_pivot_ = 1 / (diagonal.back() - first_ * border_.front() - last_ * border_.back());
+    const double pivot = diagonal.back() - first_ * border_.front() - last_ * border_.back();
+    GASPARD_CHECK(pivot > 0);
+    border_pivot_ = 1 / pivot;
 }
 
 void TridiagonalSolver::solve(double* b, std::size_t columns, std::size_t stride) const {

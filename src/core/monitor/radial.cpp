@@ -35,6 +35,9 @@ void SechMonitor::gradients(const Points& x, Points& gradients) const {
 }
 
 void SechMonitor::check() const {
+    if (!std::isfinite(p_.amplitude))
+        throw InputError("monitor.amplitude = " + format_number(p_.amplitude) +
+                         " is not a number that a monitor can have; it must be finite and greater than -1");
     if (1 + p_.amplitude <= 0)
         throw InputError("monitor.amplitude = " + format_number(p_.amplitude) +
                          " makes the monitor zero or negative; it must be greater than -1");

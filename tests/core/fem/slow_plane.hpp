@@ -1,0 +1,154 @@
+// Slow and obvious: Lagrange elements on the unit square, n x n squares, with 2-D shape functions, sparse
+// matrices and a generous quadrature. What PlaneQ2 is held against, written from the formulas alone.
+//
+// A function of degree k has its values on the lattice i / (k n), j / (k n), x running fastest; on the
+// periodic square the last row and column are the first.
+#pragma once
+
+#include "core/linear/slow_line.hpp"
+
+#include <functional>
+#include <random>
+
+namespace gaspard::slow {
+
+using Vector = Eigen::VectorXd;
+
+struct Rule {
+    std::vector<double> points, weights;
+};
+
+/// Gauss-Legendre on [0,1] from the eigenvectors of the Jacobi matrix (Golub and Welsch).
+inline Rule gauss(int count) {
+    Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(count, count);
+    for (int k = 1; k < count; ++k) jacobi(k, k - 1) = jacobi(k - 1, k) = k / std::sqrt(4.0 * k * k - 1);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(jacobi);
+    Rule rule;
+    for (int k = 0; k < count; ++k) {
+        rule.points.push_back((1 + solver.eigenvalues()[k]) / 2);
+        rule.weights.push_back(solver.eigenvectors()(0, k) * solver.eigenvectors()(0, k));
+    }
+    return rule;
+}
+
+/// A function at a point: value and derivatives.
+struct Jet {
+    double value = 0, dx = 0, dy = 0;
+};
+
+/// A point of the quadrature: cell (i, j), reference coordinates, weight with the cell's area.
+struct Place {
+    int i, j;
+    double s, t, weight;
+};
+
+/// Which values vanish: on the walls x = 0, 1 and on the walls y = 0, 1. The torus has none.
+struct Vanish {
+    bool on_x = false, on_y = false;
+};
+
+class Plane {
+  public:
+    Plane(int cells, bool periodic) : n_(cells), periodic_(periodic), rule_(gauss(6)) {}
+
+    int side(int degree) const { return degree * n_ + (periodic_ ? 0 : 1); }
+    int unknowns(int degree) const { return side(degree) * side(degree); }
+    /// Of node (a, b) of cell (i, j), each from 0 to degree.
+    int unknown(int degree, int i, int j, int a, int b) const {
+        return (degree * j + b) % side(degree) * side(degree) + (degree * i + a) % side(degree);
+    }
+
+    Jet basis(int degree, int a, int b, double s, double t) const {
+        const Polynomial p = lagrange(degree, a), q = lagrange(degree, b);
+        return {evaluate(p, s) * evaluate(q, t), n_ * evaluate(derivative(p), s) * evaluate(q, t),
+                n_ * evaluate(p, s) * evaluate(derivative(q), t)};
+    }
+
+    Jet at(int degree, const Vector& f, const Place& place) const {
+        Jet sum;
+        for (int b = 0; b <= degree; ++b)
+            for (int a = 0; a <= degree; ++a) {
+                const Jet shape = basis(degree, a, b, place.s, place.t);
+                const double value = f[unknown(degree, place.i, place.j, a, b)];
+                sum.value += value * shape.value;
+                sum.dx += value * shape.dx;
+                sum.dy += value * shape.dy;
+            }
+        return sum;
+    }
+
+    void for_each_place(const std::function<void(const Place&)>& action) const {
+        for (int j = 0; j < n_; ++j)
+            for (int i = 0; i < n_; ++i)
+                for (std::size_t q = 0; q < rule_.points.size(); ++q)
+                    for (std::size_t p = 0; p < rule_.points.size(); ++p)
+                        action({i, j, rule_.points[p], rule_.points[q],
+                                rule_.weights[p] * rule_.weights[q] / (n_ * n_)});
+    }
+
+    /// The integrals of `integrand` for every test function v.
+    Vector load(int degree, const std::function<double(const Jet& v, const Place&)>& integrand) const {
+        Vector b = Vector::Zero(unknowns(degree));
+        for_each_place([&](const Place& place) {
+            for (int l = 0; l <= degree; ++l)
+                for (int k = 0; k <= degree; ++k)
+                    b[unknown(degree, place.i, place.j, k, l)] +=
+                        place.weight * integrand(basis(degree, k, l, place.s, place.t), place);
+        });
+        return b;
+    }
+
+    using Form = std::function<double(const Jet& v, const Jet& u)>;
+    Eigen::MatrixXd matrix(int degree, const Form& form) const {
+        Eigen::MatrixXd m = Eigen::MatrixXd::Zero(unknowns(degree), unknowns(degree));
+        const int locals = degree + 1;
+        Eigen::MatrixXd local = Eigen::MatrixXd::Zero(locals * locals, locals * locals);
+        for (std::size_t q = 0; q < rule_.points.size(); ++q) // every cell has the same local matrix
+            for (std::size_t p = 0; p < rule_.points.size(); ++p)
+                for (int v = 0; v < locals * locals; ++v)
+                    for (int u = 0; u < locals * locals; ++u)
+                        local(v, u) +=
+                            rule_.weights[p] * rule_.weights[q] / (n_ * n_) *
+                            form(basis(degree, v % locals, v / locals, rule_.points[p], rule_.points[q]),
+                                 basis(degree, u % locals, u / locals, rule_.points[p], rule_.points[q]));
+        for (int j = 0; j < n_; ++j)
+            for (int i = 0; i < n_; ++i)
+                for (int v = 0; v < locals * locals; ++v)
+                    for (int u = 0; u < locals * locals; ++u)
+                        m(unknown(degree, i, j, v % locals, v / locals),
+                          unknown(degree, i, j, u % locals, u / locals)) += local(v, u);
+        return m;
+    }
+
+    /// The f with <v, f> = b_v for all v that vanish where f does.
+    Vector project(int degree, Vector b, Vanish vanish = {}) const {
+        Eigen::MatrixXd m = matrix(degree, [](const Jet& v, const Jet& u) { return v.value * u.value; });
+        const int last = side(degree) - 1;
+        for (int j = 0; j <= last && !periodic_; ++j)
+            for (int i = 0; i <= last; ++i)
+                if ((vanish.on_x && (i == 0 || i == last)) || (vanish.on_y && (j == 0 || j == last))) {
+                    const int k = j * (last + 1) + i;
+                    m.row(k).setZero();
+                    m(k, k) = 1;
+                    b[k] = 0;
+                }
+        const Eigen::SparseMatrix<double> sparse = m.sparseView();
+        return Eigen::SparseLU<Eigen::SparseMatrix<double>>(sparse).solve(b);
+    }
+
+  private:
+    int n_;
+    bool periodic_;
+    Rule rule_;
+};
+
+/// `count` numbers between low and high, the same at every run.
+inline std::vector<double> random_values(std::size_t count, double low, double high, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> distribution(low, high);
+    std::vector<double> values(count);
+    for (double& value : values) value = distribution(random);
+    return values;
+}
+
+} // namespace gaspard::slow
