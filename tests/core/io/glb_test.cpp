@@ -1,0 +1,271 @@
+// GLB read back by assimp; what assimp does not tell (default weights, accessor bounds, index types) is
+// looked up in the file's JSON with another parser than the writer's.
+#include "core/base/error.hpp"
+#include "core/io/formats.hpp"
+#include "core/io/read_file.hpp"
+#include "core/tessellate/colour_map.hpp"
+#include "support/comma_locale.hpp"
+#include "support/small_meshes.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <assimp/Importer.hpp>
+#include <assimp/scene.h>
+#include <nlohmann/json.hpp>
+
+namespace gaspard {
+namespace {
+
+using Json = nlohmann::json;
+
+Snapshot snapshot_of(Mesh mesh) {
+    Snapshot snapshot;
+    snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
+    snapshot.x = moved(*snapshot.mesh);
+    Field monitor{"monitor", "", FieldPlace::node, {}};
+    for (std::size_t i = 0; i < snapshot.x.size(); ++i)
+        monitor.values.push_back(2 + std::sin(5 * snapshot.x.x[i] + snapshot.x.y[i]));
+    snapshot.fields.push_back(std::move(monitor));
+    return snapshot;
+}
+
+std::uint32_t word(const std::string& bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes.at(at + i))) << (8 * i);
+    return value;
+}
+
+/// The JSON chunk, after a look at the container.
+Json json_of(const std::string& glb) {
+    EXPECT_EQ(glb.substr(0, 4), "glTF");
+    EXPECT_EQ(word(glb, 4), 2u);
+    EXPECT_EQ(word(glb, 8), glb.size());
+    const std::size_t length = word(glb, 12);
+    EXPECT_EQ(length % 4, 0u);
+    EXPECT_EQ(glb.substr(16, 4), "JSON");
+    EXPECT_EQ(glb.substr(20 + length + 4, 4), std::string("BIN\0", 4));
+    EXPECT_EQ(word(glb, 20 + length) + 28 + length, glb.size());
+    return Json::parse(glb.substr(20, length));
+}
+
+/// A mesh of the file by the kind of its faces, or null.
+const aiMesh* find_mesh(const aiScene& scene, unsigned primitive) {
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i)
+        if (scene.mMeshes[i]->mPrimitiveTypes == primitive) return scene.mMeshes[i];
+    return nullptr;
+}
+
+void expect_near(const aiVector3D& p, Vec3 q) {
+    constexpr double rounding = 2e-7; // two roundings to single precision of numbers below 2
+    EXPECT_NEAR(static_cast<double>(p.x), q.x, rounding);
+    EXPECT_NEAR(static_cast<double>(p.y), q.y, rounding);
+    EXPECT_NEAR(static_cast<double>(p.z), q.z, rounding);
+}
+
+struct Glb {
+    Assimp::Importer importer;
+    const aiScene* scene = nullptr;
+    const aiMesh *faces = nullptr, *edges = nullptr;
+    Json json;
+
+    Glb(const std::filesystem::path& file, const Snapshot& snapshot) {
+        write_glb(file, snapshot);
+        json = json_of(read_file(file));
+        scene = importer.ReadFile(file.string(), 0);
+        if (!scene) throw std::runtime_error(importer.GetErrorString());
+        faces = find_mesh(*scene, aiPrimitiveType_TRIANGLE);
+        edges = find_mesh(*scene, aiPrimitiveType_LINE);
+    }
+};
+
+class GlbTest : public testing::Test {
+  protected:
+    TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_ / "adapted.glb";
+};
+
+TEST_F(GlbTest, HoldsTheSquareMeshAtX) {
+    const Snapshot snapshot = snapshot_of(unit_square_mesh(5));
+    const Glb glb(file_, snapshot);
+    ASSERT_EQ(glb.scene->mNumMeshes, 2u);
+    ASSERT_TRUE(glb.faces && glb.edges);
+    EXPECT_EQ(glb.faces->mNumFaces, 2u * 25);
+    EXPECT_EQ(glb.edges->mNumFaces, 60u);
+    for (const aiMesh* mesh : {glb.faces, glb.edges}) {
+        ASSERT_EQ(mesh->mNumVertices, 36u);
+        for (unsigned i = 0; i < 36; ++i) expect_near(mesh->mVertices[i], snapshot.x[i]);
+    }
+}
+
+TEST_F(GlbTest, TrianglesFillTheCellsAndEdgesFollowTheirSides) {
+    const Snapshot snapshot = snapshot_of(unit_square_mesh(5));
+    const Glb glb(file_, snapshot);
+    // The areas of the triangles, and the shoelace formula around the outer nodes.
+    double area = 0, outline = 0;
+    for (unsigned f = 0; f < glb.faces->mNumFaces; ++f) {
+        const auto* i = glb.faces->mFaces[f].mIndices;
+        const Vec3 n = cross(snapshot.x[i[1]] - snapshot.x[i[0]], snapshot.x[i[2]] - snapshot.x[i[0]]);
+        EXPECT_GT(n.z, 0) << "counter-clockwise";
+        area += n.z / 2;
+    }
+    std::vector<std::size_t> around;
+    for (std::size_t k = 0; k < 5; ++k) around.push_back(k);
+    for (std::size_t k = 0; k < 5; ++k) around.push_back(5 + 6 * k);
+    for (std::size_t k = 0; k < 5; ++k) around.push_back(35 - k);
+    for (std::size_t k = 0; k < 5; ++k) around.push_back(30 - 6 * k);
+    for (std::size_t k = 0; k < around.size(); ++k)
+        outline += cross(snapshot.x[around[k]], snapshot.x[around[(k + 1) % around.size()]]).z / 2;
+    EXPECT_NEAR(area, outline, 1e-14);
+    for (unsigned f = 0; f < glb.edges->mNumFaces; ++f) {
+        const auto* i = glb.edges->mFaces[f].mIndices;
+        const unsigned step = i[1] > i[0] ? i[1] - i[0] : i[0] - i[1];
+        EXPECT_TRUE(step == 1 || step == 6) << "neighbours in a row or in a column";
+    }
+}
+
+TEST_F(GlbTest, ColoursFollowTheMonitor) {
+    const Snapshot snapshot = snapshot_of(unit_square_mesh(5));
+    const Glb glb(file_, snapshot);
+    ASSERT_TRUE(glb.faces->HasVertexColors(0));
+    EXPECT_FALSE(glb.edges->HasVertexColors(0));
+    const auto& values = snapshot.field("monitor")->values;
+    const ColourMap& map = colour_maps().front();
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    for (unsigned i = 0; i < 36; ++i) {
+        const auto expected = colour_at(map, (values[i] - *low) / (*high - *low));
+        const aiColor4D& c = glb.faces->mColors[0][i];
+        const float channels[] = {c.r, c.g, c.b};
+        for (std::size_t k = 0; k < 3; ++k) { // from linear light back to sRGB
+            const double v = static_cast<double>(channels[k]);
+            const double srgb = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+            EXPECT_NEAR(255 * srgb, expected[k], 0.01);
+        }
+    }
+    EXPECT_NE(glb.faces->mColors[0][low - values.begin()], glb.faces->mColors[0][high - values.begin()]);
+}
+
+TEST_F(GlbTest, TheMorphTargetIsTheComputationalMesh) {
+    const Snapshot snapshot = snapshot_of(unit_square_mesh(5));
+    const Glb glb(file_, snapshot);
+    for (const aiMesh* mesh : {glb.faces, glb.edges}) {
+        ASSERT_EQ(mesh->mNumAnimMeshes, 1u);
+        ASSERT_EQ(mesh->mAnimMeshes[0]->mNumVertices, 36u);
+        for (unsigned i = 0; i < 36; ++i)
+            expect_near(mesh->mAnimMeshes[0]->mVertices[i], snapshot.mesh->nodes[i]);
+    }
+    EXPECT_EQ(glb.json["meshes"][0]["weights"], Json({0.0}));
+}
+
+TEST_F(GlbTest, TheAnimationPlaysFromXiToX) {
+    const Glb glb(file_, snapshot_of(unit_square_mesh(4)));
+    ASSERT_EQ(glb.scene->mNumAnimations, 1u);
+    const aiAnimation& animation = *glb.scene->mAnimations[0];
+    ASSERT_EQ(animation.mNumMorphMeshChannels, 1u);
+    const aiMeshMorphAnim& channel = *animation.mMorphMeshChannels[0];
+    ASSERT_GE(channel.mNumKeys, 2u);
+    EXPECT_EQ(channel.mKeys[0].mTime, 0);
+    double before = 1;
+    for (unsigned k = 0; k < channel.mNumKeys; ++k) {
+        ASSERT_EQ(channel.mKeys[k].mNumValuesAndWeights, 1u);
+        EXPECT_LE(channel.mKeys[k].mWeights[0], before) << "from the whole displacement to none";
+        before = channel.mKeys[k].mWeights[0];
+    }
+    EXPECT_EQ(channel.mKeys[0].mWeights[0], 1);
+    EXPECT_EQ(before, 0);
+}
+
+TEST_F(GlbTest, BoundsOfPositionsAreExact) {
+    const Snapshot snapshot = snapshot_of(unit_square_mesh(5));
+    const Glb glb(file_, snapshot);
+    const Json& primitive = glb.json["meshes"][0]["primitives"][0];
+    const Json& accessor = glb.json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+    const auto& x = snapshot.x;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto& values = k == 0 ? x.x : k == 1 ? x.y : x.z;
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        EXPECT_EQ(accessor["min"][k].get<double>(), static_cast<double>(static_cast<float>(*low)));
+        EXPECT_EQ(accessor["max"][k].get<double>(), static_cast<double>(static_cast<float>(*high)));
+    }
+    const Json& target = glb.json["accessors"][primitive["targets"][0]["POSITION"].get<std::size_t>()];
+    EXPECT_TRUE(target.contains("min") && target.contains("max"));
+}
+
+TEST_F(GlbTest, ManyVerticesTakeWiderIndices) {
+    const auto index_type = [&](int n) {
+        const Glb glb(file_, snapshot_of(unit_square_mesh(n)));
+        EXPECT_EQ(glb.faces->mNumFaces, 2u * static_cast<unsigned>(n * n));
+        std::uint32_t largest = 0;
+        for (unsigned f = 0; f < glb.faces->mNumFaces; ++f)
+            for (unsigned i = 0; i < 3; ++i) largest = std::max(largest, glb.faces->mFaces[f].mIndices[i]);
+        EXPECT_EQ(largest + 1, static_cast<std::uint32_t>((n + 1) * (n + 1)));
+        const auto indices = glb.json["meshes"][0]["primitives"][0]["indices"].get<std::size_t>();
+        return glb.json["accessors"][indices]["componentType"].get<int>();
+    };
+    EXPECT_EQ(index_type(254), 5123); // 255^2 = 65025 vertices: unsigned short
+    EXPECT_EQ(index_type(255), 5125); // 256^2 = 65536: unsigned int
+}
+
+TEST_F(GlbTest, LinesCarryTheColoursThemselves) {
+    const Snapshot snapshot = snapshot_of(three_lines());
+    const Glb glb(file_, snapshot);
+    ASSERT_EQ(glb.scene->mNumMeshes, 1u);
+    ASSERT_TRUE(glb.edges);
+    EXPECT_EQ(glb.edges->mNumFaces, 3u);
+    EXPECT_TRUE(glb.edges->HasVertexColors(0));
+    EXPECT_EQ(glb.edges->mNumAnimMeshes, 1u);
+    for (unsigned i = 0; i < 4; ++i) expect_near(glb.edges->mVertices[i], snapshot.x[i]);
+}
+
+TEST_F(GlbTest, CurvedCellsAreCutFine) {
+    const Snapshot snapshot = snapshot_of(curved_square());
+    const Glb glb(file_, snapshot);
+    EXPECT_EQ(glb.faces->mNumFaces, 2u * 8 * 8);
+    EXPECT_EQ(glb.edges->mNumFaces, 4u * 8);
+    ASSERT_EQ(glb.faces->mNumVertices, 9u * 9);
+    // All nodes of the cell are among the points that show it.
+    for (std::size_t node = 0; node < snapshot.x.size(); ++node) {
+        double nearest = 1;
+        for (unsigned i = 0; i < glb.faces->mNumVertices; ++i) {
+            const aiVector3D& p = glb.faces->mVertices[i];
+            const Vec3 q = {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+            nearest = std::min(nearest, norm(q - snapshot.x[node]));
+        }
+        EXPECT_LT(nearest, 3e-7) << "node " << node;
+    }
+    EXPECT_FALSE(glb.json["materials"][0].contains("extensions")) << "what is bent is lit";
+}
+
+TEST_F(GlbTest, OfSolidsTheSurfaceIsShown) {
+    const Glb glb(file_, snapshot_of(two_cubes()));
+    EXPECT_EQ(glb.faces->mNumFaces, 2u * 10); // twelve faces, of which two touch
+    EXPECT_EQ(glb.edges->mNumFaces, 20u);
+}
+
+TEST_F(GlbTest, WithoutAMonitorThereAreNoColours) {
+    Snapshot snapshot = snapshot_of(unit_square_mesh(4));
+    snapshot.fields.clear();
+    const Glb glb(file_, snapshot);
+    EXPECT_FALSE(glb.faces->HasVertexColors(0));
+}
+
+TEST_F(GlbTest, BytesDependOnTheInputAlone) {
+    const Snapshot snapshot = snapshot_of(unit_square_mesh(12));
+    write_glb(file_, snapshot);
+    {
+        const CommaLocale comma;
+        write_glb(folder_ / "again.glb", snapshot);
+    }
+    EXPECT_EQ(read_file(file_), read_file(folder_ / "again.glb"));
+}
+
+TEST_F(GlbTest, PositionsThatAreNotFiniteAreAFault) {
+    for (const double wrong : {std::nan(""), 1e300}) { // the second does not fit into single precision
+        Snapshot snapshot = snapshot_of(two_triangles());
+        snapshot.x.x[1] = wrong;
+        EXPECT_THROW(write_glb(file_, snapshot), InternalError);
+    }
+    EXPECT_TRUE(folder_.content().empty());
+}
+
+} // namespace
+} // namespace gaspard
