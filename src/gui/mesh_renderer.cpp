@@ -17,8 +17,12 @@ constexpr std::size_t table_width = 2048; // as in the shaders
 constexpr int computational_unit = 0, physical_unit = 1, colours_unit = 2, segments_unit = 3;
 
 // In pixels at scale 1.
-constexpr float disc_width = 5, outline_width = 3;
-constexpr float fade_begin = 1.5F, fade_end = 5;
+constexpr float disc_width = 5, outline_width = 5;
+constexpr float fade_begin = 1.8F, fade_end = 6;
+// Where lines are too close to be drawn: a mesh without colours shows its density, one with colours keeps
+// those.
+constexpr float plain_haze = 0.5F, coloured_haze = 0.1F;
+constexpr float pull_pixels = 2;
 
 struct Rgba {
     float r, g, b, a;
@@ -38,12 +42,12 @@ double view_depth(const Camera& camera, const Box& box) {
 MeshRenderer::MeshRenderer(const Gl& gl)
     : gl_(gl), fill_program_(make_program(gl, "mesh_fill")), line_program_(make_program(gl, "mesh_line")),
       fill_array_(gl), tangled_array_(gl), empty_array_(gl), triangles_(gl), tangled_triangles_(gl),
-      colours_(gl) {
+      colours_(gl), layer_(gl) {
     const auto fill = [&](const char* name) { return uniform(gl, fill_program_, name); };
     const auto line = [&](const char* name) { return uniform(gl, line_program_, name); };
     fill_ = {fill("clip"), fill("blend"), fill("clip_to_pixels"), fill("surface")};
-    line_ = {line("clip"), line("blend"),   line("half_viewport"), line("half_width"),   line("fade"),
-             line("pull"), line("surface"), line("ink_on_dark"),   line("ink_on_light"), line("flat_ink")};
+    line_ = {line("clip"), line("blend"), line("half_viewport"), line("half_width"), line("fade"),
+             line("haze"), line("pull"),  line("surface"),       line("flat_ink")};
     for (const GlProgram* program : {&fill_program_, &line_program_}) {
         gl.UseProgram(program->name());
         gl.Uniform1i(uniform(gl, *program, "computational"), computational_unit);
@@ -174,8 +178,7 @@ void MeshRenderer::upload(const MeshPicture& picture) {
     shown_ = picture;
 }
 
-void MeshRenderer::set_state(PixelRect area, int framebuffer_height, const Theme& theme) {
-    const int bottom = framebuffer_height - area.y - area.height;
+void MeshRenderer::clear(PixelRect area, int bottom, const Theme& theme) {
     gl_.Viewport(area.x, bottom, area.width, area.height);
     gl_.Scissor(area.x, bottom, area.width, area.height);
     gl_.Enable(GL_SCISSOR_TEST);
@@ -187,6 +190,9 @@ void MeshRenderer::set_state(PixelRect area, int framebuffer_height, const Theme
     gl_.Enable(GL_BLEND);
     gl_.BlendEquation(GL_FUNC_ADD);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void MeshRenderer::bind_tables() {
     const auto bind = [&](int unit, GLuint texture) {
         gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         gl_.BindTexture(GL_TEXTURE_2D, texture);
@@ -218,13 +224,40 @@ void MeshRenderer::draw_lines(const Frame& frame, const LineSet& set, const Line
     gl_.Uniform2f(line_.half_viewport, frame.clip_to_pixels.x, frame.clip_to_pixels.y);
     gl_.Uniform1f(line_.half_width, style.width / 2);
     gl_.Uniform2f(line_.fade, style.fade_begin, style.fade_end);
+    gl_.Uniform1f(line_.haze, style.haze);
     gl_.Uniform1f(line_.pull, style.pull);
     set_colour(gl_, line_.surface, style.surface);
-    set_colour(gl_, line_.on_dark, style.on_dark);
-    set_colour(gl_, line_.on_light, style.on_light);
     set_colour(gl_, line_.flat_ink, style.flat_ink);
     gl_.BindVertexArray(empty_array_.name());
     gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * set.count));
+}
+
+void MeshRenderer::set_depth_test(bool on) {
+    if (on)
+        gl_.Enable(GL_DEPTH_TEST);
+    else
+        gl_.Disable(GL_DEPTH_TEST);
+    gl_.DepthFunc(GL_LEQUAL);
+}
+
+void MeshRenderer::draw_edges(const Frame& frame, LineStyle style, PixelRect area, int bottom,
+                              const Theme& theme) {
+    layer_.begin(area.width, area.height);
+    set_depth_test(!frame.planar);
+    bind_tables();
+    if (!frame.planar) { // what the faces hide
+        gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        gl_.Enable(GL_POLYGON_OFFSET_FILL);
+        gl_.PolygonOffset(2, 2); // away from the viewer, the more the steeper, so that edges stay visible
+        draw_fill(frame, fill_array_, shown_.tessellation->triangles.size(), style.surface);
+        gl_.Disable(GL_POLYGON_OFFSET_FILL);
+        gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    }
+    gl_.DepthMask(GL_FALSE);
+    draw_lines(frame, edges_, style);
+    layer_.end(area.x, bottom, theme.line_on_dark, theme.line_on_light);
+    bind_tables();
+    set_depth_test(!frame.planar);
 }
 
 void MeshRenderer::draw(const MeshPicture& picture, const Camera& camera, PixelRect area,
@@ -232,36 +265,36 @@ void MeshRenderer::draw(const MeshPicture& picture, const Camera& camera, PixelR
     if (area.width <= 0 || area.height <= 0) return;
     GASPARD_CHECK(picture.tessellation != nullptr);
     upload(picture);
-    set_state(area, framebuffer_height, theme);
+    const int bottom = framebuffer_height - area.y - area.height;
+    clear(area, bottom, theme);
+    bind_tables();
 
     const Size size = area.size();
     const double depth = view_depth(camera, picture.box);
     const Frame frame{clip_matrix(camera, size, centre_, depth),
                       {static_cast<float>(size.width / 2), static_cast<float>(size.height / 2),
                        static_cast<float>(depth / camera.scale)},
-                      static_cast<float>(picture.blend)};
-    const bool plain = picture.scalar == nullptr;
-    const Colour no_colour{0, 0, 0, 0};
-    const Colour surface = plain ? theme.surface : no_colour;
-    if (picture.planar()) {
-        gl_.Disable(GL_DEPTH_TEST);
-    } else {
-        gl_.Enable(GL_DEPTH_TEST);
-        gl_.DepthFunc(GL_LEQUAL);
-    }
+                      static_cast<float>(picture.blend),
+                      picture.planar()};
+    const Colour nothing{0, 0, 0, 0};
+    const Colour surface = picture.scalar == nullptr ? theme.surface : nothing;
+    set_depth_test(!frame.planar);
     draw_fill(frame, fill_array_, shown_.tessellation->triangles.size(), surface);
 
+    // Where there are more pixels, part of them goes into finer lines.
+    const float fineness = std::max(1.0F, 0.7F * scale);
+    LineStyle style;
+    style.width = theme.line_width * fineness;
+    style.fade_begin = fade_begin * fineness;
+    style.fade_end = fade_end * fineness;
+    style.haze = picture.scalar == nullptr ? plain_haze : coloured_haze;
+    style.pull = frame.planar ? 0 : pull_pixels / frame.clip_to_pixels.z;
+    style.surface = surface;
+    style.flat_ink = nothing;
+    if (picture.cell_dimension > 1) draw_edges(frame, style, area, bottom, theme);
     gl_.DepthMask(GL_FALSE);
-    LineStyle style{.width = theme.line_width * scale,
-                    .fade_begin = fade_begin * scale,
-                    .fade_end = fade_end * scale,
-                    .pull = picture.planar() ? 0 : 2e-3F,
-                    .surface = surface,
-                    .on_dark = theme.line_on_dark,
-                    .on_light = theme.line_on_light,
-                    .flat_ink = no_colour};
-    if (picture.cell_dimension == 1) style.flat_ink = theme.faint_text;
-    draw_lines(frame, edges_, style);
+    style.flat_ink = theme.faint_text;
+    if (picture.cell_dimension == 1) draw_lines(frame, edges_, style);
     style.width = disc_width * scale;
     style.flat_ink = theme.accent;
     draw_lines(frame, discs_, style);

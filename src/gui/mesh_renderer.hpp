@@ -6,6 +6,7 @@
 
 #include "gui/camera.hpp"
 #include "gui/gl_objects.hpp"
+#include "gui/line_layer.hpp"
 #include "gui/mesh_picture.hpp"
 #include "gui/theme.hpp"
 
@@ -49,20 +50,21 @@ class MeshRenderer {
     struct LineStyle {
         float width = 1; ///< in pixels, like the two below
         float fade_begin = 0, fade_end = 0;
-        float pull = 0;
-        Colour surface, on_dark, on_light, flat_ink;
+        float haze = 0, pull = 0; ///< as in mesh_line.vert
+        Colour surface, flat_ink; ///< as in mesh_line.frag
     };
     /// What all draws of one picture share.
     struct Frame {
         glm::mat4 clip;
         glm::vec3 clip_to_pixels;
         float blend = 1;
+        bool planar = true;
     };
     struct FillUniforms {
         GLint clip, blend, clip_to_pixels, surface;
     };
     struct LineUniforms {
-        GLint clip, blend, half_viewport, half_width, fade, pull, surface, on_dark, on_light, flat_ink;
+        GLint clip, blend, half_viewport, half_width, fade, haze, pull, surface, flat_ink;
     };
 
     void upload(const MeshPicture& picture);
@@ -74,9 +76,12 @@ class MeshRenderer {
     void upload_segments(LineSet& set, const std::vector<Segment>& segments);
     void fill_table(Table& table, GLint internal_format, GLenum format, GLenum type, const void* texels,
                     std::size_t count);
-    void set_state(PixelRect area, int framebuffer_height, const Theme& theme);
+    void clear(PixelRect area, int bottom, const Theme& theme);
+    void bind_tables();
+    void set_depth_test(bool on);
     void draw_fill(const Frame& frame, const GlVertexArray& array, std::size_t count, Colour surface);
     void draw_lines(const Frame& frame, const LineSet& set, const LineStyle& style);
+    void draw_edges(const Frame& frame, LineStyle style, PixelRect area, int bottom, const Theme& theme);
 
     const Gl& gl_;
     GlProgram fill_program_, line_program_;
@@ -87,6 +92,7 @@ class MeshRenderer {
     Table computational_, physical_;
     LineSet edges_, discs_, outlines_;
     GlTexture colours_;
+    LineLayer layer_;
     std::size_t tangled_count_ = 0;
     Vec3 centre_;
     MeshPicture shown_; ///< what is on the card; holds its arrays, so that a pointer is a version

@@ -31,6 +31,18 @@ std::string format(double value, std::chars_format how, int precision) {
     return {buffer.data(), end.ptr};
 }
 
+/// As many digits as tell neighbours apart, the same for all ticks of an axis.
+std::string tick_label(double value, double step, double largest) {
+    if (value == 0) return "0";
+    const int last_digit = static_cast<int>(std::floor(std::log10(step) + 1e-9));
+    const int first_digit = static_cast<int>(std::floor(std::log10(largest) + 1e-9));
+    if (first_digit > 5 || last_digit < -5)
+        return short_number(value, std::clamp(first_digit - last_digit + 1, 1, 15));
+    std::string text = format(value, std::chars_format::fixed, std::max(0, -last_digit));
+    if (text.front() == '-') text.replace(0, 1, "−");
+    return text;
+}
+
 } // namespace
 
 std::string power_of_ten(int exponent) { return "10" + superscript(exponent); }
@@ -66,14 +78,11 @@ std::vector<Tick> linear_ticks(double low, double high, int count) {
             step = multiple * power;
             break;
         }
-    // As many digits as tell neighbours apart.
     const double largest = std::max(std::abs(low), std::abs(high));
-    const int digits = std::clamp(
-        static_cast<int>(std::floor(std::log10(largest)) - std::floor(std::log10(step))) + 1, 1, 15);
     std::vector<Tick> ticks;
     for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
         const double value = k * step;
-        ticks.push_back({value, short_number(value, digits), true});
+        ticks.push_back({value, tick_label(value, step, largest), true});
     }
     return ticks;
 }

@@ -54,10 +54,22 @@ struct Legend {
     float width = 0; ///< bar, gap and labels or title, whichever is wider
 };
 
+/// Both ends of the range, and round values that keep their distance from them.
+std::vector<Tick> legend_ticks(const ColourRange& range) {
+    std::vector<Tick> ticks = linear_ticks(range.low, range.high, 6);
+    if (ticks.size() < 2) return ticks;
+    std::erase_if(ticks, [&](const Tick& tick) {
+        return range.position(tick.value) < 0.07 || range.position(tick.value) > 0.93;
+    });
+    ticks.push_back({range.low, short_number(range.low, 3), true});
+    ticks.push_back({range.high, short_number(range.high, 3), true});
+    return ticks;
+}
+
 Legend make_legend(const MeshPicture& picture, float scale) {
     Legend legend;
     if (picture.scalar == nullptr) return legend;
-    legend.ticks = linear_ticks(picture.range.low, picture.range.high, 6);
+    legend.ticks = legend_ticks(picture.range);
     float labels = 0;
     for (const Tick& tick : legend.ticks)
         labels = std::max(labels, ImGui::CalcTextSize(tick.label.c_str()).x);
@@ -133,7 +145,8 @@ std::vector<std::string> caption_parts(const ViewportText& text) {
     if (report.equidistribution)
         parts.push_back("equidistribution " + short_number(*report.equidistribution, 4));
     if (report.tangled_cells.value_or(0) > 0)
-        parts.push_back(std::to_string(*report.tangled_cells) + " tangled cells");
+        parts.push_back(std::to_string(*report.tangled_cells) +
+                        (*report.tangled_cells == 1 ? " tangled cell" : " tangled cells"));
     parts.emplace_back(status_name(report.status));
     return parts;
 }

@@ -1,0 +1,16 @@
+#version 330 core
+// Light and dark ink over what is below, each as strong as the layer says.
+uniform sampler2D ink;  // red: light ink, green: dark ink
+uniform vec2 corner;    // lower left of the viewport
+uniform vec4 light_ink;
+uniform vec4 dark_ink;
+
+out vec4 colour;
+
+void main() {
+    vec2 amount = texelFetch(ink, ivec2(gl_FragCoord.xy - corner), 0).rg * vec2(light_ink.a, dark_ink.a);
+    float alpha = amount.r + amount.g * (1.0 - amount.r);
+    if (alpha <= 0.0) discard;
+    vec3 mixed = light_ink.rgb * amount.r + dark_ink.rgb * amount.g * (1.0 - amount.r);
+    colour = vec4(mixed / alpha, alpha);
+}
