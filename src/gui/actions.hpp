@@ -1,0 +1,34 @@
+// Everything a user can do with a key or a button, once: name, label, keys, menu and help. Toolbar, menus,
+// shortcuts, the help overlay and the README's table are made from these rows.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gaspard {
+
+enum class ActionId { run_pause, step, reset, home, screenshot, export_files, help, quit };
+
+struct Action {
+    ActionId id;
+    std::string_view name;              ///< for scripts and tests: "run"
+    std::string_view label;             ///< on a button: "Run"
+    std::string_view menu;              ///< the menu it stands in: "File"
+    std::vector<std::string_view> keys; ///< "Space", "R", "F12", "Ctrl+Q"; any of them
+    bool toolbar;                       ///< has a button above the picture
+    std::string_view help;              ///< one sentence
+};
+
+/// In the order of toolbar and menus.
+std::span<const Action> actions();
+const Action& action(ActionId id);
+/// Null where no action has this key. Keys are written as in the table; letters are upper case.
+const Action* action_for_key(std::string_view key);
+/// "N or Right".
+std::string describe_keys(const Action& action);
+/// The rows as a Markdown table.
+std::string actions_markdown();
+
+} // namespace gaspard

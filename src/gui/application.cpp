@@ -1,0 +1,302 @@
+#include "gui/application.hpp"
+
+#include "core/base/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/run_files.hpp"
+#include "core/scenario/toml.hpp"
+#include "gui/plot_widget.hpp"
+#include "gui/status_bar.hpp"
+#include "gui/viewport.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                          ImGuiWindowFlags_NoSavedSettings |
+                                          ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+
+constexpr const char* hint =
+    "Drag to pan, turn the wheel to zoom, double-click to see the whole mesh. F1 shows all keys.";
+
+/// Begins a window that fills a part of the layout.
+void begin_part(const char* name, const ItemRectangle& part, ImGuiWindowFlags flags = 0) {
+    ImGui::SetNextWindowPos({part.left, part.top});
+    ImGui::SetNextWindowSize({std::max(1.0F, part.width()), std::max(1.0F, part.height())});
+    ImGui::Begin(name, nullptr, fixed_window | flags);
+}
+
+} // namespace
+
+Application::Application(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
+                         const Theme& theme, std::function<void()> wake, std::filesystem::path output)
+    : catalogue_(catalogue), output_(std::move(output)), board_(std::make_shared<NoticeBoard>(wake)),
+      theme_(theme), pictures_(board_), document_(std::move(catalogue), std::move(wake)) {
+    document_.open(scenario);
+}
+
+bool Application::collect() {
+    bool news = document_.collect();
+    for (Notice& notice : board_->take()) message_ = std::move(notice), news = true;
+    const SolverStatus& status = run().status;
+    if (status.messages != messages_seen_) message_ = {status.message, true};
+    messages_seen_ = status.messages;
+    return news;
+}
+
+void Application::frame() {
+    items_.clear();
+    draw_menus();
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    layout_ = compute_layout(size.x, size.y, ImGui::GetFontSize(), ImGui::GetFrameHeight());
+    draw_toolbar();
+    draw_viewport();
+    draw_sidebar();
+    draw_plots();
+    draw_status();
+    if (help_) draw_help();
+}
+
+bool Application::press_key(std::string_view key) {
+    if (ImGui::GetIO().WantTextInput) return false;
+    const Action* row = action_for_key(key);
+    if (!row || !possible(row->id)) return false;
+    perform(row->id);
+    return true;
+}
+
+bool Application::possible(ActionId id) { return id != ActionId::step || !run().ended(); }
+
+void Application::perform(ActionId id) {
+    message_ = {};
+    switch (id) {
+    case ActionId::run_pause:
+        return toggle_running();
+    case ActionId::step:
+        return document_.step(0);
+    case ActionId::reset:
+        return document_.reset(0);
+    case ActionId::home:
+        viewport().camera.reset();
+        return;
+    case ActionId::screenshot:
+        screenshot_ = true;
+        return;
+    case ActionId::export_files:
+        return export_files();
+    case ActionId::help:
+        help_ = !help_;
+        return;
+    case ActionId::quit:
+        quit_ = true;
+        return;
+    }
+}
+
+void Application::toggle_running() {
+    if (run().solving())
+        document_.pause(0);
+    else
+        document_.start(0);
+}
+
+std::filesystem::path Application::output_folder() { return output_ / run().scenario.name; }
+
+void Application::export_files() {
+    // The board is shared, for the task may come to its turn when the window is already closing.
+    run().solver->post(InspectCommand{[board = board_, folder = output_folder(),
+                                       names = run().scenario.output.text("formats")](Run& solved) {
+        report_outcome(*board, [&] {
+            const auto formats = parse_formats(names);
+            check_writable(folder);
+            write_run_files(folder, solved, formats);
+            return "Exported to " + folder.string();
+        });
+    }});
+    message_ = {"Exporting ...", false};
+}
+
+void Application::save_picture(Image image) { pictures_.write(output_folder(), std::move(image)); }
+
+void Application::open_scenario(const std::string& name) {
+    try {
+        document_.replace(0, find_scenario(*catalogue_, name));
+        message_ = {};
+        viewport().camera.reset();
+    } catch (const InputError& error) {
+        message_ = {error.what(), true};
+    }
+}
+
+std::string Application::label_of(const Action& row) {
+    if (row.id != ActionId::run_pause) return std::string(row.label);
+    return run().solving() ? "Pause" : run().ended() ? "Run again" : std::string(row.label);
+}
+
+void Application::draw_menus() {
+    if (!ImGui::BeginMainMenuBar()) return;
+    for (const char* menu : {"File", "Solve", "View", "Help"}) {
+        if (!ImGui::BeginMenu(menu)) continue;
+        for (const Action& row : actions()) {
+            if (row.menu != menu) continue;
+            if (ImGui::MenuItem(label_of(row).c_str(), describe_keys(row).c_str(), false, possible(row.id)))
+                perform(row.id);
+            remember_item(items_, "menu." + std::string(row.name));
+        }
+        ImGui::EndMenu();
+    }
+    ImGui::EndMainMenuBar();
+}
+
+void Application::draw_toolbar() {
+    begin_part("##toolbar", layout_.toolbar);
+    const float em = ImGui::GetFontSize();
+    for (const Action& row : actions()) {
+        if (!row.toolbar) continue;
+        const bool main = row.id == ActionId::run_pause;
+        if (main) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        ImGui::BeginDisabled(!possible(row.id));
+        const std::string label = label_of(row) + "###" + std::string(row.name);
+        if (ImGui::Button(label.c_str(), {main ? 6.5F * em : 0, 0})) perform(row.id);
+        ImGui::EndDisabled();
+        if (main) ImGui::PopStyleColor();
+        remember_item(items_, "action." + std::string(row.name));
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%.*s\nKey: %s", static_cast<int>(row.help.size()), row.help.data(),
+                              describe_keys(row).c_str());
+        const bool last_of_group = row.id == ActionId::reset || row.id == ActionId::home;
+        ImGui::SameLine(0, last_of_group ? 1.5F * em : 0.5F * em);
+    }
+    draw_scenarios();
+    ImGui::End();
+}
+
+void Application::draw_scenarios() {
+    const float em = ImGui::GetFontSize();
+    const float right = ImGui::GetWindowContentRegionMax().x;
+    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), right - 19 * em));
+    ImGui::SetNextItemWidth(std::max(4 * em, right - ImGui::GetCursorPosX()));
+    const bool open = ImGui::BeginCombo("##scenario", run().title.c_str());
+    remember_item(items_, "scenario");
+    if (!open) return;
+    for (const BuiltinScenario& one : builtin_scenarios()) {
+        const std::string name(one.name);
+        if (ImGui::Selectable(name.c_str(), run().scenario.name == name)) open_scenario(name);
+        remember_item(items_, "scenario=" + name);
+    }
+    ImGui::EndCombo();
+}
+
+void Application::draw_sidebar() {
+    begin_part("##sidebar", layout_.sidebar);
+    Scenario scenario = run().scenario;
+    const PanelContext context{*catalogue_, run().opened, theme_, items_};
+    bool changed = false;
+    for (const auto kind : {SectionKind::domain, SectionKind::monitor, SectionKind::method})
+        if (ImGui::CollapsingHeader(section_title(kind), ImGuiTreeNodeFlags_DefaultOpen))
+            changed |= panel_.draw_section(kind, context, scenario);
+    if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen))
+        panel_.draw_rows(context, run().opened.view, viewport().view, {"color", "blend"});
+    scenario.view = viewport().view;
+    if (changed) {
+        document_.change(0, scenario); // once per frame; of those that wait, the solver takes the newest
+        message_ = {};
+    }
+    ImGui::End();
+}
+
+void Application::draw_viewport() {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    begin_part("##viewport", layout_.viewport, ImGuiWindowFlags_NoBackground);
+    ImGui::PopStyleVar();
+    const float width = std::max(1.0F, layout_.viewport.width()),
+                height = std::max(1.0F, layout_.viewport.height());
+    ImGui::InvisibleButton("##picture", {width, height},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+    remember_item(items_, "viewport");
+    if (run().snapshot) {
+        const Values& view = viewport().view;
+        picture_ = picture_maker_.make(*run().snapshot, view.text("color"), view.real("blend"));
+        const ViewportText text{.title = {}, .subject = run().title, .report = {}, .caption = false};
+        const ScreenRect rect{{layout_.viewport.left, layout_.viewport.top},
+                              {layout_.viewport.right, layout_.viewport.bottom}};
+        home_ =
+            home(picture_->box, {width, height}, viewport_insets(*picture_, text, {width, height}, scale_));
+        draw_viewport_overlay(*ImGui::GetWindowDrawList(), *picture_, text, rect, theme_, scale_);
+        steer_camera({width, height});
+    }
+    draw_preparation();
+    ImGui::End();
+}
+
+/// Left or middle drag pans, the wheel zooms to the pointer, a double click goes home.
+void Application::steer_camera(Size size) {
+    const ImGuiIO& io = ImGui::GetIO();
+    Camera seen = camera();
+    if (ImGui::IsItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
+        pan(seen, {static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)});
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
+        const Pixel pointer{static_cast<double>(io.MousePos.x - layout_.viewport.left),
+                            static_cast<double>(io.MousePos.y - layout_.viewport.top)};
+        zoom(seen, size, pointer, std::pow(1.15, static_cast<double>(io.MouseWheel)), picture_->box);
+    }
+    if (seen != camera()) viewport().camera = seen;
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) viewport().camera.reset();
+}
+
+void Application::draw_preparation() {
+    const SolverStatus& status = run().status;
+    if (status.activity.empty() && status.run != RunStatus::preparing) return;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetCursorPos({em, em});
+    ImGui::ProgressBar(static_cast<float>(status.progress), {18 * em, 1.5F * em},
+                       status.activity.empty() ? "preparing" : status.activity.c_str());
+    remember_item(items_, "progress");
+}
+
+void Application::draw_plots() {
+    const auto plot = [&](const char* name, const ItemRectangle& part, const Plot& data) {
+        begin_part(name, part);
+        plot_widget(name, data, ImGui::GetContentRegionAvail(), theme_, scale_);
+        ImGui::End();
+        items_[name] = part;
+    };
+    plot("plot.residual", layout_.residual, document_.residual_plot());
+    plot("plot.equidistribution", layout_.equidistribution, document_.equidistribution_plot());
+}
+
+void Application::draw_status() {
+    begin_part("##status", layout_.status);
+    draw_status_bar(run(), message_, hint, theme_, items_);
+    ImGui::End();
+}
+
+void Application::draw_help() {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Appearing, {0.5F, 0.5F});
+    if (ImGui::Begin("Keys and mouse", &help_,
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize)) {
+        if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+            const auto line = [](const std::string& what, std::string_view help) {
+                ImGui::TableNextColumn();
+                ImGui::TextUnformatted(what.c_str());
+                ImGui::TableNextColumn();
+                ImGui::TextUnformatted(help.data(), help.data() + help.size());
+            };
+            for (const Action& row : actions()) line(describe_keys(row), row.help);
+            line("Drag the picture", "Pan, with the left or the middle button.");
+            line("Wheel", "Zoom at the pointer.");
+            line("Double-click", "Show the whole mesh again.");
+            line("Ctrl+click a slider", "Type its value.");
+            ImGui::EndTable();
+        }
+    }
+    ImGui::End();
+}
+
+} // namespace gaspard

@@ -1,0 +1,25 @@
+// An ImGui context with an owner. While it lives it is the current one; nothing is read from or left on disk.
+#pragma once
+
+#include <imgui.h>
+
+namespace gaspard {
+
+class ImGuiSession {
+  public:
+    ImGuiSession() : context_(ImGui::CreateContext()) {
+        ImGui::SetCurrentContext(context_);
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.LogFilename = nullptr;
+        io.ConfigInputTextCursorBlink = false; // a window that sleeps would stop it at "hidden"
+    }
+    ~ImGuiSession() { ImGui::DestroyContext(context_); }
+    ImGuiSession(const ImGuiSession&) = delete;
+    ImGuiSession& operator=(const ImGuiSession&) = delete;
+
+  private:
+    ImGuiContext* context_;
+};
+
+} // namespace gaspard

@@ -1,0 +1,35 @@
+// How a run stands, in words and numbers, for the bar along the window's bottom edge.
+#pragma once
+
+#include "gui/background_writer.hpp"
+#include "gui/document.hpp"
+#include "gui/item_rectangles.hpp"
+#include "gui/theme.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gaspard {
+
+enum class Tone { plain, good, busy, warning, bad };
+
+/// One cell of the bar: what it is and how much.
+struct StatusCell {
+    std::string label, value;
+    Tone tone = Tone::plain;
+};
+
+/// "Running", "Paused", "Converged" ... and what to make of it.
+StatusCell describe_state(const SolverStatus& status, bool wants_to_run);
+/// State, iteration, residual, equidistribution, smallest Jacobian, tangled cells, rate: always as many, in
+/// order. Numbers that a report leaves out are taken from the last that has them.
+std::vector<StatusCell> status_cells(const DocumentRun& run);
+/// What the last report has to say, if the run has ended with a remark.
+std::string closing_note(const DocumentRun& run);
+
+/// Draws cells and message into the current ImGui window; keys "status.0", ... and "message".
+void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view hint, const Theme& theme,
+                     ItemRectangles& items);
+
+} // namespace gaspard

@@ -1,0 +1,266 @@
+#include "gui/window.hpp"
+
+#include "core/base/error.hpp"
+#include "gui/application.hpp"
+#include "gui/gl.hpp"
+#include "gui/imgui_context.hpp"
+#include "gui/imgui_renderer.hpp"
+#include "gui/mesh_renderer.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <atomic>
+#include <backends/imgui_impl_glfw.h>
+#include <cctype>
+#include <cmath>
+#include <imgui.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double frame_seconds = 1.0 / 60;
+constexpr int settling_frames = 3; // ImGui shows the answer to an input one or two frames later
+
+std::string last_glfw_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "no cause given";
+}
+
+class GlfwSession {
+  public:
+    GlfwSession() {
+        if (!glfwInit())
+            throw MachineError("No display: a window cannot be opened here (" + last_glfw_error() +
+                               "); use `gaspard run`, which needs none");
+    }
+    ~GlfwSession() { glfwTerminate(); }
+    GlfwSession(const GlfwSession&) = delete;
+    GlfwSession& operator=(const GlfwSession&) = delete;
+};
+
+struct DestroyWindow {
+    void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+};
+using GlfwWindow = std::unique_ptr<GLFWwindow, DestroyWindow>;
+
+GlfwWindow open_window(const std::string& title, const WindowOptions& options) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SAMPLES, 4);
+    GlfwWindow window(glfwCreateWindow(options.width, options.height, title.c_str(), nullptr, nullptr));
+    if (!window)
+        throw MachineError("No OpenGL 3.3 for a window here (" + last_glfw_error() +
+                           "); use `gaspard run`, which draws without one");
+    glfwSetWindowSizeLimits(window.get(), 720, 540, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwMakeContextCurrent(window.get());
+    glfwSwapInterval(1);
+    return window;
+}
+
+/// A key as the table of actions writes it: "Space", "Ctrl+Q". Letters by what is printed on the key.
+std::string key_name(int key, int scancode, int modifiers) {
+    const std::string prefix = (modifiers & GLFW_MOD_CONTROL) ? "Ctrl+" : "";
+    if (key == GLFW_KEY_SPACE) return prefix + "Space";
+    if (key == GLFW_KEY_RIGHT) return prefix + "Right";
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25)
+        return prefix + "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+    const char* printed = glfwGetKeyName(key, scancode);
+    if (!printed || printed[1] != '\0') return {};
+    return prefix + static_cast<char>(std::toupper(static_cast<unsigned char>(printed[0])));
+}
+
+/// What has happened since the loop last looked.
+struct Happenings {
+    std::atomic<bool> news = false; ///< set on any thread
+    bool input = false;
+    std::vector<std::string> keys;
+};
+
+Happenings& happenings_of(GLFWwindow* window) {
+    return *static_cast<Happenings*>(glfwGetWindowUserPointer(window));
+}
+
+// Callbacks only note what happened: nothing may throw through C. ImGui's own are chained after these.
+void install_callbacks(GLFWwindow* window, Happenings& happenings) {
+    glfwSetWindowUserPointer(window, &happenings);
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int event, int modifiers) {
+        happenings_of(w).input = true;
+        if (event == GLFW_PRESS) happenings_of(w).keys.push_back(key_name(key, scancode, modifiers));
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { happenings_of(w).input = true; });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { happenings_of(w).input = true; });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { happenings_of(w).input = true; });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { happenings_of(w).input = true; });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { happenings_of(w).input = true; });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { happenings_of(w).input = true; });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { happenings_of(w).input = true; });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { happenings_of(w).input = true; });
+    glfwSetWindowContentScaleCallback(window,
+                                      [](GLFWwindow* w, float, float) { happenings_of(w).input = true; });
+}
+
+/// ImGui's GLFW backend, with an owner.
+class ImGuiInput {
+  public:
+    explicit ImGuiInput(GLFWwindow* window) { ImGui_ImplGlfw_InitForOpenGL(window, true); }
+    ~ImGuiInput() { ImGui_ImplGlfw_Shutdown(); }
+    ImGuiInput(const ImGuiInput&) = delete;
+    ImGuiInput& operator=(const ImGuiInput&) = delete;
+};
+
+/// How a window's units relate to what is seen: `density` pixels per unit, and `zoom` units per unit of the
+/// theme.
+struct Scales {
+    float density = 1, zoom = 1;
+    friend bool operator==(const Scales&, const Scales&) = default;
+};
+
+Scales scales_of(GLFWwindow* window) {
+    int width = 0, pixels = 0, unused = 0;
+    float content = 1, unused_too = 1;
+    glfwGetWindowSize(window, &width, &unused);
+    glfwGetFramebufferSize(window, &pixels, &unused);
+    glfwGetWindowContentScale(window, &content, &unused_too);
+    const float density =
+        width > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1.0F;
+    return {density, std::clamp(content / density, 0.5F, 4.0F)};
+}
+
+class Window {
+  public:
+    Window(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario, const WindowOptions& options)
+        : window_(open_window("Gaspard", options)),
+          gl_(load_gl([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); })) {
+        install_callbacks(window_.get(), happenings_);
+        input_.emplace(window_.get());
+        set_scales(scales_of(window_.get()));
+        interface_.emplace(gl_);
+        meshes_.emplace(gl_);
+        application_.emplace(
+            std::move(catalogue), scenario, theme_, [this] { wake(); }, options.output);
+        application_->set_scale(scales_.zoom);
+    }
+
+    void loop() {
+        while (!glfwWindowShouldClose(window_.get()) && !application_->quit_requested()) {
+            wait();
+            happenings_.news = false; // before collecting: what comes after wakes the next round
+            application_->collect();
+            for (const auto& key : std::exchange(happenings_.keys, {})) application_->press_key(key);
+            if (const Scales now = scales_of(window_.get()); now != scales_) {
+                set_scales(now);
+                interface_->update_font();
+                application_->set_scale(scales_.zoom);
+            }
+            draw();
+        }
+        glfwHideWindow(window_.get()); // gone at once; the solver ends within its step
+    }
+
+  private:
+    /// Called on other threads; once per frame is enough.
+    void wake() {
+        if (!happenings_.news.exchange(true)) glfwPostEmptyEvent();
+    }
+
+    /// Sleeps until there is something to draw, and never draws more than 60 times a second.
+    void wait() {
+        if (frames_due_ == 0 && !happenings_.news) glfwWaitEvents();
+        for (double rest = 0; (rest = drawn_ + frame_seconds - glfwGetTime()) > 0;)
+            glfwWaitEventsTimeout(rest);
+        glfwPollEvents();
+        if (std::exchange(happenings_.input, false) || happenings_.news) frames_due_ = settling_frames;
+        frames_due_ = std::max(0, frames_due_ - 1);
+        drawn_ = glfwGetTime();
+    }
+
+    void set_scales(Scales scales) {
+        scales_ = scales;
+        apply_theme(theme_, scales.zoom);
+        ImGuiIO& io = ImGui::GetIO();
+        load_font(*io.Fonts, theme_, scales.zoom * scales.density); // as many pixels as it will cover
+        io.FontGlobalScale = 1 / scales.density;
+    }
+
+    void draw() {
+        int width = 0, height = 0;
+        glfwGetFramebufferSize(window_.get(), &width, &height);
+        if (width <= 0 || height <= 0) return; // an icon
+        ImGui_ImplGlfw_NewFrame();
+        ImGui::NewFrame();
+        application_->frame();
+        ImGui::Render();
+        gl_.Viewport(0, 0, width, height);
+        gl_.Disable(GL_SCISSOR_TEST);
+        gl_.ClearColor(theme_.background.r, theme_.background.g, theme_.background.b, 1);
+        gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        const PixelRect area = viewport_pixels();
+        if (const MeshPicture* picture = application_->picture();
+            picture && area.width > 0 && area.height > 0) {
+            Camera camera = application_->camera();
+            camera.scale /= static_cast<double>(scales_.density);
+            meshes_->draw(*picture, camera, area, height, theme_, scales_.zoom * scales_.density);
+        }
+        interface_->draw(*ImGui::GetDrawData());
+        if (application_->take_screenshot_request()) application_->save_picture(read_pixels(area, height));
+        glfwSwapBuffers(window_.get());
+    }
+
+    PixelRect viewport_pixels() const {
+        const ItemRectangle& part = application_->viewport_rectangle();
+        const auto pixels = [&](float units) {
+            return static_cast<int>(std::lround(units * scales_.density));
+        };
+        const int x = pixels(part.left), y = pixels(part.top);
+        return {x, y, pixels(part.right) - x, pixels(part.bottom) - y};
+    }
+
+    /// The viewport with its legend, as it stands in the back buffer.
+    Image read_pixels(PixelRect area, int framebuffer_height) const {
+        Image image{area.width, area.height, {}};
+        const auto row = static_cast<std::size_t>(area.width) * 4;
+        std::vector<std::uint8_t> upward(row * static_cast<std::size_t>(area.height));
+        gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+        gl_.ReadBuffer(GL_BACK);
+        gl_.ReadPixels(area.x, framebuffer_height - area.y - area.height, area.width, area.height, GL_RGBA,
+                       GL_UNSIGNED_BYTE, upward.data());
+        for (auto from = upward.end(); from != upward.begin(); from -= static_cast<std::ptrdiff_t>(row))
+            image.rgba.insert(image.rgba.end(), from - static_cast<std::ptrdiff_t>(row), from);
+        for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+        return image;
+    }
+
+    // Made in this order and ended in the opposite one: the solver first, the display last.
+    Theme theme_ = dark_theme();
+    GlfwSession session_;
+    Happenings happenings_;
+    GlfwWindow window_;
+    Gl gl_;
+    ImGuiSession imgui_;
+    std::optional<ImGuiInput> input_;
+    std::optional<ImGuiRenderer> interface_;
+    std::optional<MeshRenderer> meshes_;
+    Scales scales_;
+    int frames_due_ = settling_frames;
+    double drawn_ = 0;
+    std::optional<Application> application_;
+};
+
+} // namespace
+
+int run_window(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
+               const WindowOptions& options) {
+    Window window(std::move(catalogue), scenario, options);
+    window.loop();
+    return 0;
+}
+
+} // namespace gaspard

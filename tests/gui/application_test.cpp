@@ -1,0 +1,215 @@
+#include "core/scenario/toml.hpp"
+#include "gui/application.hpp"
+#include "gui/headless_ui.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <random>
+#include <thread>
+
+namespace gaspard {
+namespace {
+
+constexpr auto patience = std::chrono::seconds(60);
+
+class ApplicationTest : public testing::Test {
+  protected:
+    ApplicationTest() { std::filesystem::create_directories(folder); }
+    ~ApplicationTest() override { std::filesystem::remove_all(folder); }
+
+    Scenario small_ring() const {
+        Scenario scenario = find_scenario(*catalogue, "plane-ring");
+        set_value(*catalogue, scenario, "domain.cells", std::int64_t{12});
+        return scenario;
+    }
+    void frame() {
+        application.collect();
+        ui.frame([this] { application.frame(); });
+    }
+    std::function<void()> drawing() {
+        return [this] {
+            application.collect();
+            application.frame();
+        };
+    }
+    template <class Condition>
+    bool wait_until(Condition condition) {
+        const auto end = std::chrono::steady_clock::now() + patience;
+        while (std::chrono::steady_clock::now() < end) {
+            frame();
+            if (condition()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        return false;
+    }
+    DocumentRun& run() { return application.document().runs().front(); }
+    /// What the solver thread itself works with.
+    Scenario solved_scenario() {
+        Scenario seen;
+        std::atomic<bool> done = false;
+        run().solver->post(
+            InspectCommand{[&](gaspard::Run& solved) { seen = solved.scenario(), done = true; }});
+        EXPECT_TRUE(wait_until([&] { return done.load(); }));
+        return seen;
+    }
+
+    std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) /
+        (std::string("gaspard-application-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    HeadlessUi ui;
+    std::shared_ptr<const Catalogue> catalogue = std::make_shared<Catalogue>(builtin_catalogue());
+    Application application{catalogue, small_ring(), dark_theme(), {}, folder};
+};
+
+TEST_F(ApplicationTest, EveryPartHasItsPlaceInTheWindow) {
+    for (const auto& [width, height] : {std::pair{1400.0F, 900.0F}, {900.0F, 600.0F}, {640.0F, 480.0F}}) {
+        ImGui::GetIO().DisplaySize = {width, height};
+        frame();
+        frame();
+        for (const char* key :
+             {"action.run", "action.step", "action.reset", "action.home", "action.screenshot",
+              "action.export", "scenario", "monitor.type", "monitor.amplitude", "viewport", "plot.residual",
+              "plot.equidistribution", "status.0", "message"}) {
+            ASSERT_TRUE(application.items().count(key)) << key;
+            const ItemRectangle& item = application.items().find(key)->second;
+            EXPECT_GT(item.width(), 10) << key << " at " << width;
+            EXPECT_GE(item.left, 0) << key;
+            EXPECT_LE(item.right, width + 1) << key << " at " << width;
+        }
+        EXPECT_GT(application.viewport_rectangle().height(), 100);
+    }
+}
+
+TEST_F(ApplicationTest, ADraggedSliderReachesTheSolver) {
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3; }));
+    const double before = solved_scenario().monitor.values.real("amplitude");
+    ui.drag(application.items().find("monitor.amplitude")->second, 0.1F, 0.4F, drawing());
+    const double shown = run().scenario.monitor.values.real("amplitude");
+    EXPECT_GT(shown, before);
+    EXPECT_EQ(solved_scenario().monitor.values.real("amplitude"), shown);
+}
+
+TEST_F(ApplicationTest, SpacePausesAndGoesOnOncePerPress) {
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3; }));
+    EXPECT_TRUE(application.press_key("Space"));
+    ASSERT_TRUE(wait_until([&] { return run().status.paused; }));
+    const auto count = run().history.size();
+    frame();
+    EXPECT_EQ(run().history.size(), count);
+    EXPECT_TRUE(application.press_key("N"));
+    ASSERT_TRUE(wait_until([&] { return run().history.size() == count + 1; }));
+    EXPECT_TRUE(application.press_key("Space"));
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > count + 5; }));
+    EXPECT_FALSE(application.press_key("Ctrl+J"));
+}
+
+TEST_F(ApplicationTest, KeysAreNotShortcutsWhileTyping) {
+    frame();
+    ui.click(application.items().find("monitor.amplitude.input")->second, drawing());
+    ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+    EXPECT_FALSE(application.press_key("Ctrl+Q"));
+    EXPECT_FALSE(application.quit_requested());
+    ui.click(application.items().find("viewport")->second, drawing());
+    frame();
+    EXPECT_TRUE(application.press_key("Ctrl+Q"));
+    EXPECT_TRUE(application.quit_requested());
+}
+
+TEST_F(ApplicationTest, ButtonsDoWhatKeysDo) {
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3; }));
+    ui.click(application.items().find("action.run")->second, drawing());
+    EXPECT_FALSE(run().wants_to_run);
+    ASSERT_TRUE(wait_until([&] { return run().status.paused; }));
+    ui.click(application.items().find("action.reset")->second, drawing());
+    ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
+    ui.click(application.items().find("action.screenshot")->second, drawing());
+    EXPECT_TRUE(application.take_screenshot_request());
+    EXPECT_FALSE(application.take_screenshot_request());
+}
+
+TEST_F(ApplicationTest, AnEndedRunRunsAgain) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const int last = run().history.back().iteration;
+    EXPECT_FALSE(application.press_key("N")) << "there is no step beyond the end";
+    EXPECT_TRUE(application.press_key("Space"));
+    ASSERT_TRUE(wait_until([&] { return !run().ended(); }));
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    EXPECT_EQ(run().history.back().iteration, last);
+}
+
+TEST_F(ApplicationTest, ExportWritesTheFilesAndSaysSo) {
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3; }));
+    EXPECT_TRUE(application.press_key("E"));
+    ASSERT_TRUE(wait_until([&] { return application.message().text.starts_with("Exported to "); }))
+        << application.message().text;
+    for (const char* file : {"summary.json", "history.csv", "state.bin", "adapted.obj", "adapted.glb"})
+        EXPECT_TRUE(std::filesystem::exists(folder / "plane-ring" / file)) << file;
+}
+
+TEST_F(ApplicationTest, AnExportThatFailsIsASentence) {
+    std::filesystem::remove_all(folder);
+    std::ofstream(folder) << "a file where a folder should be";
+    application.perform(ActionId::export_files);
+    ASSERT_TRUE(wait_until([&] { return application.message().error; }));
+    EXPECT_NE(application.message().text.find(folder.string()), std::string::npos)
+        << application.message().text;
+}
+
+TEST_F(ApplicationTest, PicturesAreNumbered) {
+    const Image image{2, 2, std::vector<std::uint8_t>(16, 200)};
+    for (const char* name : {"view.png", "view-2.png", "view-3.png"}) {
+        application.save_picture(image);
+        const auto file = folder / "plane-ring" / name;
+        ASSERT_TRUE(wait_until([&] { return application.message().text == "Saved " + file.string(); }));
+        EXPECT_EQ(read_image(file).width, 2);
+    }
+}
+
+TEST_F(ApplicationTest, AnotherScenarioStartsFromItsOwnBeginning) {
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3; }));
+    ui.click(application.items().find("scenario")->second, drawing());
+    frame();
+    ASSERT_TRUE(application.items().count("scenario=plane-bell"));
+    ui.click(application.items().find("scenario=plane-bell")->second, drawing());
+    EXPECT_EQ(run().scenario.name, "plane-bell");
+    EXPECT_EQ(solved_scenario().monitor.type, "bell");
+    ASSERT_TRUE(wait_until([&] { return run().snapshot && run().snapshot->mesh->cell_count() == 3600; }));
+}
+
+TEST_F(ApplicationTest, RandomInputBreaksNothing) {
+    std::mt19937 random(7); // the same input every time
+    const auto draw_int = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
+    std::vector<std::string_view> keys;
+    for (const Action& row : actions())
+        if (row.id != ActionId::export_files && row.id != ActionId::screenshot)
+            keys.insert(keys.end(), row.keys.begin(), row.keys.end());
+    for (int i = 0; i < 1000; ++i) {
+        ImGuiIO& io = ImGui::GetIO();
+        if (draw_int(0, 3) == 0) // mostly where the sliders are
+            ui.move(static_cast<float>(draw_int(-20, draw_int(0, 1) ? 420 : 1420)),
+                    static_cast<float>(draw_int(-20, 920)));
+        if (draw_int(0, 2) == 0) ui.button(draw_int(0, 1) == 1, draw_int(0, 2));
+        if (draw_int(0, 9) == 0) ui.wheel(static_cast<float>(draw_int(-3, 3)));
+        if (draw_int(0, 9) == 0) io.KeyCtrl = !io.KeyCtrl;
+        if (draw_int(0, 4) == 0) io.AddInputCharacter(static_cast<unsigned>(draw_int(32, 126)));
+        if (draw_int(0, 19) == 0)
+            application.press_key(
+                keys[static_cast<std::size_t>(draw_int(0, static_cast<int>(keys.size()) - 1))]);
+        if (draw_int(0, 49) == 0)
+            io.DisplaySize = {static_cast<float>(draw_int(1, 2000)), static_cast<float>(draw_int(1, 1500))};
+        frame();
+        for (const Values* values : {&run().scenario.domain.values, &run().scenario.monitor.values})
+            for (const auto& row : values->rows()) {
+                Values copy = *values;
+                ASSERT_NO_THROW(copy.set(row.key, values->at(row.key)));
+            }
+    }
+    EXPECT_NE(run().status.run, RunStatus::failed) << run().status.message;
+    EXPECT_NE(application.document().runs().front().scenario, small_ring()) << "the input reached nothing";
+}
+
+} // namespace
+} // namespace gaspard

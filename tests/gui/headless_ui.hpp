@@ -1,0 +1,80 @@
+// ImGui frames with synthetic input and no graphics backend.
+#pragma once
+
+#include "gui/imgui_context.hpp"
+#include "gui/item_rectangles.hpp"
+#include "gui/theme.hpp"
+
+#include <functional>
+#include <imgui.h>
+#include <string>
+
+namespace gaspard {
+
+class HeadlessUi {
+  public:
+    /// With a theme: in its style and font, as the program looks. Without: ImGui's own.
+    explicit HeadlessUi(float width = 1400, float height = 900, const Theme* theme = nullptr) {
+        ImGuiIO& io = ImGui::GetIO();
+        if (theme) {
+            apply_theme(*theme, 1);
+            load_font(*io.Fonts, *theme, 1);
+        }
+        io.DisplaySize = {width, height};
+        io.DeltaTime = 1.0F / 60;
+        unsigned char* pixels = nullptr;
+        int columns = 0, rows = 0;
+        io.Fonts->GetTexDataAsAlpha8(&pixels, &columns, &rows);
+        move_away();
+    }
+
+    /// One frame around `draw`.
+    void frame(const std::function<void()>& draw) {
+        ImGui::NewFrame();
+        draw();
+        ImGui::Render();
+    }
+
+    void move(float x, float y) { ImGui::GetIO().MousePos = {x, y}; }
+    void move_away() { ImGui::GetIO().MousePos = {-1e6F, -1e6F}; }
+    void button(bool down, int which = 0) { ImGui::GetIO().MouseDown[which] = down; }
+    void wheel(float turns) { ImGui::GetIO().MouseWheel = turns; }
+
+    /// Presses and releases at the middle of an item (a copy: every frame notes the items anew).
+    void click(ItemRectangle item, const std::function<void()>& draw) {
+        move(item.center_x(), item.center_y());
+        frame(draw);
+        button(true);
+        frame(draw);
+        button(false);
+        frame(draw);
+    }
+
+    /// Drags along an item from one fraction of its width to another.
+    void drag(ItemRectangle item, float from, float to, const std::function<void()>& draw) {
+        move(item.left + from * item.width(), item.center_y());
+        frame(draw);
+        button(true);
+        frame(draw);
+        for (int i = 1; i <= 10; ++i) {
+            move(item.left + (from + (to - from) * static_cast<float>(i) / 10) * item.width(),
+                 item.center_y());
+            frame(draw);
+        }
+        button(false);
+        frame(draw);
+    }
+
+    /// Letters into whatever has the keyboard, one frame each.
+    void type(const std::string& text, const std::function<void()>& draw) {
+        for (const char letter : text) {
+            ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
+            frame(draw);
+        }
+    }
+
+  private:
+    ImGuiSession session_;
+};
+
+} // namespace gaspard

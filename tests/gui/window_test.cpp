@@ -1,0 +1,199 @@
+// The program in a real window on a screen in memory, with synthetic mouse and keys.
+#include "core/io/image.hpp"
+#include "core/scenario/toml.hpp"
+#include "gui/application.hpp"
+#include "gui/headless_ui.hpp"
+#include "gui/virtual_display.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+namespace gaspard {
+namespace {
+
+using namespace std::chrono_literals;
+
+bool eventually(const std::function<bool()>& condition, std::chrono::seconds patience = 60s) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (std::chrono::steady_clock::now() < end) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(50ms);
+    }
+    return false;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Where the window's items are at this size, by the window's own code.
+ItemRectangles layout_of(int width, int height) {
+    const Theme theme = dark_theme();
+    HeadlessUi ui(static_cast<float>(width), static_cast<float>(height), &theme);
+    const auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
+    Application application(catalogue, find_scenario(*catalogue, "plane-ring"), theme, {});
+    application.perform(ActionId::run_pause);
+    for (int i = 0; i < 3; ++i) ui.frame([&] { application.frame(); });
+    return application.items();
+}
+
+class WindowTest : public testing::Test {
+  protected:
+    WindowTest() {
+        std::filesystem::remove_all(folder);
+        std::filesystem::create_directories(folder);
+    }
+    ~WindowTest() override {
+        program.reset();
+        std::filesystem::remove_all(folder);
+    }
+
+    void start(const std::string& scenario, int width, int height) {
+        ChildProcess::Setup setup;
+        setup.command = {GASPARD_PROGRAM, scenario, "--size",
+                         std::to_string(width) + "x" + std::to_string(height)};
+        setup.environment = {{"DISPLAY", display.name()}, {"WAYLAND_DISPLAY", ""}};
+        setup.folder = folder;
+        setup.output = folder / "log";
+        program.emplace(setup);
+        ASSERT_TRUE(eventually([&] {
+            window = display.xdotool({"search", "--onlyvisible", "--name", "Gaspard"});
+            return !window.empty() || !program->running();
+        }));
+        ASSERT_FALSE(window.empty()) << text_of(folder / "log");
+        display.xdotool({"windowmove", window, "0", "0"});
+        std::this_thread::sleep_for(1500ms); // the first frames
+    }
+    void move(float x, float y) {
+        display.xdotool({"mousemove", "--window", window, std::to_string(std::lround(x)),
+                         std::to_string(std::lround(y))});
+        std::this_thread::sleep_for(80ms); // a frame for each
+    }
+    void drag(const ItemRectangle& item, float from, float to) {
+        move(item.left + from * item.width(), item.center_y());
+        display.xdotool({"mousedown", "1"});
+        std::this_thread::sleep_for(100ms);
+        for (int i = 1; i <= 4; ++i)
+            move(item.left + (from + (to - from) * static_cast<float>(i) / 4) * item.width(),
+                 item.center_y());
+        display.xdotool({"mouseup", "1"});
+        std::this_thread::sleep_for(100ms);
+    }
+    void press(const std::string& key) {
+        display.xdotool({"key", key});
+        std::this_thread::sleep_for(100ms);
+    }
+    /// A ring that solves for as long as a test needs, whatever its sliders say.
+    void write_slow_ring(int cells) const {
+        const Catalogue catalogue = builtin_catalogue();
+        Scenario scenario = find_scenario(catalogue, "plane-ring");
+        set_value(catalogue, scenario, "domain.cells", std::int64_t{cells});
+        set_value(catalogue, scenario, "method.tolerance", 1e-14);
+        set_value(catalogue, scenario, "method.step_size", 1e-3);
+        set_value(catalogue, scenario, "method.max_iterations", std::int64_t{1000000});
+        std::ofstream(folder / "slow.toml") << to_toml(scenario);
+    }
+    std::filesystem::path out(const std::string& scenario) const { return folder / "gaspard-out" / scenario; }
+    nlohmann::json exported() {
+        const auto file = out("slow") / "summary.json";
+        std::filesystem::remove(file);
+        press("e");
+        EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << text_of(folder / "log");
+        return nlohmann::json::parse(text_of(file));
+    }
+
+    std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) /
+        (std::string("gaspard-window-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    VirtualDisplay display{1500, 1000};
+    std::optional<ChildProcess> program;
+    std::string window;
+};
+
+TEST_F(WindowTest, ASliderDraggedWithTheMouseAndKeysPressedReachTheFiles) {
+    const ItemRectangles items = layout_of(1200, 800);
+    write_slow_ring(60);
+    start("slow.toml", 1200, 800);
+    const auto before = exported();
+    EXPECT_EQ(before["monitor"]["amplitude"], 10.0);
+
+    drag(items.find("monitor.sharpness")->second, 0.7F, 0.3F);
+    drag(items.find("monitor.amplitude")->second, 0.05F, 0.3F);
+    press("space");
+    const auto after = exported();
+    EXPECT_NE(after["monitor"]["amplitude"], 10.0);
+    EXPECT_NE(after["monitor"]["sharpness"], 200.0);
+    EXPECT_GT(after["iterations"], 0);
+    const std::string history = text_of(out("slow") / "history.csv");
+    EXPECT_EQ(history.rfind("iteration,residual,", 0), 0U);
+    EXPECT_GT(std::count(history.begin(), history.end(), '\n'), 3);
+
+    EXPECT_EQ(exported()["iterations"], after["iterations"]) << "space pauses";
+    press("n");
+    EXPECT_EQ(exported()["iterations"], after["iterations"].get<int>() + 1) << "n does one step";
+    press("ctrl+q");
+    EXPECT_EQ(program->wait(10s), 0) << text_of(folder / "log");
+}
+
+TEST_F(WindowTest, AResizedWindowDrawsItsPictureAtTheNewSize) {
+    start("plane-ring", 1000, 700);
+    for (const auto& [width, height] : {std::pair{1000, 700}, {1400, 900}, {900, 600}}) {
+        display.xdotool({"windowsize", window, std::to_string(width), std::to_string(height)});
+        std::this_thread::sleep_for(700ms);
+        press("p");
+        const auto file = out("plane-ring") / "view.png";
+        ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << text_of(folder / "log");
+        const Image image = read_image(file);
+        const ItemRectangles items = layout_of(width, height);
+        EXPECT_NEAR(image.width, items.find("viewport")->second.width(), 1) << width;
+        EXPECT_NEAR(image.height, items.find("viewport")->second.height(), 1) << height;
+        std::filesystem::remove(file);
+    }
+    ASSERT_TRUE(program->running());
+}
+
+TEST_F(WindowTest, ClosingWhileSolvingEndsQuickly) {
+    write_slow_ring(300);
+    start("slow.toml", 1000, 700);
+    const double before = program->cpu_seconds();
+    std::this_thread::sleep_for(1s);
+    EXPECT_GT(program->cpu_seconds() - before, 0.3) << "it is not solving";
+    press("ctrl+q");
+    EXPECT_EQ(program->wait(8s), 0) << text_of(folder / "log");
+}
+
+TEST_F(WindowTest, AnIdleWindowCostsNothing) {
+    start("plane-ring", 1000, 700);
+    press("space"); // pause, if it has not ended by now
+    move(10, 10);
+    std::this_thread::sleep_for(1s);
+    const double before = program->cpu_seconds();
+    std::this_thread::sleep_for(3s);
+    EXPECT_LT(program->cpu_seconds() - before, 0.05);
+    ASSERT_TRUE(program->running());
+}
+
+TEST(WithoutADisplay, TheWindowIsRefusedInOneSentence) {
+    const auto log = std::filesystem::path(testing::TempDir()) / "gaspard-no-display";
+    ChildProcess::Setup setup;
+    setup.command = {GASPARD_PROGRAM};
+    setup.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
+    setup.output = log;
+    ChildProcess process(setup);
+    EXPECT_EQ(process.wait(20s), 1);
+    const std::string text = text_of(log);
+    EXPECT_NE(text.find("No display"), std::string::npos) << text;
+    EXPECT_NE(text.find("gaspard run"), std::string::npos) << text;
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+    std::filesystem::remove(log);
+}
+
+} // namespace
+} // namespace gaspard
