@@ -1,14 +1,102 @@
 #include "cli/command_line.hpp"
 
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "core/base/error.hpp"
+#include "core/base/version.hpp"
+
 #include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
 
 namespace gaspard {
 
-int run_command_line(int argc, char** argv) {
+namespace {
+
+void add_settings(CLI::App& command, std::vector<std::string>& settings) {
+    command.add_option("--set", settings, "Set a value, such as monitor.amplitude=20 (repeatable)")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
+}
+
+void add_run(CLI::App& app, RunArguments& run) {
+    CLI::App* command = app.add_subcommand("run", "Solve without a window, write files, exit");
+    command->add_option("SCENARIO", run.scenario, "A built-in name or a .toml file")->required();
+    add_settings(*command, run.settings);
+    command->add_option("--out", run.out, "Where to write (default: ./gaspard-out/SCENARIO)")
+        ->type_name("DIR");
+    command->add_option("--formats", run.formats, "Mesh formats, separated by commas")->type_name("LIST");
+    command->add_option("--size", run.size, "Size of the picture in pixels")->type_name("WxH");
+    command->add_flag("--no-render", run.no_render, "Draw no picture");
+    command->add_option("--max-iterations", run.max_iterations, "Iterations at most")->type_name("N");
+    command->add_option("--tolerance", run.tolerance, "Converged when the residual is below")->type_name("T");
+    command->add_option("--start", run.start, "Go on from a state.bin")->type_name("FILE");
+    command->add_option("--threads", run.threads, "Threads at most; results do not depend on it")
+        ->type_name("N");
+    command->add_option("--seed", run.seed, "For scenarios with random numbers")->type_name("N");
+    command->add_flag("--quiet", run.quiet, "Print nothing but errors");
+}
+
+int dispatch(int argc, char** argv) {
     CLI::App app("Gaspard: watch a mesh adapt", "gaspard");
-    app.set_version_flag("--version", "gaspard 0.1.0");
-    CLI11_PARSE(app, argc, argv);
-    return 0;
+    app.set_version_flag("--version", "gaspard " + std::string(version()));
+    app.get_formatter()->column_width(34);
+    app.require_subcommand(0, 1);
+    app.footer("Without a command: opens the window on SCENARIO (default: plane-ring).");
+
+    std::string scenario = "plane-ring", what, id, out;
+    std::vector<std::string> settings, show_settings;
+    std::optional<std::string> size;
+    RunArguments run;
+    bool reproduce_without_picture = false;
+    std::string show_scenario;
+    app.add_option("SCENARIO", scenario, "A built-in name or a .toml file");
+    add_settings(app, settings);
+    app.add_option("--size", size, "Size of the window in pixels")->type_name("WxH");
+    add_run(app, run);
+    CLI::App* list = app.add_subcommand("list", "What there is, with parameters and ranges");
+    list->add_option("WHAT", what, "scenarios, domains, monitors, methods or formats (default: all)");
+    CLI::App* show = app.add_subcommand("show", "The complete scenario as TOML, every default filled in");
+    show->add_option("SCENARIO", show_scenario, "A built-in name or a .toml file")->required();
+    add_settings(*show, show_settings);
+    CLI::App* reproduce = app.add_subcommand("reproduce", "A published table or figure: ours beside theirs");
+    reproduce->add_option("ID", id, "Such as mcrae-fig2 (default: the list)");
+    reproduce->add_option("--out", out, "Where to write (default: ./gaspard-out/ID)")->type_name("DIR");
+    reproduce->add_flag("--no-render", reproduce_without_picture, "Draw no picture");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& wanted) { // --help, --version
+        return app.exit(wanted);
+    } catch (const CLI::ParseError& error) {
+        std::cerr << "gaspard: " << error.what() << "; see gaspard --help\n";
+        return exit_input;
+    }
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    if (app.got_subcommand("run")) return run_command(catalogue, run);
+    if (app.got_subcommand(list)) return list_command(*catalogue, what);
+    if (app.got_subcommand(show)) return show_command(*catalogue, show_scenario, show_settings);
+    if (app.got_subcommand(reproduce))
+        return reproduce_command(catalogue, id, out, !reproduce_without_picture);
+    return window_command(catalogue, scenario, settings, size);
+}
+
+} // namespace
+
+int run_command_line(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN); // a file-size limit is then an error of write, which has a sentence
+    try {
+        return dispatch(argc, argv);
+    } catch (const InputError& error) {
+        std::cerr << "gaspard: " << error.what() << "\n";
+        return exit_input;
+    } catch (const std::bad_alloc&) {
+        std::cerr << "gaspard: not enough memory\n";
+    } catch (const std::exception& error) {
+        std::cerr << "gaspard: " << error.what() << "\n";
+    }
+    return exit_fault;
 }
 
 } // namespace gaspard

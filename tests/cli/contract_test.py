@@ -34,6 +34,10 @@ class Contract(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.out, name)
 
+    def bytes(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
     def summary(self):
         with open(self.path("summary.json")) as file:
             return json.load(file)
@@ -92,16 +96,17 @@ class Runs(Contract):
     def test_the_same_input_gives_the_same_bytes(self):
         names = ["computational.obj", "adapted.obj", "adapted.glb", "state.bin", "view.png"]
         self.run_quick(render=True)
-        first = {name: open(self.path(name), "rb").read() for name in names}
+        first = {name: self.bytes(name) for name in names}
         self.run_quick("--threads", "2", render=True)
         for name in names:
-            self.assertEqual(first[name], open(self.path(name), "rb").read(), name)
+            self.assertEqual(first[name], self.bytes(name), name)
 
     def test_statuses_have_their_exit_codes(self):
         self.assertEqual(self.run_quick("--max-iterations", "3").returncode, 3)
         self.assertEqual(self.summary()["status"], "iteration-limit")
-        self.assertEqual(self.run_quick("--set", "method.step_size=5").returncode, 4)
-        self.assertIn(self.summary()["status"], ("diverged", "tangled"))
+        for step in ("0.8", "2", "5", "10"):
+            self.assertEqual(self.run_quick("--set", "method.step_size=" + step).returncode, 4)
+            self.assertIn(self.summary()["status"], ("diverged", "tangled"))
         self.assertEqual(self.run_quick("--tolerance", "1e-14", "--set", "domain.cells=32", "--set",
                                         "monitor.amplitude=2", "--set", "monitor.sharpness=20").returncode, 5)
         self.assertEqual(self.summary()["status"], "stalled")

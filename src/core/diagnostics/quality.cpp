@@ -14,12 +14,19 @@ namespace {
 
 constexpr std::size_t batch = 64; // cells whose quadrature points are handed to the monitor at once
 
+std::size_t checked(int threads) {
+    GASPARD_CHECK(threads >= 1);
+    return static_cast<std::size_t>(threads);
+}
+
+// Of two numbers; what is not a number wins, so that it does not get lost.
+double smaller(double a, double b) { return std::isnan(b) || b < a ? b : a; }
+double larger(double a, double b) { return std::isnan(b) || b > a ? b : a; }
+
 } // namespace
 
 QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int points)
-    : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)),
-      workers_(static_cast<std::size_t>(threads)) {
-    GASPARD_CHECK(threads >= 1);
+    : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)), workers_(checked(threads)) {
     for (const auto& [point, weight] : cell_quadrature(mesh_->kind.shape, points)) add_sample(point, weight);
     quadrature_points_ = samples_.size();
     for (const Vec3 node : reference_nodes(mesh_->kind)) add_sample(node, 0);
@@ -87,8 +94,8 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
             const Tangents reference = tangents(worker.reference_nodes, samples_[s]);
             const double physical = signed_measure(tangents(worker.nodes, samples_[s]), reference);
             const double jacobian = physical / signed_measure(reference, reference);
-            smallest = std::min(smallest, jacobian);
-            worker.max_jacobian = std::max(worker.max_jacobian, jacobian);
+            smallest = smaller(smallest, jacobian);
+            worker.max_jacobian = larger(worker.max_jacobian, jacobian);
             if (s >= quadrature_points_) continue;
             Vec3 point;
             for (std::size_t k = 0; k < worker.nodes.size(); ++k)
@@ -97,7 +104,7 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
             worker.factor[at++] = samples_[s].weight * physical;
         }
         quality_.cell_jacobian[i] = smallest;
-        worker.min_jacobian = std::min(worker.min_jacobian, smallest);
+        worker.min_jacobian = smaller(worker.min_jacobian, smallest);
         if (!(smallest > 0)) ++worker.tangled_cells;
     }
     worker.monitor.resize(at);
@@ -130,8 +137,8 @@ const MeshQuality& QualityMeter::measure(const Points& x, const Monitor& monitor
     quality_.max_jacobian = workers_.front().max_jacobian;
     quality_.tangled_cells = 0;
     for (const Worker& worker : workers_) {
-        quality_.min_jacobian = std::min(quality_.min_jacobian, worker.min_jacobian);
-        quality_.max_jacobian = std::max(quality_.max_jacobian, worker.max_jacobian);
+        quality_.min_jacobian = smaller(quality_.min_jacobian, worker.min_jacobian);
+        quality_.max_jacobian = larger(quality_.max_jacobian, worker.max_jacobian);
         quality_.tangled_cells += worker.tangled_cells;
     }
 

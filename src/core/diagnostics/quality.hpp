@@ -3,7 +3,7 @@
 //   M_i = (integral of m over physical cell i) / (measure of computational cell i)         McRae et al. (5.2)
 //   equidistribution = standard deviation of the M_i / mean of the M_i
 //   Jacobian = det dx/dxi of the map from computational to physical cell, at sampled points, corners included
-//   A cell is tangled if its Jacobian is <= 0 at any sampled point.
+//   A cell is tangled if its Jacobian is <= 0, or not a number, at any sampled point.
 #pragma once
 
 #include "core/mesh/mesh.hpp"

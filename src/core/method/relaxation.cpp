@@ -26,9 +26,9 @@ class Relaxation final : public Method {
     }
 
     std::optional<State> adopt(const State& other) override {
-        if (other.layout == layout(plane_->grid())) return other;
         if (other.arrays.size() != 1 || other.arrays[0].name != "phi") return std::nullopt;
         const auto& phi = other.arrays[0].values;
+        if (other.layout == layout(plane_->grid()) && phi.size() == plane_->unknowns()) return other;
         for (LineGrid from{4, plane_->grid().periodic}; from.size(2) * from.size(2) <= phi.size();
              ++from.cells)
             if (other.layout == layout(from) && from.size(2) * from.size(2) == phi.size())

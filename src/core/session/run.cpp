@@ -12,7 +12,9 @@ namespace gaspard {
 
 namespace {
 
-constexpr double divergence_factor = 1e3; // of the first residual, or of 1 where that is larger
+// Theta is the integral of m over the physical domain, which a map of the domain to itself keeps; the residual is
+// measured in units of theta.
+constexpr double divergence_factor = 1e3; // of the first theta; of the first residual, or of 1 where that is larger
 constexpr double worthwhile = 0.999; // a residual counts as better when it is below this part of the best
 constexpr int patience = 200;        // iterations without a better residual
 
@@ -112,12 +114,13 @@ void Run::record(const Evaluation& evaluation, int iteration, std::string note) 
 RunStatus Run::judge(const StepReport& report, std::string& note) {
     const Values& method = problem_.scenario.method.values;
     if (std::exchange(not_finite_, false)) return RunStatus::diverged;
-    if (std::isinf(first_residual_)) first_residual_ = report.residual;
+    if (std::isinf(first_residual_)) first_residual_ = report.residual, first_theta_ = report.theta;
     if (report.residual < worthwhile * best_residual_)
         best_residual_ = report.residual, best_iteration_ = report.iteration;
     if (report.residual < method.real("tolerance")) return RunStatus::converged;
-    if (report.residual > divergence_factor * std::max(1.0, first_residual_)) {
-        note = "the residual has grown a thousandfold; a smaller step may help";
+    if (report.residual > divergence_factor * std::max(1.0, first_residual_) || !(report.theta > 0) ||
+        report.theta > divergence_factor * first_theta_) {
+        note = "the iteration has left all bounds; a smaller step may help";
         return RunStatus::diverged;
     }
     if (report.iteration - judged_from_ >= method.integer("max_iterations"))

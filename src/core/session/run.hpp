@@ -68,7 +68,7 @@ class Run {
     bool measured_ = false; ///< the meter's last measurement is of the present iterate
     bool not_finite_ = false;
     // What the end is judged by; begins anew when values change.
-    double first_residual_ = 0, best_residual_ = 0;
+    double first_residual_ = 0, first_theta_ = 0, best_residual_ = 0;
     int judged_from_ = 0, best_iteration_ = 0;
     int epoch_ = 0;
     double setup_seconds_ = 0, seconds_ = 0, cpu_seconds_ = 0;

@@ -1,5 +1,6 @@
 #include "core/base/error.hpp"
 #include "core/monitor/radial.hpp"
+#include "support/built_in.hpp"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -176,9 +177,7 @@ TEST(SechMonitor, RefusesParametersThatAreNotFinite) {
 TEST(Monitors, RefuseRoomOfTheWrongSize) {
     std::vector<double> values(3);
     EXPECT_THROW(SechMonitor(ring, plain).values(Points(2), values), InternalError);
-    const MonitorType constant = constant_monitor();
-    EXPECT_THROW(constant.make(Values("monitor", constant.rows), plain)->values(Points(2), values),
-                 InternalError);
+    EXPECT_THROW(make_monitor("constant", plain)->values(Points(2), values), InternalError);
 }
 
 // Every parameter within its row's range: the ends, the default, and in between as the slider runs.
@@ -220,24 +219,21 @@ TEST(Monitors, ArePositiveForAllParametersInRange) {
 
 TEST(Monitors, TakeTheirParametersFromTheirRows) {
     const Points x = random_points(100, 0, 1, 6);
-    const auto expect_same = [&](const MonitorType& type, Values values, const Parameters& p) {
-        EXPECT_EQ(values_of(*type.make(values, torus), x), values_of(SechMonitor(p, torus), x)) << type.name;
+    const auto expect_same = [&](const std::string& name, const Settings& settings, const Parameters& p) {
+        EXPECT_EQ(values_of(*make_monitor(name, torus, settings), x), values_of(SechMonitor(p, torus), x));
     };
-    expect_same(ring_monitor(), Values("monitor", ring_monitor().rows), ring);
-    expect_same(bell_monitor(), Values("monitor", bell_monitor().rows), bell);
-    Values other("monitor", ring_monitor().rows);
-    for (const auto& [key, value] : {std::pair{"amplitude", 3.0},
-                                     {"sharpness", 20.0},
-                                     {"radius", 0.5},
-                                     {"center_x", 0.125},
-                                     {"center_y", 0.75}})
-        other.set(key, value);
-    expect_same(ring_monitor(), other, {3, 20, 0.25, {0.125, 0.75, 0}});
-    Values constant("monitor", constant_monitor().rows);
-    constant.set("value", 2.5);
-    EXPECT_EQ(values_of(*constant_monitor().make(constant, plain), x), std::vector<double>(100, 2.5));
+    expect_same("ring", {}, ring);
+    expect_same("bell", {}, bell);
+    expect_same(
+        "ring",
+        {{"amplitude", 3}, {"sharpness", 20}, {"radius", 0.5}, {"center_x", 0.125}, {"center_y", 0.75}},
+        {3, 20, 0.25, {0.125, 0.75, 0}});
+    expect_same("bell", {{"amplitude", 3}, {"sharpness", 20}, {"center_x", 0.125}, {"center_y", 0.75}},
+                {3, 20, 0, {0.125, 0.75, 0}});
+    const auto constant = make_monitor("constant", plain, {{"value", 2.5}});
+    EXPECT_EQ(values_of(*constant, x), std::vector<double>(100, 2.5));
     Points gradients(1);
-    constant_monitor().make(constant, plain)->gradients(x, gradients);
+    constant->gradients(x, gradients);
     EXPECT_EQ(gradients, Points(100));
 }
 

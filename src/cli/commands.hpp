@@ -1,0 +1,36 @@
+// The commands of the program, one function each. They throw InputError and MachineError and return the exit
+// code.
+#pragma once
+
+#include "core/scenario/catalogue.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gaspard {
+
+/// What the options of `run` say, unchecked.
+struct RunArguments {
+    std::string scenario;
+    std::vector<std::string> settings; ///< key=value
+    std::string out;                   ///< empty: ./gaspard-out/SCENARIO
+    std::optional<std::string> formats, size, start;
+    std::optional<long long> max_iterations, threads, seed;
+    std::optional<double> tolerance;
+    bool no_render = false, quiet = false;
+};
+
+int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& arguments);
+int list_command(const Catalogue& catalogue, const std::string& what);
+int show_command(const Catalogue& catalogue, const std::string& scenario,
+                 const std::vector<std::string>& settings);
+int reproduce_command(std::shared_ptr<const Catalogue> catalogue, const std::string& id,
+                      const std::string& out, bool render);
+int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string& scenario,
+                   const std::vector<std::string>& settings, const std::optional<std::string>& size);
+
+/// "1200x900" into view.width and view.height.
+void apply_size(Scenario& scenario, const std::string& size);
+
+} // namespace gaspard

@@ -1,0 +1,21 @@
+#include "cli/interrupt_watch.hpp"
+
+#include <csignal>
+#include <ctime>
+
+namespace gaspard {
+
+InterruptWatch::InterruptWatch() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    thread_ = std::jthread([signals, source = source_](std::stop_token stop) mutable {
+        const timespec interval{0, 50'000'000}; // how long the end of the program may wait for this thread
+        while (!stop.stop_requested())
+            if (sigtimedwait(&signals, nullptr, &interval) > 0) source.request_stop();
+    });
+}
+
+} // namespace gaspard

@@ -1,0 +1,96 @@
+#include "cli/commands.hpp"
+#include "core/base/error.hpp"
+#include "core/io/formats.hpp"
+#include "core/scenario/toml.hpp"
+
+#include <iostream>
+
+namespace gaspard {
+
+namespace {
+
+void print_rows(const Values& values) {
+    for (const auto& row : values.rows()) {
+        const std::string key = values.section() + "." + row.key;
+        std::cout << "    " << key << std::string(key.size() < 28 ? 28 - key.size() : 1, ' ')
+                  << format_value(row.default_value) << "  [" << describe_range(row) << "]"
+                  << (row.unit.empty() ? "" : " " + row.unit) << "  " << row.help << "\n";
+    }
+}
+
+void print_head(const std::string& name, const std::string& help) {
+    std::cout << "  " << name << std::string(name.size() < 14 ? 14 - name.size() : 1, ' ') << help << "\n";
+}
+
+void list_scenarios(const Catalogue& catalogue) {
+    std::cout << "Scenarios\n";
+    for (const auto& builtin : builtin_scenarios()) {
+        const std::string name(builtin.name);
+        print_head(name, find_scenario(catalogue, name).description);
+    }
+}
+
+void list_domains(const Catalogue& catalogue) {
+    std::cout << "Domains (domain.type)\n";
+    for (const auto& type : catalogue.domains) {
+        print_head(type.name, type.help);
+        print_rows(domain_section(catalogue, type.name).values);
+    }
+}
+
+void list_monitors(const Catalogue& catalogue) {
+    std::cout << "Monitors (monitor.type)\n";
+    for (const auto& type : catalogue.monitors) {
+        print_head(type.name, type.help + ": " + type.equation);
+        print_rows(monitor_section(catalogue, type.name).values);
+    }
+}
+
+void list_methods(const Catalogue& catalogue) {
+    std::cout << "Methods (method.type)\n";
+    for (const auto& type : catalogue.methods) {
+        print_head(type.name, type.help);
+        print_rows(method_section(catalogue, type.name).values);
+    }
+}
+
+void list_formats(const Catalogue&) {
+    std::cout << "Formats (--formats)\n";
+    for (const auto& format : formats()) print_head(format.name, format.help);
+}
+
+} // namespace
+
+int list_command(const Catalogue& catalogue, const std::string& what) {
+    using Lister = void (*)(const Catalogue&);
+    const std::vector<std::pair<std::string, Lister>> lists = {{"scenarios", list_scenarios},
+                                                               {"domains", list_domains},
+                                                               {"monitors", list_monitors},
+                                                               {"methods", list_methods},
+                                                               {"formats", list_formats}};
+    bool found = false;
+    for (const auto& [name, lister] : lists)
+        if (what.empty() || what == name) {
+            if (found) std::cout << "\n";
+            lister(catalogue);
+            found = true;
+        }
+    if (!found) {
+        std::vector<std::string> names;
+        for (const auto& list : lists) names.push_back(list.first);
+        throw InputError("there is no list '" + what + "'" + did_you_mean(what, names) +
+                         "; there are: scenarios, domains, monitors, methods, formats");
+    }
+    return 0;
+}
+
+int show_command(const Catalogue& catalogue, const std::string& name,
+                 const std::vector<std::string>& settings) {
+    Scenario scenario = find_scenario(catalogue, name);
+    apply_settings(catalogue, scenario, settings);
+    check(catalogue, scenario);
+    std::cout << to_toml(scenario);
+    return 0;
+}
+
+} // namespace gaspard

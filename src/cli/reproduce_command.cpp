@@ -1,0 +1,64 @@
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/interrupt_watch.hpp"
+#include "core/base/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/image.hpp"
+#include "core/published/published.hpp"
+#include "gui/picture.hpp"
+
+#include <cstdio>
+
+namespace gaspard {
+
+namespace {
+
+void print_table(const std::vector<PublishedRow>& rows) {
+    std::printf("%-22s %-22s %14s %12s  %s\n", "row", "quantity", "ours", "published", "note");
+    for (const auto& row : rows)
+        std::printf("%-22s %-22s %14.7g %12s  %s\n", row.row.c_str(), row.quantity.c_str(), row.ours,
+                    row.published ? format_number(*row.published).c_str() : "", row.note.c_str());
+}
+
+// Side by side, each panel 800 x 800.
+Image draw(const Figure& figure) {
+    std::vector<Panel> panels;
+    for (const auto& [title, content] : figure.panels) {
+        if (const auto* plot = std::get_if<Plot>(&content))
+            panels.emplace_back(*plot);
+        else
+            panels.emplace_back(
+                MeshPanel{title, std::get<std::shared_ptr<const Snapshot>>(content), "none", 1});
+    }
+    const auto columns = static_cast<int>(panels.size());
+    return render_panels(panels, columns, 800 * columns, 800);
+}
+
+} // namespace
+
+int reproduce_command(std::shared_ptr<const Catalogue> catalogue, const std::string& id,
+                      const std::string& out, bool render) {
+    if (id.empty()) {
+        for (const auto& recipe : recipes())
+            std::printf("%-14s %s\n", recipe.id.c_str(), recipe.title.c_str());
+        return 0;
+    }
+    const Recipe recipe = find_recipe(id);
+    const std::filesystem::path folder =
+        out.empty() ? std::filesystem::path("gaspard-out") / id : std::filesystem::path(out);
+    check_writable(folder);
+    const InterruptWatch interrupt;
+    try {
+        const auto announce = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
+        const Reproduction result = recipe.make(catalogue, announce, interrupt.token());
+        print_table(result.rows);
+        write_atomically(folder / (id + ".csv"), published_csv(result.rows));
+        if (result.figure && render) write_png(folder / (id + ".png"), draw(*result.figure));
+    } catch (const Interrupted&) {
+        return exit_code(RunStatus::interrupted);
+    }
+    std::printf("files in %s\n", folder.string().c_str());
+    return 0;
+}
+
+} // namespace gaspard

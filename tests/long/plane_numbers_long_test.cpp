@@ -1,0 +1,17 @@
+// The finest mesh of the independent implementation for McRae, Cotter, Budd, section 5.4.
+#include "core/method/plane_numbers.hpp"
+
+namespace gaspard {
+namespace {
+
+TEST(LongPlaneNumbers, RingAt240) {
+    Relaxing coarse = ring(120), fine = ring(240);
+    coarse.solve();
+    fine.solve();
+    expect_numbers(fine, {221, 3.387995e-3, 0.119638, 1.315732, 1.3156545392, ring_mass, 0.1358});
+    const double order = std::log2(coarse.quality().equidistribution / fine.quality().equidistribution);
+    EXPECT_NEAR(order, 1.82, 0.005); // towards 2
+}
+
+} // namespace
+} // namespace gaspard

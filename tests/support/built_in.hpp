@@ -1,0 +1,27 @@
+// Built-in monitors by name, as a scenario would choose them.
+#pragma once
+
+#include "core/monitor/monitor.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace gaspard {
+
+inline MonitorType monitor_type(const std::string& name) {
+    for (const MonitorType& type : monitor_types())
+        if (type.name == name) return type;
+    throw std::invalid_argument("no monitor " + name);
+}
+
+using Settings = std::vector<std::pair<std::string, double>>;
+
+inline std::shared_ptr<const Monitor> make_monitor(const std::string& name, Space space,
+                                                   const Settings& settings = {}) {
+    const MonitorType type = monitor_type(name);
+    Values values("monitor", type.rows);
+    for (const auto& [key, value] : settings) values.set(key, value);
+    return type.make(values, space);
+}
+
+} // namespace gaspard
