@@ -49,6 +49,7 @@ TEST(MeshPicture, ListsTangledCells) {
 
 TEST(MeshPicture, BoxHoldsBothMeshes) {
     Snapshot snapshot = ring_snapshot(4);
+    snapshot.x = snapshot.mesh->nodes;
     for (double& x : snapshot.x.x) x += 2;
     const Box box = PictureMaker().make(snapshot, "none", 1).box;
     EXPECT_EQ(box.low.x, 0);

@@ -33,8 +33,8 @@ TEST_P(Golden, LooksTheSameThroughEgl) {
     EXPECT_EQ(difference(GetParam().draw(OffscreenBackend::egl), golden(GetParam().name)), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(scenes()), [](const auto& info) {
-    std::string name = info.param.name;
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(scenes()), [](const auto& parameter) {
+    std::string name = parameter.param.name;
     std::erase(name, '-');
     return name;
 });
