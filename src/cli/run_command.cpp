@@ -9,7 +9,7 @@
 #include "core/io/state_file.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
-#include "core/session/stopwatch.hpp"
+#include "core/base/stopwatch.hpp"
 #include "gui/picture.hpp"
 
 #include <charconv>

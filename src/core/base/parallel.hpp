@@ -1,8 +1,11 @@
 // Work on independent items, shared by a few threads.
 #pragma once
 
+#include "core/base/stopwatch.hpp"
+
 #include <cstddef>
 #include <exception>
+#include <numeric>
 #include <thread>
 #include <vector>
 
@@ -10,16 +13,20 @@ namespace gaspard {
 
 /// Calls work(worker, begin, end) for `workers` ranges that together are 0 .. count, each on its own thread,
 /// the first on the caller's. Every worker is called, also with an empty range. The first exception is
-/// rethrown at the end.
+/// rethrown at the end. Returns the CPU seconds of the other threads, which the caller's own clock does not
+/// see.
 template <class Work>
-void parallel_ranges(std::size_t workers, std::size_t count, const Work& work) {
+double parallel_ranges(std::size_t workers, std::size_t count, const Work& work) {
     std::vector<std::exception_ptr> errors(workers);
+    std::vector<double> cpu_seconds(workers);
     const auto call = [&](std::size_t worker) {
+        const Stopwatch watch;
         try {
             work(worker, count * worker / workers, count * (worker + 1) / workers);
         } catch (...) {
             errors[worker] = std::current_exception();
         }
+        cpu_seconds[worker] = watch.cpu_seconds();
     };
     {
         std::vector<std::jthread> threads; // joined at the end of the block
@@ -28,6 +35,7 @@ void parallel_ranges(std::size_t workers, std::size_t count, const Work& work) {
     }
     for (const auto& error : errors)
         if (error) std::rethrow_exception(error);
+    return std::accumulate(cpu_seconds.begin() + 1, cpu_seconds.end(), 0.0);
 }
 
 } // namespace gaspard

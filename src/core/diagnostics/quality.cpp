@@ -130,9 +130,10 @@ void QualityMeter::measure_cells(std::size_t begin, std::size_t end, const Point
 const MeshQuality& QualityMeter::measure(const Points& x, const Monitor& monitor) {
     GASPARD_CHECK(x.size() == mesh_->node_count());
     const std::size_t cells = mesh_->cell_count();
-    parallel_ranges(workers_.size(), cells, [&](std::size_t worker, std::size_t begin, std::size_t end) {
+    const auto share = [&](std::size_t worker, std::size_t begin, std::size_t end) {
         measure_cells(begin, end, x, monitor, workers_[worker]);
-    });
+    };
+    other_cpu_seconds_ = parallel_ranges(workers_.size(), cells, share);
     quality_.min_jacobian = workers_.front().min_jacobian;
     quality_.max_jacobian = workers_.front().max_jacobian;
     quality_.tangled_cells = 0;
@@ -146,7 +147,7 @@ const MeshQuality& QualityMeter::measure(const Points& x, const Monitor& monitor
     for (const double mass : quality_.cell_mass) mean += mass / static_cast<double>(cells);
     for (const double mass : quality_.cell_mass)
         variance += (mass - mean) * (mass - mean) / static_cast<double>(cells);
-    quality_.equidistribution = std::sqrt(variance) / mean;
+    quality_.equidistribution = std::sqrt(variance) / std::abs(mean);
     return quality_;
 }
 

@@ -38,6 +38,8 @@ class QualityMeter {
     const MeshQuality& measure(const Points& x, const Monitor& monitor);
     /// What was measured last.
     const MeshQuality& quality() const { return quality_; }
+    /// CPU time of the last measurement on threads other than the caller's.
+    double other_cpu_seconds() const { return other_cpu_seconds_; }
 
   private:
     struct Sample { ///< a point of the reference cell, with the shape functions there
@@ -71,6 +73,7 @@ class QualityMeter {
     std::vector<double> cell_measure_;  ///< of the computational cells
     std::vector<Worker> workers_;
     MeshQuality quality_;
+    double other_cpu_seconds_ = 0;
 };
 
 } // namespace gaspard

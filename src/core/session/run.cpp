@@ -1,7 +1,7 @@
 #include "core/session/run.hpp"
 
 #include "core/base/check.hpp"
-#include "core/session/stopwatch.hpp"
+#include "core/base/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +78,7 @@ const StepReport& Run::step(std::stop_token stop) {
     if (!std::isfinite(evaluation.residual)) take_back(evaluation, note);
     record(evaluation, history_.back().iteration + 1, std::move(note));
     seconds_ += watch.seconds();
-    cpu_seconds_ += watch.cpu_seconds();
+    cpu_seconds_ += watch.cpu_seconds() + (measured_ ? meter_->other_cpu_seconds() : 0);
     history_.back().seconds = seconds_;
     history_.back().cpu_seconds = cpu_seconds_;
     return history_.back();

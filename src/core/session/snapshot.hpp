@@ -40,7 +40,7 @@ struct StepReport {
     std::optional<double> min_jacobian{}, max_jacobian{};
     std::optional<std::size_t> tangled_cells{};
     double seconds = 0;     ///< cumulative wall time of solving
-    double cpu_seconds = 0; ///< cumulative CPU time of the solving thread
+    double cpu_seconds = 0; ///< cumulative CPU time of all threads that solve
     RunStatus status = RunStatus::running;
     std::string note{}; ///< a sentence for people, where something is to be said
 };

@@ -56,7 +56,7 @@ Progress SolverThread::progress() {
 // Waits until there is something to do, unless the run is going.
 std::deque<Command> SolverThread::wait_for_commands(std::stop_token stop) {
     std::unique_lock lock(mutex_);
-    const bool busy = run_ && run_->status() == RunStatus::running && (running_ || step_once_);
+    const bool busy = run_ && run_->status() == RunStatus::running && running_;
     if (!busy) wake_.wait(lock, stop, [&] { return !commands_.empty(); });
     return std::exchange(commands_, {});
 }
@@ -70,10 +70,7 @@ void SolverThread::work(std::stop_token stop) {
                 execute(std::move(command), stop);
             }
             if (stop.stop_requested() || !run_) continue;
-            if (run_->status() == RunStatus::running && (running_ || step_once_)) {
-                run_->step(stop);
-                step_once_ = false;
-            }
+            if (running_ && run_->status() == RunStatus::running) run_->step(stop);
             publish(stop);
         }
     } catch (const Interrupted&) {
@@ -121,7 +118,10 @@ void SolverThread::execute(Command command, std::stop_token stop) {
         std::stop_token stop;
         void operator()(StartCommand&) { self.running_ = true; }
         void operator()(PauseCommand&) { self.running_ = false; }
-        void operator()(StepCommand&) { self.running_ = false, self.step_once_ = true; }
+        void operator()(StepCommand&) { // now, so that what is posted after it finds it done
+            self.running_ = false;
+            if (self.run_ && self.run_->status() == RunStatus::running) self.run_->step(stop);
+        }
         void operator()(ResetCommand&) {
             if (self.run_) self.run_->reset();
         }

@@ -87,7 +87,7 @@ class SolverThread {
     std::unique_ptr<Run> run_;  ///< touched by the solver thread only
     std::size_t published_ = 0; ///< rows of the run's history already in the queue
     int epoch_ = 0;             ///< of the history they belong to
-    bool running_ = false, step_once_ = false;
+    bool running_ = false;
 
     Latest<Snapshot> latest_;
     Channel<SolverEvent> reports_;

@@ -57,9 +57,11 @@ TEST_F(SolverThreadTest, StartsPausedStepsPausesAndGoesOn) {
     settle(thread);
     EXPECT_EQ(thread.drain().size(), 1u);
     thread.post(StepCommand{});
-    ASSERT_TRUE(eventually([&] { return thread.latest()->report.iteration == 1; }));
+    std::promise<int> iteration;
+    thread.post(InspectCommand{[&](gaspard::Run& run) { iteration.set_value(run.history().back().iteration); }});
+    EXPECT_EQ(iteration.get_future().get(), 1) << "commands take effect in their order";
     settle(thread);
-    EXPECT_EQ(thread.latest()->report.iteration, 1) << "one step only";
+    ASSERT_TRUE(eventually([&] { return thread.latest()->report.iteration == 1; }));
     thread.post(StartCommand{});
     ASSERT_TRUE(eventually([&] { return thread.latest()->report.iteration > 5; }));
     thread.post(PauseCommand{});
