@@ -10,14 +10,17 @@ noperspective in vec2 place;
 noperspective in float scalar;
 flat in float line_length;
 flat in float strength;
+flat in float softness;
 flat in vec3 tint;
 out vec4 colour;
 
 void main() {
     vec2 nearest = vec2(clamp(place.x, 0.0, line_length), 0.0);
     float away = distance(place, nearest);
-    float coverage = strength * clamp(half_width + 0.5 - away, 0.0, 1.0) * min(2.0 * half_width, 1.0);
-    if (away <= tint.x && place.y * tint.z >= 0.0) coverage = max(coverage, tint.y);
+    float rim = clamp((half_width + softness - away) / (2.0 * softness), 0.0, 1.0);
+    float coverage = strength * rim * min(2.0 * half_width, 1.0);
+    bool beside = place.x >= 0.0 && place.x <= line_length && place.y * tint.z >= 0.0;
+    if (beside && away <= tint.x) coverage = max(coverage, tint.y);
     if (flat_ink.a > 0.0) {
         colour = vec4(flat_ink.rgb, flat_ink.a * coverage);
         return;

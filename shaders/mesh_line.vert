@@ -16,6 +16,7 @@ noperspective out vec2 place; // in pixels from the first point: along the line,
 noperspective out float scalar;
 flat out float line_length;
 flat out float strength;
+flat out float softness; // half the width of the line's smooth rim: close lines are softer, so that none beat
 flat out vec3 tint; // half the width of the band it fills, its amount; at a border: on which side (1 or -1)
 
 vec4 row(sampler2D table, uint i) { return texelFetch(table, ivec2(int(i & 2047u), int(i >> 11)), 0); }
@@ -37,12 +38,14 @@ void main() {
     vec2 across = vec2(-along.y, along.x);
 
     strength = 1.0;
+    softness = 0.5;
     tint = vec3(0.0);
     if (ends.z != ends.x) {
         float first = dot(clip_point(ends.z).xy * half_viewport - from, across);
         float second = dot(clip_point(ends.w).xy * half_viewport - from, across);
         float spacing = min(abs(first), abs(second));
         strength = smoothstep(fade.x, fade.y, spacing);
+        softness = mix(0.8, 0.5, smoothstep(fade.y, 1.5 * fade.y, spacing));
         float amount = haze * (1.0 - strength) * min(1.0, 2.0 * half_width / max(spacing, 1e-3));
         tint = vec3(0.5 * min(spacing, fade.y) + 0.75, amount, ends.z == ends.w ? sign(first) : 0.0);
     }

@@ -1,4 +1,5 @@
-// An ImGui context with an owner. While it lives it is the current one; nothing is read from or left on disk.
+// An ImGui context with an owner. While it lives it is the current one, then the one before is again; nothing
+// is read from or left on disk.
 #pragma once
 
 #include <imgui.h>
@@ -7,18 +8,22 @@ namespace gaspard {
 
 class ImGuiSession {
   public:
-    ImGuiSession() : context_(ImGui::CreateContext()) {
+    ImGuiSession() : previous_(ImGui::GetCurrentContext()), context_(ImGui::CreateContext()) {
         ImGui::SetCurrentContext(context_);
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
         io.LogFilename = nullptr;
         io.ConfigInputTextCursorBlink = false; // a window that sleeps would stop it at "hidden"
     }
-    ~ImGuiSession() { ImGui::DestroyContext(context_); }
+    ~ImGuiSession() {
+        ImGui::DestroyContext(context_);
+        ImGui::SetCurrentContext(previous_);
+    }
     ImGuiSession(const ImGuiSession&) = delete;
     ImGuiSession& operator=(const ImGuiSession&) = delete;
 
   private:
+    ImGuiContext* previous_;
     ImGuiContext* context_;
 };
 

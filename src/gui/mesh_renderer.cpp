@@ -18,10 +18,12 @@ constexpr int computational_unit = 0, physical_unit = 1, colours_unit = 2, segme
 
 // In pixels at scale 1.
 constexpr float disc_width = 5, outline_width = 5;
-constexpr float fade_begin = 1.8F, fade_end = 6;
-// Where lines are too close to be drawn: a mesh without colours shows its density, one with colours keeps
-// those.
-constexpr float plain_haze = 0.5F, coloured_haze = 0.1F;
+// Lines closer than `begin` vanish, beyond `end` they are whole; `haze` is the even tint instead of vanished
+// ones. A mesh without colours has to show how dense it is by its lines, one with colours shows those.
+struct Fading {
+    float begin, end, haze;
+};
+constexpr Fading plain_fading{1.5F, 3.8F, 1}, coloured_fading{1.6F, 5.5F, 0.1F};
 constexpr float pull_pixels = 2;
 
 struct Rgba {
@@ -285,9 +287,10 @@ void MeshRenderer::draw(const MeshPicture& picture, const Camera& camera, PixelR
     const float fineness = std::max(1.0F, 0.7F * scale);
     LineStyle style;
     style.width = theme.line_width * fineness;
-    style.fade_begin = fade_begin * fineness;
-    style.fade_end = fade_end * fineness;
-    style.haze = picture.scalar == nullptr ? plain_haze : coloured_haze;
+    const Fading& fading = picture.scalar == nullptr ? plain_fading : coloured_fading;
+    style.fade_begin = fading.begin * fineness;
+    style.fade_end = fading.end * fineness;
+    style.haze = fading.haze;
     style.pull = frame.planar ? 0 : pull_pixels / frame.clip_to_pixels.z;
     style.surface = surface;
     style.flat_ink = nothing;

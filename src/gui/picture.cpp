@@ -1,39 +1,17 @@
 #include "gui/picture.hpp"
 
 #include "core/base/check.hpp"
+#include "gui/imgui_context.hpp"
 #include "gui/imgui_renderer.hpp"
 #include "gui/mesh_renderer.hpp"
 #include "gui/viewport.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace gaspard {
 
 namespace {
-
-/// An ImGui of its own, without input or settings; gives the caller's back.
-class ImGuiSession {
-  public:
-    ImGuiSession(int width, int height, const Theme& theme, float scale)
-        : previous_(ImGui::GetCurrentContext()), own_(ImGui::CreateContext()) {
-        ImGui::SetCurrentContext(own_);
-        ImGuiIO& io = ImGui::GetIO();
-        io.IniFilename = nullptr;
-        io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
-        load_font(*io.Fonts, theme, scale);
-        apply_theme(theme, scale);
-    }
-    ~ImGuiSession() {
-        ImGui::DestroyContext(own_);
-        ImGui::SetCurrentContext(previous_);
-    }
-    ImGuiSession(const ImGuiSession&) = delete;
-    ImGuiSession& operator=(const ImGuiSession&) = delete;
-
-  private:
-    ImGuiContext* previous_;
-    ImGuiContext* own_;
-};
 
 /// Text grows with the picture, but stays readable in a small one.
 float picture_scale(int width, int height) {
@@ -47,10 +25,14 @@ class Canvas {
     Canvas(int width, int height, float scale, const PictureOptions& options)
         : theme_(options.light ? light_theme() : dark_theme()), scale_(scale),
           context_(make_offscreen_context(options.backend)), target_(context_->gl(), width, height),
-          session_(width, height, theme_, scale), text_renderer_(context_->gl()),
           mesh_renderer_(context_->gl()) {
-        target_.bind();
+        ImGuiIO& io = ImGui::GetIO();
+        io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+        load_font(*io.Fonts, theme_, scale);
+        apply_theme(theme_, scale);
+        text_renderer_.emplace(context_->gl());
         ImGui::NewFrame();
+        target_.bind();
         const Gl& gl = context_->gl();
         gl.ClearColor(theme_.background.r, theme_.background.g, theme_.background.b, 1);
         gl.Clear(GL_COLOR_BUFFER_BIT);
@@ -74,7 +56,7 @@ class Canvas {
 
     Image finish() {
         ImGui::Render();
-        text_renderer_.draw(*ImGui::GetDrawData());
+        text_renderer_->draw(*ImGui::GetDrawData());
         return target_.read();
     }
 
@@ -89,7 +71,7 @@ class Canvas {
     std::unique_ptr<OffscreenContext> context_;
     RenderTarget target_;
     ImGuiSession session_;
-    ImGuiRenderer text_renderer_;
+    std::optional<ImGuiRenderer> text_renderer_; ///< once the font is there
     MeshRenderer mesh_renderer_;
 };
 

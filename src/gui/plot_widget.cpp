@@ -24,7 +24,7 @@ double on_axis(const Axis& axis, double value) {
 struct Mapping {
     const Plot& plot;
     ScreenRect area;
-    AxisRange x = axis_range(plot.x, plot, false), y = axis_range(plot.y, plot, true);
+    AxisRange x, y;
 
     float pixel_x(double value) const {
         return area.min.x +
@@ -42,13 +42,15 @@ struct Mapping {
 };
 
 std::vector<Tick> axis_ticks(const Axis& axis, AxisRange range, int count) {
-    if (axis.logarithmic) return log_ticks(std::pow(10.0, range.low), std::pow(10.0, range.high), count);
+    const auto value = [](double exponent) { return std::pow(10.0, std::clamp(exponent, -307.0, 308.0)); };
+    if (axis.logarithmic) return log_ticks(value(range.low), value(range.high), count);
     return linear_ticks(range.low, range.high, count);
 }
 
 /// Ticks of both axes and what their labels need.
 struct Frame {
     std::vector<Tick> x, y;
+    AxisRange x_range, y_range;
     ScreenRect area; ///< of the curves
 };
 
@@ -67,11 +69,12 @@ Frame make_frame(const Plot& plot, ScreenRect rect, float scale) {
     frame.area.min.y += line / 2; // half of the uppermost label
     frame.area.max.y -= line + gap;
     if (!plot.x.label.empty()) frame.area.max.y -= line + gap / 2;
-    const AxisRange x = axis_range(plot.x, plot, false), y = axis_range(plot.y, plot, true);
+    frame.x_range = axis_range(plot.x, plot, false);
+    frame.y_range = axis_range(plot.y, plot, true);
     const float spacing = plot.y.logarithmic ? 2.0F : 2.6F; // in lines of text
-    frame.y = axis_ticks(plot.y, y, static_cast<int>(frame.area.height() / (spacing * line)));
+    frame.y = axis_ticks(plot.y, frame.y_range, static_cast<int>(frame.area.height() / (spacing * line)));
     frame.area.min.x += label_width(frame.y) + gap;
-    frame.x = axis_ticks(plot.x, x, static_cast<int>(frame.area.width() / (5 * line)));
+    frame.x = axis_ticks(plot.x, frame.x_range, static_cast<int>(frame.area.width() / (5 * line)));
     const float last_label = frame.x.empty() ? 0 : ImGui::CalcTextSize(frame.x.back().label.c_str()).x;
     frame.area.max.x -= std::max(last_label / 2, gap);
     return frame;
@@ -80,11 +83,16 @@ Frame make_frame(const Plot& plot, ScreenRect rect, float scale) {
 void draw_frame(ImDrawList& list, const Frame& frame, const Mapping& map, const Theme& theme, float scale) {
     const ScreenRect& area = frame.area;
     const float gap = 5 * scale, thin = std::max(1.0F, std::round(scale));
-    const auto grid = [&](bool major) { return packed(theme.grid, major ? 1.0F : 0.45F); };
+    const auto grid = [&](bool major) { return packed(theme.grid, major ? 1.0F : 0.4F); };
+    // Minor lines help only where decades are wide.
+    const auto shown = [&](const Tick& tick, AxisRange range, float length) {
+        return tick.major || length / static_cast<float>(range.high - range.low) > 45 * scale;
+    };
     list.AddRectFilled(area.min, area.max, packed(theme.frame, 0.45F));
     for (const Tick& tick : frame.x) {
         const float x = std::round(map.pixel_x(tick.value));
         if (!(x >= area.min.x - 1 && x <= area.max.x + 1)) continue;
+        if (!shown(tick, map.x, area.width())) continue;
         list.AddRectFilled({x, area.min.y}, {x + thin, area.max.y}, grid(tick.major));
         const float width = ImGui::CalcTextSize(tick.label.c_str()).x;
         list.AddText({x - width / 2, area.max.y + gap}, packed(theme.faint_text), tick.label.c_str());
@@ -92,6 +100,7 @@ void draw_frame(ImDrawList& list, const Frame& frame, const Mapping& map, const 
     for (const Tick& tick : frame.y) {
         const float y = std::round(map.pixel_y(tick.value));
         if (!(y >= area.min.y - 1 && y <= area.max.y + 1)) continue;
+        if (!shown(tick, map.y, area.height())) continue;
         list.AddRectFilled({area.min.x, y}, {area.max.x, y + thin}, grid(tick.major));
         const ImVec2 size = ImGui::CalcTextSize(tick.label.c_str());
         list.AddText({area.min.x - gap - size.x, y - size.y / 2}, packed(theme.faint_text),
@@ -187,6 +196,21 @@ void draw_legend(ImDrawList& list, const Plot& plot, const Frame& frame, const T
     }
 }
 
+std::optional<NearestPoint> nearest(const Mapping& map, ImVec2 position, float reach) {
+    std::optional<NearestPoint> found;
+    float best = reach;
+    for (std::size_t c = 0; c < map.plot.curves.size(); ++c)
+        for (std::size_t i = 0; i < map.plot.curves[c].x.size(); ++i) {
+            ImVec2 pixel;
+            if (!map.point(map.plot.curves[c], i, pixel)) continue;
+            const float distance = std::hypot(pixel.x - position.x, pixel.y - position.y);
+            if (distance > best) continue;
+            best = distance;
+            found = NearestPoint{c, i};
+        }
+    return found;
+}
+
 /// The nearest point's values in a box beside it.
 void draw_read_out(ImDrawList& list, const Plot& plot, const Mapping& map, NearestPoint which,
                    const Theme& theme, float scale) {
@@ -239,26 +263,15 @@ AxisRange axis_range(const Axis& axis, const Plot& plot, bool vertical) {
 }
 
 std::optional<NearestPoint> nearest_point(const Plot& plot, ScreenRect area, ImVec2 position, float reach) {
-    const Mapping map{plot, area};
-    std::optional<NearestPoint> nearest;
-    float best = reach;
-    for (std::size_t c = 0; c < plot.curves.size(); ++c)
-        for (std::size_t i = 0; i < plot.curves[c].x.size(); ++i) {
-            ImVec2 pixel;
-            if (!map.point(plot.curves[c], i, pixel)) continue;
-            const float distance = std::hypot(pixel.x - position.x, pixel.y - position.y);
-            if (distance > best) continue;
-            best = distance;
-            nearest = NearestPoint{c, i};
-        }
-    return nearest;
+    return nearest({plot, area, axis_range(plot.x, plot, false), axis_range(plot.y, plot, true)}, position,
+                   reach);
 }
 
 void draw_plot(ImDrawList& list, const Plot& plot, ScreenRect rect, const Theme& theme, float scale,
                const ImVec2* pointer) {
     const Frame frame = make_frame(plot, rect, scale);
     if (frame.area.width() < 8 || frame.area.height() < 8) return; // no room for anything
-    const Mapping map{plot, frame.area};
+    const Mapping map{plot, frame.area, frame.x_range, frame.y_range};
     draw_frame(list, frame, map, theme, scale);
     draw_labels(list, plot, frame, rect, theme, scale);
     list.PushClipRect({frame.area.min.x - 4 * scale, frame.area.min.y - 4 * scale},
@@ -267,7 +280,7 @@ void draw_plot(ImDrawList& list, const Plot& plot, ScreenRect rect, const Theme&
     list.PopClipRect();
     draw_legend(list, plot, frame, theme, scale);
     if (pointer == nullptr) return;
-    if (const auto which = nearest_point(plot, frame.area, *pointer, 40 * scale))
+    if (const auto which = nearest(map, *pointer, 40 * scale))
         draw_read_out(list, plot, map, *which, theme, scale);
 }
 

@@ -59,7 +59,7 @@ std::string short_number(double value, int digits) {
     } else {
         text.resize(e);
         strip_zeros(text);
-        text += "×" + power_of_ten(exponent);
+        text = (text == "1" ? "" : text == "-1" ? "-" : text + "×") + power_of_ten(exponent);
     }
     if (text.front() == '-') text.replace(0, 1, "−");
     return text;
@@ -74,7 +74,7 @@ std::vector<Tick> linear_ticks(double low, double high, int count) {
     const double power = std::pow(10.0, std::floor(std::log10(raw)));
     double step = 10 * power;
     for (const double multiple : {1.0, 2.0, 5.0})
-        if (multiple * power >= raw * (1 - 1e-9)) {
+        if (multiple * power >= 0.75 * raw) {
             step = multiple * power;
             break;
         }
@@ -104,7 +104,7 @@ std::vector<Tick> log_ticks(double low, double high, int count) {
         // Counted from 10^0, so that the labels stay where they are while the axis grows.
         if (exponent >= first && exponent % stride == 0)
             ticks.push_back({decade, power_of_ten(exponent), true});
-        if (exponent >= first && exponent % stride != 0) ticks.push_back({decade, "", false});
+        if (exponent >= first && exponent % stride != 0) ticks.push_back({decade, "", true});
         for (int k = 2; k < 10 && stride == 1; ++k)
             if (k * decade >= low && k * decade <= high) ticks.push_back({k * decade, "", false});
     }

@@ -8,7 +8,7 @@ namespace gaspard {
 
 struct Tick {
     double value = 0;
-    std::string label; ///< empty for minor ticks
+    std::string label; ///< empty where there is no room for one, and for minor ticks
     bool major = true;
 };
 

@@ -1,0 +1,179 @@
+#include "core/tessellate/tessellation.hpp"
+#include "support/small_meshes.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <set>
+
+namespace gaspard {
+namespace {
+
+double area(const Points& p, const Tessellation& t) {
+    double sum = 0;
+    for (std::size_t i = 0; i < t.triangles.size(); i += 3)
+        sum += norm(cross(p[t.triangles[i + 1]] - p[t.triangles[i]],
+                          p[t.triangles[i + 2]] - p[t.triangles[i]])) /
+               2;
+    return sum;
+}
+
+double length(const Points& p, const Tessellation& t) {
+    double sum = 0;
+    for (std::size_t i = 0; i < t.segments.size(); i += 2)
+        sum += norm(p[t.segments[i + 1]] - p[t.segments[i]]);
+    return sum;
+}
+
+std::set<std::pair<std::uint32_t, std::uint32_t>> distinct_segments(const Tessellation& t) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> found;
+    for (std::size_t i = 0; i < t.segments.size(); i += 2)
+        found.insert(std::minmax({t.segments[i], t.segments[i + 1]}));
+    return found;
+}
+
+TEST(Tessellation, OfStraightSquaresUsesTheNodesThemselves) {
+    const Mesh mesh = unit_square_mesh(5);
+    const Tessellation t = tessellate(mesh);
+    EXPECT_EQ(t.point_count, mesh.node_count());
+    EXPECT_TRUE(t.starts.empty());
+    EXPECT_EQ(t.triangles.size(), 3U * 2 * 25);
+    EXPECT_EQ(shown_points(t, mesh.nodes), mesh.nodes);
+    EXPECT_NEAR(area(mesh.nodes, t), 1, 1e-14);
+}
+
+TEST(Tessellation, TrianglesTurnLikeTheirCellsAndKnowThem) {
+    const Mesh mesh = unit_square_mesh(3);
+    const Tessellation t = tessellate(mesh);
+    for (std::size_t i = 0; i < t.triangle_cells.size(); ++i) {
+        const Vec3 a = mesh.nodes[t.triangles[3 * i]], b = mesh.nodes[t.triangles[3 * i + 1]],
+                   c = mesh.nodes[t.triangles[3 * i + 2]];
+        EXPECT_GT(cross(b - a, c - a).z, 0);
+        const Vec3 middle = (1.0 / 3) * (a + b + c);
+        const auto column = static_cast<std::uint32_t>(3 * middle.x),
+                   row = static_cast<std::uint32_t>(3 * middle.y);
+        EXPECT_EQ(t.triangle_cells[i], 3 * row + column);
+    }
+}
+
+TEST(Tessellation, DrawsEverySharedEdgeOnce) {
+    const Tessellation t = tessellate(unit_square_mesh(4));
+    EXPECT_EQ(t.segments.size(), 2U * 2 * 4 * 5);
+    EXPECT_EQ(distinct_segments(t).size(), 40U);
+    EXPECT_NEAR(length(unit_square_mesh(4).nodes, t), 10, 1e-13);
+}
+
+TEST(Tessellation, KnowsWhatLiesBesideALine) {
+    const Mesh mesh = unit_square_mesh(4);
+    const Tessellation t = tessellate(mesh);
+    ASSERT_EQ(t.segment_sides.size(), t.segments.size());
+    std::size_t borders = 0;
+    for (std::size_t i = 0; i < t.segments.size(); i += 2) {
+        const Vec3 a = mesh.nodes[t.segments[i]], along = mesh.nodes[t.segments[i + 1]] - a;
+        const auto distance = [&](std::uint32_t p) {
+            return cross(along, mesh.nodes[p] - a).z / norm(along);
+        };
+        const double first = distance(t.segment_sides[i]), second = distance(t.segment_sides[i + 1]);
+        EXPECT_NEAR(std::abs(first), 0.25, 1e-14);
+        if (t.segment_sides[i] == t.segment_sides[i + 1])
+            ++borders;
+        else
+            EXPECT_NEAR(second, -first, 1e-14); // at the other side
+    }
+    EXPECT_EQ(borders, 16U);
+}
+
+TEST(Tessellation, OfTrianglesFillsThem) {
+    const Mesh mesh = two_triangles();
+    const Tessellation t = tessellate(mesh);
+    EXPECT_EQ(t.triangles, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+    EXPECT_EQ(distinct_segments(t).size(), 5U);
+}
+
+TEST(Tessellation, CutsACurvedSquareIntoPointsOfItsSurface) {
+    Mesh mesh = curved_square();
+    const Tessellation t = tessellate(mesh, 8);
+    EXPECT_EQ(t.point_count, 81U);
+    EXPECT_EQ(t.triangles.size(), 3U * 128);
+    EXPECT_EQ(t.segments.size(), 2U * 32);
+    // Fields given by quadratic polynomials are shown exactly.
+    std::vector<double> square(mesh.node_count());
+    for (std::size_t i = 0; i < square.size(); ++i)
+        square[i] = mesh.nodes.x[i] * mesh.nodes.x[i] - mesh.nodes.x[i] * mesh.nodes.y[i];
+    const Points points = shown_points(t, mesh.nodes);
+    const std::vector<double> shown = shown_values(t, square);
+    for (std::size_t p = 0; p < t.point_count; ++p)
+        EXPECT_NEAR(shown[p], points.x[p] * points.x[p] - points.x[p] * points.y[p], 1e-14);
+}
+
+TEST(Tessellation, WeightsOfEveryPointSumToOne) {
+    const Tessellation t = tessellate(curved_square(), 5);
+    for (std::size_t p = 0; p < t.point_count; ++p)
+        EXPECT_NEAR(
+            std::accumulate(t.weights.begin() + t.starts[p], t.weights.begin() + t.starts[p + 1], 0.0), 1,
+            1e-14);
+}
+
+/// A disk of four curved triangles around the origin; middles of the outer edges on the circle.
+Mesh curved_disk() {
+    Mesh mesh;
+    mesh.kind = {CellShape::triangle, 2};
+    mesh.nodes = Points(13);
+    const double pi = std::acos(-1.0);
+    const auto polar = [](double r, double angle) {
+        return Vec3{r * std::cos(angle), r * std::sin(angle), 0};
+    };
+    for (std::size_t q = 0; q < 4; ++q) {
+        const double angle = pi / 2 * static_cast<double>(q);
+        mesh.nodes.set(1 + q, polar(1, angle));
+        mesh.nodes.set(5 + q, polar(0.5, angle));
+        mesh.nodes.set(9 + q, polar(1, angle + pi / 4));
+        const int a = static_cast<int>(q), b = (a + 1) % 4;
+        for (const int node : {0, 1 + a, 1 + b, 5 + a, 9 + a, 5 + b}) mesh.cells.push_back(node);
+    }
+    return mesh;
+}
+
+TEST(Tessellation, CurvedTrianglesMeetWithoutGapsAndFollowTheCircle) {
+    const Mesh mesh = curved_disk();
+    const Tessellation t = tessellate(mesh, 8);
+    EXPECT_EQ(t.point_count,
+              1U + 4 * 8 + 4 * 28); // centre, inner spokes' and outer points, and those between
+    const Points points = shown_points(t, mesh.nodes);
+    // The outer edges are parabolas through the circle's points.
+    const double chord = std::sqrt(2.0), height = 1 - std::sqrt(0.5);
+    const double root = std::sqrt(chord * chord + 16 * height * height);
+    const double arc = root / 2 + chord * chord / (8 * height) * std::log((4 * height + root) / chord);
+    EXPECT_NEAR(area(points, t), 4 * (0.5 + chord * height * 2 / 3), 0.02);
+    EXPECT_EQ(t.segments.size(), 2U * 8 * 8);
+    EXPECT_NEAR(length(points, t), 4 + 4 * arc, 0.02);
+}
+
+TEST(Tessellation, OfSolidsShowsTheBoundaryOnly) {
+    const Mesh mesh = two_cubes();
+    const Tessellation t = tessellate(mesh);
+    EXPECT_EQ(t.triangles.size(), 3U * 2 * 10); // 12 faces but for the two that touch
+    EXPECT_NEAR(area(mesh.nodes, t), 10, 1e-14);
+    EXPECT_EQ(distinct_segments(t).size(), 20U);
+    EXPECT_EQ(t.segments.size(), 40U);
+}
+
+TEST(Tessellation, OfLinesDrawsThemAndNothingElse) {
+    const Mesh mesh = three_lines();
+    const Tessellation t = tessellate(mesh);
+    EXPECT_TRUE(t.triangles.empty());
+    EXPECT_EQ(t.segments, (std::vector<std::uint32_t>{0, 2, 2, 3, 3, 1}));
+    EXPECT_EQ(t.segment_sides, (std::vector<std::uint32_t>{0, 0, 2, 2, 3, 3})); // nothing beside
+}
+
+TEST(Tessellation, FollowsMovedNodes) {
+    const Mesh mesh = curved_square();
+    const Tessellation t = tessellate(mesh, 4);
+    Points lifted = mesh.nodes;
+    for (double& z : lifted.z) z += 3;
+    const Points before = shown_points(t, mesh.nodes), after = shown_points(t, lifted);
+    for (std::size_t p = 0; p < t.point_count; ++p) EXPECT_NEAR(after.z[p], before.z[p] + 3, 1e-13);
+}
+
+} // namespace
+} // namespace gaspard

@@ -1,0 +1,171 @@
+#include "gui/camera.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace gaspard {
+namespace {
+
+constexpr Size size{800, 600};
+const Box unit_square{{0, 0, 0}, {1, 1, 0}};
+const Box unit_cube{{0, 0, 0}, {1, 1, 1}};
+
+void expect_near(Vec3 a, Vec3 b, double tolerance) {
+    EXPECT_NEAR(a.x, b.x, tolerance);
+    EXPECT_NEAR(a.y, b.y, tolerance);
+    EXPECT_NEAR(a.z, b.z, tolerance);
+}
+
+/// Pixels of the box's corners: leftmost, topmost, rightmost, bottommost.
+struct Extent {
+    double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300;
+};
+Extent extent(const Camera& camera, const Box& box) {
+    Extent e;
+    for (const double x : {box.low.x, box.high.x})
+        for (const double y : {box.low.y, box.high.y})
+            for (const double z : {box.low.z, box.high.z}) {
+                const Pixel p = to_pixel(camera, size, {x, y, z});
+                e.left = std::min(e.left, p.x), e.right = std::max(e.right, p.x);
+                e.top = std::min(e.top, p.y), e.bottom = std::max(e.bottom, p.y);
+            }
+    return e;
+}
+
+TEST(Camera, HomeCentresTheBoxAndFillsTheSmallerSide) {
+    const Extent e = extent(planar_home(unit_square, size), unit_square);
+    EXPECT_NEAR((e.left + e.right) / 2, 400, 1e-9);
+    EXPECT_NEAR((e.top + e.bottom) / 2, 300, 1e-9);
+    EXPECT_NEAR(e.right - e.left, e.bottom - e.top, 1e-9);
+    EXPECT_NEAR(e.bottom - e.top, 600 * 0.92, 1e-9);
+}
+
+TEST(Camera, HomeKeepsClearOfInsets) {
+    const Insets insets{.left = 10, .top = 50, .right = 200, .bottom = 30};
+    for (const Box& box : {unit_square, unit_cube}) {
+        const Extent e = extent(home(box, size, insets), box);
+        EXPECT_GT(e.left, 10);
+        EXPECT_LT(e.right, 600);
+        EXPECT_GT(e.top, 50);
+        EXPECT_LT(e.bottom, 570);
+        EXPECT_NEAR((e.left + e.right) / 2, (10 + 600) / 2.0, 1e-9);
+        EXPECT_NEAR((e.top + e.bottom) / 2, (50 + 570) / 2.0, 1e-9);
+    }
+}
+
+TEST(Camera, HomeOfAPointOrALineIsUsable) {
+    for (const Box& box : {Box{}, Box{{2, 2, 0}, {2, 2, 0}}, Box{{0, 0, 0}, {1, 0, 0}}}) {
+        const Camera camera = home(box, size);
+        EXPECT_GT(camera.scale, 0);
+        EXPECT_TRUE(std::isfinite(camera.scale));
+    }
+    EXPECT_NEAR(home({{0, 0, 0}, {1, 0, 0}}, size).scale * 800 * 0.92, 1, 1e-12);
+}
+
+TEST(Camera, PlanarPicturesHaveXToTheRightAndYUp) {
+    const Camera camera = planar_home(unit_square, size);
+    const Pixel origin = to_pixel(camera, size, {0, 0, 0});
+    EXPECT_GT(to_pixel(camera, size, {1, 0, 0}).x, origin.x);
+    EXPECT_LT(to_pixel(camera, size, {0, 1, 0}).y, origin.y);
+}
+
+TEST(Camera, SpatialPicturesHaveZUpAndOrthonormalAxes) {
+    const Camera camera = home(unit_cube, size);
+    EXPECT_LT(to_pixel(camera, size, {0, 0, 1}).y, to_pixel(camera, size, {0, 0, 0}).y);
+    EXPECT_NEAR(norm(camera.right), 1, 1e-15);
+    EXPECT_NEAR(norm(camera.up), 1, 1e-15);
+    EXPECT_NEAR(dot(camera.right, camera.up), 0, 1e-15);
+    EXPECT_GT(cross(camera.right, camera.up).z, 0) << "seen from above";
+}
+
+TEST(Camera, PixelsAndPointsGoThereAndBack) {
+    for (const Box& box : {unit_square, unit_cube}) {
+        Camera camera = home(box, size, {.right = 90});
+        pan(camera, {13, -57});
+        zoom(camera, size, {100, 200}, 3.7, box);
+        for (const Pixel pixel : {Pixel{0, 0}, Pixel{799, 3}, Pixel{123.25, 456.5}}) {
+            const Pixel back = to_pixel(camera, size, to_world(camera, size, pixel));
+            EXPECT_NEAR(back.x, pixel.x, 1e-9);
+            EXPECT_NEAR(back.y, pixel.y, 1e-9);
+        }
+    }
+}
+
+TEST(Camera, PanMovesTheWorldWithThePointer) {
+    Camera camera = home(unit_cube, size);
+    const Vec3 point{0.2, 0.7, 0.4};
+    const Pixel before = to_pixel(camera, size, point);
+    pan(camera, {31, -12});
+    const Pixel after = to_pixel(camera, size, point);
+    EXPECT_NEAR(after.x - before.x, 31, 1e-9);
+    EXPECT_NEAR(after.y - before.y, -12, 1e-9);
+}
+
+TEST(Camera, ZoomKeepsThePointUnderThePointer) {
+    for (const double factor : {1.1, 0.9, 25.0, 1 / 25.0}) {
+        Camera camera = planar_home(unit_square, size);
+        const double before = camera.scale;
+        const Pixel pointer{650, 80};
+        const Vec3 under = to_world(camera, size, pointer);
+        zoom(camera, size, pointer, factor, unit_square);
+        expect_near(to_world(camera, size, pointer), under, 1e-12);
+        EXPECT_EQ(camera.scale<before, factor> 1);
+    }
+}
+
+TEST(Camera, ZoomStopsWhereDoublePrecisionDoes) {
+    Camera camera = planar_home(unit_square, size);
+    for (int i = 0; i < 1000; ++i) zoom(camera, size, {10, 10}, 1.5, unit_square);
+    EXPECT_GT(camera.scale, 1e-14);
+    for (int i = 0; i < 1000; ++i) zoom(camera, size, {10, 10}, 1 / 1.5, unit_square);
+    EXPECT_LT(camera.scale, 1e3);
+    EXPECT_TRUE(std::isfinite(camera.centre.x));
+}
+
+TEST(Camera, ClipCoordinatesAgreeWithPixels) {
+    for (const Box& box : {unit_square, unit_cube}) {
+        Camera camera = home(box, size);
+        pan(camera, {40, 9});
+        const Vec3 origin = box.centre(), point{0.9, 0.3, box.high.z};
+        const Vec3 local = point - origin;
+        const glm::vec4 clip = clip_matrix(camera, size, origin, 2) *
+                               glm::vec4(static_cast<float>(local.x), static_cast<float>(local.y),
+                                         static_cast<float>(local.z), 1.0F);
+        const Pixel pixel = to_pixel(camera, size, point);
+        EXPECT_NEAR(static_cast<double>(clip.x), 2 * pixel.x / size.width - 1, 1e-6);
+        EXPECT_NEAR(static_cast<double>(clip.y), 1 - 2 * pixel.y / size.height, 1e-6);
+        EXPECT_LT(std::abs(clip.z), 1);
+        EXPECT_EQ(clip.w, 1);
+    }
+}
+
+TEST(Camera, NearerPointsHaveSmallerDepth) {
+    const Camera camera = home(unit_cube, size);
+    const glm::mat4 clip = clip_matrix(camera, size, {0, 0, 0}, 2);
+    const float top = (clip * glm::vec4(0.5F, 0.5F, 1.0F, 1.0F)).z;
+    const float bottom = (clip * glm::vec4(0.5F, 0.5F, 0.0F, 1.0F)).z;
+    EXPECT_LT(top, bottom) << "seen from above";
+}
+
+TEST(Camera, FarFromTheOriginDigitsSurvive) {
+    const Box far{{1e8, 1e8, 0}, {1e8 + 1, 1e8 + 1, 0}};
+    const Camera camera = planar_home(far, size);
+    const Vec3 origin = far.centre(), corner = far.high;
+    const Vec3 local = corner - origin;
+    const glm::vec4 clip = clip_matrix(camera, size, origin, 1) *
+                           glm::vec4(static_cast<float>(local.x), static_cast<float>(local.y), 0.0F, 1.0F);
+    EXPECT_NEAR(static_cast<double>(clip.y), 0.92, 1e-5);
+}
+
+TEST(BoundingBox, LeavesOutWhatIsNotFinite) {
+    Points points(3);
+    points.set(0, {1, 2, 3});
+    points.set(1, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
+    points.set(2, {-1, 5, 3});
+    EXPECT_EQ(bounding_box(points), (Box{{-1, 2, 3}, {1, 5, 3}}));
+    EXPECT_EQ(bounding_box(Points{}), Box{});
+}
+
+} // namespace
+} // namespace gaspard

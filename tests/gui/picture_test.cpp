@@ -1,0 +1,146 @@
+// Pictures compared with stored ones, and wrong pictures that must be found different.
+#include "core/scenario/view_rows.hpp"
+#include "gui/picture.hpp"
+#include "scenes.hpp"
+#include "similarity.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+Image golden(const std::string& name) {
+    return read_image(std::filesystem::path(GASPARD_SOURCE_DIR) / "tests/goldens" / (name + ".png"));
+}
+
+Image ring(const Snapshot& snapshot, const char* colour = "monitor", double blend = 1) {
+    Values view("view", view_rows());
+    view.set("color", std::string(colour));
+    view.set("blend", blend);
+    return render_view(snapshot, view, 400, 300, "plane, ring");
+}
+
+class Golden : public testing::TestWithParam<Scene> {};
+
+TEST_P(Golden, LooksAsStored) {
+    // read_image throws where the picture is missing, which fails the test.
+    EXPECT_EQ(difference(GetParam().draw(OffscreenBackend::osmesa), golden(GetParam().name)), "");
+}
+
+TEST_P(Golden, LooksTheSameThroughEgl) {
+    EXPECT_EQ(difference(GetParam().draw(OffscreenBackend::egl), golden(GetParam().name)), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(scenes()), [](const auto& parameter) {
+    std::string name = parameter.param.name;
+    std::erase(name, '-');
+    return name;
+});
+
+TEST(WrongPicture, IsFoundDifferent) {
+    const Image right = golden("ring-16");
+    EXPECT_NE(difference(golden("ring-60"), right), "") << "another mesh";
+    EXPECT_NE(difference(golden("ring-computational"), right), "") << "nodes not moved";
+    EXPECT_NE(difference(golden("ring-plain"), right), "") << "no colours";
+    EXPECT_NE(difference(golden("tangled"), right), "") << "one tangled cell";
+    EXPECT_NE(difference(Image{400, 300, std::vector<std::uint8_t>(400 * 300 * 4, 0)}, right), "") << "black";
+}
+
+TEST(WrongPicture, OfAnotherMonitorIsFoundDifferent) {
+    Snapshot snapshot = ring_snapshot(16);
+    for (std::size_t i = 0; i < snapshot.x.size(); ++i)
+        snapshot.fields[0].values[i] = 1 + 10 * std::exp(-20 * dot(snapshot.x[i], snapshot.x[i]));
+    EXPECT_NE(difference(ring(snapshot), golden("ring-16")), "");
+}
+
+TEST(WrongPicture, OfAMirroredMeshIsFoundDifferent) {
+    Snapshot snapshot = ring_snapshot(16);
+    for (std::size_t i = 0; i < snapshot.x.size(); ++i) // not symmetric, so that a mirror shows
+        snapshot.x.x[i] += 0.05 * snapshot.x.y[i] * (1 - snapshot.x.y[i]);
+    const Image right = ring(snapshot);
+    for (double& x : snapshot.x.x) x = 1 - x;
+    EXPECT_NE(difference(ring(snapshot), right), "");
+}
+
+TEST(WrongPicture, WithoutLinesIsFoundDifferent) {
+    // The same surface from one cell: no lines inside.
+    Snapshot lines = ring_snapshot(16), none = ring_snapshot(1);
+    lines.x = lines.mesh->nodes;
+    none.x = none.mesh->nodes;
+    EXPECT_NE(difference(ring(lines, "none"), ring(none, "none")), "");
+}
+
+TEST(WrongPicture, WithALaterIterationInItsCaptionIsFoundDifferent) {
+    Snapshot snapshot = ring_snapshot(16);
+    snapshot.report.status = RunStatus::diverged;
+    EXPECT_NE(difference(ring(snapshot), golden("ring-16")), "");
+}
+
+TEST(Picture, BlendGoesFromComputationalToPhysical) {
+    const Snapshot snapshot = ring_snapshot(16);
+    Snapshot unmoved = snapshot, half = snapshot;
+    unmoved.x = snapshot.mesh->nodes;
+    for (std::size_t i = 0; i < half.x.size(); ++i)
+        half.x.set(i, 0.5 * (snapshot.mesh->nodes[i] + snapshot.x[i]));
+    EXPECT_EQ(difference(ring(snapshot, "none", 0), ring(unmoved, "none")), "");
+    EXPECT_EQ(difference(ring(snapshot, "none", 0.5), ring(half, "none")), "");
+    EXPECT_NE(difference(ring(snapshot, "none", 0.5), ring(snapshot, "none")), "");
+}
+
+TEST(Picture, SameInputGivesTheSameBytes) {
+    const Snapshot snapshot = ring_snapshot(30);
+    EXPECT_EQ(ring(snapshot).rgba, ring(snapshot).rgba);
+}
+
+TEST(Picture, IsOpaqueAndOfTheSizeAskedFor) {
+    Values view("view", view_rows());
+    for (const auto& [width, height] : {std::pair{64, 64}, {65, 131}, {1000, 300}}) {
+        const Image image = render_view(ring_snapshot(8), view, width, height);
+        EXPECT_EQ(image.width, width);
+        EXPECT_EQ(image.height, height);
+        ASSERT_EQ(image.rgba.size(), static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+        for (std::size_t i = 3; i < image.rgba.size(); i += 4) ASSERT_EQ(image.rgba[i], 255);
+    }
+}
+
+TEST(Picture, TangledCellsShowInMagentaEvenWhereCellsAreTiny) {
+    for (const int n : {16, 240}) {
+        const Image image = ring(tangled_snapshot(n));
+        int magenta = 0;
+        for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+            magenta += image.rgba[i] > 220 && image.rgba[i + 1] < 80 && image.rgba[i + 2] > 180;
+        EXPECT_GE(magenta, 9) << "n = " << n;
+    }
+}
+
+TEST(Picture, NodesThatAreNotFiniteLeaveTheRestToBeSeen) {
+    Snapshot snapshot = ring_snapshot(16);
+    snapshot.x.x[40] = std::nan("");
+    const Similarity s = compare(ring(snapshot), golden("ring-16"));
+    EXPECT_GT(s.mean_structure, 0.95);
+}
+
+TEST(Picture, FarFromTheOriginLooksTheSame) {
+    Snapshot snapshot = ring_snapshot(16);
+    Mesh mesh = *snapshot.mesh;
+    for (auto* x : {&mesh.nodes.x, &mesh.nodes.y, &snapshot.x.x, &snapshot.x.y})
+        for (double& value : *x) value += 1e8;
+    snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
+    EXPECT_EQ(difference(ring(snapshot), golden("ring-16")), "");
+}
+
+TEST(Picture, HugeAndTinyMeshesLookTheSame) {
+    for (const double factor : {1e8, 1e-8}) {
+        Snapshot snapshot = ring_snapshot(16);
+        Mesh mesh = *snapshot.mesh;
+        for (auto* x : {&mesh.nodes.x, &mesh.nodes.y, &snapshot.x.x, &snapshot.x.y})
+            for (double& value : *x) value *= factor;
+        snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
+        EXPECT_EQ(difference(ring(snapshot), golden("ring-16")), "") << factor;
+    }
+}
+
+} // namespace
+} // namespace gaspard

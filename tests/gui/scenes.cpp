@@ -1,0 +1,194 @@
+#include "scenes.hpp"
+
+#include "core/scenario/view_rows.hpp"
+#include "gui/picture.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+Snapshot finished(Mesh mesh, Points x) {
+    Snapshot snapshot;
+    Field monitor{"monitor", "", FieldPlace::node, std::vector<double>(x.size())};
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const Vec3 p = x[i] - Vec3{0.3, 0, 0.4};
+        monitor.values[i] = 1 + std::exp(-8 * dot(p, p));
+    }
+    snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
+    snapshot.x = std::move(x);
+    snapshot.fields.push_back(std::move(monitor));
+    snapshot.report.iteration = 52;
+    snapshot.report.residual = 9.8e-9;
+    snapshot.report.equidistribution = 0.03667985;
+    snapshot.report.status = RunStatus::converged;
+    snapshot.version = 1;
+    return snapshot;
+}
+
+Values view(const char* colour, double blend) {
+    Values values("view", view_rows());
+    values.set("color", std::string(colour));
+    values.set("blend", blend);
+    return values;
+}
+
+Image draw(const Snapshot& snapshot, OffscreenBackend backend, const char* colour = "monitor",
+           double blend = 1) {
+    return render_view(snapshot, view(colour, blend), 400, 300, "plane, ring",
+                       {.light = false, .backend = backend});
+}
+
+Plot convergence() {
+    Plot plot;
+    plot.title = "Convergence";
+    plot.x.label = "iteration";
+    plot.y = {"residual", true};
+    Curve slow{"relaxation", {}, {}, false}, fast{"newton", {}, {}, true};
+    for (int i = 0; i <= 100; ++i) {
+        slow.x.push_back(i);
+        slow.y.push_back(std::pow(10, -0.07 * i) * (1 + 0.3 * std::sin(0.4 * i)));
+    }
+    for (int i = 0; i <= 12; ++i) {
+        fast.x.push_back(i * 3);
+        fast.y.push_back(i == 6 ? std::nan("") : std::pow(10, -0.06 * i * i));
+    }
+    plot.curves = {slow, fast};
+    return plot;
+}
+
+} // namespace
+
+Snapshot ring_snapshot(int n) {
+    const Mesh mesh = unit_square_mesh(n);
+    Points x = mesh.nodes;
+    std::vector<double> values(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const Vec3 from_centre = x[i] - Vec3{0.5, 0.5, 0};
+        const double r = norm(from_centre);
+        const double weight = 0.7 * std::exp(-40 * (r - 0.25) * (r - 0.25));
+        const double moved = r + weight * (0.25 - r);
+        if (r > 0) x.set(i, Vec3{0.5, 0.5, 0} + (moved / r) * from_centre);
+        const double sech = 1 / std::cosh(100 * (moved * moved - 0.0625));
+        values[i] = 1 + 10 * sech * sech;
+    }
+    Snapshot snapshot = finished(mesh, std::move(x));
+    snapshot.fields[0].values = std::move(values);
+    return snapshot;
+}
+
+Snapshot tangled_snapshot(int n) {
+    Snapshot snapshot = ring_snapshot(n);
+    const auto row = static_cast<std::size_t>(n + 1), corner = static_cast<std::size_t>(n / 3);
+    const std::size_t node = corner * row + corner;
+    snapshot.x.x[node] += 1.6 / n;
+    snapshot.x.y[node] += 1.3 / n;
+    Field jacobian{"jacobian", "", FieldPlace::cell, std::vector<double>(snapshot.mesh->cell_count(), 1.0)};
+    jacobian.values[corner * (row - 1) + corner] = -0.4;
+    snapshot.fields.push_back(std::move(jacobian));
+    snapshot.report.tangled_cells = 1;
+    snapshot.report.status = RunStatus::tangled;
+    return snapshot;
+}
+
+Snapshot sphere_snapshot(int n) {
+    struct Side {
+        Vec3 normal, right, up;
+    };
+    const std::array<Side, 6> sides = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                        {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+                                        {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
+                                        {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+                                        {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}},
+                                        {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}}};
+    const int row = 2 * n + 1; // nodes along a side: corners and middles
+    Mesh mesh;
+    mesh.kind = {CellShape::quadrilateral, 2};
+    mesh.space_dimension = 3;
+    mesh.nodes = Points(static_cast<std::size_t>(6 * row * row));
+    int node = 0;
+    for (const Side& side : sides) {
+        const int first = node;
+        for (int j = 0; j < row; ++j)
+            for (int i = 0; i < row; ++i) {
+                const double s = std::tan((static_cast<double>(i) / (row - 1) - 0.5) * 1.5707963267948966);
+                const double t = std::tan((static_cast<double>(j) / (row - 1) - 0.5) * 1.5707963267948966);
+                const Vec3 p = side.normal + s * side.right + t * side.up;
+                mesh.nodes.set(static_cast<std::size_t>(node++), (1 / norm(p)) * p);
+            }
+        constexpr std::array<std::array<int, 2>, 9> offsets = {
+            {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}}};
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i)
+                for (const auto& at : offsets)
+                    mesh.cells.push_back(first + (2 * j + at[1]) * row + 2 * i + at[0]);
+    }
+    Points x = mesh.nodes;
+    return finished(std::move(mesh), std::move(x));
+}
+
+Snapshot cube_snapshot(int n) {
+    const int row = n + 1;
+    Mesh mesh;
+    mesh.kind = {CellShape::hexahedron, 1};
+    mesh.space_dimension = 3;
+    mesh.nodes = Points(static_cast<std::size_t>(row * row * row));
+    const auto number = [row](int i, int j, int k) { return (k * row + j) * row + i; };
+    for (int k = 0; k < row; ++k)
+        for (int j = 0; j < row; ++j)
+            for (int i = 0; i < row; ++i)
+                mesh.nodes.set(static_cast<std::size_t>(number(i, j, k)),
+                               (1.0 / n) * Vec3{1.0 * i, 1.0 * j, 1.0 * k});
+    constexpr std::array<std::array<int, 2>, 4> square = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    for (int k = 0; k < n; ++k)
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i)
+                for (const int up : {0, 1})
+                    for (const auto& at : square) mesh.cells.push_back(number(i + at[0], j + at[1], k + up));
+    Points x = mesh.nodes;
+    for (std::size_t i = 0; i < x.size(); ++i) x.x[i] += 0.05 * std::sin(6 * x.z[i]);
+    return finished(std::move(mesh), std::move(x));
+}
+
+Snapshot interval_snapshot(int n) {
+    Mesh mesh;
+    mesh.kind = {CellShape::line, 1};
+    mesh.space_dimension = 1;
+    mesh.nodes = Points(static_cast<std::size_t>(n + 1));
+    for (int i = 0; i <= n; ++i) mesh.nodes.x[static_cast<std::size_t>(i)] = static_cast<double>(i) / n;
+    for (int i = 0; i < n; ++i) mesh.cells.insert(mesh.cells.end(), {i, i + 1});
+    Points x = mesh.nodes;
+    for (double& value : x.x) value *= value;
+    return finished(std::move(mesh), std::move(x));
+}
+
+const std::vector<Scene>& scenes() {
+    static const std::vector<Scene> all = {
+        {"ring-16", [](OffscreenBackend backend) { return draw(ring_snapshot(16), backend); }},
+        {"ring-60", [](OffscreenBackend backend) { return draw(ring_snapshot(60), backend); }},
+        {"ring-240", [](OffscreenBackend backend) { return draw(ring_snapshot(240), backend); }},
+        {"ring-computational",
+         [](OffscreenBackend backend) { return draw(ring_snapshot(16), backend, "monitor", 0); }},
+        {"ring-plain", [](OffscreenBackend backend) { return draw(ring_snapshot(16), backend, "none"); }},
+        {"tangled", [](OffscreenBackend backend) { return draw(tangled_snapshot(16), backend); }},
+        {"sphere", [](OffscreenBackend backend) { return draw(sphere_snapshot(6), backend); }},
+        {"cube", [](OffscreenBackend backend) { return draw(cube_snapshot(5), backend); }},
+        {"interval", [](OffscreenBackend backend) { return draw(interval_snapshot(20), backend, "none"); }},
+        {"plot",
+         [](OffscreenBackend backend) {
+             return render_plot(convergence(), 400, 300, {.light = true, .backend = backend});
+         }},
+        {"panels",
+         [](OffscreenBackend backend) {
+             const auto ring = std::make_shared<const Snapshot>(ring_snapshot(16));
+             return render_panels(
+                 {MeshPanel{"(a)", ring, "none", 0}, MeshPanel{"(b)", ring, "monitor", 1}, convergence()}, 3,
+                 900, 300, {.light = true, .backend = backend});
+         }},
+    };
+    return all;
+}
+
+} // namespace gaspard

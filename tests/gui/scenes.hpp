@@ -1,0 +1,31 @@
+// Meshes to draw: made up, the same on every machine.
+#pragma once
+
+#include "core/io/image.hpp"
+#include "core/session/snapshot.hpp"
+#include "gui/offscreen.hpp"
+
+#include <string>
+#include <vector>
+
+namespace gaspard {
+
+/// n x n squares drawn towards a circle, on which the field "monitor" is large.
+Snapshot ring_snapshot(int n);
+/// The same with one node pulled across its neighbours: one cell is tangled.
+Snapshot tangled_snapshot(int n);
+/// Six times n x n curved squares on the unit sphere.
+Snapshot sphere_snapshot(int n);
+/// n x n x n cubes, sheared.
+Snapshot cube_snapshot(int n);
+/// n lines in [0, 1], finer towards 0.
+Snapshot interval_snapshot(int n);
+
+/// A picture that is compared with tests/goldens/NAME.png.
+struct Scene {
+    std::string name;
+    Image (*draw)(OffscreenBackend backend);
+};
+const std::vector<Scene>& scenes();
+
+} // namespace gaspard
