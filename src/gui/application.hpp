@@ -65,6 +65,7 @@ class Application {
     std::string label_of(const Action& action);
     void draw_menus();
     void draw_toolbar();
+    void draw_button(const Action& row);
     void draw_scenarios();
     void draw_sidebar();
     void draw_viewport();

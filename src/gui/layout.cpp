@@ -15,8 +15,8 @@ Layout compute_layout(float width, float height, float em, float top) {
 
     // The plots stand where they leave the picture, which is about square, the most room: right or below.
     const ItemRectangle rest{side, layout.toolbar.bottom, width, bottom};
-    const float column = std::clamp(0.36F * rest.width(), 14 * em, 30 * em);
-    const float row = std::clamp(0.32F * rest.height(), 9 * em, 16 * em);
+    const float column = std::clamp(0.32F * rest.width(), 14 * em, 30 * em);
+    const float row = std::clamp(0.36F * rest.height(), 10 * em, 17 * em);
     const float beside = std::min(rest.width() - column, rest.height());
     const float above = std::min(rest.width(), rest.height() - row);
     if (beside >= above) {

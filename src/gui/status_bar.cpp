@@ -80,8 +80,8 @@ std::vector<StatusCell> status_cells(const DocumentRun& run) {
     cells.push_back({"Iteration", now ? std::to_string(now->iteration) : none});
     cells.push_back({"Residual", now ? scientific(now->residual) : none});
     cells.push_back({"Equidistribution", measured ? short_number(*measured->equidistribution) : none});
-    cells.push_back({"Least Jacobian",
-                     measured && measured->min_jacobian ? short_number(*measured->min_jacobian) : none});
+    cells.push_back(
+        {"Min. Jacobian", measured && measured->min_jacobian ? short_number(*measured->min_jacobian) : none});
     const auto tangled = measured ? measured->tangled_cells : std::nullopt;
     cells.push_back({"Tangled cells", tangled ? std::to_string(*tangled) : none,
                      tangled && *tangled > 0 ? Tone::bad : Tone::plain});
