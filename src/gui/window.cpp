@@ -54,7 +54,6 @@ GlfwWindow open_window(const std::string& title, const WindowOptions& options) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_SAMPLES, 4);
     GlfwWindow window(glfwCreateWindow(options.width, options.height, title.c_str(), nullptr, nullptr));
     if (!window)
         throw MachineError("No OpenGL 3.3 for a window here (" + last_glfw_error() +
@@ -171,15 +170,21 @@ class Window {
         if (!happenings_.news.exchange(true)) glfwPostEmptyEvent();
     }
 
-    /// Sleeps until there is something to draw, and never draws more than 60 times a second.
+    /// Sleeps until there is something to draw, and never draws more than 60 times a second. Where drawing is
+    /// slow (no graphics card), it takes half of the time at most, for the solver needs the cores too; input
+    /// comes first.
     void wait() {
         if (frames_due_ == 0 && !happenings_.news) glfwWaitEvents();
-        for (double rest = 0; (rest = drawn_ + frame_seconds - glfwGetTime()) > 0;)
-            glfwWaitEventsTimeout(rest);
+        const auto rest = [this] {
+            const double pause =
+                happenings_.input ? frame_seconds : std::max(frame_seconds, 2 * drawing_seconds_);
+            return begun_ + pause - glfwGetTime();
+        };
+        for (double left = 0; (left = rest()) > 0;) glfwWaitEventsTimeout(left);
         glfwPollEvents();
         if (std::exchange(happenings_.input, false) || happenings_.news) frames_due_ = settling_frames;
         frames_due_ = std::max(0, frames_due_ - 1);
-        drawn_ = glfwGetTime();
+        begun_ = glfwGetTime();
     }
 
     void set_scales(Scales scales) {
@@ -211,6 +216,8 @@ class Window {
         }
         interface_->draw(*ImGui::GetDrawData());
         if (application_->take_screenshot_request()) application_->save_picture(read_pixels(area, height));
+        gl_.Finish();
+        drawing_seconds_ = glfwGetTime() - begun_; // without the wait for the screen that follows
         glfwSwapBuffers(window_.get());
     }
 
@@ -250,7 +257,7 @@ class Window {
     std::optional<MeshRenderer> meshes_;
     Scales scales_;
     int frames_due_ = settling_frames;
-    double drawn_ = 0;
+    double begun_ = 0, drawing_seconds_ = 0; ///< of the last frame
     std::optional<Application> application_;
 };
 
