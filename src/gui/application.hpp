@@ -43,6 +43,7 @@ class Application {
     bool press_key(std::string_view key);
     void perform(ActionId id);
 
+    const std::string& title() { return run().title; }
     bool quit_requested() const { return quit_; }
     /// True once after a screenshot was asked for; the answer is save_picture().
     bool take_screenshot_request() { return std::exchange(screenshot_, false); }

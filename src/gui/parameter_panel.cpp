@@ -93,6 +93,25 @@ void set_number(Values& values, const ParameterRow& row, double number) {
         values.set(row.key, number);
 }
 
+/// What a slider runs along, evenly: the value, its logarithm, or where that has no place for the smallest
+/// value, asinh, which is a logarithm for large values and goes through zero.
+double along(const ParameterRow& row, double value) {
+    if (row.scale == ParameterScale::linear) return value;
+    return row.minimum > 0 ? std::log(value) : std::asinh(value);
+}
+
+double position_of(const ParameterRow& row, double value) {
+    const double low = along(row, row.minimum), high = along(row, row.maximum);
+    return high > low ? (along(row, value) - low) / (high - low) : 0;
+}
+
+double value_at(const ParameterRow& row, double position) {
+    const double low = along(row, row.minimum), high = along(row, row.maximum);
+    const double place = low + position * (high - low);
+    if (row.scale == ParameterScale::linear) return place;
+    return row.minimum > 0 ? std::exp(place) : std::sinh(place);
+}
+
 /// A dragged value with no more digits than the hand can aim for; a typed one stays as typed.
 double rounded(const ParameterRow& row, double value) {
     if (row.kind == ParameterKind::integer) return std::round(value);
@@ -312,18 +331,17 @@ bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow
     bool changed = false;
     const bool bounded = std::isfinite(row.minimum) && std::isfinite(row.maximum);
     if (bounded) {
-        double position = value;
-        auto flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
-        if (row.scale == ParameterScale::logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+        double position = position_of(row, value);
+        constexpr double first = 0, last = 1;
         ImGui::SetNextItemWidth(c.slider_width);
         const bool typing_wanted = ImGui::GetIO().KeyCtrl;
-        const bool moved = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &position, &row.minimum,
-                                               &row.maximum, "", flags);
+        const bool moved = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &position, &first, &last, "",
+                                               ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
         remember_item(context.items, key);
         if (ImGui::IsItemClicked() && typing_wanted)
             focus_ = key;
         else if (moved && focus_ != key) {
-            value = std::clamp(rounded(row, position), row.minimum, row.maximum);
+            value = std::clamp(rounded(row, value_at(row, position)), row.minimum, row.maximum);
             changed = true;
         }
         ImGui::SameLine(c.typed);

@@ -49,16 +49,26 @@ struct DestroyWindow {
 };
 using GlfwWindow = std::unique_ptr<GLFWwindow, DestroyWindow>;
 
+/// No larger than the screen has room for.
+std::pair<int, int> size_within_screen(const WindowOptions& options) {
+    int x = 0, y = 0, width = 0, height = 0;
+    if (GLFWmonitor* screen = glfwGetPrimaryMonitor())
+        glfwGetMonitorWorkarea(screen, &x, &y, &width, &height);
+    return {width > 0 ? std::min(options.width, width) : options.width,
+            height > 0 ? std::min(options.height, height) : options.height};
+}
+
 GlfwWindow open_window(const std::string& title, const WindowOptions& options) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    GlfwWindow window(glfwCreateWindow(options.width, options.height, title.c_str(), nullptr, nullptr));
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    const auto [width, height] = size_within_screen(options);
+    GlfwWindow window(glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr));
     if (!window)
         throw MachineError("No OpenGL 3.3 for a window here (" + last_glfw_error() +
                            "); use `gaspard run`, which draws without one");
-    glfwSetWindowSizeLimits(window.get(), 720, 540, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(window.get());
     glfwSwapInterval(1);
     return window;
@@ -159,6 +169,10 @@ class Window {
                 interface_->update_font();
                 application_->set_scale(scales_.zoom);
             }
+            if (const std::string& title = application_->title(); title != title_) {
+                title_ = title;
+                glfwSetWindowTitle(window_.get(), ("Gaspard: " + title).c_str());
+            }
             draw();
         }
         glfwHideWindow(window_.get()); // gone at once; the solver ends within its step
@@ -189,6 +203,8 @@ class Window {
 
     void set_scales(Scales scales) {
         scales_ = scales;
+        glfwSetWindowSizeLimits(window_.get(), std::lround(720 * scales.zoom), std::lround(540 * scales.zoom),
+                                GLFW_DONT_CARE, GLFW_DONT_CARE);
         apply_theme(theme_, scales.zoom);
         ImGuiIO& io = ImGui::GetIO();
         load_font(*io.Fonts, theme_, scales.zoom * scales.density); // as many pixels as it will cover
@@ -256,6 +272,7 @@ class Window {
     std::optional<ImGuiRenderer> interface_;
     std::optional<MeshRenderer> meshes_;
     Scales scales_;
+    std::string title_; ///< of what is shown
     int frames_due_ = settling_frames;
     double begun_ = 0, drawing_seconds_ = 0; ///< of the last frame
     std::optional<Application> application_;

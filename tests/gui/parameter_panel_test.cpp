@@ -57,7 +57,7 @@ TEST_F(PanelTest, EveryRowHasItsItem) {
 
 TEST_F(PanelTest, DraggingASliderChangesTheValueAndStaysInRange) {
     settle();
-    ui.drag(items.at("monitor.amplitude"), 0.1F, 0.5F, drawing());
+    ui.drag(items.at("monitor.amplitude"), 0.1F, 0.6F, drawing());
     const double middle = scenario.monitor.values.real("amplitude");
     EXPECT_GT(middle, opened.monitor.values.real("amplitude"));
     EXPECT_GT(changes, 0);
