@@ -18,7 +18,8 @@ namespace gaspard {
 
 namespace {
 
-constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings |
                                           ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
 
@@ -26,7 +27,8 @@ constexpr const char* hint =
     "Drag to pan, turn the wheel to zoom, double-click to see the whole mesh. F1 shows all keys.";
 
 /// Begins a window that fills a part of the layout.
-void begin_part(const char* name, const ItemRectangle& part, ImGuiWindowFlags flags = 0) {
+void begin_part(const char* name, const ItemRectangle& part,
+                ImGuiWindowFlags flags = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse) {
     ImGui::SetNextWindowPos({part.left, part.top});
     ImGui::SetNextWindowSize({std::max(1.0F, part.width()), std::max(1.0F, part.height())});
     ImGui::Begin(name, nullptr, fixed_window | flags);
@@ -227,7 +229,7 @@ void Application::draw_scenarios() {
 }
 
 void Application::draw_sidebar() {
-    begin_part("##sidebar", layout_.sidebar);
+    begin_part("##sidebar", layout_.sidebar, ImGuiWindowFlags_None); // it may have to scroll
     Scenario scenario = run().scenario;
     const PanelContext context{*catalogue_, run().opened, theme_, items_};
     bool changed = false;
@@ -248,7 +250,9 @@ void Application::draw_sidebar() {
 
 void Application::draw_viewport() {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    begin_part("##viewport", layout_.viewport, ImGuiWindowFlags_NoBackground);
+    begin_part("##viewport", layout_.viewport,
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                   ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     const float width = std::max(1.0F, layout_.viewport.width()),
                 height = std::max(1.0F, layout_.viewport.height());
