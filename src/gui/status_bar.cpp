@@ -1,6 +1,9 @@
 #include "gui/status_bar.hpp"
 
+#include "gui/actions.hpp"
+
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <imgui.h>
 
@@ -90,7 +93,13 @@ std::vector<StatusCell> status_cells(const DocumentRun& run) {
 }
 
 std::string closing_note(const DocumentRun& run) {
-    return !run.history.empty() && is_final(run.status.run) ? run.history.back().note : std::string();
+    if (run.history.empty() || !run.ended()) return {};
+    std::string note = run.history.back().note;
+    if (note.empty()) return {};
+    note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
+    const bool beyond_repair = run.status.run == RunStatus::diverged || run.status.run == RunStatus::tangled;
+    if (beyond_repair) note += "; " + describe_keys(action(ActionId::reset)) + " starts from the beginning";
+    return note + ".";
 }
 
 void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view hint, const Theme& theme,

@@ -1,6 +1,7 @@
 #include "core/scenario/toml.hpp"
 #include "gui/application.hpp"
 #include "gui/headless_ui.hpp"
+#include "gui/status_bar.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -167,6 +168,37 @@ TEST_F(ApplicationTest, PicturesAreNumbered) {
         ASSERT_TRUE(wait_until([&] { return application.message().text == "Saved " + file.string(); }));
         EXPECT_EQ(read_image(file).width, 2);
     }
+}
+
+TEST_F(ApplicationTest, ATangledRunIsRedAndSaysHowToGoOn) {
+    Scenario wild = run().scenario;
+    set_value(*catalogue, wild, "monitor.amplitude", 500.0);
+    set_value(*catalogue, wild, "method.step_size", 5.0);
+    application.document().change(0, wild);
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const auto cells = status_cells(run());
+    EXPECT_EQ(cells[0].tone, Tone::bad) << cells[0].value;
+    EXPECT_EQ(cells[5].label, "Tangled cells");
+    EXPECT_EQ(cells[5].tone, Tone::bad) << cells[5].value;
+    EXPECT_NE(closing_note(run()).find("R starts from the beginning"), std::string::npos)
+        << closing_note(run());
+    EXPECT_TRUE(application.press_key("R"));
+    ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
+    EXPECT_TRUE(closing_note(run()).empty());
+    EXPECT_EQ(status_cells(run())[5].value, "0");
+    EXPECT_EQ(status_cells(run())[5].tone, Tone::plain);
+}
+
+TEST_F(ApplicationTest, WhatTheSolverRefusesIsASentenceAndThePictureStays) {
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3 && application.picture(); }));
+    Scenario impossible = run().scenario;
+    impossible.method.type = "no-such-method";
+    application.document().change(0, impossible);
+    ASSERT_TRUE(wait_until([&] { return application.message().error; }));
+    EXPECT_NE(application.message().text.find("no-such-method"), std::string::npos)
+        << application.message().text;
+    EXPECT_NE(application.picture(), nullptr);
+    EXPECT_NE(run().status.run, RunStatus::failed);
 }
 
 TEST_F(ApplicationTest, TheMouseSteersTheCamera) {
