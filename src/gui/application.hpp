@@ -70,7 +70,9 @@ class Application {
     void draw_scenarios();
     void draw_sidebar();
     void draw_viewport();
+    void draw_picture_frame(Size size);
     void steer_camera(Size size);
+    void go_home();
     void draw_preparation();
     void draw_plots();
     void draw_status();
@@ -92,7 +94,9 @@ class Application {
     float scale_ = 1;
     PictureMaker picture_maker_;
     std::optional<MeshPicture> picture_;
-    Camera home_; ///< the whole mesh, for the viewport's present size
+    Camera home_; ///< the whole mesh, for this size of the viewport
+    Size home_size_;
+    std::shared_ptr<const Tessellation> home_of_;
     bool quit_ = false, screenshot_ = false, help_ = false;
     PictureWriter pictures_;
     Document document_; ///< last, so that its threads end before what they use
