@@ -48,7 +48,6 @@ class Application {
     /// True once after a screenshot was asked for; the answer is save_picture().
     bool take_screenshot_request() { return std::exchange(screenshot_, false); }
     void save_picture(Image image);
-    void show(Notice notice) { message_ = std::move(notice); }
 
     Document& document() { return document_; }
     /// The viewport's picture in the last frame: what (null before the first snapshot), from where, and where
