@@ -2,9 +2,9 @@
 # Installs Debian's packages that are missing. Usage: install-packages.sh build|test ...
 set -euo pipefail
 build="build-essential cmake ninja-build pkg-config libglfw3-dev libimgui-dev libglm-dev libeigen3-dev
-  libopenmesh-dev libtinygltf-dev libosmesa6-dev libegl-dev libgl-dev libcli11-dev libtomlplusplus-dev
+  libtinygltf-dev libosmesa6-dev libegl-dev libgl-dev libcli11-dev libtomlplusplus-dev
   nlohmann-json3-dev libstb-dev libkissfft-dev libgl1-mesa-dri"
-test="libgtest-dev libassimp-dev libpng-dev xvfb xauth xdotool python3"
+test="libgtest-dev libopenmesh-dev libassimp-dev libpng-dev xvfb xdotool python3"
 wanted=
 for group in "$@"; do
   case $group in

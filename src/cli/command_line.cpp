@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <cstdio>
 #include <iostream>
 
 namespace gaspard {
@@ -56,7 +57,8 @@ int dispatch(int argc, char** argv) {
     app.add_option("--size", size, "Size of the window in pixels")->type_name("WxH");
     add_run(app, run);
     CLI::App* list = app.add_subcommand("list", "What there is, with parameters and ranges");
-    list->add_option("WHAT", what, "scenarios, domains, monitors, methods or formats (default: all)");
+    list->add_option("WHAT", what,
+                     "scenarios, domains, monitors, methods, formats, view or output (default: all)");
     CLI::App* show = app.add_subcommand("show", "The complete scenario as TOML, every default filled in");
     show->add_option("SCENARIO", show_scenario, "A built-in name or a .toml file")->required();
     add_settings(*show, show_settings);
@@ -73,6 +75,11 @@ int dispatch(int argc, char** argv) {
         std::cerr << "gaspard: " << error.what() << "; see gaspard --help\n";
         return exit_input;
     }
+    if (const auto commands = app.get_subcommands(); !commands.empty())
+        for (const char* option : {"SCENARIO", "--set", "--size"})
+            if (app.get_option(option)->count() > 0)
+                throw InputError(std::string(option) + " before '" + commands.front()->get_name() +
+                                 "' has no effect: it goes after the command");
     const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
     if (app.got_subcommand("run")) return run_command(catalogue, run);
     if (app.got_subcommand(list)) return list_command(*catalogue, what);
@@ -87,7 +94,11 @@ int dispatch(int argc, char** argv) {
 int run_command_line(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN); // a file-size limit is then an error of write, which has a sentence
     try {
-        return dispatch(argc, argv);
+        const int code = dispatch(argc, argv);
+        std::cout.flush();
+        if (std::fflush(stdout) == 0 && std::cout && !std::ferror(stdout)) return code;
+        std::cerr << "gaspard: cannot write to standard output\n";
+        return code == 0 ? exit_fault : code;
     } catch (const InputError& error) {
         std::cerr << "gaspard: " << error.what() << "\n";
         return exit_input;

@@ -54,6 +54,16 @@ void list_methods(const Catalogue& catalogue) {
     }
 }
 
+void list_view(const Catalogue& catalogue) {
+    std::cout << "View\n";
+    print_rows(Values("view", catalogue.view_rows));
+}
+
+void list_output(const Catalogue& catalogue) {
+    std::cout << "Output\n";
+    print_rows(Values("output", catalogue.output_rows));
+}
+
 void list_formats(const Catalogue&) {
     std::cout << "Formats (--formats)\n";
     for (const auto& format : formats()) print_head(format.name, format.help);
@@ -63,11 +73,10 @@ void list_formats(const Catalogue&) {
 
 int list_command(const Catalogue& catalogue, const std::string& what) {
     using Lister = void (*)(const Catalogue&);
-    const std::vector<std::pair<std::string, Lister>> lists = {{"scenarios", list_scenarios},
-                                                               {"domains", list_domains},
-                                                               {"monitors", list_monitors},
-                                                               {"methods", list_methods},
-                                                               {"formats", list_formats}};
+    const std::vector<std::pair<std::string, Lister>> lists = {
+        {"scenarios", list_scenarios}, {"domains", list_domains}, {"monitors", list_monitors},
+        {"methods", list_methods},     {"formats", list_formats}, {"view", list_view},
+        {"output", list_output}};
     bool found = false;
     for (const auto& [name, lister] : lists)
         if (what.empty() || what == name) {
@@ -79,7 +88,7 @@ int list_command(const Catalogue& catalogue, const std::string& what) {
         std::vector<std::string> names;
         for (const auto& list : lists) names.push_back(list.first);
         throw InputError("there is no list '" + what + "'" + did_you_mean(what, names) +
-                         "; there are: scenarios, domains, monitors, methods, formats");
+                         "; there are: scenarios, domains, monitors, methods, formats, view, output");
     }
     return 0;
 }

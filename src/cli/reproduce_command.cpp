@@ -55,6 +55,7 @@ int reproduce_command(std::shared_ptr<const Catalogue> catalogue, const std::str
         write_atomically(folder / (id + ".csv"), published_csv(result.rows));
         if (result.figure && render) write_png(folder / (id + ".png"), draw(*result.figure));
     } catch (const Interrupted&) {
+        std::fprintf(stderr, "gaspard: interrupted; nothing was written\n");
         return exit_code(RunStatus::interrupted);
     }
     std::printf("files in %s\n", folder.string().c_str());

@@ -2,6 +2,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/interrupt_watch.hpp"
 #include "core/base/error.hpp"
+#include "core/base/stopwatch.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/formats.hpp"
 #include "core/io/image.hpp"
@@ -9,7 +10,6 @@
 #include "core/io/state_file.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
-#include "core/base/stopwatch.hpp"
 #include "gui/picture.hpp"
 
 #include <charconv>
@@ -78,6 +78,14 @@ void print_outcome(const Run& run, const std::filesystem::path& folder) {
     std::printf("files in %s\n", folder.string().c_str());
 }
 
+void draw_view(Run& run, const std::filesystem::path& folder) {
+    const Scenario& scenario = run.scenario();
+    const auto width = static_cast<int>(scenario.view.integer("width"));
+    const auto height = static_cast<int>(scenario.view.integer("height"));
+    write_png(folder / "view.png",
+              render_view(*run.snapshot(), scenario.view, width, height, scenario.title));
+}
+
 } // namespace
 
 void apply_size(Scenario& scenario, const std::string& size) {
@@ -106,10 +114,10 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
     const std::filesystem::path folder = arguments.out.empty()
                                              ? std::filesystem::path("gaspard-out") / scenario.name
                                              : std::filesystem::path(arguments.out);
-    check_writable(folder);
 
     try {
         Run run(catalogue, scenario, std::move(options), {}, interrupt.token());
+        check_writable(folder); // before the first iteration, after all that may refuse the input
         {
             ProgressLine line(arguments.quiet);
             while (run.status() == RunStatus::running) {
@@ -120,16 +128,18 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
                 line.show(run.step(interrupt.token()));
             }
         }
-        write_run_files(folder, run, formats);
         if (!arguments.quiet) print_outcome(run, folder);
-        if (!arguments.no_render) {
-            const auto width = static_cast<int>(scenario.view.integer("width"));
-            const auto height = static_cast<int>(scenario.view.integer("height"));
-            write_png(folder / "view.png",
-                      render_view(*run.snapshot(), scenario.view, width, height, scenario.title));
+        std::exception_ptr trouble; // with one file or the picture: the others are made all the same
+        try {
+            write_run_files(folder, run, formats);
+        } catch (const MachineError&) {
+            trouble = std::current_exception();
         }
+        if (!arguments.no_render) draw_view(run, folder);
+        if (trouble) std::rethrow_exception(trouble);
         return exit_code(run.status());
     } catch (const Interrupted&) {
+        std::cerr << "gaspard: interrupted before the first iteration; nothing was written\n";
         return exit_code(RunStatus::interrupted);
     }
 }

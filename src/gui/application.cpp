@@ -75,6 +75,10 @@ bool Application::collect() {
 
 void Application::frame() {
     items_.clear();
+    // A button's own tooltip does not belong in the picture, so this frame does without the mouse; a slider
+    // that is held would follow it.
+    taking_screenshot_ = std::exchange(screenshot_, false);
+    if (taking_screenshot_ && !ImGui::IsAnyItemActive()) ImGui::GetIO().MousePos = {-FLT_MAX, -FLT_MAX};
     draw_menus();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     layout_ = compute_layout(size.x, size.y, ImGui::GetFontSize(), ImGui::GetFrameHeight());

@@ -46,7 +46,7 @@ class Application {
     const std::string& title() { return run().title; }
     bool quit_requested() const { return quit_; }
     /// True once after a screenshot was asked for; the answer is save_picture().
-    bool take_screenshot_request() { return std::exchange(screenshot_, false); }
+    bool take_screenshot_request() { return std::exchange(taking_screenshot_, false); }
     void save_picture(Image image);
 
     Document& document() { return document_; }
@@ -96,7 +96,9 @@ class Application {
     Camera home_; ///< the whole mesh, for this size of the viewport
     Size home_size_;
     std::shared_ptr<const Tessellation> home_of_;
-    bool quit_ = false, screenshot_ = false, help_ = false;
+    bool quit_ = false, help_ = false;
+    bool screenshot_ = false;        ///< asked for
+    bool taking_screenshot_ = false; ///< this frame is the picture: it shows no tooltip
     PictureWriter pictures_;
     Document document_; ///< last, so that its threads end before what they use
 };

@@ -58,7 +58,6 @@ class Document {
     void step(std::size_t run);  ///< one iteration, then pause
     void reset(std::size_t run); ///< to the start; goes on if it was going, rests if it had ended
 
-    const Catalogue& catalogue() const { return *catalogue_; }
     std::vector<DocumentRun>& runs() { return runs_; }
     std::vector<DocumentViewport>& viewports() { return viewports_; }
     /// Against the iteration, on logarithmic axes, one curve per run.

@@ -170,10 +170,11 @@ TEST_F(WindowTest, ClosingWhileSolvingEndsQuickly) {
 }
 
 TEST_F(WindowTest, AnIdleWindowCostsNothing) {
-    start("plane-ring", 1000, 700);
-    press("space"); // pause, if it has not ended by now
+    write_slow_ring(300);
+    start("slow.toml", 1000, 700);
+    press("space"); // pause
     move(10, 10);
-    std::this_thread::sleep_for(1s);
+    std::this_thread::sleep_for(2s);
     const double before = program->cpu_seconds();
     std::this_thread::sleep_for(3s);
     EXPECT_LT(program->cpu_seconds() - before, 0.05);

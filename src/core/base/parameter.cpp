@@ -45,7 +45,16 @@ std::string kind_name(ParameterKind kind) {
 template <class Number>
 bool read_all(std::string_view text, Number& number) {
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return code == std::errc{} && end == text.data() + text.size();
+    if (end != text.data() + text.size()) return false;
+    if (code == std::errc::result_out_of_range) number = std::numeric_limits<Number>::max();
+    return code == std::errc{} || code == std::errc::result_out_of_range;
+}
+
+// A real keeps its point, so that 60.0 is not taken for a whole number.
+std::string written_value(const Value& value) {
+    std::string text = format_value(value);
+    if (std::holds_alternative<double>(value) && text.find_first_of(".en") == std::string::npos) text += ".0";
+    return text;
 }
 
 void check_range(const std::string& name, const ParameterRow& row, double value) {
@@ -151,7 +160,7 @@ void Values::set(std::string_view key, const Value& value) {
     const ParameterRow& row = rows_[i];
     const std::string name = section_ + "." + row.key;
     const auto wrong_kind = [&] {
-        throw InputError(name + " wants " + kind_name(row.kind) + ", not '" + format_value(value) + "'");
+        throw InputError(name + " wants " + kind_name(row.kind) + ", not '" + written_value(value) + "'");
     };
     switch (row.kind) {
     case ParameterKind::real: {
@@ -201,7 +210,5 @@ void Values::parse(std::string_view key, std::string_view text) {
     }
     set(key, std::string(text));
 }
-
-void Values::reset(std::string_view key) { values_[index(key)] = rows_[index(key)].default_value; }
 
 } // namespace gaspard

@@ -52,7 +52,6 @@ class Values {
     void set(std::string_view key, const Value& value);
     /// The same from text as given on a command line.
     void parse(std::string_view key, std::string_view text);
-    void reset(std::string_view key);
 
     friend bool operator==(const Values& a, const Values& b) {
         return a.section_ == b.section_ && a.values_ == b.values_;

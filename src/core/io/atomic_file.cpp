@@ -117,7 +117,10 @@ void check_writable(const fs::path& folder) {
     if (!error) return;
     std::error_code ignored; // of a folder that was not made after all
     for (const auto& p : made) fs::remove(p, ignored);
-    throw InputError("cannot write into the folder " + folder.string() + ": " + error.message());
+    const std::string sentence = "cannot write into the folder " + folder.string() + ": " + error.message();
+    for (const int trouble : {ENOSPC, EDQUOT, EIO, EMFILE, ENFILE})
+        if (error.value() == trouble) throw MachineError(sentence); // another folder may be no better
+    throw InputError(sentence);
 }
 
 } // namespace gaspard

@@ -15,7 +15,8 @@ void write_atomically(const std::filesystem::path& file, const std::function<voi
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 
 /// Makes the folder if need be and tries to write in it, so that an unwritable one is found before solving.
-/// Leaves no trace of the trial beyond the folder. Throws InputError naming the folder and the cause.
+/// Leaves no trace of the trial beyond the folder. Throws InputError naming the folder and the cause
+/// (MachineError for a full or failing disk).
 void check_writable(const std::filesystem::path& folder);
 
 } // namespace gaspard

@@ -1,7 +1,7 @@
 #include "core/base/check.hpp"
+#include "core/base/read_file.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/image.hpp"
-#include "core/io/read_file.hpp"
 
 #include <limits>
 #include <memory>

@@ -1,9 +1,11 @@
 #include "core/io/run_files.hpp"
 
+#include "core/base/error.hpp"
 #include "core/base/version.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/state_file.hpp"
 
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
@@ -79,11 +81,20 @@ std::string summary_json(Run& run) {
 
 void write_run_files(const std::filesystem::path& folder, Run& run,
                      const std::vector<const Format*>& formats) {
-    write_atomically(folder / "history.csv", history_csv(run.history()));
-    write_atomically(folder / "summary.json", summary_json(run));
-    write_state(folder / "state.bin", run.state());
+    std::exception_ptr first;
+    const auto attempt = [&](const auto& write) {
+        try {
+            write();
+        } catch (const MachineError&) {
+            if (!first) first = std::current_exception();
+        }
+    };
+    attempt([&] { write_atomically(folder / "history.csv", history_csv(run.history())); });
+    attempt([&] { write_atomically(folder / "summary.json", summary_json(run)); });
+    attempt([&] { write_state(folder / "state.bin", run.state()); });
     const auto snapshot = run.snapshot();
-    for (const auto* format : formats) format->write(folder, *snapshot);
+    for (const auto* format : formats) attempt([&] { format->write(folder, *snapshot); });
+    if (first) std::rethrow_exception(first);
 }
 
 } // namespace gaspard

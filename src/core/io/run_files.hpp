@@ -12,7 +12,7 @@ namespace gaspard {
 
 std::string history_csv(const std::vector<StepReport>& history);
 std::string summary_json(Run& run);
-/// Writes all of them; throws MachineError at the first that fails.
+/// Writes all of them; what fails does not keep the others from being tried. Throws the first MachineError.
 void write_run_files(const std::filesystem::path& folder, Run& run,
                      const std::vector<const Format*>& formats);
 

@@ -1,8 +1,8 @@
 #include "core/io/state_file.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/read_file.hpp"
 #include "core/io/atomic_file.hpp"
-#include "core/io/read_file.hpp"
 
 #include <bit>
 #include <cmath>

@@ -20,8 +20,6 @@ class Monitor {
     virtual void values(const Points& x, std::span<double> values) const = 0;
     /// grad m at every point, in the coordinates of space.
     virtual void gradients(const Points& x, Points& gradients) const = 0;
-    /// A number that changes when the monitor does.
-    virtual std::uint64_t version() const { return 0; }
     /// Throws InputError where m <= 0 or not finite for some point of space, naming the parameter to change.
     virtual void check() const = 0;
 };

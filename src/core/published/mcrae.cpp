@@ -1,5 +1,5 @@
 // McRae, Cotter, Budd (2018), section 5: the figures of the plane by relaxation.
-#include "core/base/error.hpp"
+#include "core/base/check.hpp"
 #include "core/published/published.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
@@ -28,6 +28,7 @@ Run solve(const std::shared_ptr<const Catalogue>& catalogue, const Plane& plane,
         if (stop.stop_requested()) throw Interrupted();
         run.step(stop);
     }
+    GASPARD_CHECK(run.status() == RunStatus::converged);
     return run;
 }
 

@@ -1,8 +1,8 @@
 // Tables and figures of the papers as recipes: what to compute, and the published number beside ours.
 #pragma once
 
-#include "core/scenario/catalogue.hpp"
 #include "core/published/figure.hpp"
+#include "core/scenario/catalogue.hpp"
 
 #include <functional>
 #include <memory>
@@ -33,7 +33,8 @@ using Announce = std::function<void(const std::string&)>;
 struct Recipe {
     std::string id;    ///< "mcrae-fig2"
     std::string title; ///< what the paper shows there
-    std::function<Reproduction(const std::shared_ptr<const Catalogue>&, const Announce&, std::stop_token)> make;
+    std::function<Reproduction(const std::shared_ptr<const Catalogue>&, const Announce&, std::stop_token)>
+        make;
 };
 
 std::vector<Recipe> recipes();
@@ -42,8 +43,8 @@ Recipe find_recipe(std::string_view id);
 
 std::string published_csv(const std::vector<PublishedRow>& rows);
 
-/// The recipes of McRae, Cotter, Budd, "Optimal-transport-based mesh adaptivity on the plane and sphere using finite
-/// elements", SIAM J. Sci. Comput. 40 (2018).
+/// The recipes of McRae, Cotter, Budd, "Optimal-transport-based mesh adaptivity on the plane and sphere using
+/// finite elements", SIAM J. Sci. Comput. 40 (2018).
 std::vector<Recipe> mcrae_recipes();
 
 } // namespace gaspard

@@ -125,7 +125,7 @@ Problem check(const Catalogue& catalogue, Scenario scenario) {
     const Space space = catalogue.domain(scenario.domain.type).space(scenario.domain.values);
     auto monitor = catalogue.monitor(scenario.monitor.type).make(scenario.monitor.values, space);
     monitor->check();
-    return {std::move(scenario), space, std::move(monitor), capability};
+    return {std::move(scenario), std::move(monitor), capability};
 }
 
 } // namespace gaspard

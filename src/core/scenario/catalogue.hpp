@@ -50,9 +50,11 @@ Section domain_section(const Catalogue& catalogue, std::string_view type);
 Section monitor_section(const Catalogue& catalogue, std::string_view type);
 Section method_section(const Catalogue& catalogue, std::string_view type);
 
-/// The scenario with every default filled in; types may be empty for the first of the catalogue.
+/// The first of every type, with its defaults.
 Scenario default_scenario(const Catalogue& catalogue);
 
+/// Throws InputError if a scenario has no such key, or a reserved one.
+void check_key(Scenario& scenario, std::string_view key);
 /// Sets one value by its full key ("monitor.amplitude", "monitor.type"). A new type takes that type's
 /// defaults. Throws InputError: unknown or reserved key, wrong kind, out of range.
 void set_value(const Catalogue& catalogue, Scenario& scenario, std::string_view key, const Value& value);
@@ -63,7 +65,6 @@ void apply_settings(const Catalogue& catalogue, Scenario& scenario, const std::v
 /// A scenario that has passed: combination allowed, monitor positive. Everything a run needs to begin.
 struct Problem {
     Scenario scenario;
-    Space space;
     std::shared_ptr<const Monitor> monitor;
     const Capability* capability = nullptr; ///< in the catalogue that checked it
 };

@@ -1,4 +1,4 @@
-// The rows of the section "output": what a run without a window writes.
+// The rows of the section "output": what a run writes, and what the window exports.
 #pragma once
 
 #include "core/base/parameter.hpp"

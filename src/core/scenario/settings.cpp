@@ -60,6 +60,8 @@ void set_type(const Catalogue& catalogue, Scenario& scenario, Section& section, 
 
 } // namespace
 
+void check_key(Scenario& scenario, std::string_view key) { locate(scenario, key); }
+
 void set_value(const Catalogue& catalogue, Scenario& scenario, std::string_view key, const Value& value) {
     const Target target = locate(scenario, key);
     if (target.values) return target.values->set(target.key, value);

@@ -1,10 +1,10 @@
 #include "core/scenario/toml.hpp"
 
-#include "core/base/check.hpp"
+#include "core/base/error.hpp"
+#include "core/base/read_file.hpp"
 #include "core_assets.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 #include <toml++/toml.h>
 
@@ -21,7 +21,7 @@ Value to_value(const toml::node& node, const std::string& key) {
     if (const auto* whole = node.as_integer()) return whole->get();
     if (const auto* boolean = node.as_boolean()) return boolean->get();
     if (const auto* text = node.as_string()) return text->get();
-    throw InputError(key + " wants a single value");
+    throw InputError(key + " wants a single value, not a section or a list");
 }
 
 // Sets every key of one table, its type first, and says where an error is.
@@ -33,8 +33,7 @@ void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::ta
                           [&](const auto& entry) { return entry.first == section + ".type"; });
     for (const auto& [key, node] : entries) {
         try {
-            if (node->is_table())
-                set_value(catalogue, scenario, key, Value(std::string())); // reserved or unknown
+            check_key(scenario, key); // reserved and unknown sections have a sentence of their own
             set_value(catalogue, scenario, key, to_value(*node, key));
         } catch (const InputError& error) {
             throw InputError(place(origin, node->source()) + error.what());
@@ -86,8 +85,7 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
             } else {
                 auto known = sections;
                 known.insert(known.end(), {"title", "description"});
-                if (name == "pde" || name == "time")
-                    set_value(catalogue, scenario, name, Value(std::string()));
+                if (name == "pde" || name == "time") check_key(scenario, name);
                 throw InputError("unknown section or key '" + name + "'" + did_you_mean(name, known));
             }
         } catch (const InputError& error) {
@@ -102,11 +100,7 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
 }
 
 Scenario load_scenario(const Catalogue& catalogue, const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    if (!in || std::filesystem::is_directory(file) || !(text << in.rdbuf()))
-        throw InputError("cannot read the scenario file '" + file.string() + "'");
-    return parse_scenario(catalogue, text.str(), file.string());
+    return parse_scenario(catalogue, read_file(file), file.string());
 }
 
 std::string to_toml(const Scenario& scenario) {

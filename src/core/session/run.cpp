@@ -12,9 +12,10 @@ namespace gaspard {
 
 namespace {
 
-// Theta is the integral of m over the physical domain, which a map of the domain to itself keeps; the residual is
-// measured in units of theta.
-constexpr double divergence_factor = 1e3; // of the first theta; of the first residual, or of 1 where that is larger
+// Theta is the integral of m over the physical domain, which a map of the domain to itself keeps; the
+// residual is measured in units of theta.
+constexpr double divergence_factor =
+    1e3; // of the first theta; of the first residual, or of 1 where that is larger
 constexpr double worthwhile = 0.999; // a residual counts as better when it is below this part of the best
 constexpr int patience = 200;        // iterations without a better residual
 
@@ -54,7 +55,9 @@ void Run::begin(State state) {
     history_.clear();
     seconds_ = cpu_seconds_ = 0;
     const Evaluation evaluation = method_->evaluate(*problem_.monitor, state_, {});
-    if (!std::isfinite(evaluation.residual)) throw InputError("the start has no finite residual");
+    if (options_.start && !std::isfinite(evaluation.residual))
+        throw InputError("the start state has no finite residual for this monitor");
+    GASPARD_CHECK(std::isfinite(evaluation.residual));
     restart_judging();
     record(evaluation, 0, {});
 }
@@ -162,12 +165,14 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     // What has blown up is no start: a smaller step, say, goes on from the last mesh that was one.
     const bool back = status() == RunStatus::diverged || status() == RunStatus::tangled;
     std::optional<State> state = back ? last_untangled_ : state_;
+    std::optional<State> untangled = last_untangled_;
     if (new_method) {
         const Stopwatch watch;
         auto discretisation = new_domain ? prepare(problem, progress, stop) : discretisation_;
         auto method = catalogue_->method(problem.scenario.method.type)
                           .make(discretisation, problem.scenario.method.values);
         state = method->adopt(*state);
+        untangled = method->adopt(last_untangled_);
         if (new_domain) meter_.emplace(discretisation->mesh(), options_.threads);
         discretisation_ = std::move(discretisation);
         method_ = std::move(method);
@@ -180,8 +185,9 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         reset();
         return "The map could not be kept: the mesh starts again from the beginning.";
     }
-    state_ = last_untangled_ = std::move(*state);
-    const Evaluation evaluation = method_->evaluate(*problem_.monitor, state_, stop);
+    state_ = std::move(*state);
+    last_untangled_ = untangled ? std::move(*untangled) : method_->initial_state();
+    const Evaluation evaluation = method_->evaluate(*problem_.monitor, state_, {});
     GASPARD_CHECK(std::isfinite(evaluation.residual));
     restart_judging();
     record(evaluation, history_.back().iteration,

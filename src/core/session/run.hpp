@@ -30,11 +30,10 @@ class Run {
     /// Ends the run here as interrupted, with full diagnostics of the present iterate.
     void interrupt();
 
-    /// Goes on with other values, from the present map where it can (from the last one without tangled cells if the run
-    /// has ended as tangled or diverged); else from the start. The history goes on
-    /// too, with one more row for the present iterate under the new values. Returns a sentence for the user
-    /// where the map could not be kept, else nothing. Throws InputError (and Interrupted) and changes
-    /// nothing.
+    /// Goes on with other values, from the present map where it can (from the last one without tangled cells
+    /// if the run has ended as tangled or diverged); else from the start. The history goes on too, with one
+    /// more row for the present iterate under the new values. Returns a sentence for the user where the map
+    /// could not be kept, else nothing. Throws InputError and Interrupted before anything has changed.
     std::string change(const Scenario& scenario, const Progress& progress = {}, std::stop_token stop = {});
     /// Back to the identity map, with a new history.
     void reset();

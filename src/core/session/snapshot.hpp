@@ -60,7 +60,7 @@ struct Snapshot {
     Points x;                         ///< where the nodes stand, in the mesh's numbering
     std::vector<Field> fields;
     StepReport report;
-    std::uint64_t version = 0; ///< grows with every snapshot of a session
+    std::uint64_t version = 0; ///< grows with every iterate
 
     const Field* field(std::string_view name) const {
         for (const auto& f : fields)

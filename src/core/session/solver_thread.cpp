@@ -65,10 +65,7 @@ void SolverThread::work(std::stop_token stop) {
     try {
         prepare(stop);
         while (!stop.stop_requested()) {
-            for (auto& command : wait_for_commands(stop)) {
-                if (stop.stop_requested()) return;
-                execute(std::move(command), stop);
-            }
+            for (auto& command : wait_for_commands(stop)) execute(std::move(command), stop);
             if (stop.stop_requested() || !run_) continue;
             if (running_ && run_->status() == RunStatus::running) run_->step(stop);
             publish(stop);
@@ -79,6 +76,7 @@ void SolverThread::work(std::stop_token stop) {
         const std::string message = error.what();
         update([&](SolverStatus& status) {
             status.run = RunStatus::failed;
+            status.activity.clear();
             status.message = message;
             ++status.messages;
         });
@@ -90,7 +88,7 @@ void SolverThread::prepare(std::stop_token stop) {
         run_ = std::make_unique<Run>(catalogue_, scenario_, options_.run, progress(), stop);
         publish(stop);
     } catch (const InputError& error) { // there is no run until better values come
-        update([&](SolverStatus& status) { status.run = RunStatus::failed; });
+        update([&](SolverStatus& status) { status.run = RunStatus::failed, status.activity.clear(); });
         say(error.what());
     }
 }
@@ -120,14 +118,22 @@ void SolverThread::execute(Command command, std::stop_token stop) {
         void operator()(PauseCommand&) { self.running_ = false; }
         void operator()(StepCommand&) { // now, so that what is posted after it finds it done
             self.running_ = false;
-            if (self.run_ && self.run_->status() == RunStatus::running) self.run_->step(stop);
+            const bool possible = self.run_ && self.run_->status() == RunStatus::running;
+            if (possible && !stop.stop_requested()) self.run_->step(stop);
         }
         void operator()(ResetCommand&) {
-            if (self.run_) self.run_->reset();
+            if (!self.run_) return;
+            self.publish(stop); // what the old history has gained
+            self.run_->reset();
         }
-        void operator()(ChangeCommand& change) { self.change(std::move(change.scenario), stop); }
-        void operator()(InspectCommand& inspect) {
-            if (self.run_) inspect.task(*self.run_);
+        void operator()(ChangeCommand& change) {
+            if (!stop.stop_requested()) self.change(std::move(change.scenario), stop);
+        }
+        void operator()(InspectCommand& inspect) { // also when asked to stop: an export is not lost
+            if (self.run_)
+                inspect.task(*self.run_);
+            else
+                self.say("There is nothing to save yet.");
         }
     };
     std::visit(Visitor{*this, stop}, command);

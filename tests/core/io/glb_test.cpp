@@ -2,7 +2,7 @@
 // looked up in the file's JSON with another parser than the writer's.
 #include "core/base/error.hpp"
 #include "core/io/formats.hpp"
-#include "core/io/read_file.hpp"
+#include "core/base/read_file.hpp"
 #include "core/tessellate/colour_map.hpp"
 #include "support/comma_locale.hpp"
 #include "support/small_meshes.hpp"

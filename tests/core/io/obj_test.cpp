@@ -2,7 +2,7 @@
 // bit.
 #include "core/base/error.hpp"
 #include "core/io/formats.hpp"
-#include "core/io/read_file.hpp"
+#include "core/base/read_file.hpp"
 #include "support/comma_locale.hpp"
 #include "support/messages.hpp"
 #include "support/small_meshes.hpp"

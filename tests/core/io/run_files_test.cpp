@@ -1,6 +1,6 @@
 // The files of a whole run, read back as a script would: JSON by a parser, CSV by splitting at commas.
 #include "core/base/error.hpp"
-#include "core/io/read_file.hpp"
+#include "core/base/read_file.hpp"
 #include "core/io/run_files.hpp"
 #include "core/io/state_file.hpp"
 #include "core/scenario/toml.hpp"

@@ -1,5 +1,5 @@
 #include "core/base/error.hpp"
-#include "core/io/read_file.hpp"
+#include "core/base/read_file.hpp"
 #include "core/io/state_file.hpp"
 #include "support/messages.hpp"
 #include "support/temporary_folder.hpp"

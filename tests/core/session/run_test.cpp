@@ -166,6 +166,18 @@ TEST_F(RunTest, AfterABlowUpAChangeGoesOnFromTheLastUntangledMesh) {
     EXPECT_EQ(run.status(), RunStatus::converged);
 }
 
+TEST_F(RunTest, AMeshThatIsTangledOnTheWayIsNoPlaceToGoBackTo) {
+    gaspard::Run run = make();
+    for (int i = 0; i < 20; ++i) run.step();
+    run.change(scenario({"method.step_size=1"}));
+    while (run.status() == RunStatus::running && *run.history().back().tangled_cells == 0) run.step();
+    ASSERT_EQ(run.status(), RunStatus::running) << "tangled, but not yet out of bounds";
+    run.change(scenario({"method.step_size=3"})); // in the middle of it
+    finish(run);
+    run.change(scenario({"method.step_size=0.05"}));
+    EXPECT_EQ(*run.history().back().tangled_cells, 0u);
+}
+
 TEST_F(RunTest, AChangedResolutionKeepsTheMapToo) {
     gaspard::Run run = make({"monitor.sharpness=50"});
     finish(run);

@@ -1,4 +1,4 @@
-#include "core/io/read_file.hpp"
+#include "core/base/read_file.hpp"
 
 #include "core/base/error.hpp"
 
