@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <thread>
 #include <utility>
 
 namespace gaspard {
@@ -50,6 +51,8 @@ void Document::open(const Scenario& scenario) {
     run.opened = run.scenario = scenario;
     SolverThread::Options options;
     options.notify = notify_;
+    const unsigned cores = std::thread::hardware_concurrency(); // one of them is left to the window
+    options.run.threads = cores > 2 ? static_cast<int>(cores) - 1 : 1;
     run.solver = std::make_unique<SolverThread>(catalogue_, scenario, std::move(options));
     residual_.curves.push_back({.label = run.title, .x = {}, .y = {}});
     equidistribution_.curves.push_back({.label = run.title, .x = {}, .y = {}});

@@ -3,11 +3,11 @@
 #include "gui/headless_ui.hpp"
 #include "gui/status_bar.hpp"
 
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <gtest/gtest.h>
 #include <random>
 #include <thread>
@@ -50,12 +50,14 @@ class ApplicationTest : public testing::Test {
     DocumentRun& run() { return application.document().runs().front(); }
     /// What the solver thread itself works with.
     Scenario solved_scenario() {
-        Scenario seen;
-        std::atomic<bool> done = false;
+        const auto seen = std::make_shared<std::promise<Scenario>>(); // outlives a test that gave up waiting
+        auto answer = seen->get_future();
         run().solver->post(
-            InspectCommand{[&](gaspard::Run& solved) { seen = solved.scenario(), done = true; }});
-        EXPECT_TRUE(wait_until([&] { return done.load(); }));
-        return seen;
+            InspectCommand{[seen](gaspard::Run& solved) { seen->set_value(solved.scenario()); }});
+        if (wait_until([&] { return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }))
+            return answer.get();
+        ADD_FAILURE() << "the solver does not answer";
+        return {};
     }
 
     std::filesystem::path folder =
