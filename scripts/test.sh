@@ -20,7 +20,7 @@ build_and_test() { # folder, label expression of tests to leave out (empty: none
 
 if [ -n "$full" ]; then
   echo "== ThreadSanitizer (the core and its threads; graphics drivers are not instrumented)"
-  build_and_test "$here/build-thread" 'graphics|long|plain' -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGASPARD_SANITIZER=thread
+  build_and_test "$here/build-thread" 'graphics|display|long|plain' -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGASPARD_SANITIZER=thread
   echo "== AddressSanitizer and UndefinedBehaviorSanitizer"
   build_and_test "$here/build-address" 'display|long|plain' -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGASPARD_SANITIZER=address
   echo "== Release"

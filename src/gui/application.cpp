@@ -4,6 +4,7 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/run_files.hpp"
 #include "core/scenario/toml.hpp"
+#include "gui/icons.hpp"
 #include "gui/plot_widget.hpp"
 #include "gui/status_bar.hpp"
 #include "gui/viewport.hpp"
@@ -17,7 +18,8 @@ namespace gaspard {
 
 namespace {
 
-constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings |
                                           ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
 
@@ -25,10 +27,32 @@ constexpr const char* hint =
     "Drag to pan, turn the wheel to zoom, double-click to see the whole mesh. F1 shows all keys.";
 
 /// Begins a window that fills a part of the layout.
-void begin_part(const char* name, const ItemRectangle& part, ImGuiWindowFlags flags = 0) {
+void begin_part(const char* name, const ItemRectangle& part,
+                ImGuiWindowFlags flags = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse) {
     ImGui::SetNextWindowPos({part.left, part.top});
     ImGui::SetNextWindowSize({std::max(1.0F, part.width()), std::max(1.0F, part.height())});
     ImGui::Begin(name, nullptr, fixed_window | flags);
+}
+
+Icon icon_of(ActionId id) {
+    switch (id) {
+    case ActionId::run_pause:
+        return Icon::run;
+    case ActionId::step:
+        return Icon::step;
+    case ActionId::reset:
+        return Icon::reset;
+    case ActionId::home:
+        return Icon::home;
+    case ActionId::screenshot:
+        return Icon::picture;
+    case ActionId::export_files:
+        return Icon::save;
+    case ActionId::help:
+    case ActionId::quit:
+        break;
+    }
+    return Icon::none;
 }
 
 } // namespace
@@ -158,22 +182,34 @@ void Application::draw_toolbar() {
     const float em = ImGui::GetFontSize();
     for (const Action& row : actions()) {
         if (!row.toolbar) continue;
-        const bool main = row.id == ActionId::run_pause;
-        if (main) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-        ImGui::BeginDisabled(!possible(row.id));
-        const std::string label = label_of(row) + "###" + std::string(row.name);
-        if (ImGui::Button(label.c_str(), {main ? 6.5F * em : 0, 0})) perform(row.id);
-        ImGui::EndDisabled();
-        if (main) ImGui::PopStyleColor();
-        remember_item(items_, "action." + std::string(row.name));
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("%.*s\nKey: %s", static_cast<int>(row.help.size()), row.help.data(),
-                              describe_keys(row).c_str());
+        draw_button(row);
         const bool last_of_group = row.id == ActionId::reset || row.id == ActionId::home;
-        ImGui::SameLine(0, last_of_group ? 1.5F * em : 0.5F * em);
+        ImGui::SameLine(0, last_of_group ? 1.6F * em : 0.5F * em);
     }
     draw_scenarios();
     ImGui::End();
+}
+
+void Application::draw_button(const Action& row) {
+    const bool main = row.id == ActionId::run_pause;
+    if (main) { // what one looks for first
+        const ImVec4 accent = to_imgui(theme_.accent);
+        ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(theme_.background));
+        ImGui::PushStyleColor(ImGuiCol_Button, accent);
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
+        ImGui::PushStyleColor(ImGuiCol_ButtonActive, accent);
+    }
+    ImGui::BeginDisabled(!possible(row.id));
+    const std::string id = "##" + std::string(row.name);
+    const Icon icon = main && run().solving() ? Icon::pause : icon_of(row.id);
+    if (icon_button(id.c_str(), icon, label_of(row).c_str(), main ? 7.5F * ImGui::GetFontSize() : 0))
+        perform(row.id);
+    ImGui::EndDisabled();
+    if (main) ImGui::PopStyleColor(4);
+    remember_item(items_, "action." + std::string(row.name));
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%.*s\nKey: %s", static_cast<int>(row.help.size()), row.help.data(),
+                          describe_keys(row).c_str());
 }
 
 void Application::draw_scenarios() {
@@ -193,13 +229,15 @@ void Application::draw_scenarios() {
 }
 
 void Application::draw_sidebar() {
-    begin_part("##sidebar", layout_.sidebar);
+    begin_part("##sidebar", layout_.sidebar, ImGuiWindowFlags_None); // it may have to scroll
     Scenario scenario = run().scenario;
     const PanelContext context{*catalogue_, run().opened, theme_, items_};
     bool changed = false;
-    for (const auto kind : {SectionKind::domain, SectionKind::monitor, SectionKind::method})
+    for (const auto kind : {SectionKind::domain, SectionKind::monitor, SectionKind::method}) {
         if (ImGui::CollapsingHeader(section_title(kind), ImGuiTreeNodeFlags_DefaultOpen))
             changed |= panel_.draw_section(kind, context, scenario);
+        ImGui::Spacing();
+    }
     if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen))
         panel_.draw_rows(context, run().opened.view, viewport().view, {"color", "blend"});
     scenario.view = viewport().view;
@@ -212,7 +250,9 @@ void Application::draw_sidebar() {
 
 void Application::draw_viewport() {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    begin_part("##viewport", layout_.viewport, ImGuiWindowFlags_NoBackground);
+    begin_part("##viewport", layout_.viewport,
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                   ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     const float width = std::max(1.0F, layout_.viewport.width()),
                 height = std::max(1.0F, layout_.viewport.height());
@@ -281,10 +321,13 @@ void Application::draw_help() {
     ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Appearing, {0.5F, 0.5F});
     if (ImGui::Begin("Keys and mouse", &help_,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize)) {
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
+                            {0.6F * ImGui::GetFontSize(), 0.25F * ImGui::GetFontSize()});
         if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-            const auto line = [](const std::string& what, std::string_view help) {
+            const ImVec4 accent = to_imgui(theme_.accent);
+            const auto line = [&](const std::string& what, std::string_view help) {
                 ImGui::TableNextColumn();
-                ImGui::TextUnformatted(what.c_str());
+                ImGui::TextColored(accent, "%s", what.c_str());
                 ImGui::TableNextColumn();
                 ImGui::TextUnformatted(help.data(), help.data() + help.size());
             };
@@ -295,6 +338,7 @@ void Application::draw_help() {
             line("Ctrl+click a slider", "Type its value.");
             ImGui::EndTable();
         }
+        ImGui::PopStyleVar();
     }
     ImGui::End();
 }

@@ -43,6 +43,7 @@ class Application {
     bool press_key(std::string_view key);
     void perform(ActionId id);
 
+    const std::string& title() { return run().title; }
     bool quit_requested() const { return quit_; }
     /// True once after a screenshot was asked for; the answer is save_picture().
     bool take_screenshot_request() { return std::exchange(screenshot_, false); }
@@ -65,6 +66,7 @@ class Application {
     std::string label_of(const Action& action);
     void draw_menus();
     void draw_toolbar();
+    void draw_button(const Action& row);
     void draw_scenarios();
     void draw_sidebar();
     void draw_viewport();

@@ -1,6 +1,7 @@
 #include "gui/parameter_panel.hpp"
 
 #include "core/base/check.hpp"
+#include "gui/icons.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -92,6 +93,25 @@ void set_number(Values& values, const ParameterRow& row, double number) {
         values.set(row.key, number);
 }
 
+/// What a slider runs along, evenly: the value, its logarithm, or where that has no place for the smallest
+/// value, asinh, which is a logarithm for large values and goes through zero.
+double along(const ParameterRow& row, double value) {
+    if (row.scale == ParameterScale::linear) return value;
+    return row.minimum > 0 ? std::log(value) : std::asinh(value);
+}
+
+double position_of(const ParameterRow& row, double value) {
+    const double low = along(row, row.minimum), high = along(row, row.maximum);
+    return high > low ? (along(row, value) - low) / (high - low) : 0;
+}
+
+double value_at(const ParameterRow& row, double position) {
+    const double low = along(row, row.minimum), high = along(row, row.maximum);
+    const double place = low + position * (high - low);
+    if (row.scale == ParameterScale::linear) return place;
+    return row.minimum > 0 ? std::exp(place) : std::sinh(place);
+}
+
 /// A dragged value with no more digits than the hand can aim for; a typed one stays as typed.
 double rounded(const ParameterRow& row, double value) {
     if (row.kind == ParameterKind::integer) return std::round(value);
@@ -104,21 +124,27 @@ double rounded(const ParameterRow& row, double value) {
 }
 
 /// Beside the panel, so that it never covers what it explains.
-void show_tooltip(const ParameterRow& row, const std::string& key, float top) {
+void show_tooltip(const std::string& title, const std::string& help, const std::string& details, float top) {
     const float em = ImGui::GetFontSize();
-    const ImVec2 position(ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + 0.5F * em, top - 0.5F * em);
-    ImGui::SetNextWindowPos(position);
+    ImGui::SetNextWindowPos({ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + 0.5F * em, top - 0.6F * em});
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(24 * em);
-    ImGui::TextUnformatted(row.label.c_str());
-    if (!row.help.empty()) ImGui::TextWrapped("%s", row.help.c_str());
-    ImGui::Spacing();
-    const std::string unit = row.unit.empty() ? "" : " " + row.unit;
-    const std::string range = describe_range(row) + unit;
-    ImGui::TextDisabled("%s\n%s\nopens with %s", key.c_str(), range.c_str(),
-                        (format_value(row.default_value) + unit).c_str());
+    ImGui::TextUnformatted(title.c_str());
+    if (!help.empty()) ImGui::TextWrapped("%s", help.c_str());
+    ImGui::TextDisabled("%s", details.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+std::string details_of(const ParameterRow& row, const std::string& key) {
+    const std::string unit = row.unit.empty() ? "" : " " + row.unit;
+    return key + "\n" + describe_range(row) + unit + "; by default " + format_value(row.default_value) + unit;
+}
+
+/// Whether the mouse rests on a row, from its label to its typed value.
+bool row_hovered(ImVec2 corner, const Columns& c) {
+    const ImVec2 end(ImGui::GetWindowPos().x + c.typed + c.typed_width, corner.y + ImGui::GetFrameHeight());
+    return ImGui::IsMouseHoveringRect(corner, end) && ImGui::IsWindowHovered() && !ImGui::IsMouseDown(0);
 }
 
 void draw_label(const std::string& label, const std::string& symbol) {
@@ -129,20 +155,13 @@ void draw_label(const std::string& label, const std::string& symbol) {
     ImGui::TextDisabled("%s", symbol.c_str());
 }
 
-/// An arrow that turns back, drawn so that no font need have it.
 bool reset_button(const char* id) {
     const float side = ImGui::GetFrameHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool clicked = ImGui::InvisibleButton(id, {side, side});
     const ImU32 colour = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_TextDisabled);
-    const ImVec2 center(at.x + side / 2, at.y + side / 2);
-    const float radius = 0.26F * side, tip = 0.17F * side;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PathArcTo(center, radius, -2.5F, 2.2F, 20);
-    list.PathStroke(colour, ImDrawFlags_None, 0.085F * side);
-    const ImVec2 end(center.x + radius * std::cos(-2.5F), center.y + radius * std::sin(-2.5F));
-    list.AddTriangleFilled({end.x - tip, end.y - 0.4F * tip}, {end.x + tip, end.y - 0.1F * tip},
-                           {end.x - 0.5F * tip, end.y + 1.5F * tip}, colour);
+    draw_icon(*ImGui::GetWindowDrawList(), Icon::reset, {at.x + side / 2, at.y + side / 2}, 0.5F * side,
+              colour);
     return clicked;
 }
 
@@ -198,12 +217,15 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
 
     ImGui::PushID(key.c_str());
     const Columns c = columns();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
     draw_label("Type", "");
     ImGui::SameLine(c.control);
     ImGui::SetNextItemWidth(c.typed + c.typed_width - c.control);
     const bool open =
         ImGui::BeginCombo("##type", shown == entries.end() ? current.c_str() : shown->label->c_str());
     remember_item(context.items, key);
+    if (shown != entries.end() && row_hovered(corner, c))
+        show_tooltip(*shown->label, *shown->help, key, corner.y);
     if (open) {
         for (const auto& entry : entries) {
             auto candidate = with_type(context.catalogue, context.opened, scenario, kind, *entry.name);
@@ -290,9 +312,7 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
         break;
     }
     }
-    const ImVec2 end(corner.x + c.typed + c.typed_width, corner.y + ImGui::GetFrameHeight());
-    if (ImGui::IsMouseHoveringRect(corner, end) && ImGui::IsWindowHovered() && !ImGui::IsMouseDown(0))
-        show_tooltip(row, key, corner.y);
+    if (row_hovered(corner, c)) show_tooltip(row.label, row.help, details_of(row, key), corner.y);
 
     const Value& origin = opened ? opened->at(row.key) : row.default_value;
     if (values.at(row.key) != origin) {
@@ -311,18 +331,17 @@ bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow
     bool changed = false;
     const bool bounded = std::isfinite(row.minimum) && std::isfinite(row.maximum);
     if (bounded) {
-        double position = value;
-        auto flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
-        if (row.scale == ParameterScale::logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+        double position = position_of(row, value);
+        constexpr double first = 0, last = 1;
         ImGui::SetNextItemWidth(c.slider_width);
         const bool typing_wanted = ImGui::GetIO().KeyCtrl;
-        const bool moved = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &position, &row.minimum,
-                                               &row.maximum, "", flags);
+        const bool moved = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &position, &first, &last, "",
+                                               ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
         remember_item(context.items, key);
         if (ImGui::IsItemClicked() && typing_wanted)
             focus_ = key;
         else if (moved && focus_ != key) {
-            value = std::clamp(rounded(row, position), row.minimum, row.maximum);
+            value = std::clamp(rounded(row, value_at(row, position)), row.minimum, row.maximum);
             changed = true;
         }
         ImGui::SameLine(c.typed);

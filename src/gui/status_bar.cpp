@@ -1,6 +1,9 @@
 #include "gui/status_bar.hpp"
 
+#include "gui/actions.hpp"
+
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <imgui.h>
 
@@ -80,8 +83,8 @@ std::vector<StatusCell> status_cells(const DocumentRun& run) {
     cells.push_back({"Iteration", now ? std::to_string(now->iteration) : none});
     cells.push_back({"Residual", now ? scientific(now->residual) : none});
     cells.push_back({"Equidistribution", measured ? short_number(*measured->equidistribution) : none});
-    cells.push_back({"Least Jacobian",
-                     measured && measured->min_jacobian ? short_number(*measured->min_jacobian) : none});
+    cells.push_back(
+        {"Min. Jacobian", measured && measured->min_jacobian ? short_number(*measured->min_jacobian) : none});
     const auto tangled = measured ? measured->tangled_cells : std::nullopt;
     cells.push_back({"Tangled cells", tangled ? std::to_string(*tangled) : none,
                      tangled && *tangled > 0 ? Tone::bad : Tone::plain});
@@ -90,7 +93,13 @@ std::vector<StatusCell> status_cells(const DocumentRun& run) {
 }
 
 std::string closing_note(const DocumentRun& run) {
-    return !run.history.empty() && is_final(run.status.run) ? run.history.back().note : std::string();
+    if (run.history.empty() || !run.ended()) return {};
+    std::string note = run.history.back().note;
+    if (note.empty()) return {};
+    note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
+    const bool beyond_repair = run.status.run == RunStatus::diverged || run.status.run == RunStatus::tangled;
+    if (beyond_repair) note += "; " + describe_keys(action(ActionId::reset)) + " starts from the beginning";
+    return note + ".";
 }
 
 void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view hint, const Theme& theme,

@@ -49,17 +49,26 @@ struct DestroyWindow {
 };
 using GlfwWindow = std::unique_ptr<GLFWwindow, DestroyWindow>;
 
+/// No larger than the screen has room for.
+std::pair<int, int> size_within_screen(const WindowOptions& options) {
+    int x = 0, y = 0, width = 0, height = 0;
+    if (GLFWmonitor* screen = glfwGetPrimaryMonitor())
+        glfwGetMonitorWorkarea(screen, &x, &y, &width, &height);
+    return {width > 0 ? std::min(options.width, width) : options.width,
+            height > 0 ? std::min(options.height, height) : options.height};
+}
+
 GlfwWindow open_window(const std::string& title, const WindowOptions& options) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_SAMPLES, 4);
-    GlfwWindow window(glfwCreateWindow(options.width, options.height, title.c_str(), nullptr, nullptr));
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    const auto [width, height] = size_within_screen(options);
+    GlfwWindow window(glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr));
     if (!window)
         throw MachineError("No OpenGL 3.3 for a window here (" + last_glfw_error() +
                            "); use `gaspard run`, which draws without one");
-    glfwSetWindowSizeLimits(window.get(), 720, 540, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(window.get());
     glfwSwapInterval(1);
     return window;
@@ -160,6 +169,10 @@ class Window {
                 interface_->update_font();
                 application_->set_scale(scales_.zoom);
             }
+            if (const std::string& title = application_->title(); title != title_) {
+                title_ = title;
+                glfwSetWindowTitle(window_.get(), ("Gaspard: " + title).c_str());
+            }
             draw();
         }
         glfwHideWindow(window_.get()); // gone at once; the solver ends within its step
@@ -171,19 +184,27 @@ class Window {
         if (!happenings_.news.exchange(true)) glfwPostEmptyEvent();
     }
 
-    /// Sleeps until there is something to draw, and never draws more than 60 times a second.
+    /// Sleeps until there is something to draw, and never draws more than 60 times a second. Where drawing is
+    /// slow (no graphics card), it takes half of the time at most, for the solver needs the cores too; input
+    /// comes first.
     void wait() {
         if (frames_due_ == 0 && !happenings_.news) glfwWaitEvents();
-        for (double rest = 0; (rest = drawn_ + frame_seconds - glfwGetTime()) > 0;)
-            glfwWaitEventsTimeout(rest);
+        const auto rest = [this] {
+            const double pause =
+                happenings_.input ? frame_seconds : std::max(frame_seconds, 2 * drawing_seconds_);
+            return begun_ + pause - glfwGetTime();
+        };
+        for (double left = 0; (left = rest()) > 0;) glfwWaitEventsTimeout(left);
         glfwPollEvents();
         if (std::exchange(happenings_.input, false) || happenings_.news) frames_due_ = settling_frames;
         frames_due_ = std::max(0, frames_due_ - 1);
-        drawn_ = glfwGetTime();
+        begun_ = glfwGetTime();
     }
 
     void set_scales(Scales scales) {
         scales_ = scales;
+        glfwSetWindowSizeLimits(window_.get(), std::lround(720 * scales.zoom), std::lround(540 * scales.zoom),
+                                GLFW_DONT_CARE, GLFW_DONT_CARE);
         apply_theme(theme_, scales.zoom);
         ImGuiIO& io = ImGui::GetIO();
         load_font(*io.Fonts, theme_, scales.zoom * scales.density); // as many pixels as it will cover
@@ -211,6 +232,8 @@ class Window {
         }
         interface_->draw(*ImGui::GetDrawData());
         if (application_->take_screenshot_request()) application_->save_picture(read_pixels(area, height));
+        gl_.Finish();
+        drawing_seconds_ = glfwGetTime() - begun_; // without the wait for the screen that follows
         glfwSwapBuffers(window_.get());
     }
 
@@ -249,8 +272,9 @@ class Window {
     std::optional<ImGuiRenderer> interface_;
     std::optional<MeshRenderer> meshes_;
     Scales scales_;
+    std::string title_; ///< of what is shown
     int frames_due_ = settling_frames;
-    double drawn_ = 0;
+    double begun_ = 0, drawing_seconds_ = 0; ///< of the last frame
     std::optional<Application> application_;
 };
 

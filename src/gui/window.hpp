@@ -10,7 +10,7 @@
 namespace gaspard {
 
 struct WindowOptions {
-    int width = 1400, height = 900; ///< in the screen's units
+    int width = 1400, height = 900; ///< of a display of scale 1; no more than the screen has
     std::filesystem::path output =
         "gaspard-out"; ///< exports and screenshots go into a folder per scenario here
 };

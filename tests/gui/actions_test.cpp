@@ -1,7 +1,10 @@
 #include "gui/actions.hpp"
 
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <set>
+#include <string>
 
 namespace gaspard {
 namespace {
@@ -45,6 +48,13 @@ TEST(Actions, MarkdownHasOneRowPerAction) {
         EXPECT_NE(table.find("| " + describe_keys(row) + " | " + std::string(row.label) + " | "),
                   std::string::npos)
             << row.name;
+}
+
+TEST(Actions, TheReadmeHasTheTable) {
+    std::ifstream file(GASPARD_SOURCE_DIR "/README.md");
+    const std::string readme((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_NE(readme.find(actions_markdown()), std::string::npos) << "README.md is to have:\n"
+                                                                  << actions_markdown();
 }
 
 } // namespace

@@ -1,9 +1,11 @@
 #include "core/scenario/toml.hpp"
 #include "gui/application.hpp"
 #include "gui/headless_ui.hpp"
+#include "gui/status_bar.hpp"
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -86,7 +88,7 @@ TEST_F(ApplicationTest, EveryPartHasItsPlaceInTheWindow) {
 TEST_F(ApplicationTest, ADraggedSliderReachesTheSolver) {
     ASSERT_TRUE(wait_until([&] { return run().history.size() > 3; }));
     const double before = solved_scenario().monitor.values.real("amplitude");
-    ui.drag(application.items().find("monitor.amplitude")->second, 0.1F, 0.4F, drawing());
+    ui.drag(application.items().find("monitor.amplitude")->second, 0.4F, 0.6F, drawing());
     const double shown = run().scenario.monitor.values.real("amplitude");
     EXPECT_GT(shown, before);
     EXPECT_EQ(solved_scenario().monitor.values.real("amplitude"), shown);
@@ -166,6 +168,83 @@ TEST_F(ApplicationTest, PicturesAreNumbered) {
         ASSERT_TRUE(wait_until([&] { return application.message().text == "Saved " + file.string(); }));
         EXPECT_EQ(read_image(file).width, 2);
     }
+}
+
+TEST_F(ApplicationTest, ATangledRunIsRedAndSaysHowToGoOn) {
+    Scenario wild = run().scenario;
+    set_value(*catalogue, wild, "monitor.amplitude", 500.0);
+    set_value(*catalogue, wild, "method.step_size", 5.0);
+    application.document().change(0, wild);
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const auto cells = status_cells(run());
+    EXPECT_EQ(cells[0].tone, Tone::bad) << cells[0].value;
+    EXPECT_EQ(cells[5].label, "Tangled cells");
+    EXPECT_EQ(cells[5].tone, Tone::bad) << cells[5].value;
+    EXPECT_NE(closing_note(run()).find("R starts from the beginning"), std::string::npos)
+        << closing_note(run());
+    EXPECT_TRUE(application.press_key("R"));
+    ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
+    EXPECT_TRUE(closing_note(run()).empty());
+    EXPECT_EQ(status_cells(run())[5].value, "0");
+    EXPECT_EQ(status_cells(run())[5].tone, Tone::plain);
+}
+
+TEST_F(ApplicationTest, WhatTheSolverRefusesIsASentenceAndThePictureStays) {
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3 && application.picture(); }));
+    Scenario impossible = run().scenario;
+    impossible.method.type = "no-such-method";
+    application.document().change(0, impossible);
+    ASSERT_TRUE(wait_until([&] { return application.message().error; }));
+    EXPECT_NE(application.message().text.find("no-such-method"), std::string::npos)
+        << application.message().text;
+    EXPECT_NE(application.picture(), nullptr);
+    EXPECT_NE(run().status.run, RunStatus::failed);
+}
+
+TEST_F(ApplicationTest, TheMouseSteersTheCamera) {
+    ASSERT_TRUE(wait_until([&] { return application.picture() != nullptr; }));
+    frame();
+    const ItemRectangle view = application.items().find("viewport")->second;
+    const Size size{static_cast<double>(view.width()), static_cast<double>(view.height())};
+    const Camera home = application.camera();
+
+    ui.drag(view, 0.5F, 0.6F, drawing());
+    const Pixel moved = to_pixel(application.camera(), size, home.centre);
+    EXPECT_NEAR(moved.x, 0.6 * size.width, 2) << "the mesh follows the mouse";
+    EXPECT_NEAR(moved.y, 0.5 * size.height, 2);
+
+    const Pixel pointer{std::floor(0.25 * size.width), std::floor(0.75 * size.height)};
+    ui.move(view.left + static_cast<float>(pointer.x), view.top + static_cast<float>(pointer.y));
+    frame();
+    const Camera before = application.camera();
+    ui.wheel(3);
+    frame();
+    EXPECT_LT(application.camera().scale, before.scale);
+    const Vec3 there = to_world(before, size, pointer), now = to_world(application.camera(), size, pointer);
+    EXPECT_NEAR(there.x, now.x, 1e-6) << "what is under the pointer stays there";
+    EXPECT_NEAR(there.y, now.y, 1e-6);
+
+    EXPECT_TRUE(application.press_key("H"));
+    frame();
+    EXPECT_EQ(application.camera(), home);
+    ui.drag(view, 0.5F, 0.6F, drawing());
+    EXPECT_NE(application.camera(), home);
+    for (int i = 0; i < 30; ++i) frame(); // so that the drag is not the first of two clicks
+    ui.click(view, drawing());
+    ui.click(view, drawing());
+    frame();
+    EXPECT_EQ(application.camera(), home) << "a double click goes home";
+}
+
+TEST_F(ApplicationTest, BlendShowsTheComputationalMeshAndSolvesNothing) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const auto rows = run().history.size();
+    EXPECT_EQ(application.picture()->blend, 1);
+    ui.drag(application.items().find("view.blend")->second, 0.9F, -0.5F, drawing());
+    frame();
+    EXPECT_EQ(application.picture()->blend, 0);
+    solved_scenario();
+    EXPECT_EQ(run().history.size(), rows);
 }
 
 TEST_F(ApplicationTest, AnotherScenarioStartsFromItsOwnBeginning) {

@@ -3,6 +3,7 @@
 #include "gui/parameter_panel.hpp"
 
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 namespace gaspard {
 namespace {
@@ -56,7 +57,7 @@ TEST_F(PanelTest, EveryRowHasItsItem) {
 
 TEST_F(PanelTest, DraggingASliderChangesTheValueAndStaysInRange) {
     settle();
-    ui.drag(items.at("monitor.amplitude"), 0.1F, 0.5F, drawing());
+    ui.drag(items.at("monitor.amplitude"), 0.1F, 0.6F, drawing());
     const double middle = scenario.monitor.values.real("amplitude");
     EXPECT_GT(middle, opened.monitor.values.real("amplitude"));
     EXPECT_GT(changes, 0);
@@ -128,6 +129,22 @@ TEST_F(PanelTest, ControlAndClickOnASliderTypesItsValue) {
     ui.click(items.at("domain.cells.input"), drawing());
     settle();
     EXPECT_EQ(scenario.monitor.values.real("radius"), 0.125);
+}
+
+TEST_F(PanelTest, ARowUnderTheMouseExplainsItselfBesideThePanel) {
+    settle();
+    EXPECT_EQ(ImGui::FindWindowByName("##Tooltip_00"), nullptr);
+    const ItemRectangle slider = items.at("monitor.amplitude");
+    ui.move(slider.center_x(), slider.center_y());
+    settle();
+    const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+    ASSERT_NE(tooltip, nullptr);
+    EXPECT_TRUE(tooltip->Active);
+    EXPECT_GE(tooltip->Pos.x, 380);
+    EXPECT_GT(tooltip->Size.y, 3 * ImGui::GetFontSize());
+    ui.move_away();
+    settle();
+    EXPECT_FALSE(tooltip->Active);
 }
 
 TEST_F(PanelTest, AnotherTypeTakesThatTypesRows) {

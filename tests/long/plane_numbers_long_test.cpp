@@ -13,5 +13,15 @@ TEST(LongPlaneNumbers, RingAt240) {
     EXPECT_NEAR(order, 1.82, 0.005); // towards 2
 }
 
+TEST(LongPlaneNumbers, ConstantMonitorMovesNothingOnTheLargestMesh) {
+    for (const bool periodic : {true, false}) {
+        Relaxing run(480, periodic, make_monitor("constant", {}, {{"value", 7}}), 0.1);
+        for (int i = 0; i < 3; ++i) run.step();
+        const Points& xi = run.plane->mesh()->nodes;
+        for (std::size_t i = 0; i < xi.size(); ++i) ASSERT_LT(norm(run.x()[i] - xi[i]), 1e-13);
+        EXPECT_LT(run.history.back().residual, 1e-11);
+    }
+}
+
 } // namespace
 } // namespace gaspard

@@ -26,8 +26,8 @@ struct MeshQuality {
 };
 
 /// Measures a mesh; holds the reference quadrature and the computational measures, and room to work in.
-/// Of a surface in space the Jacobian is negative where the physical cell faces away from the computational
-/// one.
+/// Of a line or surface in space the Jacobian is negative where the physical cell faces away from the
+/// computational one. What is turned over counts negative in M_i, so that their sum remains.
 class QualityMeter {
   public:
     /// `points` Gauss points per direction for the integral of m: with 6 the equidistribution of

@@ -35,7 +35,7 @@ std::vector<double> PlaneQ2::line_weights() const {
 
 PlaneQ2::Room PlaneQ2::make_room() const {
     const std::size_t n = unknowns();
-    return {poisson_.make_room(), std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+    return {poisson_.make_room(), std::vector<double>(n), std::vector<double>(n)};
 }
 
 void PlaneQ2::positions(std::span<const double> phi, Points& x, Room& room) const {

@@ -42,7 +42,7 @@ class PlaneQ2 final : public Discretisation {
     /// Buffers for one caller; operators allocate nothing.
     struct Room {
         TensorPoisson::Room poisson;
-        std::vector<double> a, b, c;
+        std::vector<double> a, b;
     };
     Room make_room() const;
 

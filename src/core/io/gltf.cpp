@@ -54,6 +54,19 @@ Triples colours_of(const std::vector<double>& values) {
     return triples;
 }
 
+constexpr float dark_ink = 0.01f, light_ink = 0.5f; // linear light
+
+/// Lines that are seen on faces of these colours: against either ink the contrast ratio is at least 3.
+Triples ink_on(const Triples& faces) {
+    Triples triples;
+    triples.reserve(faces.size());
+    for (std::size_t i = 0; i < faces.size(); i += 3) {
+        const float luminance = 0.2126f * faces[i] + 0.7152f * faces[i + 1] + 0.0722f * faces[i + 2];
+        triples.insert(triples.end(), 3, luminance < 0.13f ? light_ink : dark_ink);
+    }
+    return triples;
+}
+
 /// Puts arrays into the model's one buffer; each function returns the number of the accessor that describes
 /// the array.
 class Packer {
@@ -191,25 +204,30 @@ tinygltf::Model build_model(const Snapshot& snapshot) {
     Packer packer(model);
     const int position = packer.positions(single_precision(x));
     const int displacement = packer.positions(single_precision(back));
-    int colour = -1;
-    if (const Field* monitor = snapshot.field("monitor"); monitor && monitor->place == FieldPlace::node)
-        colour = packer.vertices(colours_of(shown_values(shape, monitor->values)));
+    const std::vector<double> white = {1, 1, 1, 1},
+                              ink = {static_cast<double>(dark_ink), static_cast<double>(dark_ink),
+                                     static_cast<double>(dark_ink), 1};
+    const Field* monitor = snapshot.field("monitor");
+    const bool has_faces = !shape.triangles.empty();
 
     tinygltf::Mesh mesh;
-    const bool has_faces = !shape.triangles.empty();
     if (has_faces) {
         // Light shows the form of what is bent; on a flat sheet it would only change the colours.
-        const int material = add_material(model, "faces", {1, 1, 1, 1}, snapshot.mesh->space_dimension == 3);
+        const int material = add_material(model, "faces", white, snapshot.mesh->space_dimension == 3);
         mesh.primitives.push_back(primitive(TINYGLTF_MODE_TRIANGLES,
                                             packer.indices(shape.triangles, x.size()), material, position,
                                             displacement));
     }
-    const std::vector<double> ink =
-        has_faces || colour < 0 ? std::vector<double>{0.01, 0.01, 0.01, 1} : std::vector<double>{1, 1, 1, 1};
     mesh.primitives.push_back(primitive(TINYGLTF_MODE_LINE, packer.indices(shape.segments, x.size()),
-                                        add_material(model, "edges", ink, false), position, displacement));
-    // Of a mesh of lines, the edges are the cells, and carry the colours.
-    if (colour >= 0) mesh.primitives.front().attributes["COLOR_0"] = colour;
+                                        add_material(model, "edges", monitor ? white : ink, false), position,
+                                        displacement));
+    if (monitor) {
+        GASPARD_CHECK(monitor->place == FieldPlace::node);
+        // Of a mesh of lines, the edges are the cells, and carry the colours.
+        const Triples colours = colours_of(shown_values(shape, monitor->values));
+        mesh.primitives.front().attributes["COLOR_0"] = packer.vertices(colours);
+        if (has_faces) mesh.primitives.back().attributes["COLOR_0"] = packer.vertices(ink_on(colours));
+    }
     add_animation(model, packer);
     add_scene(model, std::move(mesh));
     return model;

@@ -13,6 +13,7 @@ MonitorType bell_monitor() {
                       .symbol = "A",
                       .minimum = -0.99,
                       .maximum = 5000,
+                      .scale = ParameterScale::logarithmic,
                       .default_value = 50.0,
                       .help = "how much denser the mesh is at the centre; the monitor would vanish at -1"},
                      {.key = "sharpness",

@@ -13,6 +13,7 @@ MonitorType ring_monitor() {
                       .symbol = "A",
                       .minimum = -0.99,
                       .maximum = 1000,
+                      .scale = ParameterScale::logarithmic,
                       .default_value = 10.0,
                       .help = "how much denser the mesh is on the ring; the monitor would vanish at -1"},
                      {.key = "sharpness",

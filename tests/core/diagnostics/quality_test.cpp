@@ -319,6 +319,22 @@ TEST(Quality, OfACurvedLineIsExact) {
     EXPECT_NEAR(q.max_jacobian, 2, 1e-14);
 }
 
+TEST(Quality, OfALineTurnedBackIsTangled) {
+    const Mesh straight = three_lines(); // 0, 1/4, 2/3, 1
+    Mesh tilted = straight;
+    tilted.space_dimension = 2;
+    tilted.nodes = moved_by(straight, [](Vec3 xi) { return Vec3{0.6 * xi.x, 0.8 * xi.x, 0}; });
+    for (const Mesh& mesh : {straight, tilted}) {
+        Points x = mesh.nodes;
+        x.set(3, 0.125 / 0.25 * mesh.nodes[2]); // from 2/3 to 1/8, before its neighbour
+        const MeshQuality q = quality(mesh, x, *one);
+        EXPECT_EQ(q.tangled_cells, 1u);
+        EXPECT_NEAR(q.min_jacobian, -0.125 / (2.0 / 3 - 0.25), 1e-14);
+        EXPECT_NEAR(q.max_jacobian, 0.875 * 3, 1e-14);
+        EXPECT_NEAR(q.cell_mass[1], q.min_jacobian, 1e-14); // what is turned over counts negative
+    }
+}
+
 TEST(Quality, KeepsTheVolumeWhenInnerNodesOfACubeMove) {
     // 2 x 2 x 2 hexahedra; the node in the middle moves, so all eight change, their sum does not.
     Mesh mesh;

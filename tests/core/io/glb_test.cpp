@@ -127,7 +127,6 @@ TEST_F(GlbTest, ColoursFollowTheMonitor) {
     const Snapshot snapshot = snapshot_of(unit_square_mesh(5));
     const Glb glb(file_, snapshot);
     ASSERT_TRUE(glb.faces->HasVertexColors(0));
-    EXPECT_FALSE(glb.edges->HasVertexColors(0));
     const auto& values = snapshot.field("monitor")->values;
     const ColourMap& map = colour_maps().front();
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -142,6 +141,19 @@ TEST_F(GlbTest, ColoursFollowTheMonitor) {
         }
     }
     EXPECT_NE(glb.faces->mColors[0][low - values.begin()], glb.faces->mColors[0][high - values.begin()]);
+}
+
+TEST_F(GlbTest, EdgesAreSeenOnTheirFaces) {
+    const Glb glb(file_, snapshot_of(unit_square_mesh(20)));
+    ASSERT_TRUE(glb.edges->HasVertexColors(0));
+    const auto luminance = [](const aiColor4D& c) {
+        return static_cast<double>(0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b);
+    };
+    for (unsigned i = 0; i < glb.faces->mNumVertices; ++i) {
+        const auto [dark, light] =
+            std::minmax({luminance(glb.faces->mColors[0][i]), luminance(glb.edges->mColors[0][i])});
+        EXPECT_GE((light + 0.05) / (dark + 0.05), 3) << "the contrast ratio that WCAG asks of graphics";
+    }
 }
 
 TEST_F(GlbTest, TheMorphTargetIsTheComputationalMesh) {
@@ -246,6 +258,7 @@ TEST_F(GlbTest, WithoutAMonitorThereAreNoColours) {
     snapshot.fields.clear();
     const Glb glb(file_, snapshot);
     EXPECT_FALSE(glb.faces->HasVertexColors(0));
+    EXPECT_FALSE(glb.edges->HasVertexColors(0));
 }
 
 TEST_F(GlbTest, BytesDependOnTheInputAlone) {

@@ -102,6 +102,20 @@ TEST_P(Spectrum, WorksInPlace) {
     EXPECT_EQ(apart, back);
 }
 
+TEST(LineSpectrum, InvertsTheMassOfTheLongestLinesToo) {
+    for (const bool periodic : {true, false})
+        for (const int n : {479, 480}) { // a prime, and many small factors
+            const LineSpectrum s(static_cast<std::size_t>(n), periodic);
+            auto room = s.make_room();
+            srand(6);
+            const VectorXd u = VectorXd::Random(static_cast<Eigen::Index>(s.size()));
+            VectorXd b = slow::mass({n, periodic}, 2) * u;
+            s.analyse(b.data(), b.data(), room);
+            s.synthesise(b.data(), b.data(), room);
+            EXPECT_LT(largest(b - u), 1e-12) << n;
+        }
+}
+
 TEST(LineSpectrum, RefusesASingleCell) { EXPECT_THROW(LineSpectrum(1, true), InternalError); }
 
 // (K x M + M x K) with a Lagrange multiplier for the mean of u: what is left of b is what the multiplier

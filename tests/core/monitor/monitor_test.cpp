@@ -186,7 +186,7 @@ void randomise(Values& values, std::mt19937& random) {
     for (const ParameterRow& row : values.rows()) {
         ASSERT_EQ(row.kind, ParameterKind::real);
         const double pick = unit(random), u = unit(random);
-        double value = row.scale == ParameterScale::logarithmic
+        double value = row.scale == ParameterScale::logarithmic && row.minimum > 0
                            ? row.minimum * std::pow(row.maximum / row.minimum, u)
                            : row.minimum + u * (row.maximum - row.minimum);
         value = std::clamp(value, row.minimum, row.maximum);

@@ -119,9 +119,12 @@ TEST_F(SolverThreadTest, ChangesThatFollowEachOtherAreMergedAndTheLastWins) {
     SolverThread thread(catalogue, scenario(), {.start_running = false});
     ASSERT_TRUE(eventually([&] { return thread.latest() != nullptr; }));
     settle(thread);
-    std::promise<void> gate;
-    thread.post(InspectCommand{
-        [&](gaspard::Run&) { gate.get_future().wait(); }}); // hold the thread while changes queue up
+    std::promise<void> held, gate;
+    thread.post(InspectCommand{[&](gaspard::Run&) { // hold the thread while changes queue up
+        held.set_value();
+        gate.get_future().wait();
+    }});
+    held.get_future().wait();
     for (int i = 1; i <= 100; ++i)
         thread.post(ChangeCommand{scenario({"monitor.amplitude=" + std::to_string(i)})});
     gate.set_value();
