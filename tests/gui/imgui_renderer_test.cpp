@@ -14,7 +14,7 @@ constexpr ImU32 red = IM_COL32(255, 0, 0, 255);
 Image clipped_rectangle(ImVec2 low, ImVec2 high, float density) {
     const auto context = make_offscreen_context();
     const Gl& gl = context->gl();
-    const RenderTarget target(gl, static_cast<int>(100 * density), static_cast<int>(80 * density));
+    const RenderTarget target(gl, static_cast<int>(100 * density), static_cast<int>(80 * density), 0);
     const ImGuiSession session;
     ImGui::GetIO().DisplaySize = {100, 80};
     ImGui::GetIO().DisplayFramebufferScale = {density, density};
