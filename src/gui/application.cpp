@@ -106,7 +106,7 @@ void Application::perform(ActionId id) {
     case ActionId::reset:
         return document_.reset(0);
     case ActionId::home:
-        viewport().camera.reset();
+        go_home();
         return;
     case ActionId::screenshot:
         screenshot_ = true;
@@ -151,7 +151,7 @@ void Application::open_scenario(const std::string& name) {
     try {
         document_.replace(0, find_scenario(*catalogue_, name));
         message_ = {};
-        viewport().camera.reset();
+        go_home();
     } catch (const InputError& error) {
         message_ = {error.what(), true};
     }
@@ -259,19 +259,31 @@ void Application::draw_viewport() {
     ImGui::InvisibleButton("##picture", {width, height},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
     remember_item(items_, "viewport");
-    if (run().snapshot) {
-        const Values& view = viewport().view;
-        picture_ = picture_maker_.make(*run().snapshot, view.text("color"), view.real("blend"));
-        const ViewportText text{.title = {}, .subject = run().title, .report = {}, .caption = false};
-        const ScreenRect rect{{layout_.viewport.left, layout_.viewport.top},
-                              {layout_.viewport.right, layout_.viewport.bottom}};
-        home_ =
-            home(picture_->box, {width, height}, viewport_insets(*picture_, text, {width, height}, scale_));
-        draw_viewport_overlay(*ImGui::GetWindowDrawList(), *picture_, text, rect, theme_, scale_);
-        steer_camera({width, height});
-    }
+    if (run().snapshot) draw_picture_frame({width, height});
     draw_preparation();
     ImGui::End();
+}
+
+void Application::draw_picture_frame(Size size) {
+    const Values& view = viewport().view;
+    picture_ = picture_maker_.make(*run().snapshot, view.text("color"), view.real("blend"));
+    const ViewportText text{.title = {}, .subject = run().title, .report = {}, .caption = false};
+    const ScreenRect rect{{layout_.viewport.left, layout_.viewport.top},
+                          {layout_.viewport.right, layout_.viewport.bottom}};
+    // Home stays where it is while the mesh moves, lest the picture tremble.
+    if (home_of_ != picture_->tessellation || home_size_.width != size.width ||
+        home_size_.height != size.height) {
+        home_ = home(picture_->box, size, viewport_insets(*picture_, text, size, scale_));
+        home_of_ = picture_->tessellation;
+        home_size_ = size;
+    }
+    draw_viewport_overlay(*ImGui::GetWindowDrawList(), *picture_, text, rect, theme_, scale_);
+    steer_camera(size);
+}
+
+void Application::go_home() {
+    viewport().camera.reset();
+    home_of_.reset();
 }
 
 /// Left or middle drag pans, the wheel zooms to the pointer, a double click goes home.
@@ -286,7 +298,7 @@ void Application::steer_camera(Size size) {
         zoom(seen, size, pointer, std::pow(1.15, static_cast<double>(io.MouseWheel)), picture_->box);
     }
     if (seen != camera()) viewport().camera = seen;
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) viewport().camera.reset();
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) go_home();
 }
 
 void Application::draw_preparation() {

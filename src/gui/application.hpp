@@ -48,7 +48,6 @@ class Application {
     /// True once after a screenshot was asked for; the answer is save_picture().
     bool take_screenshot_request() { return std::exchange(screenshot_, false); }
     void save_picture(Image image);
-    void show(Notice notice) { message_ = std::move(notice); }
 
     Document& document() { return document_; }
     /// The viewport's picture in the last frame: what (null before the first snapshot), from where, and where
@@ -70,7 +69,9 @@ class Application {
     void draw_scenarios();
     void draw_sidebar();
     void draw_viewport();
+    void draw_picture_frame(Size size);
     void steer_camera(Size size);
+    void go_home();
     void draw_preparation();
     void draw_plots();
     void draw_status();
@@ -92,7 +93,9 @@ class Application {
     float scale_ = 1;
     PictureMaker picture_maker_;
     std::optional<MeshPicture> picture_;
-    Camera home_; ///< the whole mesh, for the viewport's present size
+    Camera home_; ///< the whole mesh, for this size of the viewport
+    Size home_size_;
+    std::shared_ptr<const Tessellation> home_of_;
     bool quit_ = false, screenshot_ = false, help_ = false;
     PictureWriter pictures_;
     Document document_; ///< last, so that its threads end before what they use

@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import re
 import resource
 import shutil
 import signal
@@ -12,6 +13,7 @@ import time
 import unittest
 
 PROGRAM = None
+README = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "README.md")
 QUICK = ["--set", "domain.cells=12"]
 
 
@@ -279,6 +281,25 @@ class Information(Contract):
         self.assertGreater(os.path.getsize(self.path("mcrae-fig2.png")), 10000)
         for name in ("mcrae-fig2", "mcrae-fig3", "mcrae-fig13"):
             self.assertIn(name, gaspard("reproduce").stdout)
+
+    def test_the_readme_names_every_option(self):
+        with open(README) as file:
+            readme = file.read()
+        for command in ([], ["run"], ["list"], ["show"], ["reproduce"]):
+            for option in re.findall(r"--[a-z-]+", gaspard(*command, "--help").stdout):
+                self.assertIn(option, readme, "of gaspard " + " ".join(command))
+
+    def test_the_readmes_examples_work(self):
+        with open(README) as file:
+            text = file.read()
+        examples = re.search(r"The same from a script:\n\n((?:    .*\n)+)", text).group(1)
+        lines = [line.strip() for line in examples.splitlines()]
+        self.assertGreater(len(lines), 3)
+        environment = dict(os.environ, PATH=os.path.dirname(PROGRAM) + ":" + os.environ["PATH"])
+        for line in lines:
+            done = subprocess.run(line, shell=True, cwd=self.folder.name, env=environment, capture_output=True,
+                                  text=True, timeout=120)
+            self.assertEqual(done.returncode, 0, line + "\n" + done.stderr)
 
     def test_numbers_do_not_follow_the_locale(self):
         environment = dict(os.environ, LC_ALL="de_DE.UTF-8", LANG="de_DE.UTF-8")

@@ -202,7 +202,8 @@ TEST_F(ApplicationTest, WhatTheSolverRefusesIsASentenceAndThePictureStays) {
 }
 
 TEST_F(ApplicationTest, TheMouseSteersTheCamera) {
-    ASSERT_TRUE(wait_until([&] { return application.picture() != nullptr; }));
+    ASSERT_TRUE(wait_until([&] { return run().ended() && application.picture(); }));
+    application.press_key("H"); // for the mesh as it now stands
     frame();
     const ItemRectangle view = application.items().find("viewport")->second;
     const Size size{static_cast<double>(view.width()), static_cast<double>(view.height())};

@@ -79,7 +79,11 @@ std::string describe_range(const ParameterRow& row) {
     }
     if (row.kind == ParameterKind::boolean) return "true, false";
     if (row.kind == ParameterKind::text) return "text";
-    return format_number(row.minimum) + " to " + format_number(row.maximum);
+    const auto bound = [&](double value) {
+        return row.kind == ParameterKind::integer ? std::to_string(static_cast<std::int64_t>(value))
+                                                  : format_number(value);
+    };
+    return bound(row.minimum) + " to " + bound(row.maximum);
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {

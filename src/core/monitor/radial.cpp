@@ -43,6 +43,29 @@ void SechMonitor::check() const {
                          " makes the monitor zero or negative; it must be greater than -1");
 }
 
+ParameterRow amplitude_row(double maximum, double value, const std::string& where) {
+    return {.key = "amplitude",
+            .label = "Amplitude",
+            .symbol = "A",
+            .minimum = -0.99,
+            .maximum = maximum,
+            .scale = ParameterScale::logarithmic,
+            .default_value = value,
+            .help = "how much denser the mesh is " + where + "; the monitor would vanish at -1"};
+}
+
+ParameterRow sharpness_row(double value, const std::string& half_height) {
+    return {.key = "sharpness",
+            .label = "Sharpness",
+            .symbol = "B",
+            .unit = "1/length^2",
+            .minimum = 1,
+            .maximum = 2000,
+            .scale = ParameterScale::logarithmic,
+            .default_value = value,
+            .help = "larger is narrower: half the height at a distance of about " + half_height};
+}
+
 ParameterRow center_row(const std::string& key, const std::string& label, const std::string& symbol) {
     return {.key = key,
             .label = label,
@@ -51,6 +74,15 @@ ParameterRow center_row(const std::string& key, const std::string& label, const 
             .maximum = 1,
             .default_value = 0.5,
             .help = "where the feature stands; the square is [0, 1] x [0, 1]"};
+}
+
+std::shared_ptr<const Monitor> make_sech_monitor(const Values& values, double radius, const Space& space) {
+    return std::make_shared<SechMonitor>(
+        SechMonitor::Parameters{values.real("amplitude"),
+                                values.real("sharpness"),
+                                radius * radius,
+                                {values.real("center_x"), values.real("center_y"), 0}},
+        space);
 }
 
 } // namespace gaspard

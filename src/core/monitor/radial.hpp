@@ -26,7 +26,12 @@ class SechMonitor final : public Monitor {
     Space space_;
 };
 
-/// The rows of a centre in the unit square, which every monitor with a centre shares.
+/// The rows that ring and bell share; `where` and `half_height` complete their help.
+ParameterRow amplitude_row(double maximum, double value, const std::string& where);
+ParameterRow sharpness_row(double value, const std::string& half_height);
 ParameterRow center_row(const std::string& key, const std::string& label, const std::string& symbol);
+
+/// The monitor for such values; `radius` as a number, as not all have the row.
+std::shared_ptr<const Monitor> make_sech_monitor(const Values& values, double radius, const Space& space);
 
 } // namespace gaspard

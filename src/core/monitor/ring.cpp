@@ -8,23 +8,8 @@ MonitorType ring_monitor() {
             .label = "Ring",
             .help = "small cells along a circle",
             .equation = "m(x) = 1 + A sech^2( B (|x - c|^2 - r^2) )",
-            .rows = {{.key = "amplitude",
-                      .label = "Amplitude",
-                      .symbol = "A",
-                      .minimum = -0.99,
-                      .maximum = 1000,
-                      .scale = ParameterScale::logarithmic,
-                      .default_value = 10.0,
-                      .help = "how much denser the mesh is on the ring; the monitor would vanish at -1"},
-                     {.key = "sharpness",
-                      .label = "Sharpness",
-                      .symbol = "B",
-                      .unit = "1/length^2",
-                      .minimum = 1,
-                      .maximum = 2000,
-                      .scale = ParameterScale::logarithmic,
-                      .default_value = 200.0,
-                      .help = "larger is narrower: half the height at a distance of about 0.44 / (B r)"},
+            .rows = {amplitude_row(1000, 10.0, "on the ring"),
+                     sharpness_row(200.0, "0.44 / (B r)"),
                      {.key = "radius",
                       .label = "Radius",
                       .symbol = "r",
@@ -35,13 +20,8 @@ MonitorType ring_monitor() {
                       .help = "of the ring"},
                      center_row("center_x", "Centre x", "c1"),
                      center_row("center_y", "Centre y", "c2")},
-            .make = [](const Values& v, const Space& space) -> std::shared_ptr<const Monitor> {
-                return std::make_shared<SechMonitor>(
-                    SechMonitor::Parameters{v.real("amplitude"),
-                                            v.real("sharpness"),
-                                            v.real("radius") * v.real("radius"),
-                                            {v.real("center_x"), v.real("center_y"), 0}},
-                    space);
+            .make = [](const Values& values, const Space& space) {
+                return make_sech_monitor(values, values.real("radius"), space);
             }};
 }
 

@@ -50,7 +50,7 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
 }
 
 void Run::begin(State state) {
-    state_ = std::move(state);
+    state_ = last_untangled_ = std::move(state);
     history_.clear();
     seconds_ = cpu_seconds_ = 0;
     const Evaluation evaluation = method_->evaluate(*problem_.monitor, state_, {});
@@ -140,6 +140,7 @@ void Run::measure(StepReport& report) {
     report.max_jacobian = quality.max_jacobian;
     report.tangled_cells = quality.tangled_cells;
     measured_ = true;
+    if (quality.tangled_cells == 0) last_untangled_ = state_;
 }
 
 void Run::interrupt() {
@@ -158,13 +159,15 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     }
     const bool new_domain = !(problem.scenario.domain == old.domain);
     const bool new_method = new_domain || problem.scenario.method.type != old.method.type;
-    std::optional<State> state = state_;
+    // What has blown up is no start: a smaller step, say, goes on from the last mesh that was one.
+    const bool back = status() == RunStatus::diverged || status() == RunStatus::tangled;
+    std::optional<State> state = back ? last_untangled_ : state_;
     if (new_method) {
         const Stopwatch watch;
         auto discretisation = new_domain ? prepare(problem, progress, stop) : discretisation_;
         auto method = catalogue_->method(problem.scenario.method.type)
                           .make(discretisation, problem.scenario.method.values);
-        state = method->adopt(state_);
+        state = method->adopt(*state);
         if (new_domain) meter_.emplace(discretisation->mesh(), options_.threads);
         discretisation_ = std::move(discretisation);
         method_ = std::move(method);
@@ -177,11 +180,12 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         reset();
         return "The map could not be kept: the mesh starts again from the beginning.";
     }
-    state_ = std::move(*state);
+    state_ = last_untangled_ = std::move(*state);
     const Evaluation evaluation = method_->evaluate(*problem_.monitor, state_, stop);
     GASPARD_CHECK(std::isfinite(evaluation.residual));
     restart_judging();
-    record(evaluation, history_.back().iteration, "values changed");
+    record(evaluation, history_.back().iteration,
+           back ? "values changed; back at the last mesh without tangled cells" : "values changed");
     return {};
 }
 

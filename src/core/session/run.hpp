@@ -30,7 +30,8 @@ class Run {
     /// Ends the run here as interrupted, with full diagnostics of the present iterate.
     void interrupt();
 
-    /// Goes on with other values, from the present map where it can; else from the start. The history goes on
+    /// Goes on with other values, from the present map where it can (from the last one without tangled cells if the run
+    /// has ended as tangled or diverged); else from the start. The history goes on
     /// too, with one more row for the present iterate under the new values. Returns a sentence for the user
     /// where the map could not be kept, else nothing. Throws InputError (and Interrupted) and changes
     /// nothing.
@@ -64,6 +65,7 @@ class Run {
     std::unique_ptr<Method> method_;
     std::optional<QualityMeter> meter_;
     State state_, last_finite_;
+    State last_untangled_; ///< as far as it was measured
     std::vector<StepReport> history_;
     bool measured_ = false; ///< the meter's last measurement is of the present iterate
     bool not_finite_ = false;

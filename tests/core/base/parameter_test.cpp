@@ -68,6 +68,11 @@ TEST(Values, NameTheNearestKeyAndChoice) {
     EXPECT_NE(message_of([&] { values.parse("boundary", "wals"); }).find("'walls'"), std::string::npos);
 }
 
+TEST(Values, RangesOfWholeNumbersAreWholeNumbers) {
+    EXPECT_EQ(describe_range({.kind = ParameterKind::integer, .minimum = 0, .maximum = 1e6}), "0 to 1000000");
+    EXPECT_EQ(describe_range({.minimum = 0.5, .maximum = 1e-4}), "0.5 to 1e-04");
+}
+
 TEST(Values, NumbersReadBackToTheSameDouble) {
     for (const double value : {0.1, 1.0 / 3, 1e-300, 123456789.123456789, -0.0})
         EXPECT_EQ(std::stod(format_number(value)), value);

@@ -175,11 +175,13 @@ TEST(Quality, HasTheJacobiansOfACurvedCell) {
         mesh.nodes.set(k, {i / 2.0 + noise[4 * k], j / 2.0 + noise[4 * k + 1], 0});
         x.set(k, {i + noise[4 * k + 2], j / 3.0 + noise[4 * k + 3], 0});
     }
-    const slow::Plane shapes(1, false);
+    slow::Polynomial along[3];
+    for (int a = 0; a < 3; ++a) along[a] = slow::lagrange(2, a);
     const auto map = [&](const Points& nodes, double s, double t) {
         Vec3 sum;
         for (std::size_t k = 0; k < 9; ++k)
-            sum = sum + shapes.basis(2, lattice(k).first, lattice(k).second, s, t).value * nodes[k];
+            sum = sum + slow::evaluate(along[lattice(k).first], s) *
+                            slow::evaluate(along[lattice(k).second], t) * nodes[k];
         return sum;
     };
     const auto area = [&](const Points& nodes, double s, double t) {

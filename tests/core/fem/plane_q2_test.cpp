@@ -97,7 +97,7 @@ TEST_P(Operators, EvaluatesTheResidualExactly) {
         for (int b : {0, 1})
             for (int a : {0, 1})
                 m += monitor[static_cast<std::size_t>((p.j + b) * (n() + 1) + p.i + a)] *
-                     slowly.basis(1, a, b, p.s, p.t).value;
+                     slowly.basis(1, a, b, p.p, p.q).value;
         const double sxy = slowly.at(2, xy, p).value;
         return m * ((1 + slowly.at(2, xx, p).value) * (1 + slowly.at(2, yy, p).value) - sxy * sxy);
     };

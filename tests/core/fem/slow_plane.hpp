@@ -36,10 +36,10 @@ struct Jet {
     double value = 0, dx = 0, dy = 0;
 };
 
-/// A point of the quadrature: cell (i, j), reference coordinates, weight with the cell's area.
+/// A point of the quadrature: cell (i, j), point (p, q) of the rule, weight with the cell's area.
 struct Place {
-    int i, j;
-    double s, t, weight;
+    int i, j, p, q;
+    double weight;
 };
 
 /// Which values vanish: on the walls x = 0, 1 and on the walls y = 0, 1. The torus has none.
@@ -49,7 +49,13 @@ struct Vanish {
 
 class Plane {
   public:
-    Plane(int cells, bool periodic) : n_(cells), periodic_(periodic), rule_(gauss(6)) {}
+    Plane(int cells, bool periodic) : n_(cells), periodic_(periodic), rule_(gauss(6)) {
+        for (const int degree : {1, 2})
+            for (int a = 0; a <= degree; ++a)
+                for (const double s : rule_.points)
+                    lines_[degree][a].push_back(
+                        {evaluate(lagrange(degree, a), s), evaluate(derivative(lagrange(degree, a)), s)});
+    }
 
     int side(int degree) const { return degree * n_ + (periodic_ ? 0 : 1); }
     int unknowns(int degree) const { return side(degree) * side(degree); }
@@ -58,17 +64,18 @@ class Plane {
         return (degree * j + b) % side(degree) * side(degree) + (degree * i + a) % side(degree);
     }
 
-    Jet basis(int degree, int a, int b, double s, double t) const {
-        const Polynomial p = lagrange(degree, a), q = lagrange(degree, b);
-        return {evaluate(p, s) * evaluate(q, t), n_ * evaluate(derivative(p), s) * evaluate(q, t),
-                n_ * evaluate(p, s) * evaluate(derivative(q), t)};
+    /// The function that is 1 at node (a, b) of a cell.
+    Jet basis(int degree, int a, int b, int p, int q) const {
+        const Local x = lines_[degree][a][static_cast<std::size_t>(p)];
+        const Local y = lines_[degree][b][static_cast<std::size_t>(q)];
+        return {x.value * y.value, n_ * x.slope * y.value, n_ * x.value * y.slope};
     }
 
     Jet at(int degree, const Vector& f, const Place& place) const {
         Jet sum;
         for (int b = 0; b <= degree; ++b)
             for (int a = 0; a <= degree; ++a) {
-                const Jet shape = basis(degree, a, b, place.s, place.t);
+                const Jet shape = basis(degree, a, b, place.p, place.q);
                 const double value = f[unknown(degree, place.i, place.j, a, b)];
                 sum.value += value * shape.value;
                 sum.dx += value * shape.dx;
@@ -78,12 +85,11 @@ class Plane {
     }
 
     void for_each_place(const std::function<void(const Place&)>& action) const {
+        const int points = static_cast<int>(rule_.points.size());
         for (int j = 0; j < n_; ++j)
             for (int i = 0; i < n_; ++i)
-                for (std::size_t q = 0; q < rule_.points.size(); ++q)
-                    for (std::size_t p = 0; p < rule_.points.size(); ++p)
-                        action({i, j, rule_.points[p], rule_.points[q],
-                                rule_.weights[p] * rule_.weights[q] / (n_ * n_)});
+                for (int q = 0; q < points; ++q)
+                    for (int p = 0; p < points; ++p) action({i, j, p, q, weight(p, q)});
     }
 
     /// The integrals of `integrand` for every test function v.
@@ -93,7 +99,7 @@ class Plane {
             for (int l = 0; l <= degree; ++l)
                 for (int k = 0; k <= degree; ++k)
                     b[unknown(degree, place.i, place.j, k, l)] +=
-                        place.weight * integrand(basis(degree, k, l, place.s, place.t), place);
+                        place.weight * integrand(basis(degree, k, l, place.p, place.q), place);
         });
         return b;
     }
@@ -103,14 +109,13 @@ class Plane {
         Eigen::MatrixXd m = Eigen::MatrixXd::Zero(unknowns(degree), unknowns(degree));
         const int locals = degree + 1;
         Eigen::MatrixXd local = Eigen::MatrixXd::Zero(locals * locals, locals * locals);
-        for (std::size_t q = 0; q < rule_.points.size(); ++q) // every cell has the same local matrix
-            for (std::size_t p = 0; p < rule_.points.size(); ++p)
+        const int points = static_cast<int>(rule_.points.size());
+        for (int q = 0; q < points; ++q) // every cell has the same local matrix
+            for (int p = 0; p < points; ++p)
                 for (int v = 0; v < locals * locals; ++v)
                     for (int u = 0; u < locals * locals; ++u)
-                        local(v, u) +=
-                            rule_.weights[p] * rule_.weights[q] / (n_ * n_) *
-                            form(basis(degree, v % locals, v / locals, rule_.points[p], rule_.points[q]),
-                                 basis(degree, u % locals, u / locals, rule_.points[p], rule_.points[q]));
+                        local(v, u) += weight(p, q) * form(basis(degree, v % locals, v / locals, p, q),
+                                                           basis(degree, u % locals, u / locals, p, q));
         for (int j = 0; j < n_; ++j)
             for (int i = 0; i < n_; ++i)
                 for (int v = 0; v < locals * locals; ++v)
@@ -137,9 +142,18 @@ class Plane {
     }
 
   private:
+    struct Local {
+        double value, slope;
+    };
+    double weight(int p, int q) const {
+        return rule_.weights[static_cast<std::size_t>(p)] * rule_.weights[static_cast<std::size_t>(q)] /
+               (n_ * n_);
+    }
+
     int n_;
     bool periodic_;
     Rule rule_;
+    std::vector<Local> lines_[3][3]; ///< of degree and node: at the points of the rule
 };
 
 /// `count` numbers between low and high, the same at every run.

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sys/resource.h>
 #include <thread>
+#include <unistd.h>
 
 namespace gaspard {
 namespace {
@@ -107,6 +108,15 @@ TEST(AtomicFileDeathTest, AFullDiskLeavesTheOldFileAndSaysSo) {
     EXPECT_EXIT(write_beyond_the_limit(folder / "f"), ExitedWithCode(0), "cannot write .*/f: File too large");
     EXPECT_EQ(read_file(folder / "f"), "old");
     EXPECT_EQ(folder.content(), Names{"f"});
+}
+
+TEST(AtomicFile, ATemporaryFileOfAnotherIsLeftAlone) {
+    const TemporaryFolder folder;
+    const std::string taken = ".gaspard-" + std::to_string(getpid()) + "-0.tmp";
+    put(folder / taken, "of a writer at work");
+    write_atomically(folder / "f", "x");
+    EXPECT_EQ(read_file(folder / taken), "of a writer at work");
+    EXPECT_EQ(folder.content(), (Names{taken, "f"}));
 }
 
 TEST(AtomicFile, WritersOfTheSameFileDoNotMix) {

@@ -153,6 +153,19 @@ TEST_F(RunTest, AChangedMonitorKeepsTheMap) {
     EXPECT_NEAR(*run.history().back().equidistribution, *fresh.history().back().equidistribution, 1e-7);
 }
 
+TEST_F(RunTest, AfterABlowUpAChangeGoesOnFromTheLastUntangledMesh) {
+    gaspard::Run run = make();
+    for (int i = 0; i < 50; ++i) run.step();
+    run.change(scenario({"method.step_size=3"}));
+    finish(run);
+    ASSERT_GT(*run.history().back().tangled_cells, 0u);
+    run.change(scenario({"method.step_size=0.05"}));
+    EXPECT_EQ(*run.history().back().tangled_cells, 0u);
+    EXPECT_NE(run.history().back().note.find("back at the last mesh"), std::string::npos);
+    finish(run);
+    EXPECT_EQ(run.status(), RunStatus::converged);
+}
+
 TEST_F(RunTest, AChangedResolutionKeepsTheMapToo) {
     gaspard::Run run = make({"monitor.sharpness=50"});
     finish(run);
