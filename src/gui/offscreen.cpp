@@ -186,13 +186,13 @@ std::unique_ptr<OffscreenContext> make_offscreen_context(OffscreenBackend backen
     throw MachineError("no OpenGL for drawing pictures without a screen: " + reasons);
 }
 
-RenderTarget::RenderTarget(const Gl& gl, int width, int height)
+RenderTarget::RenderTarget(const Gl& gl, int width, int height, int samples)
     : gl_(&gl), width_(width), height_(height), drawn_(gl), resolved_(gl), colour_(gl), depth_(gl),
       resolved_colour_(gl) {
-    GASPARD_CHECK(width > 0 && height > 0);
-    GLint largest = 0, samples = 0;
+    GASPARD_CHECK(width > 0 && height > 0 && samples >= 0);
+    GLint largest = 0, most_samples = 0;
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
-    gl.GetIntegerv(GL_MAX_SAMPLES, &samples);
+    gl.GetIntegerv(GL_MAX_SAMPLES, &most_samples);
     if (std::max(width, height) > largest)
         throw MachineError("this machine's OpenGL draws pictures of at most " + std::to_string(largest) +
                            " pixels a side");
@@ -210,8 +210,8 @@ RenderTarget::RenderTarget(const Gl& gl, int width, int height)
     attach(resolved_colour_, GL_COLOR_ATTACHMENT0, GL_RGBA8, 0);
     check();
     gl.BindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
-    attach(colour_, GL_COLOR_ATTACHMENT0, GL_RGBA8, std::min(samples, 4));
-    attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, std::min(samples, 4));
+    attach(colour_, GL_COLOR_ATTACHMENT0, GL_RGBA8, std::min(samples, most_samples));
+    attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, std::min(samples, most_samples));
     check();
 }
 

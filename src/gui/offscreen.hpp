@@ -25,11 +25,11 @@ class OffscreenContext {
 /// `any` tries OSMesa, then EGL. Throws MachineError with one sentence when none works.
 std::unique_ptr<OffscreenContext> make_offscreen_context(OffscreenBackend backend = OffscreenBackend::any);
 
-/// A picture to draw into, with depth, anti-aliased by four samples a pixel where the machine can.
+/// A picture to draw into, with depth, and with several samples a pixel (0 for one) where the machine can.
 class RenderTarget {
   public:
     /// Throws MachineError where the machine cannot make one of this size.
-    RenderTarget(const Gl& gl, int width, int height);
+    RenderTarget(const Gl& gl, int width, int height, int samples = 4);
     void bind() const; ///< drawing goes here; sets the viewport to all of it
     Image read() const;
     int width() const { return width_; }

@@ -1,6 +1,7 @@
 // Pictures compared with stored ones, and wrong pictures that must be found different.
 #include "core/scenario/view_rows.hpp"
 #include "gui/picture.hpp"
+#include "gui/theme.hpp"
 #include "scenes.hpp"
 #include "similarity.hpp"
 
@@ -113,6 +114,25 @@ TEST(Picture, TangledCellsShowInMagentaEvenWhereCellsAreTiny) {
             magenta += image.rgba[i] > 220 && image.rgba[i + 1] < 80 && image.rgba[i + 2] > 180;
         EXPECT_GE(magenta, 9) << "n = " << n;
     }
+}
+
+TEST(Picture, ManyPointsDoNotDisturbWhatIsDrawnAfterThem) {
+    // More corners of triangles than 16 bits can number; the second curve and the legend come after them.
+    Plot plot;
+    plot.curves = {{"many", {}, {}, false}, {"few", {0, 40000}, {0.5, 0.5}, false}};
+    for (int i = 0; i < 40000; ++i) {
+        plot.curves[0].x.push_back(i);
+        plot.curves[0].y.push_back(i % 2);
+    }
+    const Image image = render_plot(plot, 400, 300);
+    const Colour orange = dark_theme().curves[1];
+    int found = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+        found += std::abs(static_cast<float>(image.rgba[i]) - 255 * orange.r) < 12 &&
+                 std::abs(static_cast<float>(image.rgba[i + 1]) - 255 * orange.g) < 12 &&
+                 std::abs(static_cast<float>(image.rgba[i + 2]) - 255 * orange.b) < 12;
+    EXPECT_GT(found, 300) << "a line across the plot, and one in the legend";
+    EXPECT_LT(found, 1500);
 }
 
 TEST(Picture, NodesThatAreNotFiniteLeaveTheRestToBeSeen) {

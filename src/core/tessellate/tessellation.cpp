@@ -16,7 +16,7 @@ using Corner = std::int32_t;
 /// cell.
 struct Face {
     std::uint32_t cell = 0;
-    std::vector<int> corners;
+    std::span<const int> corners;
 };
 
 /// Boundary faces of a solid: those that only one cell has.
@@ -38,15 +38,13 @@ std::vector<Face> boundary_faces(const Mesh& mesh) {
 }
 
 std::vector<Face> shown_faces(const Mesh& mesh) {
+    static constexpr std::array<int, 4> all_corners = {0, 1, 2, 3};
     if (cell_dimension(mesh.kind) == 1) return {};
     if (cell_dimension(mesh.kind) == 3) return boundary_faces(mesh);
-    Face face;
-    for (int i = 0; i < corners_per_cell(mesh.kind); ++i) face.corners.push_back(i);
-    std::vector<Face> faces;
-    for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
-        face.cell = static_cast<std::uint32_t>(c);
-        faces.push_back(face);
-    }
+    std::vector<Face> faces(mesh.cell_count());
+    for (std::size_t c = 0; c < faces.size(); ++c)
+        faces[c] = {static_cast<std::uint32_t>(c),
+                    std::span(all_corners).first(static_cast<std::size_t>(corners_per_cell(mesh.kind)))};
     return faces;
 }
 
@@ -63,7 +61,8 @@ class PointMaker {
     }
 
     std::uint32_t node(std::uint32_t cell, int local) const {
-        return static_cast<std::uint32_t>(mesh_.cell(cell)[static_cast<std::size_t>(local)]);
+        return static_cast<std::uint32_t>(
+            mesh_.cells[cell * values_.size() + static_cast<std::size_t>(local)]);
     }
     Vec3 reference(int local) const { return reference_nodes(mesh_.kind)[static_cast<std::size_t>(local)]; }
 
