@@ -170,7 +170,7 @@ TEST_F(WindowTest, ClosingWhileSolvingEndsQuickly) {
 }
 
 TEST_F(WindowTest, AnIdleWindowCostsNothing) {
-    write_slow_ring(300);
+    write_slow_ring(60);
     start("slow.toml", 1000, 700);
     press("space"); // pause
     move(10, 10);
