@@ -46,6 +46,7 @@ class Relaxation final : public Method {
     }
 
     Evaluation step(const Monitor& monitor, State& state, std::stop_token stop) override {
+        potential(state); // checks that it is of this layout before anything is written
         plane_->poisson(residual_, update_, room_);
         auto& phi = state.arrays[0].values;
         for (std::size_t i = 0; i < phi.size(); ++i) phi[i] += step_size_ * update_[i];
