@@ -5,9 +5,8 @@
 #include "core/io/run_files.hpp"
 #include "core/scenario/toml.hpp"
 #include "gui/icons.hpp"
-#include "gui/plot_widget.hpp"
+#include "gui/part_window.hpp"
 #include "gui/status_bar.hpp"
-#include "gui/viewport.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,21 +17,8 @@ namespace gaspard {
 
 namespace {
 
-constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoSavedSettings |
-                                          ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
-
 constexpr const char* hint =
     "Drag to pan, turn the wheel to zoom, double-click to see the whole mesh. F1 shows all keys.";
-
-/// Begins a window that fills a part of the layout.
-void begin_part(const char* name, const ItemRectangle& part,
-                ImGuiWindowFlags flags = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse) {
-    ImGui::SetNextWindowPos({part.left, part.top});
-    ImGui::SetNextWindowSize({std::max(1.0F, part.width()), std::max(1.0F, part.height())});
-    ImGui::Begin(name, nullptr, fixed_window | flags);
-}
 
 Icon icon_of(ActionId id) {
     switch (id) {
@@ -82,10 +68,11 @@ void Application::frame() {
     draw_menus();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     layout_ = compute_layout(size.x, size.y, ImGui::GetFontSize(), ImGui::GetFrameHeight());
+    const FrameContext context{theme_, scale_, items_};
     draw_toolbar();
-    draw_viewport();
+    viewport_pane_.frame(run(), viewport(), layout_.viewport, context);
     draw_sidebar();
-    draw_plots();
+    plot_pane_.frame(document_, layout_.residual, layout_.equidistribution, context);
     draw_status();
     if (help_) draw_help();
 }
@@ -110,7 +97,7 @@ void Application::perform(ActionId id) {
     case ActionId::reset:
         return document_.reset(0);
     case ActionId::home:
-        go_home();
+        viewport_pane_.go_home(viewport());
         return;
     case ActionId::screenshot:
         screenshot_ = true;
@@ -155,7 +142,7 @@ void Application::open_scenario(const std::string& name) {
     try {
         document_.replace(0, find_scenario(*catalogue_, name));
         message_ = {};
-        go_home();
+        viewport_pane_.go_home(viewport());
     } catch (const InputError& error) {
         message_ = {error.what(), true};
     }
@@ -250,80 +237,6 @@ void Application::draw_sidebar() {
         message_ = {};
     }
     ImGui::End();
-}
-
-void Application::draw_viewport() {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    begin_part("##viewport", layout_.viewport,
-               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
-                   ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::PopStyleVar();
-    const float width = std::max(1.0F, layout_.viewport.width()),
-                height = std::max(1.0F, layout_.viewport.height());
-    ImGui::InvisibleButton("##picture", {width, height},
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
-    remember_item(items_, "viewport");
-    if (run().snapshot) draw_picture_frame({width, height});
-    draw_preparation();
-    ImGui::End();
-}
-
-void Application::draw_picture_frame(Size size) {
-    const Values& view = viewport().view;
-    picture_ = picture_maker_.make(*run().snapshot, view.text("color"), view.real("blend"));
-    const ViewportText text{.title = {}, .subject = run().title, .report = {}, .caption = false};
-    const ScreenRect rect{{layout_.viewport.left, layout_.viewport.top},
-                          {layout_.viewport.right, layout_.viewport.bottom}};
-    // Home stays where it is while the mesh moves, lest the picture tremble.
-    if (home_of_ != picture_->tessellation || home_size_.width != size.width ||
-        home_size_.height != size.height) {
-        home_ = home(picture_->box, size, viewport_insets(*picture_, text, size, scale_));
-        home_of_ = picture_->tessellation;
-        home_size_ = size;
-    }
-    draw_viewport_overlay(*ImGui::GetWindowDrawList(), *picture_, text, rect, theme_, scale_);
-    steer_camera(size);
-}
-
-void Application::go_home() {
-    viewport().camera.reset();
-    home_of_.reset();
-}
-
-/// Left or middle drag pans, the wheel zooms to the pointer, a double click goes home.
-void Application::steer_camera(Size size) {
-    const ImGuiIO& io = ImGui::GetIO();
-    Camera seen = camera();
-    if (ImGui::IsItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
-        pan(seen, {static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)});
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
-        const Pixel pointer{static_cast<double>(io.MousePos.x - layout_.viewport.left),
-                            static_cast<double>(io.MousePos.y - layout_.viewport.top)};
-        zoom(seen, size, pointer, std::pow(1.15, static_cast<double>(io.MouseWheel)), picture_->box);
-    }
-    if (seen != camera()) viewport().camera = seen;
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) go_home();
-}
-
-void Application::draw_preparation() {
-    const SolverStatus& status = run().status;
-    if (status.activity.empty() && status.run != RunStatus::preparing) return;
-    const float em = ImGui::GetFontSize();
-    ImGui::SetCursorPos({em, em});
-    ImGui::ProgressBar(static_cast<float>(status.progress), {18 * em, 1.5F * em},
-                       status.activity.empty() ? "preparing" : status.activity.c_str());
-    remember_item(items_, "progress");
-}
-
-void Application::draw_plots() {
-    const auto plot = [&](const char* name, const ItemRectangle& part, const Plot& data) {
-        begin_part(name, part);
-        plot_widget(name, data, ImGui::GetContentRegionAvail(), theme_, scale_);
-        ImGui::End();
-        items_[name] = part;
-    };
-    plot("plot.residual", layout_.residual, document_.residual_plot());
-    plot("plot.equidistribution", layout_.equidistribution, document_.equidistribution_plot());
 }
 
 void Application::draw_status() {

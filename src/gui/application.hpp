@@ -11,9 +11,10 @@
 #include "gui/document.hpp"
 #include "gui/item_rectangles.hpp"
 #include "gui/layout.hpp"
-#include "gui/mesh_picture.hpp"
 #include "gui/parameter_panel.hpp"
+#include "gui/plot_pane.hpp"
 #include "gui/theme.hpp"
+#include "gui/viewport_pane.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -50,10 +51,8 @@ class Application {
     void save_picture(Image image);
 
     Document& document() { return document_; }
-    /// The viewport's picture in the last frame: what (null before the first snapshot), from where, and where
-    /// it belongs, in window coordinates.
-    const MeshPicture* picture() const { return picture_ ? &*picture_ : nullptr; }
-    Camera camera() { return viewport().camera.value_or(home_); }
+    /// The meshes that the last frame asks for.
+    const std::vector<ShownPicture>& pictures() const { return viewport_pane_.pictures(); }
     const ItemRectangle& viewport_rectangle() const { return layout_.viewport; }
     const ItemRectangles& items() const { return items_; }
     const Notice& message() const { return message_; }
@@ -68,12 +67,6 @@ class Application {
     void draw_button(const Action& row);
     void draw_scenarios();
     void draw_sidebar();
-    void draw_viewport();
-    void draw_picture_frame(Size size);
-    void steer_camera(Size size);
-    void go_home();
-    void draw_preparation();
-    void draw_plots();
     void draw_status();
     void draw_help();
     void toggle_running();
@@ -91,11 +84,8 @@ class Application {
     Layout layout_;
     Theme theme_;
     float scale_ = 1;
-    PictureMaker picture_maker_;
-    std::optional<MeshPicture> picture_;
-    Camera home_; ///< the whole mesh, for this size of the viewport
-    Size home_size_;
-    std::shared_ptr<const Tessellation> home_of_;
+    ViewportPane viewport_pane_;
+    PlotPane plot_pane_;
     bool quit_ = false, help_ = false;
     bool screenshot_ = false;        ///< asked for
     bool taking_screenshot_ = false; ///< this frame is the picture: it shows no tooltip

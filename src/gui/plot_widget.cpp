@@ -1,6 +1,6 @@
 #include "gui/plot_widget.hpp"
 
-#include "gui/ticks.hpp"
+#include "core/tessellate/ticks.hpp"
 
 #include <algorithm>
 #include <cmath>

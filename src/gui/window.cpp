@@ -223,22 +223,21 @@ class Window {
         gl_.Disable(GL_SCISSOR_TEST);
         gl_.ClearColor(theme_.background.r, theme_.background.g, theme_.background.b, 1);
         gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        const PixelRect area = viewport_pixels();
-        if (const MeshPicture* picture = application_->picture();
-            picture && area.width > 0 && area.height > 0) {
-            Camera camera = application_->camera();
+        for (const ShownPicture& shown : application_->pictures()) {
+            Camera camera = shown.camera;
             camera.scale /= static_cast<double>(scales_.density);
-            meshes_->draw(*picture, camera, area, height, theme_, scales_.zoom * scales_.density);
+            meshes_->draw(shown.picture, camera, pixels_of(shown.rectangle), height, theme_,
+                          scales_.zoom * scales_.density);
         }
         interface_->draw(*ImGui::GetDrawData());
-        if (application_->take_screenshot_request()) application_->save_picture(read_pixels(area, height));
+        if (application_->take_screenshot_request())
+            application_->save_picture(read_pixels(pixels_of(application_->viewport_rectangle()), height));
         gl_.Finish();
         drawing_seconds_ = glfwGetTime() - begun_; // without the wait for the screen that follows
         glfwSwapBuffers(window_.get());
     }
 
-    PixelRect viewport_pixels() const {
-        const ItemRectangle& part = application_->viewport_rectangle();
+    PixelRect pixels_of(const ItemRectangle& part) const {
         const auto pixels = [&](float units) {
             return static_cast<int>(std::lround(units * scales_.density));
         };

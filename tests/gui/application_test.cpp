@@ -197,60 +197,61 @@ TEST_F(ApplicationTest, ATangledRunIsRedAndSaysHowToGoOn) {
 }
 
 TEST_F(ApplicationTest, WhatTheSolverRefusesIsASentenceAndThePictureStays) {
-    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3 && application.picture(); }));
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3 && !application.pictures().empty(); }));
     Scenario impossible = run().scenario;
     impossible.method.type = "no-such-method";
     application.document().change(0, impossible);
     ASSERT_TRUE(wait_until([&] { return application.message().error; }));
     EXPECT_NE(application.message().text.find("no-such-method"), std::string::npos)
         << application.message().text;
-    EXPECT_NE(application.picture(), nullptr);
+    EXPECT_FALSE(application.pictures().empty());
     EXPECT_NE(run().status.run, RunStatus::failed);
 }
 
 TEST_F(ApplicationTest, TheMouseSteersTheCamera) {
-    ASSERT_TRUE(wait_until([&] { return run().ended() && application.picture(); }));
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
     application.press_key("H"); // for the mesh as it now stands
     frame();
     const ItemRectangle view = application.items().find("viewport")->second;
     const Size size{static_cast<double>(view.width()), static_cast<double>(view.height())};
-    const Camera home = application.camera();
+    const Camera home = application.pictures().front().camera;
 
     ui.drag(view, 0.5F, 0.6F, drawing());
-    const Pixel moved = to_pixel(application.camera(), size, home.centre);
+    const Pixel moved = to_pixel(application.pictures().front().camera, size, home.centre);
     EXPECT_NEAR(moved.x, 0.6 * size.width, 2) << "the mesh follows the mouse";
     EXPECT_NEAR(moved.y, 0.5 * size.height, 2);
 
     const Pixel pointer{std::floor(0.25 * size.width), std::floor(0.75 * size.height)};
     ui.move(view.left + static_cast<float>(pointer.x), view.top + static_cast<float>(pointer.y));
     frame();
-    const Camera before = application.camera();
+    const Camera before = application.pictures().front().camera;
     ui.wheel(3);
     frame();
-    EXPECT_LT(application.camera().scale, before.scale);
-    const Vec3 there = to_world(before, size, pointer), now = to_world(application.camera(), size, pointer);
+    EXPECT_LT(application.pictures().front().camera.scale, before.scale);
+    const Vec3 there = to_world(before, size, pointer),
+               now = to_world(application.pictures().front().camera, size, pointer);
     EXPECT_NEAR(there.x, now.x, 1e-6) << "what is under the pointer stays there";
     EXPECT_NEAR(there.y, now.y, 1e-6);
 
     EXPECT_TRUE(application.press_key("H"));
     frame();
-    EXPECT_EQ(application.camera(), home);
+    EXPECT_EQ(application.pictures().front().camera, home);
     ui.drag(view, 0.5F, 0.6F, drawing());
-    EXPECT_NE(application.camera(), home);
+    EXPECT_NE(application.pictures().front().camera, home);
     for (int i = 0; i < 30; ++i) frame(); // so that the drag is not the first of two clicks
     ui.click(view, drawing());
     ui.click(view, drawing());
     frame();
-    EXPECT_EQ(application.camera(), home) << "a double click goes home";
+    EXPECT_EQ(application.pictures().front().camera, home) << "a double click goes home";
 }
 
 TEST_F(ApplicationTest, BlendShowsTheComputationalMeshAndSolvesNothing) {
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     const auto rows = run().history.size();
-    EXPECT_EQ(application.picture()->blend, 1);
+    EXPECT_EQ(application.pictures().front().picture.blend, 1);
     ui.drag(application.items().find("view.blend")->second, 0.9F, -0.5F, drawing());
     frame();
-    EXPECT_EQ(application.picture()->blend, 0);
+    EXPECT_EQ(application.pictures().front().picture.blend, 0);
     solved_scenario();
     EXPECT_EQ(run().history.size(), rows);
 }

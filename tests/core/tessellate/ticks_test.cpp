@@ -1,4 +1,4 @@
-#include "gui/ticks.hpp"
+#include "core/tessellate/ticks.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

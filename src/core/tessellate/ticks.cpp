@@ -1,4 +1,4 @@
-#include "gui/ticks.hpp"
+#include "core/tessellate/ticks.hpp"
 
 #include "core/base/check.hpp"
 
