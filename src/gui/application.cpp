@@ -124,15 +124,16 @@ std::filesystem::path Application::output_folder() { return output_ / run().scen
 
 void Application::export_files() {
     // The board is shared, for the task may come to its turn when the window is already closing.
-    run().solver->post(InspectCommand{[board = board_, folder = output_folder(),
-                                       names = run().scenario.output.text("formats")](Run& solved) {
-        report_outcome(*board, [&] {
-            const auto formats = parse_formats(names);
-            check_writable(folder);
-            write_run_files(folder, solved, formats);
-            return "Exported to " + folder.string();
-        });
-    }});
+    run().solver->post(
+        InspectCommand{[board = board_, folder = output_folder(),
+                        names = run().scenario.output.text("formats")](Run& solved, const Activity&) {
+            report_outcome(*board, [&] {
+                const auto formats = parse_formats(names);
+                check_writable(folder);
+                write_run_files(folder, solved, formats);
+                return "Exported to " + folder.string();
+            });
+        }});
     message_ = {"Exporting ...", false};
 }
 

@@ -25,7 +25,7 @@ std::string title_of(const Scenario& scenario) {
 
 bool same(const SolverStatus& a, const SolverStatus& b) {
     return a.run == b.run && a.paused == b.paused && a.progress == b.progress && a.activity == b.activity &&
-           a.messages == b.messages;
+           a.messages == b.messages && a.answered == b.answered;
 }
 
 } // namespace
@@ -62,7 +62,7 @@ void Document::open(const Scenario& scenario) {
 
 void Document::change(std::size_t run, const Scenario& scenario) {
     runs_[run].scenario = scenario;
-    runs_[run].solver->post(ChangeCommand{scenario});
+    runs_[run].solver->post(ChangeCommand{scenario, ++runs_[run].asked});
 }
 
 void Document::replace(std::size_t run, const Scenario& scenario) {
@@ -109,6 +109,11 @@ bool Document::collect() {
         SolverStatus status = run.solver->status();
         news = news || !same(status, run.status);
         run.status = std::move(status);
+        const bool news_of_change = run.status.answered != run.answered;
+        run.answered = run.status.answered;
+        // What was refused, or cancelled, is no longer shown as if it were so.
+        if (news_of_change && run.answered == run.asked && run.status.refused && run.status.scenario)
+            run.scenario = *run.status.scenario;
     }
     return news;
 }

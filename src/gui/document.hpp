@@ -22,7 +22,8 @@ struct DocumentRun {
     std::vector<StepReport> history; ///< since the run last began anew
     std::shared_ptr<const Snapshot> snapshot; ///< the newest; null until the first
     SolverStatus status;
-    bool wants_to_run = true; ///< what the user last asked for; the status follows within a step
+    std::uint64_t asked = 0, answered = 0; ///< numbers of the last change of values: sent, dealt with
+    bool wants_to_run = true;              ///< what the user last asked for; the status follows within a step
     std::unique_ptr<SolverThread> solver;
 
     bool ended() const { return is_final(status.run); }

@@ -52,8 +52,8 @@ class ApplicationTest : public testing::Test {
     Scenario solved_scenario() {
         const auto seen = std::make_shared<std::promise<Scenario>>(); // outlives a test that gave up waiting
         auto answer = seen->get_future();
-        run().solver->post(
-            InspectCommand{[seen](gaspard::Run& solved) { seen->set_value(solved.scenario()); }});
+        run().solver->post(InspectCommand{
+            [seen](gaspard::Run& solved, const Activity&) { seen->set_value(solved.scenario()); }});
         if (wait_until([&] { return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }))
             return answer.get();
         ADD_FAILURE() << "the solver does not answer";

@@ -61,6 +61,35 @@ std::deque<Command> SolverThread::wait_for_commands(std::stop_token stop) {
     return std::exchange(commands_, {});
 }
 
+void SolverThread::cancel() {
+    std::lock_guard lock(mutex_);
+    if (activity_) activity_->request_stop();
+}
+
+/// Does work that cancel() and `stop` can end. False if it was cancelled; Interrupted goes on up where the
+/// whole thread is to stop.
+bool SolverThread::cancellable(std::stop_token stop, const std::function<void(const Activity&)>& work) {
+    const std::stop_source source;
+    const auto set_activity = [&](std::optional<std::stop_source> activity) {
+        std::lock_guard lock(mutex_);
+        activity_ = std::move(activity);
+    };
+    set_activity(source);
+    const std::stop_callback link(stop, [source]() mutable { source.request_stop(); });
+    bool finished = true;
+    try {
+        work({progress(), source.get_token()});
+    } catch (const Interrupted&) {
+        finished = false;
+    } catch (...) {
+        set_activity(std::nullopt);
+        throw;
+    }
+    set_activity(std::nullopt);
+    if (!finished && stop.stop_requested()) throw Interrupted();
+    return finished;
+}
+
 void SolverThread::work(std::stop_token stop) {
     try {
         prepare(stop);
@@ -83,14 +112,26 @@ void SolverThread::work(std::stop_token stop) {
     }
 }
 
-void SolverThread::prepare(std::stop_token stop) {
+/// Makes the run; false if there is none, until better values come.
+bool SolverThread::prepare(std::stop_token stop) {
+    const auto fail = [this](RunStatus status, const std::string& message) {
+        update([&](SolverStatus& now) { now.run = status, now.activity.clear(); });
+        say(message);
+        return false;
+    };
+    update([](SolverStatus& status) { status.run = RunStatus::preparing; });
     try {
-        run_ = std::make_unique<Run>(catalogue_, scenario_, options_.run, progress(), stop);
-        publish(stop);
-    } catch (const InputError& error) { // there is no run until better values come
-        update([&](SolverStatus& status) { status.run = RunStatus::failed, status.activity.clear(); });
-        say(error.what());
+        const bool finished = cancellable(stop, [this](const Activity& activity) {
+            run_ =
+                std::make_unique<Run>(catalogue_, scenario_, options_.run, activity.progress, activity.stop);
+        });
+        if (!finished)
+            return fail(RunStatus::interrupted, "The preparation was cancelled; Run begins it again.");
+    } catch (const InputError& error) {
+        return fail(RunStatus::failed, error.what());
     }
+    publish(stop);
+    return true;
 }
 
 void SolverThread::publish(std::stop_token stop) {
@@ -114,7 +155,7 @@ void SolverThread::execute(Command command, std::stop_token stop) {
     struct Visitor {
         SolverThread& self;
         std::stop_token stop;
-        void operator()(StartCommand&) { self.running_ = true; }
+        void operator()(StartCommand&) { self.start(stop); }
         void operator()(PauseCommand&) { self.running_ = false; }
         void operator()(StepCommand&) { // now, so that what is posted after it finds it done
             self.running_ = false;
@@ -127,27 +168,54 @@ void SolverThread::execute(Command command, std::stop_token stop) {
             self.run_->reset();
         }
         void operator()(ChangeCommand& change) {
-            if (!stop.stop_requested()) self.change(std::move(change.scenario), stop);
+            if (!stop.stop_requested()) self.change(std::move(change), stop);
         }
         void operator()(InspectCommand& inspect) { // also when asked to stop: an export is not lost
-            if (self.run_)
-                inspect.task(*self.run_);
-            else
-                self.say("There is nothing to save yet.");
+            self.inspect(inspect);
         }
     };
     std::visit(Visitor{*this, stop}, command);
 }
 
-void SolverThread::change(Scenario scenario, std::stop_token stop) {
-    scenario_ = std::move(scenario);
-    if (!run_) return prepare(stop);
+void SolverThread::start(std::stop_token stop) {
+    running_ = true;
+    if (!run_ && status().run == RunStatus::interrupted) prepare(stop);
+}
+
+void SolverThread::inspect(const InspectCommand& command) {
+    if (!run_) return say("There is nothing to save yet.");
+    const bool finished = cancellable({}, [&](const Activity& activity) { command.task(*run_, activity); });
+    update([](SolverStatus& status) { status.activity.clear(); });
+    if (!finished) say("Cancelled.");
+}
+
+void SolverThread::change(ChangeCommand command, std::stop_token stop) {
+    if (!run_) {
+        scenario_ = command.scenario;
+        return answer(command, !prepare(stop));
+    }
+    bool refused = false;
     try {
-        const std::string message = run_->change(scenario_, progress(), stop);
-        if (!message.empty()) say(message);
+        refused = !cancellable(stop, [&](const Activity& activity) {
+            const std::string message = run_->change(command.scenario, activity.progress, activity.stop);
+            if (!message.empty()) say(message);
+        });
+        if (refused) say("Cancelled; the values are as they were before.");
     } catch (const InputError& error) { // the run goes on with its old values
+        refused = true;
         say(error.what());
     }
+    answer(command, refused);
+}
+
+void SolverThread::answer(const ChangeCommand& command, bool refused) {
+    auto scenario = run_ ? std::make_shared<const Scenario>(run_->scenario()) : nullptr;
+    update([&](SolverStatus& status) {
+        status.answered = command.number;
+        status.refused = refused;
+        status.scenario = std::move(scenario);
+        status.activity.clear();
+    });
 }
 
 } // namespace gaspard

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <variant>
@@ -19,14 +20,21 @@ struct StartCommand {}; ///< run until the status is final
 struct PauseCommand {};
 struct StepCommand {};  ///< one iteration, then pause
 struct ResetCommand {}; ///< back to the identity map, paused or running as before
-/// Other values, from the present map where possible; a run that had ended goes on.
+/// Other values, from the present map where possible; a run that had ended goes on. `number` tells one such
+/// command from another in SolverStatus.
 struct ChangeCommand {
     Scenario scenario;
+    std::uint64_t number = 0;
 };
-/// Done between two steps on the solver thread, which owns the run: exports, tests. What the task throws ends
-/// the thread as failed, so a task reports its own errors.
+/// What long work is given: where to say how far it is, and when to give up.
+struct Activity {
+    Progress progress;
+    std::stop_token stop;
+};
+/// Done between two steps on the solver thread, which owns the run: exports, tests. A task that is cancelled
+/// may throw Interrupted; what else it throws ends the thread as failed, so it reports its own errors.
 struct InspectCommand {
-    std::function<void(Run&)> task;
+    std::function<void(Run&, const Activity&)> task;
 };
 using Command =
     std::variant<StartCommand, PauseCommand, StepCommand, ResetCommand, ChangeCommand, InspectCommand>;
@@ -46,6 +54,10 @@ struct SolverStatus {
     std::string
         message; ///< the last sentence for the user: an input error, a map that could not be kept, a fault
     std::uint64_t messages = 0; ///< how many sentences so far, so that the same one twice is seen twice
+    std::uint64_t answered = 0; ///< the number of the last ChangeCommand that was dealt with ...
+    bool refused = false; ///< ... and whether it changed nothing: its values were wrong, or it was cancelled
+    std::shared_ptr<const Scenario>
+        scenario; ///< the values that the run works with; null before there is one
 };
 
 class SolverThread {
@@ -64,6 +76,8 @@ class SolverThread {
     SolverThread& operator=(const SolverThread&) = delete;
 
     void post(Command command);
+    /// Ends the preparation or the task under way, if there is any; the run stays as it was before.
+    void cancel();
     /// The newest snapshot; null until the first.
     std::shared_ptr<const Snapshot> latest() const { return latest_.get(); }
     /// Every report since the last call, in order, none left out.
@@ -72,9 +86,13 @@ class SolverThread {
 
   private:
     void work(std::stop_token stop);
-    void prepare(std::stop_token stop);
+    bool prepare(std::stop_token stop);
+    bool cancellable(std::stop_token stop, const std::function<void(const Activity&)>& work);
     void execute(Command command, std::stop_token stop);
-    void change(Scenario scenario, std::stop_token stop);
+    void start(std::stop_token stop);
+    void inspect(const InspectCommand& command);
+    void change(ChangeCommand command, std::stop_token stop);
+    void answer(const ChangeCommand& command, bool refused);
     void publish(std::stop_token stop);
     void say(std::string message);
     void update(const std::function<void(SolverStatus&)>& change);
@@ -91,11 +109,12 @@ class SolverThread {
 
     Latest<Snapshot> latest_;
     Channel<SolverEvent> reports_;
-    mutable std::mutex mutex_; ///< commands_ and status_
+    mutable std::mutex mutex_; ///< commands_, status_ and activity_
     std::condition_variable_any wake_;
     std::deque<Command> commands_;
     SolverStatus status_;
-    std::jthread thread_; ///< last, so that it ends before what it uses
+    std::optional<std::stop_source> activity_; ///< of what cancel() would end
+    std::jthread thread_;                      ///< last, so that it ends before what it uses
 };
 
 } // namespace gaspard

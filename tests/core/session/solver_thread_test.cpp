@@ -1,3 +1,4 @@
+#include "core/base/error.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/solver_thread.hpp"
 
@@ -31,7 +32,7 @@ class SolverThreadTest : public testing::Test {
     /// Waits until the thread has done all commands posted before.
     static void settle(SolverThread& thread) {
         std::promise<void> done;
-        thread.post(InspectCommand{[&](gaspard::Run&) { done.set_value(); }});
+        thread.post(InspectCommand{[&](gaspard::Run&, const Activity&) { done.set_value(); }});
         ASSERT_EQ(done.get_future().wait_for(10s), std::future_status::ready);
     }
     std::shared_ptr<const Catalogue> catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
@@ -58,7 +59,8 @@ TEST_F(SolverThreadTest, StartsPausedStepsPausesAndGoesOn) {
     EXPECT_EQ(thread.drain().size(), 1u);
     thread.post(StepCommand{});
     std::promise<int> iteration;
-    thread.post(InspectCommand{[&](gaspard::Run& run) { iteration.set_value(run.history().back().iteration); }});
+    thread.post(InspectCommand{
+        [&](gaspard::Run& run, const Activity&) { iteration.set_value(run.history().back().iteration); }});
     EXPECT_EQ(iteration.get_future().get(), 1) << "commands take effect in their order";
     settle(thread);
     ASSERT_TRUE(eventually([&] { return thread.latest()->report.iteration == 1; }));
@@ -120,7 +122,7 @@ TEST_F(SolverThreadTest, ChangesThatFollowEachOtherAreMergedAndTheLastWins) {
     ASSERT_TRUE(eventually([&] { return thread.latest() != nullptr; }));
     settle(thread);
     std::promise<void> held, gate;
-    thread.post(InspectCommand{[&](gaspard::Run&) { // hold the thread while changes queue up
+    thread.post(InspectCommand{[&](gaspard::Run&, const Activity&) { // hold the thread while changes queue up
         held.set_value();
         gate.get_future().wait();
     }});
@@ -131,7 +133,7 @@ TEST_F(SolverThreadTest, ChangesThatFollowEachOtherAreMergedAndTheLastWins) {
     double amplitude = 0;
     std::promise<void> done;
     std::size_t rows = 0;
-    thread.post(InspectCommand{[&](gaspard::Run& run) {
+    thread.post(InspectCommand{[&](gaspard::Run& run, const Activity&) {
         amplitude = run.scenario().monitor.values.real("amplitude");
         rows = run.history().size();
         done.set_value();
@@ -171,6 +173,79 @@ TEST_F(SolverThreadTest, ABrokenFirstScenarioWaitsForABetterOne) {
     EXPECT_EQ(thread.status().run, RunStatus::failed);
     thread.post(StartCommand{});
     thread.post(ChangeCommand{scenario()});
+    EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+}
+
+TEST_F(SolverThreadTest, ARefusedChangeSaysSoAndNamesTheValuesThatRemain) {
+    SolverThread thread(catalogue, scenario(), {.start_running = false});
+    Scenario broken = scenario();
+    broken.method.type = "magic";
+    thread.post(ChangeCommand{broken, 7});
+    ASSERT_TRUE(eventually([&] { return thread.status().answered == 7; }));
+    EXPECT_TRUE(thread.status().refused);
+    ASSERT_TRUE(thread.status().scenario);
+    EXPECT_EQ(thread.status().scenario->method.type, "relaxation");
+    thread.post(ChangeCommand{scenario({"monitor.amplitude=15"}), 8});
+    ASSERT_TRUE(eventually([&] { return thread.status().answered == 8; }));
+    EXPECT_FALSE(thread.status().refused);
+    EXPECT_EQ(thread.status().scenario->monitor.values.real("amplitude"), 15);
+}
+
+/// A catalogue whose plane takes as long to prepare as it is left to.
+std::shared_ptr<const Catalogue> slow_catalogue(std::atomic<bool>& slow) {
+    auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
+    auto& prepare = catalogue->capabilities.front().prepare;
+    prepare = [&slow, quick = prepare](const Values& values, const Progress& progress, std::stop_token stop) {
+        while (slow && !stop.stop_requested()) {
+            progress(0.5, "waiting");
+            std::this_thread::sleep_for(1ms);
+        }
+        return quick(values, progress, stop);
+    };
+    return catalogue;
+}
+
+TEST_F(SolverThreadTest, ACancelledChangeLeavesTheRunAsItWas) {
+    std::atomic<bool> slow = false;
+    SolverThread thread(slow_catalogue(slow), scenario(), {.start_running = false});
+    ASSERT_TRUE(eventually([&] { return thread.latest() != nullptr; }));
+    slow = true;
+    thread.post(ChangeCommand{scenario({"domain.cells=20"}), 1});
+    ASSERT_TRUE(eventually([&] { return thread.status().activity == "waiting"; }));
+    thread.cancel();
+    ASSERT_TRUE(eventually([&] { return thread.status().answered == 1; }));
+    EXPECT_TRUE(thread.status().refused);
+    EXPECT_EQ(thread.status().scenario->domain.values.integer("cells"), 12);
+    EXPECT_TRUE(thread.status().activity.empty());
+    thread.post(StartCommand{});
+    EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+}
+
+TEST_F(SolverThreadTest, ACancelledStartBeginsAgainWhenItIsToRun) {
+    std::atomic<bool> slow = true;
+    SolverThread thread(slow_catalogue(slow), scenario(), {});
+    ASSERT_TRUE(eventually([&] { return thread.status().activity == "waiting"; }));
+    thread.cancel();
+    ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::interrupted; }));
+    slow = false;
+    thread.post(StartCommand{});
+    EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+}
+
+TEST_F(SolverThreadTest, ATaskIsCancelledOnItsOwnAndTheRunGoesOn) {
+    SolverThread thread(catalogue, scenario(), {.start_running = false});
+    thread.post(InspectCommand{[](gaspard::Run&, const Activity& activity) {
+        while (!activity.stop.stop_requested()) {
+            activity.progress(0.25, "working");
+            std::this_thread::sleep_for(1ms);
+        }
+        throw Interrupted();
+    }});
+    ASSERT_TRUE(eventually([&] { return thread.status().activity == "working"; }));
+    thread.cancel();
+    ASSERT_TRUE(eventually([&] { return thread.status().activity.empty(); }));
+    thread.cancel(); // nothing is under way: no harm
+    thread.post(StartCommand{});
     EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
 }
 
