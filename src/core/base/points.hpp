@@ -37,4 +37,11 @@ struct Points {
     friend bool operator==(const Points&, const Points&) = default;
 };
 
+/// Point by point; both of the same size.
+inline Points operator-(const Points& a, const Points& b) {
+    Points difference(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) difference.set(i, a[i] - b[i]);
+    return difference;
+}
+
 } // namespace gaspard

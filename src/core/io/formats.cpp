@@ -9,13 +9,26 @@ namespace gaspard {
 
 namespace {
 
-void write_obj_files(const std::filesystem::path& folder, const Snapshot& snapshot) {
+void write_obj_files(const std::filesystem::path& folder, const RunResult& result) {
+    const Snapshot& snapshot = result.snapshot;
     write_obj(folder / "computational.obj", *snapshot.mesh, snapshot.mesh->nodes);
     write_obj(folder / "adapted.obj", *snapshot.mesh, snapshot.x);
 }
 
-void write_glb_files(const std::filesystem::path& folder, const Snapshot& snapshot) {
-    write_glb(folder / "adapted.glb", snapshot);
+void write_glb_file(const std::filesystem::path& folder, const RunResult& result) {
+    write_glb(folder / "adapted.glb", result.snapshot);
+}
+
+void write_vtu_file(const std::filesystem::path& folder, const RunResult& result) {
+    write_vtu(folder / "adapted.vtu", result.snapshot);
+}
+
+void write_msh_file(const std::filesystem::path& folder, const RunResult& result) {
+    write_msh(folder / "adapted.msh", result.snapshot, result.space);
+}
+
+void write_ply_file(const std::filesystem::path& folder, const RunResult& result) {
+    write_ply(folder / "adapted.ply", result.snapshot);
 }
 
 const Format& find_format(std::string_view name) {
@@ -42,7 +55,19 @@ const std::vector<Format>& formats() {
          "binary glTF 2.0: the adapted mesh coloured by the monitor, with an animation from the "
          "computational mesh",
          {"adapted.glb"},
-         &write_glb_files},
+         &write_glb_file},
+        {"vtu",
+         "VTK's unstructured grid, exact, with all fields: for ParaView, VTK, meshio",
+         {"adapted.vtu"},
+         &write_vtu_file},
+        {"msh",
+         "Gmsh 2.2, exact, with all fields and named borders: for finite element codes",
+         {"adapted.msh"},
+         &write_msh_file},
+        {"ply",
+         "binary PLY: corner vertices with the monitor and its colour, straight-edged faces",
+         {"adapted.ply"},
+         &write_ply_file},
     };
     return table;
 }

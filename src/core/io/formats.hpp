@@ -1,6 +1,7 @@
 // The table of mesh formats, and each format's writer.
 #pragma once
 
+#include "core/mesh/space.hpp"
 #include "core/session/snapshot.hpp"
 
 #include <filesystem>
@@ -19,11 +20,32 @@ void write_obj(const std::filesystem::path& file, const Mesh& mesh, const Points
 /// target is xi - x with default weight 0, and an animation plays from xi to x. Single precision.
 void write_glb(const std::filesystem::path& file, const Snapshot& snapshot);
 
+/// VTK's XML file of an unstructured grid at x, exact doubles, cells of every kind and order as they are.
+/// Point data: the fields of nodes, displacement (x - xi) and xi; cell data: the fields of cells; field data:
+/// the numbers of the report.
+void write_vtu(const std::filesystem::path& file, const Snapshot& snapshot);
+
+/// Gmsh's file, version 2.2 as text, at x, exact doubles. Physical groups: "domain" and those of
+/// border_groups(); for a periodic square the sides are paired. Node data: the fields of nodes, displacement
+/// and xi; element data: the fields of cells.
+void write_msh(const std::filesystem::path& file, const Snapshot& snapshot, const Space& space);
+
+/// Binary PLY: corners in double precision with the monitor and its colour, straight-edged faces. Lines:
+/// edges. Solids: the border.
+void write_ply(const std::filesystem::path& file, const Snapshot& snapshot);
+
+/// What there is to write of a run.
+struct RunResult {
+    const Snapshot& snapshot;
+    const std::vector<StepReport>& history;
+    Space space; ///< of the domain: whether its sides are the same
+};
+
 struct Format {
     std::string name;               ///< as in --formats: "obj"
     std::string help;               ///< one line
     std::vector<std::string> files; ///< the names it writes into the output folder
-    void (*write)(const std::filesystem::path& folder, const Snapshot& snapshot);
+    void (*write)(const std::filesystem::path& folder, const RunResult& result);
 };
 
 const std::vector<Format>& formats();

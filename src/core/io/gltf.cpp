@@ -31,12 +31,6 @@ Triples single_precision(const Points& points) {
     return triples;
 }
 
-Points difference(const Points& a, const Points& b) {
-    Points result(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i) result.set(i, a[i] - b[i]);
-    return result;
-}
-
 /// The colour maps are in sRGB; vertex colours of glTF are linear light.
 float linear_light(unsigned char srgb) {
     const double s = srgb / 255.0;
@@ -198,7 +192,7 @@ tinygltf::Primitive primitive(int mode, int indices, int material, int position,
 tinygltf::Model build_model(const Snapshot& snapshot) {
     const Tessellation shape = tessellate(*snapshot.mesh);
     const Points x = shown_points(shape, snapshot.x);
-    const Points back = difference(shown_points(shape, snapshot.mesh->nodes), x);
+    const Points back = shown_points(shape, snapshot.mesh->nodes) - x;
 
     tinygltf::Model model;
     Packer packer(model);

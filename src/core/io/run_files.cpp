@@ -93,7 +93,8 @@ void write_run_files(const std::filesystem::path& folder, Run& run,
     attempt([&] { write_atomically(folder / "summary.json", summary_json(run)); });
     attempt([&] { write_state(folder / "state.bin", run.state()); });
     const auto snapshot = run.snapshot();
-    for (const auto* format : formats) attempt([&] { format->write(folder, *snapshot); });
+    const RunResult result{*snapshot, run.history(), run.space()};
+    for (const auto* format : formats) attempt([&] { format->write(folder, result); });
     if (first) std::rethrow_exception(first);
 }
 

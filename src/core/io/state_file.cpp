@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/little_endian.hpp"
 
 #include <bit>
 #include <cmath>
@@ -20,13 +21,8 @@ std::uint64_t fnv1a(std::string_view bytes) {
     return hash;
 }
 
-template <class Unsigned>
-void append(std::string& bytes, Unsigned value) {
-    for (std::size_t i = 0; i < sizeof value; ++i) bytes += static_cast<char>((value >> (8 * i)) & 0xffu);
-}
-
 void append_text(std::string& bytes, std::string_view text) {
-    append(bytes, static_cast<std::uint32_t>(text.size()));
+    append_little_endian(bytes, static_cast<std::uint32_t>(text.size()));
     bytes += text;
 }
 
@@ -83,15 +79,15 @@ void check_whole(Reader& reader, std::string_view bytes) {
 
 void write_state(const std::filesystem::path& file, const State& state) {
     std::string bytes(mark);
-    append(bytes, newest_version);
-    append(bytes, static_cast<std::uint32_t>(state.arrays.size()));
+    append_little_endian(bytes, newest_version);
+    append_little_endian(bytes, static_cast<std::uint32_t>(state.arrays.size()));
     append_text(bytes, state.layout);
     for (const auto& array : state.arrays) {
         append_text(bytes, array.name);
-        append(bytes, static_cast<std::uint64_t>(array.values.size()));
-        for (const double value : array.values) append(bytes, std::bit_cast<std::uint64_t>(value));
+        append_little_endian(bytes, static_cast<std::uint64_t>(array.values.size()));
+        for (const double value : array.values) append_little_endian(bytes, value);
     }
-    append(bytes, fnv1a(bytes));
+    append_little_endian(bytes, fnv1a(bytes));
     write_atomically(file, bytes);
 }
 

@@ -45,6 +45,10 @@ class Run {
     int epoch() const { return epoch_; }
     const State& state() const { return state_; }
     const Discretisation& discretisation() const { return *discretisation_; }
+    /// Of the domain.
+    Space space() const {
+        return catalogue_->domain(problem_.scenario.domain.type).space(problem_.scenario.domain.values);
+    }
     double setup_seconds() const { return setup_seconds_; }
     /// The present iterate as a value; cheap beside a step.
     std::shared_ptr<const Snapshot> snapshot();

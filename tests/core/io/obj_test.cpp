@@ -1,8 +1,8 @@
 // OBJ read back by OpenMesh, and, because that reads single precision, by a few lines of our own to the last
 // bit.
 #include "core/base/error.hpp"
-#include "core/io/formats.hpp"
 #include "core/base/read_file.hpp"
+#include "core/io/formats.hpp"
 #include "support/comma_locale.hpp"
 #include "support/messages.hpp"
 #include "support/small_meshes.hpp"
@@ -164,15 +164,17 @@ TEST(Formats, TheTableKnowsWhatEachWrites) {
     const auto mesh = std::make_shared<Mesh>(unit_square_mesh(4));
     Snapshot snapshot{.mesh = mesh, .x = moved(*mesh), .fields = {}, .report = {}, .version = 1};
     snapshot.fields.push_back({"monitor", "", FieldPlace::node, mesh->nodes.x});
+    const std::vector<StepReport> history(3);
     std::vector<std::string> expected;
     for (const auto& format : formats()) {
-        format.write(folder.path(), snapshot);
+        format.write(folder.path(), {snapshot, history, {}});
         expected.insert(expected.end(), format.files.begin(), format.files.end());
         std::sort(expected.begin(), expected.end());
         EXPECT_EQ(folder.content(), expected) << format.name;
         EXPECT_FALSE(format.help.empty());
     }
-    EXPECT_EQ(expected, (std::vector<std::string>{"adapted.glb", "adapted.obj", "computational.obj"}));
+    EXPECT_EQ(expected, (std::vector<std::string>{"adapted.glb", "adapted.msh", "adapted.obj", "adapted.ply",
+                                                  "adapted.vtu", "computational.obj"}));
     expect_positions(read_obj(folder / "computational.obj"), mesh->nodes);
     expect_positions(read_obj(folder / "adapted.obj"), snapshot.x);
 }
@@ -183,7 +185,7 @@ TEST(Formats, AListIsParsedAndAnUnknownNameToldWithTheNearest) {
     EXPECT_EQ(both[0]->name, "glb");
     EXPECT_EQ(both[1]->name, "obj");
     EXPECT_EQ(message_of<InputError>([] { parse_formats("obj,glbb"); }),
-              "unknown format 'glbb' (did you mean 'glb'?); there are: obj, glb");
+              "unknown format 'glbb' (did you mean 'glb'?); there are: obj, glb, vtu, msh, ply");
     for (const char* wrong : {"", "obj,", ",obj", "obj glb", "OBJ"})
         EXPECT_THROW(parse_formats(wrong), InputError) << wrong;
 }

@@ -1,0 +1,22 @@
+// Numbers as bytes, the lowest first, whatever the machine.
+#pragma once
+
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <string>
+
+namespace gaspard {
+
+template <std::unsigned_integral Unsigned>
+void append_little_endian(std::string& bytes, Unsigned value) {
+    for (std::size_t i = 0; i < sizeof value; ++i) bytes += static_cast<char>((value >> (8 * i)) & 0xffu);
+}
+inline void append_little_endian(std::string& bytes, std::int32_t value) {
+    append_little_endian(bytes, static_cast<std::uint32_t>(value));
+}
+inline void append_little_endian(std::string& bytes, double value) {
+    append_little_endian(bytes, std::bit_cast<std::uint64_t>(value));
+}
+
+} // namespace gaspard

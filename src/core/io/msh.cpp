@@ -1,0 +1,182 @@
+// adapted.msh: Gmsh's mesh file of version 2.2 as text, the version that Gmsh and most finite element codes
+// read. Cells have the numbers 1 to n in our order; behind them come the elements of the border.
+#include "core/base/check.hpp"
+#include "core/base/parameter.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/facets.hpp"
+#include "core/io/formats.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+constexpr int point_type = 15;
+
+/// Gmsh's number for a kind of cell.
+int gmsh_type(CellKind kind) {
+    const bool straight = kind.order == 1;
+    switch (kind.shape) {
+    case CellShape::line:
+        return straight ? 1 : 8;
+    case CellShape::triangle:
+        return straight ? 2 : 9;
+    case CellShape::quadrilateral:
+        return straight ? 3 : 10;
+    case CellShape::hexahedron:
+        return straight ? 5 : 12;
+    }
+    check_failed("the shape has a number in Gmsh");
+}
+
+/// Which of our nodes Gmsh wants at each place. It differs from VTK in the edges and faces of curved solids.
+std::vector<int> gmsh_order(CellKind kind) {
+    if (kind == CellKind{CellShape::hexahedron, 2})
+        return {0,  1,  2,  3,  4,  5,  6,  7,                  // corners
+                8,  11, 16, 9,  17, 10, 18, 19, 12, 15, 13, 14, // edges
+                24, 22, 20, 21, 23, 25, 26};                    // faces, interior
+    std::vector<int> same;
+    for (int i = 0; i < nodes_per_cell(kind); ++i) same.push_back(i);
+    return same;
+}
+
+void append_reals(std::string& text, std::initializer_list<double> values) {
+    for (const double value : values) {
+        GASPARD_CHECK(std::isfinite(value));
+        text += ' ' + format_number(value);
+    }
+}
+
+std::string physical_names(const Mesh& mesh, const std::vector<BorderGroup>& groups) {
+    const int dimension = cell_dimension(mesh.kind);
+    std::string text = "$PhysicalNames\n" + std::to_string(1 + groups.size()) + '\n';
+    text += std::to_string(dimension) + " 1 \"domain\"\n";
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        text += std::to_string(dimension - 1) + ' ' + std::to_string(2 + g) + " \"" + groups[g].name + "\"\n";
+    return text + "$EndPhysicalNames\n";
+}
+
+std::string nodes(const Points& x) {
+    std::string text = "$Nodes\n" + std::to_string(x.size()) + '\n';
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        text += std::to_string(i + 1);
+        append_reals(text, {x.x[i], x.y[i], x.z[i]});
+        text += '\n';
+    }
+    return text + "$EndNodes\n";
+}
+
+/// Physical group and geometrical entity have the same number.
+void append_element(std::string& text, std::size_t number, int type, std::size_t group,
+                    std::span<const std::int32_t> nodes, std::span<const int> order) {
+    const std::string tag = std::to_string(group);
+    text += std::to_string(number) + ' ' + std::to_string(type) + " 2 " + tag + ' ' + tag;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        text += ' ' + std::to_string(nodes[order.empty() ? i : static_cast<std::size_t>(order[i])] + 1);
+    text += '\n';
+}
+
+std::string elements(const Mesh& mesh, const Facets& facets, const std::vector<BorderGroup>& groups) {
+    std::string text = "$Elements\n" + std::to_string(mesh.cell_count() + facets.size()) + '\n';
+    const auto order = gmsh_order(mesh.kind);
+    std::size_t number = 0;
+    for (std::size_t c = 0; c < mesh.cell_count(); ++c)
+        append_element(text, ++number, gmsh_type(mesh.kind), 1, mesh.cell(c), order);
+    const int type = facets.nodes_each == 1 ? point_type : gmsh_type(facets.kind);
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        for (const std::size_t f : groups[g].facets)
+            append_element(text, ++number, type, 2 + g, facets[f], {});
+    return text + "$EndElements\n";
+}
+
+/// Nodes of one side and those that they are copies of, along the side.
+std::vector<std::pair<std::int32_t, std::int32_t>> copies(const Mesh& mesh, const Facets& facets,
+                                                          const BorderGroup& copy,
+                                                          const BorderGroup& original,
+                                                          std::vector<double> Points::*along) {
+    const auto nodes_of = [&](const BorderGroup& group) {
+        std::vector<std::int32_t> nodes;
+        for (const std::size_t f : group.facets)
+            nodes.insert(nodes.end(), facets[f].begin(), facets[f].end());
+        std::sort(nodes.begin(), nodes.end(), [&](std::int32_t a, std::int32_t b) {
+            const auto& values = mesh.nodes.*along;
+            return values[static_cast<std::size_t>(a)] < values[static_cast<std::size_t>(b)];
+        });
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        return nodes;
+    };
+    const auto from = nodes_of(copy), to = nodes_of(original);
+    GASPARD_CHECK(from.size() == to.size());
+    std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+    for (std::size_t i = 0; i < from.size(); ++i) pairs.emplace_back(from[i], to[i]);
+    return pairs;
+}
+
+/// The sides of a periodic square: right is a copy of left, top of bottom.
+std::string periodic(const Mesh& mesh, const Facets& facets, const std::vector<BorderGroup>& groups) {
+    GASPARD_CHECK(groups.size() == 4); // left, right, bottom, top
+    std::string text = "$Periodic\n2\n";
+    for (const std::size_t original : {0u, 2u}) {
+        const std::size_t copy = original + 1;
+        text += "1 " + std::to_string(2 + copy) + ' ' + std::to_string(2 + original) + '\n';
+        text += original == 0 ? "Affine 1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1\n"
+                              : "Affine 1 0 0 0 0 1 0 1 0 0 1 0 0 0 0 1\n";
+        const auto pairs =
+            copies(mesh, facets, groups[copy], groups[original], original == 0 ? &Points::y : &Points::x);
+        text += std::to_string(pairs.size()) + '\n';
+        for (const auto& [from, to] : pairs)
+            text += std::to_string(from + 1) + ' ' + std::to_string(to + 1) + '\n';
+    }
+    return text + "$EndPeriodic\n";
+}
+
+/// The head of a data section: name, time, step, components, number of rows.
+std::string data_head(const std::string& section, const std::string& name, int components, std::size_t rows) {
+    return '$' + section + "\n1\n\"" + name + "\"\n1\n0\n3\n0\n" + std::to_string(components) + '\n' +
+           std::to_string(rows) + '\n';
+}
+
+std::string node_vectors(const std::string& name, const Points& points) {
+    std::string text = data_head("NodeData", name, 3, points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        text += std::to_string(i + 1);
+        append_reals(text, {points.x[i], points.y[i], points.z[i]});
+        text += '\n';
+    }
+    return text + "$EndNodeData\n";
+}
+
+/// Readers want a value for every element: those of the border have that of their cell.
+std::string field_data(const Field& field, const Facets& facets, const std::vector<BorderGroup>& groups) {
+    const std::string section = field.place == FieldPlace::node ? "NodeData" : "ElementData";
+    std::vector<double> values = field.values;
+    if (field.place == FieldPlace::cell)
+        for (const auto& group : groups)
+            for (const std::size_t f : group.facets) values.push_back(field.values[facets.cells[f]]);
+    std::string text = data_head(section, field.name, 1, values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        text += std::to_string(i + 1);
+        append_reals(text, {values[i]});
+        text += '\n';
+    }
+    return text + "$End" + section + '\n';
+}
+
+} // namespace
+
+void write_msh(const std::filesystem::path& file, const Snapshot& snapshot, const Space& space) {
+    const Mesh& mesh = *snapshot.mesh;
+    GASPARD_CHECK(snapshot.x.size() == mesh.node_count());
+    const Facets facets = border(mesh);
+    const auto groups = border_groups(mesh, facets);
+    std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+    text += physical_names(mesh, groups) + nodes(snapshot.x) + elements(mesh, facets, groups);
+    if (space.kind == SpaceKind::periodic_square) text += periodic(mesh, facets, groups);
+    for (const auto& field : snapshot.fields) text += field_data(field, facets, groups);
+    text += node_vectors("displacement", snapshot.x - mesh.nodes) + node_vectors("xi", mesh.nodes);
+    write_atomically(file, text);
+}
+
+} // namespace gaspard

@@ -1,0 +1,107 @@
+// adapted.ply: corner vertices in double precision with the monitor and its colour, straight-edged faces.
+// Lines are "edge" elements; of solids the border is written.
+#include "core/base/check.hpp"
+#include "core/base/version.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/facets.hpp"
+#include "core/io/formats.hpp"
+#include "core/io/little_endian.hpp"
+#include "core/tessellate/colour_map.hpp"
+
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+/// What PLY calls faces or edges: some corners each.
+struct Polygons {
+    std::size_t corners = 2; ///< 2: edges
+    std::vector<std::int32_t> nodes;
+    std::size_t size() const { return nodes.size() / corners; }
+};
+
+Polygons polygons_of(const Mesh& mesh) {
+    Polygons polygons;
+    const auto take = [&](std::span<const std::int32_t> cell) {
+        const auto corners = cell.first(polygons.corners);
+        polygons.nodes.insert(polygons.nodes.end(), corners.begin(), corners.end());
+    };
+    if (cell_dimension(mesh.kind) == 1) {
+        for (std::size_t c = 0; c < mesh.cell_count(); ++c) take(mesh.cell(c));
+        return polygons;
+    }
+    const Facets faces = shown_faces(mesh);
+    polygons.corners = static_cast<std::size_t>(faces.corners);
+    for (std::size_t f = 0; f < faces.size(); ++f) take(faces[f]);
+    return polygons;
+}
+
+/// The nodes that are a corner of something, in their order, and the polygons by their places in it.
+std::vector<std::size_t> number_vertices(std::size_t node_count, Polygons& polygons) {
+    std::vector<std::int32_t> number(node_count, -1);
+    for (const auto node : polygons.nodes) number[static_cast<std::size_t>(node)] = 0;
+    std::vector<std::size_t> vertices;
+    for (std::size_t i = 0; i < node_count; ++i)
+        if (number[i] == 0) {
+            number[i] = static_cast<std::int32_t>(vertices.size());
+            vertices.push_back(i);
+        }
+    for (auto& node : polygons.nodes) node = number[static_cast<std::size_t>(node)];
+    return vertices;
+}
+
+std::string header(std::size_t vertices, bool monitor, const Polygons& polygons) {
+    std::string text = "ply\nformat binary_little_endian 1.0\ncomment Gaspard " + std::string(version()) +
+                       "\nelement vertex " + std::to_string(vertices) +
+                       "\nproperty double x\nproperty double y\nproperty double z\n";
+    if (monitor)
+        text += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty double monitor\n";
+    text += (polygons.corners == 2 ? "element edge " : "element face ") + std::to_string(polygons.size());
+    text += polygons.corners == 2 ? "\nproperty int vertex1\nproperty int vertex2\n"
+                                  : "\nproperty list uchar int vertex_indices\n";
+    return text + "end_header\n";
+}
+
+void append_vertices(std::string& bytes, const Points& x, const std::vector<std::size_t>& vertices,
+                     const Field* monitor) {
+    std::vector<double> values;
+    if (monitor)
+        for (const std::size_t i : vertices) values.push_back(monitor->values[i]);
+    const ColourMap& map = colour_maps().front();
+    const ColourRange range = range_of(values);
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+        const Vec3 p = x[vertices[k]];
+        GASPARD_CHECK(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+        for (const double value : {p.x, p.y, p.z}) append_little_endian(bytes, value);
+        if (!monitor) continue;
+        GASPARD_CHECK(std::isfinite(values[k]));
+        for (const unsigned char channel : colour_at(map, range.position(values[k])))
+            append_little_endian(bytes, channel);
+        append_little_endian(bytes, values[k]);
+    }
+}
+
+void append_polygons(std::string& bytes, const Polygons& polygons) {
+    for (std::size_t i = 0; i < polygons.nodes.size(); ++i) {
+        if (polygons.corners != 2 && i % polygons.corners == 0)
+            append_little_endian(bytes, static_cast<std::uint8_t>(polygons.corners));
+        append_little_endian(bytes, polygons.nodes[i]);
+    }
+}
+
+} // namespace
+
+void write_ply(const std::filesystem::path& file, const Snapshot& snapshot) {
+    GASPARD_CHECK(snapshot.x.size() == snapshot.mesh->node_count());
+    Polygons polygons = polygons_of(*snapshot.mesh);
+    const auto vertices = number_vertices(snapshot.x.size(), polygons);
+    const Field* monitor = snapshot.field("monitor");
+    GASPARD_CHECK(!monitor || monitor->place == FieldPlace::node);
+    std::string bytes = header(vertices.size(), monitor != nullptr, polygons);
+    append_vertices(bytes, snapshot.x, vertices, monitor);
+    append_polygons(bytes, polygons);
+    write_atomically(file, bytes);
+}
+
+} // namespace gaspard
