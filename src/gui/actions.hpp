@@ -9,7 +9,27 @@
 
 namespace gaspard {
 
-enum class ActionId { run_pause, step, reset, home, screenshot, export_files, help, quit };
+enum class ActionId {
+    run_pause,
+    step,
+    reset,
+    cancel,
+    home,
+    theme,
+    sidebar,
+    plots,
+    log,
+    larger,
+    smaller,
+    projector,
+    fullscreen,
+    open,
+    save_scenario,
+    screenshot,
+    export_files,
+    help,
+    quit
+};
 
 struct Action {
     ActionId id;
@@ -28,7 +48,14 @@ const Action& action(ActionId id);
 const Action* action_for_key(std::string_view key);
 /// "N or Right".
 std::string describe_keys(const Action& action);
-/// The rows as a Markdown table.
+
+/// What the mouse does: "Wheel", "Zoom at the pointer."
+struct MouseHelp {
+    std::string_view what, help;
+};
+std::span<const MouseHelp> mouse_help();
+
+/// The rows as a Markdown table, those of the mouse at its end.
 std::string actions_markdown();
 
 } // namespace gaspard

@@ -4,12 +4,8 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/run_files.hpp"
 #include "core/scenario/toml.hpp"
-#include "gui/icons.hpp"
-#include "gui/part_window.hpp"
-#include "gui/status_bar.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <imgui.h>
 #include <utility>
 
@@ -17,64 +13,45 @@ namespace gaspard {
 
 namespace {
 
-constexpr const char* hint =
-    "Drag to pan, turn the wheel to zoom, double-click to see the whole mesh. F1 shows all keys.";
-
-Icon icon_of(ActionId id) {
-    switch (id) {
-    case ActionId::run_pause:
-        return Icon::run;
-    case ActionId::step:
-        return Icon::step;
-    case ActionId::reset:
-        return Icon::reset;
-    case ActionId::home:
-        return Icon::home;
-    case ActionId::screenshot:
-        return Icon::picture;
-    case ActionId::export_files:
-        return Icon::save;
-    case ActionId::help:
-    case ActionId::quit:
-        break;
-    }
-    return Icon::none;
-}
+constexpr double projector_size = 1.7, text_step = 1.1;
 
 } // namespace
 
 Application::Application(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
-                         const Theme& theme, std::function<void()> wake, std::filesystem::path output)
-    : catalogue_(catalogue), output_(std::move(output)), board_(std::make_shared<NoticeBoard>(wake)),
-      theme_(theme), pictures_(board_), document_(std::move(catalogue), std::move(wake)) {
+                         ApplicationOptions options)
+    : catalogue_(catalogue), output_(std::move(options.output)), settings_(std::move(options.settings)),
+      board_(std::make_shared<NoticeBoard>(options.wake)),
+      theme_(theme_named(settings_.window.text("theme"))), writer_(board_),
+      document_(std::move(catalogue), std::move(options.wake)) {
     document_.open(scenario);
+    for (std::string& complaint : options.complaints) log_.add({std::move(complaint), true});
+}
+
+/// Into the log and the status line; what went wrong comes up as well.
+void Application::say(Notice notice) {
+    log_.add(notice);
+    if (notice.error) error_.show(notice.text);
+    message_ = std::move(notice);
 }
 
 bool Application::collect() {
     bool news = document_.collect();
-    for (Notice& notice : board_->take()) message_ = std::move(notice), news = true;
+    for (Notice& notice : board_->take()) say(std::move(notice)), news = true;
     const SolverStatus& status = run().status;
-    if (status.messages != messages_seen_) message_ = {status.message, true};
+    if (status.messages != messages_seen_)
+        say({status.message, status.refused || status.run == RunStatus::failed});
     messages_seen_ = status.messages;
+    std::optional<Arrivals::Arrival> arrival;
+    {
+        std::lock_guard lock(arrivals_->mutex);
+        arrival = std::exchange(arrivals_->newest, std::nullopt);
+    }
+    if (arrival) {
+        open_scenario(arrival->scenario);
+        remember_recent(settings_, arrival->file);
+        news = true;
+    }
     return news;
-}
-
-void Application::frame() {
-    items_.clear();
-    // A button's own tooltip does not belong in the picture, so this frame does without the mouse; a slider
-    // that is held would follow it.
-    taking_screenshot_ = std::exchange(screenshot_, false);
-    if (taking_screenshot_ && !ImGui::IsAnyItemActive()) ImGui::GetIO().MousePos = {-FLT_MAX, -FLT_MAX};
-    draw_menus();
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    layout_ = compute_layout(size.x, size.y, ImGui::GetFontSize(), ImGui::GetFrameHeight());
-    const FrameContext context{theme_, scale_, items_};
-    draw_toolbar();
-    viewport_pane_.frame(run(), viewport(), layout_.viewport, context);
-    draw_sidebar();
-    plot_pane_.frame(document_, layout_.residual, layout_.equidistribution, context);
-    draw_status();
-    if (help_) draw_help();
 }
 
 bool Application::press_key(std::string_view key) {
@@ -85,7 +62,12 @@ bool Application::press_key(std::string_view key) {
     return true;
 }
 
-bool Application::possible(ActionId id) { return id != ActionId::step || !run().ended(); }
+bool Application::working() { return !run().status.activity.empty(); }
+
+bool Application::possible(ActionId id) {
+    if (id == ActionId::cancel) return error_.open() || open_dialog_.open() || help_ || working();
+    return id != ActionId::step || !run().ended();
+}
 
 void Application::perform(ActionId id) {
     message_ = {};
@@ -96,9 +78,31 @@ void Application::perform(ActionId id) {
         return document_.step(0);
     case ActionId::reset:
         return document_.reset(0);
+    case ActionId::cancel:
+        return cancel();
     case ActionId::home:
-        viewport_pane_.go_home(viewport());
+        return viewport_pane_.go_home(viewport());
+    case ActionId::theme:
+        return set_theme(settings_.window.text("theme") == "dark" ? "light" : "dark");
+    case ActionId::sidebar:
+        return toggle("sidebar");
+    case ActionId::plots:
+        return toggle("plots");
+    case ActionId::log:
+        return toggle("log");
+    case ActionId::larger:
+        return set_text_size(settings_.window.real("text_size") * text_step);
+    case ActionId::smaller:
+        return set_text_size(settings_.window.real("text_size") / text_step);
+    case ActionId::projector:
+        return set_text_size(checked(ActionId::projector) ? 1 : projector_size);
+    case ActionId::fullscreen:
+        fullscreen_ = !fullscreen_;
         return;
+    case ActionId::open:
+        return open_dialog_.show();
+    case ActionId::save_scenario:
+        return save_scenario();
     case ActionId::screenshot:
         screenshot_ = true;
         return;
@@ -113,6 +117,23 @@ void Application::perform(ActionId id) {
     }
 }
 
+bool Application::checked(ActionId id) const {
+    switch (id) {
+    case ActionId::sidebar:
+        return settings_.window.boolean("sidebar");
+    case ActionId::plots:
+        return settings_.window.boolean("plots");
+    case ActionId::log:
+        return settings_.window.boolean("log");
+    case ActionId::projector:
+        return settings_.window.real("text_size") >= projector_size;
+    case ActionId::fullscreen:
+        return fullscreen_;
+    default:
+        return false;
+    }
+}
+
 void Application::toggle_running() {
     if (run().solving())
         document_.pause(0);
@@ -120,157 +141,87 @@ void Application::toggle_running() {
         document_.start(0);
 }
 
+void Application::toggle(const char* setting) {
+    settings_.window.set(setting, !settings_.window.boolean(setting));
+}
+
+void Application::set_theme(const std::string& name) {
+    settings_.window.set("theme", name);
+    theme_ = theme_named(name);
+}
+
+void Application::set_text_size(double size) {
+    settings_.window.set("text_size", within(settings_.window, "text_size", size));
+}
+
+/// What lies on top goes first.
+void Application::cancel() {
+    if (error_.open())
+        error_.close();
+    else if (open_dialog_.open())
+        open_dialog_.close();
+    else if (help_)
+        help_ = false;
+    else
+        run().solver->cancel();
+}
+
 std::filesystem::path Application::output_folder() { return output_ / run().scenario.name; }
 
 void Application::export_files() {
     // The board is shared, for the task may come to its turn when the window is already closing.
-    run().solver->post(
-        InspectCommand{[board = board_, folder = output_folder(),
-                        names = run().scenario.output.text("formats")](Run& solved, const Activity&) {
+    run().solver->post(InspectCommand{
+        [board = board_, folder = output_folder(),
+         names = run().scenario.output.text("formats")](Run& solved, const Activity& activity) {
             report_outcome(*board, [&] {
                 const auto formats = parse_formats(names);
                 check_writable(folder);
-                write_run_files(folder, solved, formats);
+                write_run_files(folder, solved, formats, activity.progress, activity.stop);
                 return "Exported to " + folder.string();
             });
         }});
     message_ = {"Exporting ...", false};
 }
 
-void Application::save_picture(Image image) { pictures_.write(output_folder(), std::move(image)); }
+void Application::save_picture(Image image) { writer_.write_picture(output_folder(), std::move(image)); }
 
-void Application::open_scenario(const std::string& name) {
-    try {
-        document_.replace(0, find_scenario(*catalogue_, name));
-        message_ = {};
-        viewport_pane_.go_home(viewport());
-    } catch (const InputError& error) {
-        message_ = {error.what(), true};
-    }
+void Application::save_scenario() {
+    Scenario scenario = run().scenario;
+    scenario.view = viewport().view;
+    writer_.run([folder = output_folder(), name = scenario.name, text = to_toml(scenario)] {
+        check_writable(folder);
+        const auto file = free_name(folder, name, ".toml");
+        write_atomically(file, text);
+        return "Saved " + file.string();
+    });
+}
+
+void Application::open_file(const std::filesystem::path& file) {
+    const auto absolute = std::filesystem::absolute(file);
+    writer_.run([catalogue = catalogue_, arrivals = arrivals_, absolute] {
+        if (absolute.extension() != ".toml")
+            throw InputError(absolute.string() + " is no scenario: its name does not end in .toml");
+        Scenario scenario = load_scenario(*catalogue, absolute);
+        check(*catalogue, scenario);
+        std::lock_guard lock(arrivals->mutex);
+        arrivals->newest = {std::move(scenario), absolute};
+        return "Opened " + absolute.string();
+    });
+}
+
+void Application::open_scenario(const Scenario& scenario) {
+    document_.replace(0, scenario);
+    viewport_pane_.go_home(viewport());
+}
+
+void Application::open_builtin(const std::string& name) {
+    open_scenario(find_scenario(*catalogue_, name));
+    message_ = {};
 }
 
 std::string Application::label_of(const Action& row) {
     if (row.id != ActionId::run_pause) return std::string(row.label);
     return run().solving() ? "Pause" : run().ended() ? "Run again" : std::string(row.label);
-}
-
-void Application::draw_menus() {
-    if (!ImGui::BeginMainMenuBar()) return;
-    for (const char* menu : {"File", "Solve", "View", "Help"}) {
-        if (!ImGui::BeginMenu(menu)) continue;
-        for (const Action& row : actions()) {
-            if (row.menu != menu) continue;
-            if (ImGui::MenuItem(label_of(row).c_str(), describe_keys(row).c_str(), false, possible(row.id)))
-                perform(row.id);
-            remember_item(items_, "menu." + std::string(row.name));
-        }
-        ImGui::EndMenu();
-    }
-    ImGui::EndMainMenuBar();
-}
-
-void Application::draw_toolbar() {
-    begin_part("##toolbar", layout_.toolbar);
-    const float em = ImGui::GetFontSize();
-    for (const Action& row : actions()) {
-        if (!row.toolbar) continue;
-        draw_button(row);
-        const bool last_of_group = row.id == ActionId::reset || row.id == ActionId::home;
-        ImGui::SameLine(0, last_of_group ? 1.6F * em : 0.5F * em);
-    }
-    draw_scenarios();
-    ImGui::End();
-}
-
-void Application::draw_button(const Action& row) {
-    const bool main = row.id == ActionId::run_pause;
-    if (main) { // what one looks for first
-        const ImVec4 accent = to_imgui(theme_.accent);
-        ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(theme_.background));
-        ImGui::PushStyleColor(ImGuiCol_Button, accent);
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
-        ImGui::PushStyleColor(ImGuiCol_ButtonActive, accent);
-    }
-    ImGui::BeginDisabled(!possible(row.id));
-    const std::string id = "##" + std::string(row.name);
-    const Icon icon = main && run().solving() ? Icon::pause : icon_of(row.id);
-    if (icon_button(id.c_str(), icon, label_of(row).c_str(), main ? 7.5F * ImGui::GetFontSize() : 0))
-        perform(row.id);
-    ImGui::EndDisabled();
-    if (main) ImGui::PopStyleColor(4);
-    remember_item(items_, "action." + std::string(row.name));
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%.*s\nKey: %s", static_cast<int>(row.help.size()), row.help.data(),
-                          describe_keys(row).c_str());
-}
-
-void Application::draw_scenarios() {
-    const float em = ImGui::GetFontSize();
-    const float right = ImGui::GetWindowContentRegionMax().x;
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), right - 19 * em));
-    ImGui::SetNextItemWidth(std::max(4 * em, right - ImGui::GetCursorPosX()));
-    const bool open = ImGui::BeginCombo("##scenario", run().title.c_str());
-    remember_item(items_, "scenario");
-    if (!open) return;
-    for (const BuiltinScenario& one : builtin_scenarios()) {
-        const std::string name(one.name);
-        if (ImGui::Selectable(name.c_str(), run().scenario.name == name)) open_scenario(name);
-        remember_item(items_, "scenario=" + name);
-    }
-    ImGui::EndCombo();
-}
-
-void Application::draw_sidebar() {
-    begin_part("##sidebar", layout_.sidebar, ImGuiWindowFlags_None); // it may have to scroll
-    Scenario scenario = run().scenario;
-    const PanelContext context{*catalogue_, run().opened, theme_, items_};
-    bool changed = false;
-    for (const auto kind : {SectionKind::domain, SectionKind::monitor, SectionKind::method}) {
-        if (ImGui::CollapsingHeader(section_title(kind), ImGuiTreeNodeFlags_DefaultOpen))
-            changed |= panel_.draw_section(kind, context, scenario);
-        ImGui::Spacing();
-    }
-    if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen))
-        panel_.draw_rows(context, run().opened.view, viewport().view, {"color", "blend"});
-    scenario.view = viewport().view;
-    if (changed) {
-        document_.change(0, scenario); // once per frame; of those that wait, the solver takes the newest
-        message_ = {};
-    }
-    ImGui::End();
-}
-
-void Application::draw_status() {
-    begin_part("##status", layout_.status);
-    draw_status_bar(run(), message_, hint, theme_, items_);
-    ImGui::End();
-}
-
-void Application::draw_help() {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Appearing, {0.5F, 0.5F});
-    if (ImGui::Begin("Keys and mouse", &help_,
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize)) {
-        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
-                            {0.6F * ImGui::GetFontSize(), 0.25F * ImGui::GetFontSize()});
-        if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-            const ImVec4 accent = to_imgui(theme_.accent);
-            const auto line = [&](const std::string& what, std::string_view help) {
-                ImGui::TableNextColumn();
-                ImGui::TextColored(accent, "%s", what.c_str());
-                ImGui::TableNextColumn();
-                ImGui::TextUnformatted(help.data(), help.data() + help.size());
-            };
-            for (const Action& row : actions()) line(describe_keys(row), row.help);
-            line("Drag the picture", "Pan, with the left or the middle button.");
-            line("Wheel", "Zoom at the pointer.");
-            line("Double-click", "Show the whole mesh again.");
-            line("Ctrl+click a slider", "Type its value.");
-            ImGui::EndTable();
-        }
-        ImGui::PopStyleVar();
-    }
-    ImGui::End();
 }
 
 } // namespace gaspard

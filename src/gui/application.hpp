@@ -2,37 +2,47 @@
 // ImGui calls and values, so it runs without a window and without OpenGL; who has both draws the pictures it
 // asks for.
 //
-// The caller owns the ImGui context and its input; between ImGui::NewFrame() and ImGui::Render() it calls
-// frame().
+// The caller owns the ImGui context, its style and its input; between ImGui::NewFrame() and ImGui::Render()
+// it calls frame().
 #pragma once
 
 #include "gui/actions.hpp"
 #include "gui/background_writer.hpp"
+#include "gui/dialogs.hpp"
 #include "gui/document.hpp"
 #include "gui/item_rectangles.hpp"
 #include "gui/layout.hpp"
+#include "gui/log_panel.hpp"
 #include "gui/parameter_panel.hpp"
 #include "gui/plot_pane.hpp"
+#include "gui/settings.hpp"
 #include "gui/theme.hpp"
 #include "gui/viewport_pane.hpp"
 
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace gaspard {
 
+struct ApplicationOptions {
+    std::function<void()> wake{}; ///< called on other threads when there is something to collect
+    std::filesystem::path output = "gaspard-out"; ///< exports and pictures go into `output`/<scenario>
+    Settings settings{};
+    std::vector<std::string> complaints{}; ///< what was wrong with the settings, for the log
+};
+
 class Application {
   public:
-    /// `wake` is called on other threads when there is something to collect. Exports and screenshots go into
-    /// `output`/<scenario>.
-    Application(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario, const Theme& theme,
-                std::function<void()> wake, std::filesystem::path output = "gaspard-out");
-    /// How much larger than the theme says everything is drawn, on displays of high density.
+    Application(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
+                ApplicationOptions options = {});
+    /// How much larger than the theme says everything is drawn: the display's density times text_size().
     void set_scale(float scale) { scale_ = scale; }
 
     /// Takes over what other threads have produced; true if there is something new to show.
@@ -43,12 +53,20 @@ class Application {
     /// something.
     bool press_key(std::string_view key);
     void perform(ActionId id);
+    /// A scenario file, read on another thread; takes the place of what is shown once it is found good.
+    void open_file(const std::filesystem::path& file);
 
     const std::string& title() { return run().title; }
     bool quit_requested() const { return quit_; }
+    /// How the caller is to style the next frame, and whether the window is to fill the screen.
+    const Theme& theme() const { return theme_; }
+    float text_size() const { return static_cast<float>(settings_.window.real("text_size")); }
+    bool fullscreen() const { return fullscreen_; }
     /// True once after a screenshot was asked for; the answer is save_picture().
     bool take_screenshot_request() { return std::exchange(taking_screenshot_, false); }
     void save_picture(Image image);
+    /// What is to be remembered when the window closes.
+    const Settings& settings() const { return settings_; }
 
     Document& document() { return document_; }
     /// The meshes that the last frame asks for.
@@ -56,28 +74,64 @@ class Application {
     const ItemRectangle& viewport_rectangle() const { return layout_.viewport; }
     const ItemRectangles& items() const { return items_; }
     const Notice& message() const { return message_; }
+    const Log& log() const { return log_; }
+    const ErrorDialog& error() const { return error_; }
 
   private:
+    /// A scenario on its way from the thread that read it.
+    struct Arrivals {
+        std::mutex mutex;
+        struct Arrival {
+            Scenario scenario;
+            std::filesystem::path file;
+        };
+        std::optional<Arrival> newest;
+    };
+
     DocumentRun& run() { return document_.runs().front(); }
     DocumentViewport& viewport() { return document_.viewports().front(); }
     bool possible(ActionId id);
+    bool checked(ActionId id) const;
+    bool working();
     std::string label_of(const Action& action);
+    void say(Notice notice);
+    void arrange();
     void draw_menus();
+    void draw_recent();
     void draw_toolbar();
     void draw_button(const Action& row);
     void draw_scenarios();
     void draw_sidebar();
+    void draw_edges();
+    /// How a strip moves: to the sides or up and down, where its share is 0, how far off it is 1.
+    struct EdgeTravel {
+        bool across = true;
+        float zero = 0, span = 1;
+    };
+    void draw_edge(const char* name, const ItemRectangle& edge, const char* share, const EdgeTravel& travel);
     void draw_status();
-    void draw_help();
+    void draw_log();
+    void draw_dialogs();
     void toggle_running();
+    void toggle(const char* setting);
+    void set_theme(const std::string& name);
+    void set_text_size(double size);
+    void cancel();
     void export_files();
-    void open_scenario(const std::string& name);
+    void save_scenario();
+    void open_scenario(const Scenario& scenario);
+    void open_builtin(const std::string& name);
     std::filesystem::path output_folder();
 
     std::shared_ptr<const Catalogue> catalogue_;
     std::filesystem::path output_;
+    Settings settings_;
     std::shared_ptr<NoticeBoard> board_;
-    Notice message_;
+    std::shared_ptr<Arrivals> arrivals_ = std::make_shared<Arrivals>();
+    Notice message_; ///< the last one, for the status line
+    Log log_;
+    ErrorDialog error_;
+    OpenDialog open_dialog_;
     std::uint64_t messages_seen_ = 0;
     ParameterPanel panel_;
     ItemRectangles items_;
@@ -86,10 +140,10 @@ class Application {
     float scale_ = 1;
     ViewportPane viewport_pane_;
     PlotPane plot_pane_;
-    bool quit_ = false, help_ = false;
+    bool quit_ = false, help_ = false, fullscreen_ = false;
     bool screenshot_ = false;        ///< asked for
     bool taking_screenshot_ = false; ///< this frame is the picture: it shows no tooltip
-    PictureWriter pictures_;
+    BackgroundWriter writer_;
     Document document_; ///< last, so that its threads end before what they use
 };
 

@@ -1,5 +1,6 @@
 #include "gui/background_writer.hpp"
 
+#include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
 
 #include <exception>
@@ -23,6 +24,8 @@ std::vector<Notice> NoticeBoard::take() {
 void report_outcome(NoticeBoard& board, const std::function<std::string()>& task) {
     try {
         board.add({task(), false});
+    } catch (const Interrupted&) {
+        throw; // whoever cancelled it says so
     } catch (const std::exception& error) {
         board.add({error.what(), true});
     }
@@ -36,15 +39,37 @@ std::filesystem::path free_name(const std::filesystem::path& folder, const std::
     return file;
 }
 
-void PictureWriter::write(std::filesystem::path folder, Image image) {
-    threads_.emplace_back([this, folder = std::move(folder), image = std::move(image)] {
-        std::lock_guard lock(one_at_a_time_);
-        report_outcome(*board_, [&] {
-            check_writable(folder);
-            const auto file = free_name(folder, "view", ".png");
-            write_png(file, image);
-            return "Saved " + file.string();
-        });
+BackgroundWriter::BackgroundWriter(std::shared_ptr<NoticeBoard> board)
+    : board_(std::move(board)), thread_([this](std::stop_token stop) { work(stop); }) {}
+
+BackgroundWriter::~BackgroundWriter() = default; // the jthread asks to stop, finishes the tasks, and joins
+
+void BackgroundWriter::run(std::function<std::string()> task) {
+    {
+        std::lock_guard lock(mutex_);
+        tasks_.push_back(std::move(task));
+    }
+    wake_.notify_one();
+}
+
+void BackgroundWriter::work(std::stop_token stop) {
+    while (true) {
+        std::unique_lock lock(mutex_);
+        wake_.wait(lock, stop, [this] { return !tasks_.empty(); });
+        if (tasks_.empty()) return; // asked to stop, and nothing is left to do
+        const auto task = std::move(tasks_.front());
+        tasks_.pop_front();
+        lock.unlock();
+        report_outcome(*board_, task);
+    }
+}
+
+void BackgroundWriter::write_picture(std::filesystem::path folder, Image image) {
+    run([folder = std::move(folder), image = std::move(image)] {
+        check_writable(folder);
+        const auto file = free_name(folder, "view", ".png");
+        write_png(file, image);
+        return "Saved " + file.string();
     });
 }
 

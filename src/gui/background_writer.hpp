@@ -4,10 +4,13 @@
 
 #include "core/io/image.hpp"
 
+#include <condition_variable>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -33,23 +36,33 @@ class NoticeBoard {
     std::vector<Notice> notices_;
 };
 
-/// Runs `task`, which returns what it has done, and turns an exception into a notice of failure.
+/// Runs `task`, which returns what it has done, and turns an exception into a notice of failure, all but
+/// Interrupted.
 void report_outcome(NoticeBoard& board, const std::function<std::string()>& task);
 
 /// "view.png", or where that exists "view-2.png", "view-3.png" ...
 std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem,
                                 const std::string& ending);
 
-/// Encodes and writes pictures on threads of its own; its end waits for them, so that none is lost.
-class PictureWriter {
+/// Does tasks one after the other on a thread of its own; its end waits for all of them, so that none is
+/// lost.
+class BackgroundWriter {
   public:
-    explicit PictureWriter(std::shared_ptr<NoticeBoard> board) : board_(std::move(board)) {}
-    void write(std::filesystem::path folder, Image image);
+    explicit BackgroundWriter(std::shared_ptr<NoticeBoard> board);
+    ~BackgroundWriter();
+    /// `task` returns what it has done, as a sentence; an exception is a notice of failure.
+    void run(std::function<std::string()> task);
+    /// "view.png" or the next free name in `folder`.
+    void write_picture(std::filesystem::path folder, Image image);
 
   private:
+    void work(std::stop_token stop);
+
     std::shared_ptr<NoticeBoard> board_;
-    std::mutex one_at_a_time_; ///< so that two pictures never choose the same name
-    std::vector<std::jthread> threads_;
+    std::mutex mutex_;
+    std::condition_variable_any wake_;
+    std::deque<std::function<std::string()>> tasks_;
+    std::jthread thread_; ///< last, so that it ends before what it uses
 };
 
 } // namespace gaspard

@@ -5,34 +5,59 @@
 
 namespace gaspard {
 
-Layout compute_layout(float width, float height, float em, float top) {
-    // Whole units, so that edges are sharp.
-    const float toolbar = std::round(2.9F * em), status = std::round(5.4F * em);
-    const float side = std::round(std::min(28 * em, 0.46F * width));
-    const float bottom = std::max(top + toolbar, height - status);
-    Layout layout;
-    layout.toolbar = {0, top, width, std::min(top + toolbar, bottom)};
-    layout.sidebar = {0, layout.toolbar.bottom, side, bottom};
-    layout.status = {0, bottom, width, std::max(height, bottom)};
+namespace {
 
-    // The plots stand where they leave the picture, which is about square, the most room: right or below.
-    const ItemRectangle rest{side, layout.toolbar.bottom, width, bottom};
-    const float column = std::round(std::clamp(0.32F * rest.width(), 14 * em, 30 * em));
-    const float row = std::round(std::clamp(0.36F * rest.height(), 10 * em, 17 * em));
+/// The plots stand where they leave the picture, which is about square, the most room: right or below.
+void place_plots(Layout& layout, const ItemRectangle& rest, float em, float share) {
+    const auto part = [&](float room, float least, float most) {
+        return std::round(std::clamp(share * room, std::min(least, most), most));
+    };
+    const float column = part(rest.width(), 14 * em, 0.7F * rest.width());
+    const float row = part(rest.height(), 10 * em, 0.7F * rest.height());
     const float beside = std::min(rest.width() - column, rest.height());
     const float above = std::min(rest.width(), rest.height() - row);
-    if (beside >= above) {
+    const float grip = std::round(0.4F * em);
+    layout.plots_beside = beside >= above;
+    if (layout.plots_beside) {
         const float x = std::max(rest.left, rest.right - column),
                     y = std::round((rest.top + rest.bottom) / 2);
         layout.viewport = {rest.left, rest.top, x, rest.bottom};
-        layout.residual = {x, rest.top, rest.right, y};
-        layout.equidistribution = {x, y, rest.right, rest.bottom};
+        layout.first_plot = {x, rest.top, rest.right, y};
+        layout.second_plot = {x, y, rest.right, rest.bottom};
+        layout.plots_edge = {x, rest.top, x + grip, rest.bottom};
     } else {
         const float x = std::round((rest.left + rest.right) / 2), y = std::max(rest.top, rest.bottom - row);
         layout.viewport = {rest.left, rest.top, rest.right, y};
-        layout.residual = {rest.left, y, x, rest.bottom};
-        layout.equidistribution = {x, y, rest.right, rest.bottom};
+        layout.first_plot = {rest.left, y, x, rest.bottom};
+        layout.second_plot = {x, y, rest.right, rest.bottom};
+        layout.plots_edge = {rest.left, y, rest.right, y + grip};
     }
+}
+
+} // namespace
+
+Layout compute_layout(float width, float height, float em, float top, const LayoutChoice& choice) {
+    // Whole units, so that edges are sharp.
+    const float toolbar = std::round(2.9F * em), status = std::round(5.4F * em);
+    float bottom = std::max(top + toolbar, height - status);
+    Layout layout;
+    layout.toolbar = {0, top, width, std::min(top + toolbar, bottom)};
+    layout.status = {0, bottom, width, std::max(height, bottom)};
+    if (choice.log) {
+        const float log = std::round(std::min(11 * em, 0.4F * (bottom - layout.toolbar.bottom)));
+        layout.log = {0, bottom - log, width, bottom};
+        bottom -= log;
+    }
+    float side = 0;
+    if (choice.sidebar) {
+        const float most = 0.6F * width;
+        side = std::round(std::clamp(choice.sidebar_share * width, std::min(14 * em, 0.46F * width), most));
+        layout.sidebar = {0, layout.toolbar.bottom, side, bottom};
+        layout.sidebar_edge = {side - std::round(0.4F * em), layout.toolbar.bottom, side, bottom};
+    }
+    const ItemRectangle rest{side, layout.toolbar.bottom, width, bottom};
+    layout.viewport = rest;
+    if (choice.plots) place_plots(layout, rest, em, choice.plots_share);
     return layout;
 }
 

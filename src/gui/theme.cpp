@@ -99,6 +99,11 @@ Theme light_theme() {
     return t;
 }
 
+Theme theme_named(std::string_view name) {
+    GASPARD_CHECK(name == "dark" || name == "light");
+    return name == "light" ? light_theme() : dark_theme();
+}
+
 void apply_theme(const Theme& t, float scale) {
     ImGuiStyle style;
     set_sizes(style);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <imgui.h>
+#include <string_view>
 
 namespace gaspard {
 
@@ -36,6 +37,8 @@ struct Theme {
 
 Theme dark_theme();
 Theme light_theme();
+/// "dark" or "light".
+Theme theme_named(std::string_view name);
 
 /// Sets the current ImGui context's style.
 void apply_theme(const Theme& theme, float scale);

@@ -16,15 +16,6 @@ Size size_of(const ItemRectangle& area) {
             static_cast<double>(std::max(1.0F, area.height()))};
 }
 
-void draw_preparation(const SolverStatus& status, ItemRectangles& items) {
-    if (status.activity.empty() && status.run != RunStatus::preparing) return;
-    const float em = ImGui::GetFontSize();
-    ImGui::SetCursorPos({em, em});
-    ImGui::ProgressBar(static_cast<float>(status.progress), {18 * em, 1.5F * em},
-                       status.activity.empty() ? "preparing" : status.activity.c_str());
-    remember_item(items, "progress");
-}
-
 } // namespace
 
 void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, const ItemRectangle& area,
@@ -39,7 +30,6 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
     remember_item(context.items, "viewport");
     if (run.snapshot) draw_picture(run, viewport, area, context);
-    draw_preparation(run.status, context.items);
     ImGui::End();
 }
 

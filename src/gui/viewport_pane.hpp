@@ -1,5 +1,5 @@
 // A viewport as part of the window: the picture of its run's newest snapshot, the camera that mouse and wheel
-// steer, legend and progress on top. All of it are ImGui calls and values; whoever has OpenGL draws the
+// steer, and the legend on top. All of it are ImGui calls and values; whoever has OpenGL draws the
 // pictures it asks for.
 #pragma once
 

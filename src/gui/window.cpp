@@ -15,6 +15,8 @@
 #include <cctype>
 #include <cmath>
 #include <imgui.h>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,26 +51,49 @@ struct DestroyWindow {
 };
 using GlfwWindow = std::unique_ptr<GLFWwindow, DestroyWindow>;
 
-/// No larger than the screen has room for.
-std::pair<int, int> size_within_screen(const WindowOptions& options) {
+/// The part of the screen that windows may use; nothing where that is not known.
+ItemRectangle work_area() {
     int x = 0, y = 0, width = 0, height = 0;
     if (GLFWmonitor* screen = glfwGetPrimaryMonitor())
         glfwGetMonitorWorkarea(screen, &x, &y, &width, &height);
-    return {width > 0 ? std::min(options.width, width) : options.width,
-            height > 0 ? std::min(options.height, height) : options.height};
+    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(x + width),
+            static_cast<float>(y + height)};
 }
 
-GlfwWindow open_window(const std::string& title, const WindowOptions& options) {
+/// Where the window was last, if a screen still reaches there.
+void place_window(GLFWwindow* window, const Values& remembered) {
+    if (!remembered.boolean("placed")) return;
+    const auto x = static_cast<int>(remembered.integer("left")),
+               y = static_cast<int>(remembered.integer("top"));
+    int count = 0;
+    GLFWmonitor** screens = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int left = 0, top = 0, width = 0, height = 0;
+        glfwGetMonitorWorkarea(screens[i], &left, &top, &width, &height);
+        if (x >= left && x + 100 < left + width && y >= top && y + 100 < top + height)
+            return glfwSetWindowPos(window, x, y);
+    }
+}
+
+GlfwWindow open_window(const std::string& title, const Values& remembered) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    const auto [width, height] = size_within_screen(options);
-    GlfwWindow window(glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr));
+    glfwWindowHint(GLFW_MAXIMIZED, remembered.boolean("maximized") ? GLFW_TRUE : GLFW_FALSE);
+    const ItemRectangle room = work_area();
+    const auto within_screen = [](std::int64_t wanted, float room_there) {
+        const int size = static_cast<int>(wanted), most = static_cast<int>(room_there);
+        return most > 0 ? std::min(size, most) : size;
+    };
+    GlfwWindow window(glfwCreateWindow(within_screen(remembered.integer("width"), room.width()),
+                                       within_screen(remembered.integer("height"), room.height()),
+                                       title.c_str(), nullptr, nullptr));
     if (!window)
         throw MachineError("No OpenGL 3.3 for a window here (" + last_glfw_error() +
                            "); use `gaspard run`, which draws without one");
+    place_window(window.get(), remembered);
     glfwMakeContextCurrent(window.get());
     glfwSwapInterval(1);
     return window;
@@ -79,6 +104,7 @@ std::string key_name(int key, int scancode, int modifiers) {
     const std::string prefix = (modifiers & GLFW_MOD_CONTROL) ? "Ctrl+" : "";
     if (key == GLFW_KEY_SPACE) return prefix + "Space";
     if (key == GLFW_KEY_RIGHT) return prefix + "Right";
+    if (key == GLFW_KEY_ESCAPE) return prefix + "Escape";
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25)
         return prefix + "F" + std::to_string(key - GLFW_KEY_F1 + 1);
     const char* printed = glfwGetKeyName(key, scancode);
@@ -91,6 +117,7 @@ struct Happenings {
     std::atomic<bool> news = false; ///< set on any thread
     bool input = false;
     std::vector<std::string> keys;
+    std::vector<std::string> dropped; ///< files
 };
 
 Happenings& happenings_of(GLFWwindow* window) {
@@ -112,6 +139,10 @@ void install_callbacks(GLFWwindow* window, Happenings& happenings) {
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { happenings_of(w).input = true; });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { happenings_of(w).input = true; });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { happenings_of(w).input = true; });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** files) {
+        happenings_of(w).input = true;
+        happenings_of(w).dropped.assign(files, files + count);
+    });
     glfwSetWindowContentScaleCallback(window,
                                       [](GLFWwindow* w, float, float) { happenings_of(w).input = true; });
 }
@@ -143,19 +174,32 @@ Scales scales_of(GLFWwindow* window) {
     return {density, std::clamp(content / density, 0.5F, 4.0F)};
 }
 
+struct Place {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+Place place_of(GLFWwindow* window) {
+    Place place;
+    glfwGetWindowPos(window, &place.x, &place.y);
+    glfwGetWindowSize(window, &place.width, &place.height);
+    return place;
+}
+
 class Window {
   public:
     Window(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario, const WindowOptions& options)
-        : window_(open_window("Gaspard", options)),
+        : window_(open_window("Gaspard", options.settings.window)),
           gl_(load_gl([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); })) {
         install_callbacks(window_.get(), happenings_);
         input_.emplace(window_.get());
-        set_scales(scales_of(window_.get()));
+        application_.emplace(std::move(catalogue), scenario,
+                             ApplicationOptions{.wake = [this] { wake(); },
+                                                .output = options.output,
+                                                .settings = options.settings,
+                                                .complaints = options.complaints});
+        style();
         interface_.emplace(gl_);
         meshes_.emplace(gl_);
-        application_.emplace(
-            std::move(catalogue), scenario, theme_, [this] { wake(); }, options.output);
-        application_->set_scale(scales_.zoom);
     }
 
     void loop() {
@@ -164,21 +208,44 @@ class Window {
             happenings_.news = false; // before collecting: what comes after wakes the next round
             application_->collect();
             for (const auto& key : std::exchange(happenings_.keys, {})) application_->press_key(key);
-            if (const Scales now = scales_of(window_.get()); now != scales_) {
-                set_scales(now);
+            for (const auto& file : std::exchange(happenings_.dropped, {})) application_->open_file(file);
+            if (wanted_look() != look_) {
+                style();
                 interface_->update_font();
-                application_->set_scale(scales_.zoom);
             }
+            follow_fullscreen();
             if (const std::string& title = application_->title(); title != title_) {
                 title_ = title;
                 glfwSetWindowTitle(window_.get(), ("Gaspard: " + title).c_str());
             }
             draw();
         }
+        remember_place();
         glfwHideWindow(window_.get()); // gone at once; the solver ends within its step
     }
 
+    /// After the loop: what is to be remembered.
+    Settings settings() const {
+        Settings settings = application_->settings();
+        for (const auto& [key, value] : place_) settings.window.set(key, value);
+        return settings;
+    }
+
   private:
+    /// What text and lines are drawn by.
+    struct Look {
+        Scales scales;
+        float text_size = 1;
+        std::string theme;
+        friend bool operator==(const Look&, const Look&) = default;
+    };
+    Look wanted_look() const {
+        return {scales_of(window_.get()), application_->text_size(),
+                application_->settings().window.text("theme")};
+    }
+    /// Units of the window per unit of the theme.
+    float zoom() const { return look_.scales.zoom * look_.text_size; }
+
     /// Called on other threads; once per frame is enough.
     void wake() {
         if (!happenings_.news.exchange(true)) glfwPostEmptyEvent();
@@ -201,14 +268,45 @@ class Window {
         begun_ = glfwGetTime();
     }
 
-    void set_scales(Scales scales) {
-        scales_ = scales;
-        glfwSetWindowSizeLimits(window_.get(), std::lround(720 * scales.zoom), std::lround(540 * scales.zoom),
-                                GLFW_DONT_CARE, GLFW_DONT_CARE);
-        apply_theme(theme_, scales.zoom);
+    void style() {
+        look_ = wanted_look();
+        const float density = look_.scales.density;
+        glfwSetWindowSizeLimits(window_.get(), std::lround(720 * look_.scales.zoom),
+                                std::lround(540 * look_.scales.zoom), GLFW_DONT_CARE, GLFW_DONT_CARE);
+        apply_theme(application_->theme(), zoom());
         ImGuiIO& io = ImGui::GetIO();
-        load_font(*io.Fonts, theme_, scales.zoom * scales.density); // as many pixels as it will cover
-        io.FontGlobalScale = 1 / scales.density;
+        load_font(*io.Fonts, application_->theme(), zoom() * density); // as many pixels as it will cover
+        io.FontGlobalScale = 1 / density;
+        application_->set_scale(zoom());
+    }
+
+    void follow_fullscreen() {
+        const bool full = glfwGetWindowMonitor(window_.get()) != nullptr;
+        if (full == application_->fullscreen()) return;
+        if (full) {
+            glfwSetWindowMonitor(window_.get(), nullptr, before_.x, before_.y, before_.width, before_.height,
+                                 GLFW_DONT_CARE);
+            return;
+        }
+        before_ = place_of(window_.get());
+        GLFWmonitor* screen = glfwGetPrimaryMonitor();
+        const GLFWvidmode* mode = screen ? glfwGetVideoMode(screen) : nullptr;
+        if (mode)
+            glfwSetWindowMonitor(window_.get(), screen, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+
+    /// A window that fills the screen comes back at the size that it had before.
+    void remember_place() {
+        const bool full = glfwGetWindowMonitor(window_.get()) != nullptr;
+        const bool maximized = glfwGetWindowAttrib(window_.get(), GLFW_MAXIMIZED) != 0;
+        place_["maximized"] = maximized;
+        if (maximized) return;
+        const Place now = full ? before_ : place_of(window_.get());
+        place_["placed"] = true;
+        place_["left"] = std::int64_t{now.x};
+        place_["top"] = std::int64_t{now.y};
+        place_["width"] = std::int64_t{now.width};
+        place_["height"] = std::int64_t{now.height};
     }
 
     void draw() {
@@ -221,13 +319,14 @@ class Window {
         ImGui::Render();
         gl_.Viewport(0, 0, width, height);
         gl_.Disable(GL_SCISSOR_TEST);
-        gl_.ClearColor(theme_.background.r, theme_.background.g, theme_.background.b, 1);
+        const Colour background = application_->theme().background;
+        gl_.ClearColor(background.r, background.g, background.b, 1);
         gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         for (const ShownPicture& shown : application_->pictures()) {
             Camera camera = shown.camera;
-            camera.scale /= static_cast<double>(scales_.density);
-            meshes_->draw(shown.picture, camera, pixels_of(shown.rectangle), height, theme_,
-                          scales_.zoom * scales_.density);
+            camera.scale /= static_cast<double>(look_.scales.density);
+            meshes_->draw(shown.picture, camera, pixels_of(shown.rectangle), height, application_->theme(),
+                          zoom() * look_.scales.density);
         }
         interface_->draw(*ImGui::GetDrawData());
         if (application_->take_screenshot_request())
@@ -239,7 +338,7 @@ class Window {
 
     PixelRect pixels_of(const ItemRectangle& part) const {
         const auto pixels = [&](float units) {
-            return static_cast<int>(std::lround(units * scales_.density));
+            return static_cast<int>(std::lround(units * look_.scales.density));
         };
         const int x = pixels(part.left), y = pixels(part.top);
         return {x, y, pixels(part.right) - x, pixels(part.bottom) - y};
@@ -261,7 +360,6 @@ class Window {
     }
 
     // Made in this order and ended in the opposite one: the solver first, the display last.
-    Theme theme_ = dark_theme();
     GlfwSession session_;
     Happenings happenings_;
     GlfwWindow window_;
@@ -270,8 +368,10 @@ class Window {
     std::optional<ImGuiInput> input_;
     std::optional<ImGuiRenderer> interface_;
     std::optional<MeshRenderer> meshes_;
-    Scales scales_;
-    std::string title_; ///< of what is shown
+    Look look_;
+    Place before_;                       ///< the window filled the screen
+    std::map<std::string, Value> place_; ///< where it stood when it was closed, as in the settings
+    std::string title_;                  ///< of what is shown
     int frames_due_ = settling_frames;
     double begun_ = 0, drawing_seconds_ = 0; ///< of the last frame
     std::optional<Application> application_;
@@ -279,11 +379,11 @@ class Window {
 
 } // namespace
 
-int run_window(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
-               const WindowOptions& options) {
+Settings run_window(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
+                    const WindowOptions& options) {
     Window window(std::move(catalogue), scenario, options);
     window.loop();
-    return 0;
+    return window.settings();
 }
 
 } // namespace gaspard

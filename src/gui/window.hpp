@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/scenario/catalogue.hpp"
+#include "gui/settings.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -10,14 +11,14 @@
 namespace gaspard {
 
 struct WindowOptions {
-    int width = 1400, height = 900; ///< of a display of scale 1; no more than the screen has
-    std::filesystem::path output =
-        "gaspard-out"; ///< exports and screenshots go into a folder per scenario here
+    std::filesystem::path output = "gaspard-out"; ///< exports and pictures go into a folder per scenario here
+    Settings settings;                   ///< what was remembered; the size is no more than the screen has
+    std::vector<std::string> complaints; ///< what was wrong with it
 };
 
-/// Shows the scenario until the user closes the window; returns the program's exit code. To be called on the
+/// Shows the scenario until the user closes the window; returns what is to be remembered. To be called on the
 /// main thread. Throws MachineError where there is no display or no OpenGL 3.3.
-int run_window(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
-               const WindowOptions& options);
+Settings run_window(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
+                    const WindowOptions& options);
 
 } // namespace gaspard

@@ -65,7 +65,7 @@ class ApplicationTest : public testing::Test {
         (std::string("gaspard-application-") + testing::UnitTest::GetInstance()->current_test_info()->name());
     HeadlessUi ui;
     std::shared_ptr<const Catalogue> catalogue = std::make_shared<Catalogue>(builtin_catalogue());
-    Application application{catalogue, small_ring(), dark_theme(), {}, folder};
+    Application application{catalogue, small_ring(), {.output = folder}};
 };
 
 TEST_F(ApplicationTest, EveryPartHasItsPlaceInTheWindow) {
@@ -274,7 +274,7 @@ TEST_F(ApplicationTest, RandomInputBreaksNothing) {
     for (const Action& row : actions())
         if (row.id != ActionId::export_files && row.id != ActionId::screenshot)
             keys.insert(keys.end(), row.keys.begin(), row.keys.end());
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < 10000; ++i) {
         ImGuiIO& io = ImGui::GetIO();
         if (draw_int(0, 3) == 0) // mostly where the sliders are
             ui.move(static_cast<float>(draw_int(-20, draw_int(0, 1) ? 420 : 1420)),
@@ -288,6 +288,9 @@ TEST_F(ApplicationTest, RandomInputBreaksNothing) {
                 keys[static_cast<std::size_t>(draw_int(0, static_cast<int>(keys.size()) - 1))]);
         if (draw_int(0, 49) == 0)
             io.DisplaySize = {static_cast<float>(draw_int(1, 2000)), static_cast<float>(draw_int(1, 1500))};
+        if (i % 40 == 0) application.perform(ActionId::cancel); // a dialog would keep the rest away
+        if (i % 200 == 0 && application.items().count("monitor.type") == 0)
+            application.perform(ActionId::sidebar);
         frame();
         for (const Values* values : {&run().scenario.domain.values, &run().scenario.monitor.values})
             for (const auto& row : values->rows()) {

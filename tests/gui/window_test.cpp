@@ -38,7 +38,7 @@ ItemRectangles layout_of(int width, int height) {
     const Theme theme = dark_theme();
     HeadlessUi ui(static_cast<float>(width), static_cast<float>(height), &theme);
     const auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
-    Application application(catalogue, find_scenario(*catalogue, "plane-ring"), theme, {});
+    Application application(catalogue, find_scenario(*catalogue, "plane-ring"));
     application.perform(ActionId::run_pause);
     for (int i = 0; i < 3; ++i) ui.frame([&] { application.frame(); });
     return application.items();
@@ -59,7 +59,9 @@ class WindowTest : public testing::Test {
         ChildProcess::Setup setup;
         setup.command = {GASPARD_PROGRAM, scenario, "--size",
                          std::to_string(width) + "x" + std::to_string(height)};
-        setup.environment = {{"DISPLAY", display.name()}, {"WAYLAND_DISPLAY", ""}};
+        setup.environment = {{"DISPLAY", display.name()},
+                             {"WAYLAND_DISPLAY", ""},
+                             {"XDG_CONFIG_HOME", (folder / "config").string()}};
         setup.folder = folder;
         setup.output = folder / "log";
         program.emplace(setup);

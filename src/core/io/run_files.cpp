@@ -79,22 +79,26 @@ std::string summary_json(Run& run) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-void write_run_files(const std::filesystem::path& folder, Run& run,
-                     const std::vector<const Format*>& formats) {
+void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats,
+                     const Progress& progress, std::stop_token stop) {
     std::exception_ptr first;
-    const auto attempt = [&](const auto& write) {
+    const double all = 3 + static_cast<double>(formats.size());
+    double done = 0;
+    const auto attempt = [&](const std::string& what, const auto& write) {
+        if (stop.stop_requested()) throw Interrupted();
+        if (progress) progress(done++ / all, "writing " + what);
         try {
             write();
         } catch (const MachineError&) {
             if (!first) first = std::current_exception();
         }
     };
-    attempt([&] { write_atomically(folder / "history.csv", history_csv(run.history())); });
-    attempt([&] { write_atomically(folder / "summary.json", summary_json(run)); });
-    attempt([&] { write_state(folder / "state.bin", run.state()); });
+    attempt("history.csv", [&] { write_atomically(folder / "history.csv", history_csv(run.history())); });
+    attempt("summary.json", [&] { write_atomically(folder / "summary.json", summary_json(run)); });
+    attempt("state.bin", [&] { write_state(folder / "state.bin", run.state()); });
     const auto snapshot = run.snapshot();
     const RunResult result{*snapshot, run.history(), run.space()};
-    for (const auto* format : formats) attempt([&] { format->write(folder, result); });
+    for (const auto* format : formats) attempt(format->files.front(), [&] { format->write(folder, result); });
     if (first) std::rethrow_exception(first);
 }
 

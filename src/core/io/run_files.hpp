@@ -12,8 +12,9 @@ namespace gaspard {
 
 std::string history_csv(const std::vector<StepReport>& history);
 std::string summary_json(Run& run);
-/// Writes all of them; what fails does not keep the others from being tried. Throws the first MachineError.
-void write_run_files(const std::filesystem::path& folder, Run& run,
-                     const std::vector<const Format*>& formats);
+/// Writes all of them; what fails does not keep the others from being tried. Throws the first MachineError;
+/// Interrupted when stopped between two files, each of which is whole.
+void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats,
+                     const Progress& progress = {}, std::stop_token stop = {});
 
 } // namespace gaspard

@@ -1,0 +1,231 @@
+// How the application is drawn; what it does is in application.cpp.
+#include "core/scenario/toml.hpp"
+#include "gui/application.hpp"
+#include "gui/icons.hpp"
+#include "gui/part_window.hpp"
+#include "gui/status_bar.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+
+namespace gaspard {
+
+namespace {
+
+constexpr const char* hint =
+    "Drag to pan, turn the wheel to zoom, double-click to see the whole mesh. F1 shows all keys.";
+
+Icon icon_of(ActionId id) {
+    switch (id) {
+    case ActionId::run_pause:
+        return Icon::run;
+    case ActionId::step:
+        return Icon::step;
+    case ActionId::reset:
+        return Icon::reset;
+    case ActionId::home:
+        return Icon::home;
+    case ActionId::screenshot:
+        return Icon::picture;
+    case ActionId::export_files:
+        return Icon::save;
+    default:
+        return Icon::none;
+    }
+}
+
+} // namespace
+
+void Application::frame() {
+    items_.clear();
+    // A button's own tooltip does not belong in the picture, so this frame does without the mouse; a slider
+    // that is held would follow it.
+    taking_screenshot_ = std::exchange(screenshot_, false);
+    if (taking_screenshot_ && !ImGui::IsAnyItemActive()) ImGui::GetIO().MousePos = {-FLT_MAX, -FLT_MAX};
+    draw_menus();
+    arrange();
+    const FrameContext context{theme_, scale_, items_};
+    draw_toolbar();
+    viewport_pane_.frame(run(), viewport(), layout_.viewport, context);
+    if (checked(ActionId::sidebar)) draw_sidebar();
+    if (checked(ActionId::plots))
+        plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context);
+    draw_edges();
+    if (checked(ActionId::log)) draw_log();
+    draw_status();
+    draw_dialogs();
+}
+
+void Application::arrange() {
+    const Values& window = settings_.window;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const LayoutChoice choice{.sidebar = window.boolean("sidebar"),
+                              .plots = window.boolean("plots"),
+                              .log = window.boolean("log"),
+                              .sidebar_share = static_cast<float>(window.real("sidebar_share")),
+                              .plots_share = static_cast<float>(window.real("plots_share"))};
+    layout_ = compute_layout(size.x, size.y, ImGui::GetFontSize(), ImGui::GetFrameHeight(), choice);
+}
+
+void Application::draw_menus() {
+    if (!ImGui::BeginMainMenuBar()) return;
+    for (const char* menu : {"File", "Solve", "View", "Help"}) {
+        const bool open = ImGui::BeginMenu(menu);
+        remember_item(items_, "menu." + std::string(menu));
+        if (!open) continue;
+        for (const Action& row : actions()) {
+            if (row.menu != menu) continue;
+            if (ImGui::MenuItem(label_of(row).c_str(), describe_keys(row).c_str(), checked(row.id),
+                                possible(row.id)))
+                perform(row.id);
+            remember_item(items_, "menu." + std::string(row.name));
+            if (row.id == ActionId::open) draw_recent();
+        }
+        ImGui::EndMenu();
+    }
+    ImGui::EndMainMenuBar();
+}
+
+void Application::draw_recent() {
+    if (!ImGui::BeginMenu("Open recent", !settings_.recent.empty())) return;
+    for (std::size_t i = 0; i < settings_.recent.size(); ++i) {
+        const std::string file = settings_.recent[i];
+        if (ImGui::MenuItem(file.c_str())) open_file(file);
+        remember_item(items_, "recent." + std::to_string(i));
+    }
+    ImGui::EndMenu();
+}
+
+void Application::draw_toolbar() {
+    begin_part("##toolbar", layout_.toolbar);
+    const float em = ImGui::GetFontSize();
+    for (const Action& row : actions()) {
+        if (!row.toolbar) continue;
+        draw_button(row);
+        const bool last_of_group = row.id == ActionId::reset || row.id == ActionId::home;
+        ImGui::SameLine(0, last_of_group ? 1.6F * em : 0.5F * em);
+    }
+    draw_scenarios();
+    ImGui::End();
+}
+
+void Application::draw_button(const Action& row) {
+    const bool main = row.id == ActionId::run_pause;
+    if (main) { // what one looks for first
+        const ImVec4 accent = to_imgui(theme_.accent);
+        ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(theme_.background));
+        ImGui::PushStyleColor(ImGuiCol_Button, accent);
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
+        ImGui::PushStyleColor(ImGuiCol_ButtonActive, accent);
+    }
+    ImGui::BeginDisabled(!possible(row.id));
+    const std::string id = "##" + std::string(row.name);
+    const Icon icon = main && run().solving() ? Icon::pause : icon_of(row.id);
+    if (icon_button(id.c_str(), icon, label_of(row).c_str(), main ? 7.5F * ImGui::GetFontSize() : 0))
+        perform(row.id);
+    ImGui::EndDisabled();
+    if (main) ImGui::PopStyleColor(4);
+    remember_item(items_, "action." + std::string(row.name));
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%.*s\nKey: %s", static_cast<int>(row.help.size()), row.help.data(),
+                          describe_keys(row).c_str());
+}
+
+void Application::draw_scenarios() {
+    const float em = ImGui::GetFontSize();
+    const float right = ImGui::GetWindowContentRegionMax().x;
+    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), right - 19 * em));
+    ImGui::SetNextItemWidth(std::max(4 * em, right - ImGui::GetCursorPosX()));
+    const bool open = ImGui::BeginCombo("##scenario", run().title.c_str());
+    remember_item(items_, "scenario");
+    if (!open) return;
+    for (const BuiltinScenario& one : builtin_scenarios()) {
+        const std::string name(one.name);
+        if (ImGui::Selectable(name.c_str(), run().scenario.name == name)) open_builtin(name);
+        remember_item(items_, "scenario=" + name);
+    }
+    if (!settings_.recent.empty()) ImGui::Separator();
+    for (const std::string& file : std::vector(settings_.recent))
+        if (ImGui::Selectable(file.c_str())) open_file(file);
+    ImGui::EndCombo();
+}
+
+void Application::draw_sidebar() {
+    begin_part("##sidebar", layout_.sidebar, ImGuiWindowFlags_None); // it may have to scroll
+    Scenario scenario = run().scenario;
+    const PanelContext context{*catalogue_, run().opened, theme_, items_};
+    bool changed = false;
+    for (const auto kind : {SectionKind::domain, SectionKind::monitor, SectionKind::method}) {
+        if (ImGui::CollapsingHeader(section_title(kind), ImGuiTreeNodeFlags_DefaultOpen))
+            changed |= panel_.draw_section(kind, context, scenario);
+        ImGui::Spacing();
+    }
+    if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen))
+        panel_.draw_rows(context, run().opened.view, viewport().view, {"color", "blend"});
+    scenario.view = viewport().view;
+    if (changed) {
+        document_.change(0, scenario); // once per frame; of those that wait, the solver takes the newest
+        message_ = {};
+    }
+    ImGui::End();
+}
+
+void Application::draw_edges() {
+    const ItemRectangle& plots = layout_.plots_edge;
+    const float right = ImGui::GetIO().DisplaySize.x, bottom = layout_.second_plot.bottom;
+    if (checked(ActionId::sidebar))
+        draw_edge("edge.sidebar", layout_.sidebar_edge, "sidebar_share", {true, 0, right});
+    if (checked(ActionId::plots) && layout_.plots_beside)
+        draw_edge("edge.plots", plots, "plots_share", {true, right, layout_.sidebar.width() - right});
+    else if (checked(ActionId::plots))
+        draw_edge("edge.plots", plots, "plots_share", {false, bottom, layout_.viewport.top - bottom});
+}
+
+/// A strip that changes a share as it is dragged.
+void Application::draw_edge(const char* name, const ItemRectangle& edge, const char* share,
+                            const EdgeTravel& travel) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    begin_part(name, edge, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleVar(2);
+    ImGui::InvisibleButton(name, {std::max(1.0F, edge.width()), std::max(1.0F, edge.height())});
+    remember_item(items_, name);
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+        ImGui::SetMouseCursor(travel.across ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+        ImGui::GetWindowDrawList()->AddRectFilled({edge.left, edge.top}, {edge.right, edge.bottom},
+                                                  packed(theme_.accent, 0.5F));
+    }
+    if (ImGui::IsItemActive() && travel.span != 0) {
+        const ImVec2 pointer = ImGui::GetIO().MousePos;
+        const double value =
+            static_cast<double>(((travel.across ? pointer.x : pointer.y) - travel.zero) / travel.span);
+        if (std::isfinite(value)) settings_.window.set(share, within(settings_.window, share, value));
+    }
+    ImGui::End();
+}
+
+void Application::draw_status() {
+    begin_part("##status", layout_.status);
+    draw_status_bar(run(), message_, hint, theme_, items_);
+    ImGui::End();
+}
+
+void Application::draw_log() {
+    begin_part("##log", layout_.log);
+    log_.draw(theme_, items_);
+    ImGui::End();
+}
+
+void Application::draw_dialogs() {
+    const SolverStatus& status = run().status;
+    if (working() || status.run == RunStatus::preparing)
+        if (draw_progress(working() ? status.activity : "preparing", status.progress, layout_.viewport,
+                          items_))
+            run().solver->cancel();
+    draw_help(help_, theme_);
+    if (const auto path = open_dialog_.draw(settings_.recent, items_)) open_file(*path);
+    error_.draw(items_);
+}
+
+} // namespace gaspard
