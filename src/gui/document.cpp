@@ -103,10 +103,10 @@ bool Document::collect() {
     bool news = false;
     for (std::size_t i = 0; i < runs_.size(); ++i) {
         DocumentRun& run = runs_[i];
+        SolverStatus status = run.solver->status(); // first: a run that has ended has told all it has to tell
         for (const SolverEvent& event : run.solver->drain()) append(i, event), news = true;
         if (auto snapshot = run.solver->latest(); snapshot != run.snapshot)
             run.snapshot = std::move(snapshot), news = true;
-        SolverStatus status = run.solver->status();
         news = news || !same(status, run.status);
         run.status = std::move(status);
         const bool news_of_change = run.status.answered != run.answered;

@@ -22,7 +22,6 @@ struct Gl {
     PFNGLBLENDFUNCSEPARATEPROC BlendFuncSeparate = nullptr;
     PFNGLBLITFRAMEBUFFERPROC BlitFramebuffer = nullptr;
     PFNGLBUFFERDATAPROC BufferData = nullptr;
-    PFNGLBUFFERSUBDATAPROC BufferSubData = nullptr;
     PFNGLCHECKFRAMEBUFFERSTATUSPROC CheckFramebufferStatus = nullptr;
     PFNGLCLEARPROC Clear = nullptr;
     PFNGLCLEARCOLORPROC ClearColor = nullptr;
@@ -60,7 +59,6 @@ struct Gl {
     PFNGLGETPROGRAMIVPROC GetProgramiv = nullptr;
     PFNGLGETSHADERINFOLOGPROC GetShaderInfoLog = nullptr;
     PFNGLGETSHADERIVPROC GetShaderiv = nullptr;
-    PFNGLGETSTRINGPROC GetString = nullptr;
     PFNGLGETUNIFORMLOCATIONPROC GetUniformLocation = nullptr;
     PFNGLLINKPROGRAMPROC LinkProgram = nullptr;
     PFNGLPIXELSTOREIPROC PixelStorei = nullptr;

@@ -1,0 +1,75 @@
+// What a frame costs on the window's thread, without what the graphics driver takes, while a run solves as
+// fast as it can.
+#include "core/base/stopwatch.hpp"
+#include "core/scenario/toml.hpp"
+#include "gui/application.hpp"
+#include "gui/headless_ui.hpp"
+#include "gui/idle_gl.hpp"
+#include "gui/imgui_renderer.hpp"
+#include "gui/mesh_renderer.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <gtest/gtest.h>
+#include <thread>
+
+namespace gaspard {
+namespace {
+
+struct FrameCost {
+    double median = 0, high = 0; ///< milliseconds of CPU; the second is exceeded by one frame in twenty
+    int snapshots = 0;           ///< different ones among the frames
+};
+
+FrameCost measure(int cells, int frames) {
+    const Theme theme = dark_theme();
+    HeadlessUi ui(1400, 900, &theme);
+    const Gl gl = idle_gl();
+    ImGuiRenderer interface(gl);
+    MeshRenderer meshes(gl);
+    const auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
+    Scenario scenario = find_scenario(*catalogue, "plane-ring");
+    apply_settings(*catalogue, scenario,
+                   {"domain.cells=" + std::to_string(cells), "method.step_size=0.001",
+                    "method.tolerance=1e-14", "method.max_iterations=1000000",
+                    "method.diagnostics_every=10"});
+    Application application(catalogue, scenario);
+    while (application.pictures().empty()) {
+        application.collect();
+        ui.frame([&] { application.frame(); });
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    FrameCost cost;
+    std::vector<double> milliseconds;
+    std::uint64_t version = 0;
+    for (int i = 0; i < frames; ++i) {
+        const Stopwatch watch;
+        application.collect();
+        ui.frame([&] { application.frame(); });
+        for (const ShownPicture& shown : application.pictures())
+            meshes.draw(shown.picture, shown.camera, {0, 0, 800, 800}, 900, theme, 1);
+        interface.draw(*ImGui::GetDrawData());
+        milliseconds.push_back(1000 * watch.cpu_seconds());
+        const auto& snapshot = application.document().runs().front().snapshot;
+        if (std::exchange(version, snapshot->version) != snapshot->version) ++cost.snapshots;
+        std::this_thread::sleep_for(std::chrono::milliseconds(16));
+    }
+    std::sort(milliseconds.begin(), milliseconds.end());
+    cost.median = milliseconds[milliseconds.size() / 2];
+    cost.high = milliseconds[milliseconds.size() * 19 / 20];
+    return cost;
+}
+
+TEST(FrameCost, SixtyFramesASecondAreLeftOverAtAnyResolution) {
+    for (const auto& [cells, frames] : {std::pair{60, 300}, {480, 200}}) {
+        const FrameCost cost = measure(cells, frames);
+        std::printf(
+            "n = %d: %.2f ms of CPU a frame, one in twenty above %.2f ms, %d snapshots in %d frames\n", cells,
+            cost.median, cost.high, cost.snapshots, frames);
+        EXPECT_GT(cost.snapshots, 5) << "nothing was solved";
+        EXPECT_LT(cost.high, 1000.0 / 60) << "n = " << cells;
+    }
+}
+
+} // namespace
+} // namespace gaspard
