@@ -187,7 +187,7 @@ void Application::draw_edge(const char* name, const ItemRectangle& edge, const c
                             const EdgeTravel& travel) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    begin_part(name, edge, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar);
+    begin_part(name, edge, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar, true);
     ImGui::PopStyleVar(2);
     ImGui::InvisibleButton(name, {std::max(1.0F, edge.width()), std::max(1.0F, edge.height())});
     remember_item(items_, name);

@@ -2,6 +2,7 @@
 #include "gui/application.hpp"
 #include "gui/headless_ui.hpp"
 #include "gui/status_bar.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -19,9 +20,6 @@ constexpr auto patience = std::chrono::seconds(60);
 
 class ApplicationTest : public testing::Test {
   protected:
-    ApplicationTest() { std::filesystem::create_directories(folder); }
-    ~ApplicationTest() override { std::filesystem::remove_all(folder); }
-
     Scenario small_ring() const {
         Scenario scenario = find_scenario(*catalogue, "plane-ring");
         set_value(*catalogue, scenario, "domain.cells", std::int64_t{12});
@@ -60,9 +58,8 @@ class ApplicationTest : public testing::Test {
         return {};
     }
 
-    std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) /
-        (std::string("gaspard-application-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    TemporaryFolder temporary; ///< gone after the application has ended
+    const std::filesystem::path folder = temporary.path();
     HeadlessUi ui;
     std::shared_ptr<const Catalogue> catalogue = std::make_shared<Catalogue>(builtin_catalogue());
     Application application{catalogue, small_ring(), {.output = folder}};
@@ -265,6 +262,128 @@ TEST_F(ApplicationTest, AnotherScenarioStartsFromItsOwnBeginning) {
     EXPECT_EQ(run().scenario.name, "plane-bell");
     EXPECT_EQ(solved_scenario().monitor.type, "bell");
     ASSERT_TRUE(wait_until([&] { return run().snapshot && run().snapshot->mesh->cell_count() == 3600; }));
+}
+
+TEST_F(ApplicationTest, AScenarioFileIsOpenedAndRemembered) {
+    Scenario other = small_ring();
+    other.title = "Another one";
+    set_value(*catalogue, other, "monitor.amplitude", 3.0);
+    std::ofstream(folder / "other.toml") << to_toml(other);
+    application.open_file(folder / "other.toml");
+    ASSERT_TRUE(wait_until([&] { return application.title() == "Another one"; }));
+    EXPECT_EQ(solved_scenario().monitor.values.real("amplitude"), 3);
+    ASSERT_EQ(application.settings().recent.size(), 1U);
+    EXPECT_EQ(application.settings().recent.front(),
+              std::filesystem::absolute(folder / "other.toml").string());
+    EXPECT_FALSE(application.error().open());
+}
+
+TEST_F(ApplicationTest, AFileThatIsNoScenarioIsOneSentenceAndLosesNothing) {
+    std::ofstream(folder / "broken.toml") << "[monitor]\namplitud = 3\n";
+    std::ofstream(folder / "combination.toml") << "[domain]\nboundary = 'walls'\n[method]\ntype='magic'\n";
+    std::ofstream(folder / "picture.png") << "no";
+    const std::string title = application.title();
+    for (const char* name : {"broken.toml", "combination.toml", "picture.png", "missing.toml"}) {
+        application.open_file(folder / name);
+        ASSERT_TRUE(wait_until([&] { return application.error().open(); })) << name;
+        EXPECT_NE(application.error().sentence().find(name), std::string::npos)
+            << application.error().sentence();
+        EXPECT_EQ(application.log().lines().back().notice.text, application.error().sentence());
+        EXPECT_EQ(application.title(), title);
+        frame();
+        ASSERT_TRUE(application.items().count("error.ok"));
+        ui.click(application.items().find("error.ok")->second, drawing());
+        EXPECT_FALSE(application.error().open()) << name;
+    }
+    EXPECT_TRUE(application.settings().recent.empty());
+    EXPECT_EQ(solved_scenario(), small_ring());
+}
+
+TEST_F(ApplicationTest, TheOpenDialogTakesAPath) {
+    Scenario other = small_ring();
+    other.title = "Typed";
+    std::ofstream(folder / "typed.toml") << to_toml(other);
+    EXPECT_TRUE(application.press_key("Ctrl+O"));
+    for (int i = 0; i < 3; ++i) frame();
+    ui.click(application.items().find("open.path")->second, drawing());
+    ui.type((folder / "typed.toml").string(), drawing());
+    ui.click(application.items().find("open.ok")->second, drawing());
+    EXPECT_TRUE(wait_until([&] { return application.title() == "Typed"; })) << application.message().text;
+    EXPECT_TRUE(application.press_key("Ctrl+O"));
+    frame();
+    application.perform(ActionId::cancel);
+    frame();
+    EXPECT_EQ(application.items().count("open.path"), 0U);
+}
+
+TEST_F(ApplicationTest, ASavedScenarioOpensAgain) {
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3; }));
+    ui.drag(application.items().find("monitor.amplitude")->second, 0.4F, 0.6F, drawing());
+    const double amplitude = run().scenario.monitor.values.real("amplitude");
+    EXPECT_TRUE(application.press_key("Ctrl+S"));
+    const auto file = folder / "plane-ring" / "plane-ring.toml";
+    ASSERT_TRUE(wait_until([&] { return application.message().text == "Saved " + file.string(); }));
+    EXPECT_EQ(load_scenario(*catalogue, file).monitor.values.real("amplitude"), amplitude);
+}
+
+TEST_F(ApplicationTest, PartsAreShownHiddenAndMadeWider) {
+    for (const char* key : {"F2", "F3", "F4"}) application.press_key(key);
+    frame();
+    EXPECT_EQ(application.items().count("monitor.type"), 0U);
+    EXPECT_EQ(application.items().count("plot.residual"), 0U);
+    EXPECT_EQ(application.items().count("log"), 1U);
+    EXPECT_EQ(application.viewport_rectangle().width(), ImGui::GetIO().DisplaySize.x);
+    for (const char* key : {"F2", "F3", "F4"}) application.press_key(key);
+    frame();
+    const auto drag_edge = [&](const char* name, float by) {
+        const ItemRectangle edge = application.items().find(name)->second;
+        ui.move(edge.center_x(), edge.center_y());
+        frame();
+        ui.button(true);
+        frame();
+        ui.move(edge.center_x() + by, edge.center_y());
+        frame();
+        ui.button(false);
+        frame();
+    };
+    const ItemRectangle before = application.viewport_rectangle();
+    drag_edge("edge.sidebar", 50);
+    EXPECT_NEAR(application.viewport_rectangle().left, before.left + 50, 5);
+    const ItemRectangle between = application.viewport_rectangle();
+    drag_edge("edge.plots", -60);
+    EXPECT_NEAR(application.viewport_rectangle().right, between.right - 60, 6);
+    for (int i = 0; i < 10; ++i) drag_edge("edge.sidebar", -500);
+    EXPECT_GT(application.viewport_rectangle().left, 100) << "the sliders stay within reach";
+}
+
+TEST_F(ApplicationTest, ThemeAndSizeAreChangedByKeysAndRemembered) {
+    EXPECT_EQ(application.theme().background, dark_theme().background);
+    application.press_key("T");
+    EXPECT_EQ(application.theme().background, light_theme().background);
+    EXPECT_EQ(application.settings().window.text("theme"), "light");
+    application.press_key("F10");
+    EXPECT_NEAR(application.text_size(), 1.7, 1e-6);
+    application.press_key("F10");
+    EXPECT_EQ(application.text_size(), 1);
+    for (int i = 0; i < 30; ++i) application.press_key("Ctrl+=");
+    EXPECT_EQ(application.text_size(), 3);
+    for (int i = 0; i < 60; ++i) application.press_key("Ctrl+-");
+    EXPECT_NEAR(application.text_size(), 0.6, 1e-6);
+    application.press_key("F11");
+    EXPECT_TRUE(application.fullscreen());
+}
+
+TEST_F(ApplicationTest, EverythingHasRoomAtTheSizeForProjectors) {
+    ui.scale(1.7F);
+    application.set_scale(1.7F);
+    ImGui::GetIO().DisplaySize = {1920, 1080};
+    for (int i = 0; i < 3; ++i) frame();
+    for (const char* key : {"action.run", "action.export", "scenario", "monitor.amplitude", "viewport",
+                            "plot.residual", "plot.equidistribution", "status.0", "message"}) {
+        ASSERT_TRUE(application.items().count(key)) << key;
+        EXPECT_LE(application.items().find(key)->second.right, 1921) << key;
+    }
+    EXPECT_GT(application.viewport_rectangle().width(), 500);
 }
 
 TEST_F(ApplicationTest, RandomInputBreaksNothing) {

@@ -28,6 +28,11 @@ class HeadlessUi {
         move_away();
     }
 
+    /// Everything larger, as on a display of high density.
+    void scale(float factor) {
+        apply_theme(dark_theme(), factor);
+        ImGui::GetIO().FontGlobalScale = factor;
+    }
     /// One frame around `draw`.
     void frame(const std::function<void()>& draw) {
         ImGui::NewFrame();
