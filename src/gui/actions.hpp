@@ -9,7 +9,7 @@
 
 namespace gaspard {
 
-enum class ActionId { run_pause, step, reset, home, screenshot, export_files, help, quit };
+enum class ActionId { run_pause, step, reset, keep, home, screenshot, export_files, help, quit };
 
 struct Action {
     ActionId id;

@@ -6,6 +6,7 @@
 #include "core/scenario/toml.hpp"
 #include "gui/icons.hpp"
 #include "gui/part_window.hpp"
+#include "gui/runs_csv.hpp"
 #include "gui/status_bar.hpp"
 
 #include <algorithm>
@@ -34,6 +35,7 @@ Icon icon_of(ActionId id) {
         return Icon::picture;
     case ActionId::export_files:
         return Icon::save;
+    case ActionId::keep:
     case ActionId::help:
     case ActionId::quit:
         break;
@@ -72,7 +74,8 @@ void Application::frame() {
     draw_toolbar();
     viewport_pane_.frame(run(), viewport(), layout_.viewport, context);
     draw_sidebar();
-    plot_pane_.frame(document_, layout_.residual, layout_.equidistribution, context);
+    if (const auto wish = plot_pane_.frame(document_, layout_.residual, layout_.equidistribution, context))
+        fulfil(*wish);
     draw_status();
     if (help_) draw_help();
 }
@@ -85,7 +88,10 @@ bool Application::press_key(std::string_view key) {
     return true;
 }
 
-bool Application::possible(ActionId id) { return id != ActionId::step || !run().ended(); }
+bool Application::possible(ActionId id) {
+    if (id == ActionId::step) return !run().ended();
+    return id != ActionId::keep || !run().history.empty();
+}
 
 void Application::perform(ActionId id) {
     message_ = {};
@@ -96,6 +102,10 @@ void Application::perform(ActionId id) {
         return document_.step(0);
     case ActionId::reset:
         return document_.reset(0);
+    case ActionId::keep:
+        if (const auto kept = document_.keep(0))
+            message_ = {"Kept as \"" + document_.runs()[*kept].name + "\"", false};
+        return;
     case ActionId::home:
         viewport_pane_.go_home(viewport());
         return;
@@ -137,7 +147,30 @@ void Application::export_files() {
     message_ = {"Exporting ...", false};
 }
 
-void Application::save_picture(Image image) { pictures_.write(output_folder(), std::move(image)); }
+void Application::save_picture(Image image) { pictures_.write(output_folder(), "view", std::move(image)); }
+
+void Application::fulfil(const PlotWish& wish) {
+    switch (wish.kind) {
+    case PlotWish::Kind::copy_csv:
+        ImGui::SetClipboardText(runs_csv(document_.runs()).c_str());
+        message_ = {"Copied the numbers of all runs that are shown", false};
+        return;
+    case PlotWish::Kind::save_png:
+        plot_picture_ = plot_of_runs(document_.runs(), wish.choice, wish.zoom);
+        plot_name_ = name_of(wish.choice.quantity);
+        return;
+    }
+}
+
+void Application::save_plot(const std::function<Image(const Plot&)>& draw) {
+    const auto plot = std::exchange(plot_picture_, std::nullopt);
+    if (!plot) return;
+    try {
+        pictures_.write(output_folder(), plot_name_, draw(*plot));
+    } catch (const MachineError& error) {
+        message_ = {error.what(), true};
+    }
+}
 
 void Application::open_scenario(const std::string& name) {
     try {
@@ -232,6 +265,9 @@ void Application::draw_sidebar() {
     }
     if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen))
         panel_.draw_rows(context, run().opened.view, viewport().view, {"color", "blend"});
+    ImGui::Spacing();
+    if (ImGui::CollapsingHeader("Runs", ImGuiTreeNodeFlags_DefaultOpen))
+        if (run_list_.draw(document_, {theme_, scale_, items_})) perform(ActionId::keep);
     scenario.view = viewport().view;
     if (changed) {
         document_.change(0, scenario); // once per frame; of those that wait, the solver takes the newest

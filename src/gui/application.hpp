@@ -13,6 +13,7 @@
 #include "gui/layout.hpp"
 #include "gui/parameter_panel.hpp"
 #include "gui/plot_pane.hpp"
+#include "gui/run_list.hpp"
 #include "gui/theme.hpp"
 #include "gui/viewport_pane.hpp"
 
@@ -49,6 +50,8 @@ class Application {
     /// True once after a screenshot was asked for; the answer is save_picture().
     bool take_screenshot_request() { return std::exchange(taking_screenshot_, false); }
     void save_picture(Image image);
+    /// Saves the plot that was asked for, if any, as the picture that `draw` makes of it.
+    void save_plot(const std::function<Image(const Plot&)>& draw);
 
     Document& document() { return document_; }
     /// The meshes that the last frame asks for.
@@ -71,6 +74,7 @@ class Application {
     void draw_help();
     void toggle_running();
     void export_files();
+    void fulfil(const PlotWish& wish);
     void open_scenario(const std::string& name);
     std::filesystem::path output_folder();
 
@@ -86,6 +90,9 @@ class Application {
     float scale_ = 1;
     ViewportPane viewport_pane_;
     PlotPane plot_pane_;
+    RunList run_list_;
+    std::optional<Plot> plot_picture_;
+    std::string plot_name_; ///< of the file to come
     bool quit_ = false, help_ = false;
     bool screenshot_ = false;        ///< asked for
     bool taking_screenshot_ = false; ///< this frame is the picture: it shows no tooltip

@@ -36,16 +36,17 @@ std::filesystem::path free_name(const std::filesystem::path& folder, const std::
     return file;
 }
 
-void PictureWriter::write(std::filesystem::path folder, Image image) {
-    threads_.emplace_back([this, folder = std::move(folder), image = std::move(image)] {
-        std::lock_guard lock(one_at_a_time_);
-        report_outcome(*board_, [&] {
-            check_writable(folder);
-            const auto file = free_name(folder, "view", ".png");
-            write_png(file, image);
-            return "Saved " + file.string();
+void PictureWriter::write(std::filesystem::path folder, std::string name, Image image) {
+    threads_.emplace_back(
+        [this, folder = std::move(folder), name = std::move(name), image = std::move(image)] {
+            std::lock_guard lock(one_at_a_time_);
+            report_outcome(*board_, [&] {
+                check_writable(folder);
+                const auto file = free_name(folder, name, ".png");
+                write_png(file, image);
+                return "Saved " + file.string();
+            });
         });
-    });
 }
 
 } // namespace gaspard

@@ -44,7 +44,8 @@ std::filesystem::path free_name(const std::filesystem::path& folder, const std::
 class PictureWriter {
   public:
     explicit PictureWriter(std::shared_ptr<NoticeBoard> board) : board_(std::move(board)) {}
-    void write(std::filesystem::path folder, Image image);
+    /// Into "NAME.png", or where that exists "NAME-2.png" ...
+    void write(std::filesystem::path folder, std::string name, Image image);
 
   private:
     std::shared_ptr<NoticeBoard> board_;
