@@ -13,6 +13,7 @@ enum class ActionId {
     run_pause,
     step,
     reset,
+    keep,
     cancel,
     home,
     theme,

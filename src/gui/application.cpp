@@ -4,6 +4,7 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/run_files.hpp"
 #include "core/scenario/toml.hpp"
+#include "gui/runs_csv.hpp"
 
 #include <algorithm>
 #include <imgui.h>
@@ -66,7 +67,8 @@ bool Application::working() { return !run().status.activity.empty(); }
 
 bool Application::possible(ActionId id) {
     if (id == ActionId::cancel) return error_.open() || open_dialog_.open() || help_ || working();
-    return id != ActionId::step || !run().ended();
+    if (id == ActionId::step) return !run().ended();
+    return id != ActionId::keep || !run().history.empty();
 }
 
 void Application::perform(ActionId id) {
@@ -78,6 +80,8 @@ void Application::perform(ActionId id) {
         return document_.step(0);
     case ActionId::reset:
         return document_.reset(0);
+    case ActionId::keep:
+        return keep();
     case ActionId::cancel:
         return cancel();
     case ActionId::home:
@@ -183,7 +187,37 @@ void Application::export_files() {
     message_ = {"Exporting ...", false};
 }
 
-void Application::save_picture(Image image) { writer_.write_picture(output_folder(), std::move(image)); }
+void Application::save_picture(Image image) {
+    writer_.write_picture(output_folder(), "view", std::move(image));
+}
+
+void Application::keep() {
+    if (const auto kept = document_.keep(0))
+        message_ = {"Kept as \"" + document_.runs()[*kept].name + "\"", false};
+}
+
+void Application::fulfil(const PlotWish& wish) {
+    switch (wish.kind) {
+    case PlotWish::Kind::copy_csv:
+        ImGui::SetClipboardText(runs_csv(document_.runs()).c_str());
+        message_ = {"Copied the numbers of all runs that are shown", false};
+        return;
+    case PlotWish::Kind::save_png:
+        plot_picture_ = plot_of_runs(document_.runs(), wish.choice, wish.zoom);
+        plot_name_ = name_of(wish.choice.quantity);
+        return;
+    }
+}
+
+void Application::save_plot(const std::function<Image(const Plot&)>& draw) {
+    const auto plot = std::exchange(plot_picture_, std::nullopt);
+    if (!plot) return;
+    try {
+        writer_.write_picture(output_folder(), plot_name_, draw(*plot));
+    } catch (const MachineError& error) {
+        say({error.what(), true});
+    }
+}
 
 void Application::save_scenario() {
     Scenario scenario = run().scenario;

@@ -15,6 +15,7 @@
 #include "gui/log_panel.hpp"
 #include "gui/parameter_panel.hpp"
 #include "gui/plot_pane.hpp"
+#include "gui/run_list.hpp"
 #include "gui/settings.hpp"
 #include "gui/theme.hpp"
 #include "gui/viewport_pane.hpp"
@@ -65,6 +66,8 @@ class Application {
     /// True once after a screenshot was asked for; the answer is save_picture().
     bool take_screenshot_request() { return std::exchange(taking_screenshot_, false); }
     void save_picture(Image image);
+    /// Saves the plot that was asked for, if any, as the picture that `draw` makes of it.
+    void save_plot(const std::function<Image(const Plot&)>& draw);
     /// What is to be remembered when the window closes.
     const Settings& settings() const { return settings_; }
 
@@ -117,6 +120,8 @@ class Application {
     void set_theme(const std::string& name);
     void set_text_size(double size);
     void cancel();
+    void keep();
+    void fulfil(const PlotWish& wish);
     void export_files();
     void save_scenario();
     void open_scenario(const Scenario& scenario);
@@ -140,6 +145,9 @@ class Application {
     float scale_ = 1;
     ViewportPane viewport_pane_;
     PlotPane plot_pane_;
+    RunList run_list_;
+    std::optional<Plot> plot_picture_;
+    std::string plot_name_; ///< of the file to come
     bool quit_ = false, help_ = false, fullscreen_ = false;
     bool screenshot_ = false;        ///< asked for
     bool taking_screenshot_ = false; ///< this frame is the picture: it shows no tooltip

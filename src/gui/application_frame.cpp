@@ -50,7 +50,8 @@ void Application::frame() {
     viewport_pane_.frame(run(), viewport(), layout_.viewport, context);
     if (checked(ActionId::sidebar)) draw_sidebar();
     if (checked(ActionId::plots))
-        plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context);
+        if (const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context))
+            fulfil(*wish);
     draw_edges();
     if (checked(ActionId::log)) draw_log();
     draw_status();
@@ -163,6 +164,9 @@ void Application::draw_sidebar() {
     }
     if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen))
         panel_.draw_rows(context, run().opened.view, viewport().view, {"color", "blend"});
+    ImGui::Spacing();
+    if (ImGui::CollapsingHeader("Runs", ImGuiTreeNodeFlags_DefaultOpen))
+        if (run_list_.draw(document_, {theme_, scale_, items_})) perform(ActionId::keep);
     scenario.view = viewport().view;
     if (changed) {
         document_.change(0, scenario); // once per frame; of those that wait, the solver takes the newest

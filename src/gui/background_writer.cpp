@@ -64,10 +64,10 @@ void BackgroundWriter::work(std::stop_token stop) {
     }
 }
 
-void BackgroundWriter::write_picture(std::filesystem::path folder, Image image) {
-    run([folder = std::move(folder), image = std::move(image)] {
+void BackgroundWriter::write_picture(std::filesystem::path folder, std::string name, Image image) {
+    run([folder = std::move(folder), name = std::move(name), image = std::move(image)] {
         check_writable(folder);
-        const auto file = free_name(folder, "view", ".png");
+        const auto file = free_name(folder, name, ".png");
         write_png(file, image);
         return "Saved " + file.string();
     });

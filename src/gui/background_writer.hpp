@@ -52,8 +52,8 @@ class BackgroundWriter {
     ~BackgroundWriter();
     /// `task` returns what it has done, as a sentence; an exception is a notice of failure.
     void run(std::function<std::string()> task);
-    /// "view.png" or the next free name in `folder`.
-    void write_picture(std::filesystem::path folder, Image image);
+    /// "NAME.png" or the next free name in `folder`.
+    void write_picture(std::filesystem::path folder, std::string name, Image image);
 
   private:
     void work(std::stop_token stop);

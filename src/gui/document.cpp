@@ -1,23 +1,20 @@
 #include "gui/document.hpp"
 
+#include "core/base/check.hpp"
+#include "gui/theme.hpp"
+#include "gui/value_changes.hpp"
+
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <array>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 namespace gaspard {
 
 namespace {
 
-Plot against_iteration(std::string title) {
-    return {.title = std::move(title), .x = {"iteration", false}, .y = {"", true}, .curves = {}};
-}
-
-/// On a logarithmic axis only positive numbers have a place; others leave a gap.
-double positive_or_gap(double value) {
-    return std::isfinite(value) && value > 0 ? value : std::numeric_limits<double>::quiet_NaN();
-}
+constexpr double one_drag = 0.5; // seconds of solving between changes that belong together
 
 std::string title_of(const Scenario& scenario) {
     return scenario.title.empty() ? scenario.name : scenario.title;
@@ -26,6 +23,40 @@ std::string title_of(const Scenario& scenario) {
 bool same(const SolverStatus& a, const SolverStatus& b) {
     return a.run == b.run && a.paused == b.paused && a.progress == b.progress && a.activity == b.activity &&
            a.messages == b.messages && a.answered == b.answered;
+}
+
+void begin_anew(DocumentRun& run) {
+    run.history.clear();
+    run.curves.clear();
+    run.marks.clear();
+    run.marked.reset();
+}
+
+/// Notes what has changed at the last report.
+void mark_change(DocumentRun& run) {
+    if (!run.marked || !run.status.scenario) return;
+    const StepReport& report = run.history.back();
+    const bool same_drag = !run.marks.empty() && report.seconds <= run.marks.back().last_seconds + one_drag;
+    ChangeMark mark = same_drag ? run.marks.back()
+                                : ChangeMark{.iteration = static_cast<double>(report.iteration),
+                                             .seconds = report.seconds,
+                                             .last_seconds = report.seconds,
+                                             .before = run.marked,
+                                             .text = {}};
+    mark.last_seconds = report.seconds;
+    mark.text = describe_changes(value_changes(*mark.before, *run.status.scenario));
+    if (same_drag) run.marks.pop_back();
+    if (!mark.text.empty()) run.marks.push_back(std::move(mark));
+    run.marked = run.status.scenario;
+}
+
+void append(DocumentRun& run, const SolverEvent& event) {
+    if (event.restarted) begin_anew(run);
+    // A change of values adds a row for the iterate there is.
+    const bool changed = !run.history.empty() && event.report.iteration == run.history.back().iteration;
+    run.history.push_back(event.report);
+    run.curves.append(event.report);
+    if (changed) mark_change(run);
 }
 
 } // namespace
@@ -42,34 +73,36 @@ std::optional<double> iteration_rate(const std::vector<StepReport>& history) {
 }
 
 Document::Document(std::shared_ptr<const Catalogue> catalogue, std::function<void()> notify)
-    : catalogue_(std::move(catalogue)), notify_(std::move(notify)), residual_(against_iteration("Residual")),
-      equidistribution_(against_iteration("Equidistribution")) {}
+    : catalogue_(std::move(catalogue)), notify_(std::move(notify)) {}
 
 void Document::open(const Scenario& scenario) {
     DocumentRun run;
+    run.number = ++last_number_;
     run.title = title_of(scenario);
     run.opened = run.scenario = scenario;
+    run.name = describe_scenario(*catalogue_, scenario, scenario);
+    run.colour = free_colour();
     SolverThread::Options options;
     options.notify = notify_;
     const unsigned cores = std::thread::hardware_concurrency(); // one of them is left to the window
     options.run.threads = cores > 2 ? static_cast<int>(cores) - 1 : 1;
     run.solver = std::make_unique<SolverThread>(catalogue_, scenario, std::move(options));
-    residual_.curves.push_back({.label = run.title, .x = {}, .y = {}});
-    equidistribution_.curves.push_back({.label = run.title, .x = {}, .y = {}});
     viewports_.push_back({.run = runs_.size(), .view = scenario.view});
     runs_.push_back(std::move(run));
 }
 
 void Document::change(std::size_t run, const Scenario& scenario) {
-    runs_[run].scenario = scenario;
-    runs_[run].solver->post(ChangeCommand{scenario, ++runs_[run].asked});
+    DocumentRun& entry = runs_[run];
+    GASPARD_CHECK(entry.live());
+    entry.scenario = scenario;
+    entry.name = describe_scenario(*catalogue_, entry.opened, scenario);
+    entry.solver->post(ChangeCommand{scenario, ++entry.asked});
 }
 
 void Document::replace(std::size_t run, const Scenario& scenario) {
     DocumentRun& entry = runs_[run];
     entry.opened = scenario;
     entry.title = title_of(scenario);
-    residual_.curves[run].label = equidistribution_.curves[run].label = entry.title;
     for (DocumentViewport& viewport : viewports_)
         if (viewport.run == run) viewport.view = scenario.view;
     change(run, scenario);
@@ -101,38 +134,80 @@ void Document::reset(std::size_t run) {
 
 bool Document::collect() {
     bool news = false;
-    for (std::size_t i = 0; i < runs_.size(); ++i) {
-        DocumentRun& run = runs_[i];
-        SolverStatus status = run.solver->status(); // first: a run that has ended has told all it has to tell
-        for (const SolverEvent& event : run.solver->drain()) append(i, event), news = true;
-        if (auto snapshot = run.solver->latest(); snapshot != run.snapshot)
-            run.snapshot = std::move(snapshot), news = true;
-        news = news || !same(status, run.status);
-        run.status = std::move(status);
-        const bool news_of_change = run.status.answered != run.answered;
-        run.answered = run.status.answered;
-        // What was refused, or cancelled, is no longer shown as if it were so.
-        if (news_of_change && run.answered == run.asked && run.status.refused && run.status.scenario)
-            run.scenario = *run.status.scenario;
-    }
+    for (DocumentRun& run : runs_)
+        if (run.live()) news = collect(run) || news;
     return news;
 }
 
-void Document::append(std::size_t run, const SolverEvent& event) {
-    Curve& residual = residual_.curves[run];
-    Curve& equidistribution = equidistribution_.curves[run];
-    if (event.restarted) {
-        runs_[run].history.clear();
-        for (Curve* curve : {&residual, &equidistribution}) curve->x.clear(), curve->y.clear();
+bool Document::collect(DocumentRun& run) {
+    SolverStatus status = run.solver->status(); // first: a run that has ended has told all it has to tell
+    const std::vector<SolverEvent> events = run.solver->drain();
+    auto snapshot = run.solver->latest();
+    const bool news = !events.empty() || snapshot != run.snapshot || !same(status, run.status);
+    const bool news_of_change = status.answered != run.answered;
+    run.snapshot = std::move(snapshot);
+    run.status = std::move(status);
+    run.answered = run.status.answered;
+    // What was refused, or cancelled, is no longer shown as if it were so.
+    if (news_of_change && run.answered == run.asked && run.status.refused && run.status.scenario) {
+        run.scenario = *run.status.scenario;
+        run.name = describe_scenario(*catalogue_, run.opened, run.scenario);
     }
-    const StepReport& report = event.report;
-    runs_[run].history.push_back(report);
-    residual.x.push_back(report.iteration);
-    residual.y.push_back(positive_or_gap(report.residual));
-    if (report.equidistribution) {
-        equidistribution.x.push_back(report.iteration);
-        equidistribution.y.push_back(positive_or_gap(*report.equidistribution));
+    for (const SolverEvent& event : events) append(run, event);
+    if (run.history.size() <= 1 || !run.marked) // nothing has been solved with other values yet
+        run.marked = run.status.scenario ? run.status.scenario : std::make_shared<const Scenario>(run.opened);
+    return news;
+}
+
+std::optional<std::size_t> Document::keep(std::size_t run) {
+    collect();
+    const DocumentRun& source = runs_[run];
+    if (source.history.empty()) return std::nullopt;
+    DocumentRun kept;
+    kept.number = ++last_number_;
+    kept.title = source.title;
+    kept.opened = source.opened;
+    // What the history was made with, should the solver still be on its way to newer values.
+    kept.scenario = source.status.scenario ? *source.status.scenario : source.scenario;
+    kept.history = source.history;
+    kept.curves = source.curves;
+    kept.marks = source.marks;
+    kept.snapshot = source.snapshot;
+    kept.status = source.status;
+    kept.wants_to_run = false;
+    kept.marked = source.marked;
+    kept.colour = free_colour();
+    kept.name = free_name(kept);
+    runs_.push_back(std::move(kept));
+    return runs_.size() - 1;
+}
+
+void Document::remove(std::size_t run) {
+    GASPARD_CHECK(run < runs_.size() && !runs_[run].live());
+    runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(run));
+    for (DocumentViewport& viewport : viewports_) {
+        if (viewport.run == run) viewport.run = 0;
+        if (viewport.run > run) --viewport.run;
     }
+}
+
+std::string Document::free_name(const DocumentRun& run) const {
+    const auto taken = [&](const std::string& name) {
+        return std::any_of(runs_.begin(), runs_.end(),
+                           [&](const DocumentRun& other) { return !other.live() && other.name == name; });
+    };
+    const std::string name = describe_scenario(*catalogue_, run.opened, run.scenario);
+    if (!taken(name)) return name;
+    for (int number = 2;; ++number)
+        if (const std::string numbered = name + " (" + std::to_string(number) + ")"; !taken(numbered))
+            return numbered;
+}
+
+/// The first that no run has; when all are taken, the one that fewest have.
+std::size_t Document::free_colour() const {
+    std::array<int, std::tuple_size_v<decltype(Theme::curves)>> users{};
+    for (const DocumentRun& run : runs_) ++users[run.colour % users.size()];
+    return static_cast<std::size_t>(std::min_element(users.begin(), users.end()) - users.begin());
 }
 
 } // namespace gaspard

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/session/solver_thread.hpp"
-#include "core/tessellate/plot.hpp"
 #include "gui/camera.hpp"
+#include "gui/history_curves.hpp"
 
 #include <functional>
 #include <memory>
@@ -14,20 +14,37 @@
 
 namespace gaspard {
 
-/// One run with all it has told so far.
+/// Where values were changed while a run went on. What follows within half a second of solving, as while a
+/// slider is dragged, belongs to the same mark.
+struct ChangeMark {
+    double iteration = 0, seconds = 0;      ///< where it began
+    double last_seconds = 0;                ///< of the last change that belongs to it
+    std::shared_ptr<const Scenario> before; ///< the values until then
+    std::string text;                       ///< "amplitude 10 to 20"
+};
+
+/// One run with all it has told so far: being solved, or kept as it once was.
 struct DocumentRun {
+    std::uint64_t number = 0; ///< tells it from all others of the document, also from those removed
     std::string title;
-    Scenario opened;                 ///< as it was opened: the values that reset buttons restore
-    Scenario scenario;               ///< as the panels show it; the solver may still be on its way there
+    std::string name;  ///< in lists and legends: "Ring, amplitude 20"; of a live run it follows the values
+    Scenario opened;   ///< as it was opened: the values that reset buttons restore
+    Scenario scenario; ///< as the panels show it; the solver may still be on its way there
     std::vector<StepReport> history; ///< since the run last began anew
+    HistoryCurves curves;            ///< the same in columns
+    std::vector<ChangeMark> marks;
     std::shared_ptr<const Snapshot> snapshot; ///< the newest; null until the first
     SolverStatus status;
     std::uint64_t asked = 0, answered = 0; ///< numbers of the last change of values: sent, dealt with
     bool wants_to_run = true;              ///< what the user last asked for; the status follows within a step
-    std::unique_ptr<SolverThread> solver;
+    std::size_t colour = 0;                ///< which of the theme's curve colours
+    bool hidden = false;                   ///< its curves are not shown
+    std::shared_ptr<const Scenario> marked{}; ///< the values that the history goes on with
+    std::unique_ptr<SolverThread> solver{};   ///< null: kept
 
+    bool live() const { return solver != nullptr; }
     bool ended() const { return is_final(status.run); }
-    bool solving() const { return status.run == RunStatus::running && wants_to_run; }
+    bool solving() const { return live() && status.run == RunStatus::running && wants_to_run; }
 };
 
 /// One picture of one run.
@@ -50,6 +67,8 @@ class Document {
 
     /// Takes over what the solver threads have produced, every report of it. True if there was anything new.
     bool collect();
+
+    // Of live runs only:
     /// Lets a run go on with other values, from the map it has.
     void change(std::size_t run, const Scenario& scenario);
     /// Another scenario in the place of a run's, from its own start.
@@ -59,19 +78,25 @@ class Document {
     void step(std::size_t run);  ///< one iteration, then pause
     void reset(std::size_t run); ///< to the start; goes on if it was going, rests if it had ended
 
+    /// Adds a run that stays as this one is now: history, mesh and values, under a name of its own. Returns
+    /// its place; nothing before the first report.
+    std::optional<std::size_t> keep(std::size_t run);
+    /// Removes a kept run. Viewports that looked at it look at the first run.
+    void remove(std::size_t run);
+
     std::vector<DocumentRun>& runs() { return runs_; }
+    const std::vector<DocumentRun>& runs() const { return runs_; }
     std::vector<DocumentViewport>& viewports() { return viewports_; }
-    /// Against the iteration, on logarithmic axes, one curve per run.
-    const Plot& residual_plot() const { return residual_; }
-    const Plot& equidistribution_plot() const { return equidistribution_; }
 
   private:
-    void append(std::size_t run, const SolverEvent& event);
+    bool collect(DocumentRun& run);
+    std::string free_name(const DocumentRun& run) const;
+    std::size_t free_colour() const;
 
     std::shared_ptr<const Catalogue> catalogue_;
     std::function<void()> notify_;
-    Plot residual_, equidistribution_;
     std::vector<DocumentViewport> viewports_;
+    std::uint64_t last_number_ = 0;
     std::vector<DocumentRun> runs_;
 };
 

@@ -1,295 +1,363 @@
 #include "gui/plot_widget.hpp"
 
-#include "core/tessellate/ticks.hpp"
+#include "gui/plot_curves.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
-#include <limits>
-#include <string>
+#include <optional>
+#include <utility>
 
 namespace gaspard {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double wheel_step = 1.2; // per notch
+constexpr float click_slack = 6;   // how far a mouse may move during a click, in pixels of scale 1
 
-/// Where a value lies on its axis; NaN where the axis cannot show it.
-double on_axis(const Axis& axis, double value) {
-    if (!std::isfinite(value)) return nothing;
-    if (!axis.logarithmic) return value;
-    return value > 0 ? std::log10(value) : nothing;
+ImVec2 text_size(std::string_view text) {
+    return ImGui::CalcTextSize(text.data(), text.data() + text.size());
 }
 
-/// From values to pixels within the area of the curves.
-struct Mapping {
-    const Plot& plot;
-    ScreenRect area;
-    AxisRange x, y;
-
-    float pixel_x(double value) const {
-        return area.min.x +
-               static_cast<float>((on_axis(plot.x, value) - x.low) / (x.high - x.low)) * area.width();
-    }
-    float pixel_y(double value) const {
-        return area.max.y -
-               static_cast<float>((on_axis(plot.y, value) - y.low) / (y.high - y.low)) * area.height();
-    }
-    /// False where there is nothing to see.
-    bool point(const Curve& curve, std::size_t i, ImVec2& pixel) const {
-        pixel = {pixel_x(curve.x[i]), pixel_y(curve.y[i])};
-        return std::isfinite(pixel.x) && std::isfinite(pixel.y);
-    }
-};
-
-std::vector<Tick> axis_ticks(const Axis& axis, AxisRange range, int count) {
-    const auto value = [](double exponent) { return std::pow(10.0, std::clamp(exponent, -307.0, 308.0)); };
-    if (axis.logarithmic) return log_ticks(value(range.low), value(range.high), count);
-    return linear_ticks(range.low, range.high, count);
+void write(ImDrawList& list, ImVec2 at, Colour colour, std::string_view text) {
+    list.AddText(at, packed(colour), text.data(), text.data() + text.size());
 }
 
-/// Ticks of both axes and what their labels need.
-struct Frame {
-    std::vector<Tick> x, y;
-    AxisRange x_range, y_range;
-    ScreenRect area; ///< of the curves
-};
-
-float label_width(const std::vector<Tick>& ticks) {
-    float width = 0;
-    for (const Tick& tick : ticks) width = std::max(width, ImGui::CalcTextSize(tick.label.c_str()).x);
-    return width;
-}
-
-Frame make_frame(const Plot& plot, ScreenRect rect, float scale) {
-    const float line = ImGui::GetFontSize(), gap = 5 * scale;
-    Frame frame;
-    frame.area = rect;
-    if (!plot.title.empty()) frame.area.min.y += line + gap;
-    if (!plot.y.label.empty()) frame.area.min.y += line + gap;
-    frame.area.min.y += line / 2; // half of the uppermost label
-    frame.area.max.y -= line + gap;
-    if (!plot.x.label.empty()) frame.area.max.y -= line + gap / 2;
-    frame.x_range = axis_range(plot.x, plot, false);
-    frame.y_range = axis_range(plot.y, plot, true);
-    const float spacing = plot.y.logarithmic ? 2.0F : 2.6F; // in lines of text
-    frame.y = axis_ticks(plot.y, frame.y_range, static_cast<int>(frame.area.height() / (spacing * line)));
-    frame.area.min.x += label_width(frame.y) + gap;
-    frame.x = axis_ticks(plot.x, frame.x_range, static_cast<int>(frame.area.width() / (5 * line)));
-    const float last_label = frame.x.empty() ? 0 : ImGui::CalcTextSize(frame.x.back().label.c_str()).x;
-    frame.area.max.x -= std::max(last_label / 2, gap);
-    return frame;
-}
-
-void draw_frame(ImDrawList& list, const Frame& frame, const Mapping& map, const Theme& theme, float scale) {
-    const ScreenRect& area = frame.area;
-    const float gap = 5 * scale, thin = std::max(1.0F, std::round(scale));
-    const auto grid = [&](bool major) { return packed(theme.grid, major ? 1.0F : 0.4F); };
-    // Minor lines help only where decades are wide.
-    const auto shown = [&](const Tick& tick, AxisRange range, float length) {
-        return tick.major || length / static_cast<float>(range.high - range.low) > 45 * scale;
-    };
-    list.AddRectFilled(area.min, area.max, packed(theme.frame, 0.45F));
-    for (const Tick& tick : frame.x) {
-        const float x = std::round(map.pixel_x(tick.value));
-        if (!(x >= area.min.x - 1 && x <= area.max.x + 1)) continue;
-        if (!shown(tick, map.x, area.width())) continue;
-        list.AddRectFilled({x, area.min.y}, {x + thin, area.max.y}, grid(tick.major));
-        const float width = ImGui::CalcTextSize(tick.label.c_str()).x;
-        list.AddText({x - width / 2, area.max.y + gap}, packed(theme.faint_text), tick.label.c_str());
-    }
-    for (const Tick& tick : frame.y) {
-        const float y = std::round(map.pixel_y(tick.value));
-        if (!(y >= area.min.y - 1 && y <= area.max.y + 1)) continue;
-        if (!shown(tick, map.y, area.height())) continue;
-        list.AddRectFilled({area.min.x, y}, {area.max.x, y + thin}, grid(tick.major));
-        const ImVec2 size = ImGui::CalcTextSize(tick.label.c_str());
-        list.AddText({area.min.x - gap - size.x, y - size.y / 2}, packed(theme.faint_text),
-                     tick.label.c_str());
+void draw_marks(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, const Theme& theme,
+                float scale) {
+    float last = -FLT_MAX;
+    for (const MarkView& mark : plot.marks) {
+        const float x = std::round(static_cast<float>(frame.pixel_x(mark.x)));
+        if (!(x >= frame.area.min.x && x <= frame.area.max.x) || std::abs(x - last) < 3 * scale) continue;
+        last = x;
+        const ImU32 colour = packed(curve_colour(theme, mark.colour), 0.55F);
+        const float dash = 4 * scale;
+        for (float y = frame.area.min.y; y < frame.area.max.y; y += 2 * dash)
+            list.AddRectFilled({x, y},
+                               {x + std::max(1.0F, std::round(scale)), std::min(y + dash, frame.area.max.y)},
+                               colour);
     }
 }
 
-void draw_labels(ImDrawList& list, const Plot& plot, const Frame& frame, ScreenRect rect, const Theme& theme,
+void draw_legend(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, const Theme& theme,
                  float scale) {
-    const float line = ImGui::GetFontSize(), gap = 5 * scale;
-    ImVec2 at = rect.min;
-    if (!plot.title.empty()) {
-        const float width = ImGui::CalcTextSize(plot.title.c_str()).x;
-        list.AddText({(frame.area.min.x + frame.area.max.x - width) / 2, at.y}, packed(theme.text),
-                     plot.title.c_str());
-        at.y += line + gap;
+    std::vector<const CurveView*> entries;
+    const CurveView* before = nullptr;
+    for (const CurveView& curve : plot.curves) {
+        const bool repeated = before && !curve.part.empty() && before->label == curve.label;
+        if (!curve.label.empty() && !repeated) entries.push_back(&curve);
+        before = &curve;
     }
-    list.AddText({std::max(rect.min.x, frame.area.min.x - label_width(frame.y) - gap), at.y},
-                 packed(theme.faint_text), plot.y.label.c_str());
-    const float width = ImGui::CalcTextSize(plot.x.label.c_str()).x;
-    list.AddText({(frame.area.min.x + frame.area.max.x - width) / 2, rect.max.y - line},
-                 packed(theme.faint_text), plot.x.label.c_str());
+    if (entries.size() < 2) return;
+    const float line = ImGui::GetFontSize() * 1.25F, pad = 7 * scale, sample = 16 * scale;
+    const float room = 0.7F * frame.area.width() - sample - 3 * pad;
+    const auto fitting = static_cast<std::size_t>(std::max(0.0F, (0.7F * frame.area.height() - pad) / line));
+    if (fitting == 0 || room < 3 * line) return;
+    std::vector<std::string> texts;
+    for (const CurveView* curve : entries) texts.push_back(shortened(curve->label, room));
+    if (texts.size() > fitting) {
+        texts.resize(fitting);
+        texts.back() = "and " + std::to_string(entries.size() - fitting + 1) + " more";
+    }
+    float width = 0;
+    for (const std::string& text : texts) width = std::max(width, text_size(text).x);
+    const ImVec2 high = {frame.area.max.x - pad, frame.area.min.y + pad};
+    const ImVec2 low = {high.x - width - sample - 3 * pad, high.y};
+    const float bottom = high.y + line * static_cast<float>(texts.size()) + pad;
+    list.AddRectFilled(low, {high.x, bottom}, packed(theme.panel, 0.88F), 4 * scale);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const float top = low.y + pad / 2 + line * static_cast<float>(i), middle = top + line / 2;
+        if (entries.size() == texts.size() || i + 1 < texts.size())
+            list.AddLine({low.x + pad, middle}, {low.x + pad + sample, middle},
+                         packed(curve_colour(theme, entries[i]->colour)), 2 * scale);
+        write(list, {low.x + 2 * pad + sample, middle - ImGui::GetFontSize() / 2}, theme.text, texts[i]);
+    }
 }
 
-/// One unbroken piece of a curve, in parts that stay far below what ImGui can index.
-class Stroke {
-  public:
-    Stroke(ImDrawList& list, ImU32 colour, float width) : list_(list), colour_(colour), width_(width) {}
-    void add(ImVec2 point) {
-        const ImVec2 last = points_.empty() ? ImVec2{-1e9F, -1e9F} : points_.back();
-        if (std::hypot(point.x - last.x, point.y - last.y) < 0.5F) return;
-        points_.push_back(point);
-        if (points_.size() < 4000) return;
-        flush();
-        points_.push_back(point);
+/// A line of the read-out: with a colour where it speaks of a curve.
+struct ReadOutLine {
+    std::string name, value;
+    std::optional<std::size_t> colour;
+};
+
+std::string abscissa_text(const PlotView& plot, double value) {
+    std::string text = plot.x.label.empty() ? "x" : plot.x.label;
+    return text.append(" ").append(short_number(value, 6));
+}
+
+std::vector<ReadOutLine> read_out(const PlotView& plot, const PlotFrame& frame,
+                                  const std::vector<PointedAt>& points, double x, float pixel_x, float scale,
+                                  float room) {
+    constexpr std::size_t most = 12;
+    std::vector<ReadOutLine> lines = {{abscissa_text(plot, x), {}, {}}};
+    for (const PointedAt& point : points) {
+        if (lines.size() > most) break;
+        const CurveView& curve = plot.curves[point.curve];
+        std::string name = shortened(curve.label, room);
+        if (!curve.part.empty()) name.append(" ").append(curve.part);
+        std::string value = short_number(curve.y[point.index], 5);
+        if (std::abs(frame.pixel_x(curve.x[point.index]) - static_cast<double>(pixel_x)) > 2)
+            value.append(" at ").append(short_number(curve.x[point.index], 6));
+        lines.push_back({std::move(name), std::move(value), curve.colour});
     }
-    void end() {
-        if (points_.size() == 1) list_.AddCircleFilled(points_.front(), 1.5F * width_, colour_, 16);
-        flush();
+    for (const MarkView& mark : plot.marks)
+        if (std::abs(frame.pixel_x(mark.x) - static_cast<double>(pixel_x)) <= static_cast<double>(5 * scale))
+            lines.push_back({shortened(mark.label, 1.5F * room), {}, {}});
+    return lines;
+}
+
+void draw_box(ImDrawList& list, const std::vector<ReadOutLine>& lines, ImVec2 beside, const ScreenRect& area,
+              const Theme& theme, float scale) {
+    const float line = ImGui::GetFontSize() * 1.2F, pad = 7 * scale, away = 12 * scale, sample = 10 * scale;
+    float names = 0, values = 0;
+    for (const ReadOutLine& one : lines) {
+        const float indent = one.colour ? sample + pad : 0;
+        (one.value.empty() ? values : names) =
+            std::max(one.value.empty() ? values : names, text_size(one.name).x + indent);
+    }
+    float width = values;
+    for (const ReadOutLine& one : lines)
+        if (!one.value.empty()) width = std::max(width, names + pad + text_size(one.value).x);
+    const ImVec2 size{width + 2 * pad, line * static_cast<float>(lines.size()) + 2 * pad};
+    ImVec2 low{beside.x + away, beside.y - away - size.y};
+    if (low.x + size.x > area.max.x) low.x = beside.x - away - size.x;
+    low.x = std::max(low.x, area.min.x);
+    low.y = std::clamp(low.y, area.min.y, std::max(area.min.y, area.max.y - size.y));
+    const ImVec2 high{low.x + size.x, low.y + size.y};
+    list.AddRectFilled(low, high, packed(theme.panel, 0.94F), 4 * scale);
+    list.AddRect(low, high, packed(theme.border), 4 * scale);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const float top = low.y + pad + line * static_cast<float>(i);
+        float left = low.x + pad;
+        if (lines[i].colour) {
+            const float middle = top + ImGui::GetFontSize() / 2;
+            list.AddRectFilled({left, middle - sample / 2}, {left + sample, middle + sample / 2},
+                               packed(curve_colour(theme, *lines[i].colour)), 2 * scale);
+            left += sample + pad;
+        }
+        write(list, {left, top}, theme.faint_text, lines[i].name);
+        write(list, {high.x - pad - text_size(lines[i].value).x, top}, theme.text, lines[i].value);
+    }
+}
+
+/// A hair line at the nearest points, a disc on each, and a box with their values.
+void draw_read_out(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, ImVec2 pointer,
+                   const Theme& theme, float scale) {
+    const auto points = points_at(plot, frame, pointer.x);
+    if (points.empty()) return;
+    const auto distance = [&](const PointedAt& p) {
+        return std::abs(frame.pixel_x(plot.curves[p.curve].x[p.index]) - static_cast<double>(pointer.x));
+    };
+    const PointedAt nearest =
+        *std::min_element(points.begin(), points.end(),
+                          [&](const PointedAt& a, const PointedAt& b) { return distance(a) < distance(b); });
+    const double x = plot.curves[nearest.curve].x[nearest.index];
+    const auto pixel_x = static_cast<float>(frame.pixel_x(x));
+    list.PushClipRect(frame.area.min, frame.area.max, true);
+    list.AddLine({pixel_x, frame.area.min.y}, {pixel_x, frame.area.max.y}, packed(theme.text, 0.45F), scale);
+    for (const PointedAt& point : points) {
+        const CurveView& curve = plot.curves[point.curve];
+        const ImVec2 at{static_cast<float>(frame.pixel_x(curve.x[point.index])),
+                        static_cast<float>(frame.pixel_y(curve.y[point.index]))};
+        list.AddCircleFilled(at, 3.5F * scale, packed(curve_colour(theme, curve.colour)), 20);
+        list.AddCircle(at, 4.5F * scale, packed(theme.panel), 20, scale);
+    }
+    list.PopClipRect();
+    const auto lines = read_out(plot, frame, points, x, pixel_x, scale, 0.5F * frame.area.width());
+    draw_box(list, lines, {pixel_x, pointer.y}, frame.area, theme, scale);
+}
+
+/// Which axes the mouse steers at a place.
+struct Steered {
+    bool x = false, y = false;
+    bool any() const { return x || y; }
+};
+
+Steered steered_at(const PlotFrame& frame, ImVec2 place) {
+    const ScreenRect& area = frame.area;
+    const bool beside = place.x < area.min.x, below = place.y >= area.max.y;
+    if (area.contains(place)) return {true, true};
+    if (below && !beside && place.x < area.max.x) return {true, false};
+    if (beside && !below && place.y >= area.min.y) return {false, true};
+    return {};
+}
+
+/// Moves ranges about; `home` keeps them within reason.
+class Steering {
+  public:
+    Steering(const PlotView& plot, const PlotFrame& frame, PlotZoom& zoom)
+        : plot_(plot), frame_(frame), zoom_(zoom) {}
+
+    void wheel(ImVec2 pointer, float turns, Steered which) {
+        const double factor = std::pow(wheel_step, -static_cast<double>(turns));
+        if (which.x) set_x(scaled(frame_.x_range, frame_.position_x(static_cast<double>(pointer.x)), factor));
+        if (which.y) set_y(scaled(frame_.y_range, frame_.position_y(static_cast<double>(pointer.y)), factor));
+    }
+    void pan(ImVec2 by, Steered which) {
+        const auto moved = [](AxisRange range, double fraction) {
+            return AxisRange{range.low - fraction * range.span(), range.high - fraction * range.span()};
+        };
+        if (which.x) set_x(moved(frame_.x_range, static_cast<double>(by.x / frame_.area.width())));
+        if (which.y) set_y(moved(frame_.y_range, static_cast<double>(-by.y / frame_.area.height())));
+    }
+    void show(ScreenRect rect) {
+        set_x({frame_.position_x(static_cast<double>(rect.min.x)),
+               frame_.position_x(static_cast<double>(rect.max.x))});
+        set_y({frame_.position_y(static_cast<double>(rect.max.y)),
+               frame_.position_y(static_cast<double>(rect.min.y))});
+    }
+    void reset(Steered which) {
+        if (which.x) zoom_.x.reset();
+        if (which.y) zoom_.y.reset();
     }
 
   private:
-    void flush() {
-        if (points_.size() > 1)
-            list_.AddPolyline(points_.data(), static_cast<int>(points_.size()), colour_, 0, width_);
-        points_.clear();
-    }
+    void set_x(AxisRange range) { zoom_.x = limited(range, home_range(plot_, false), frame_.x.logarithmic); }
+    void set_y(AxisRange range) { zoom_.y = limited(range, home_range(plot_, true), frame_.y.logarithmic); }
 
-    ImDrawList& list_;
-    ImU32 colour_;
-    float width_;
-    std::vector<ImVec2> points_;
+    const PlotView& plot_;
+    const PlotFrame& frame_;
+    PlotZoom& zoom_;
 };
 
-const Colour& curve_colour(const Theme& theme, std::size_t i) {
-    return theme.curves[i % theme.curves.size()];
+/// What the right button has drawn so far, within the area; nothing while that is still a click.
+std::optional<ScreenRect> dragged_rectangle(const PlotFrame& frame, float scale) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 from = io.MouseClickedPos[1], to = io.MousePos;
+    if (!frame.area.contains(from) || !ImGui::IsMousePosValid(&to)) return std::nullopt;
+    ScreenRect rect{{std::min(from.x, to.x), std::min(from.y, to.y)},
+                    {std::max(from.x, to.x), std::max(from.y, to.y)}};
+    rect.min = {std::max(rect.min.x, frame.area.min.x), std::max(rect.min.y, frame.area.min.y)};
+    rect.max = {std::min(rect.max.x, frame.area.max.x), std::min(rect.max.y, frame.area.max.y)};
+    if (std::min(rect.width(), rect.height()) < click_slack * scale) return std::nullopt;
+    return rect;
 }
 
-void draw_curves(ImDrawList& list, const Plot& plot, const Mapping& map, const Theme& theme, float scale) {
-    for (std::size_t c = 0; c < plot.curves.size(); ++c) {
-        const Curve& curve = plot.curves[c];
-        const ImU32 colour = packed(curve_colour(theme, c));
-        Stroke stroke(list, colour, 1.75F * scale);
-        for (std::size_t i = 0; i < curve.x.size(); ++i) {
-            ImVec2 pixel;
-            if (!map.point(curve, i, pixel)) {
-                stroke.end();
-                continue;
-            }
-            stroke.add(pixel);
-            if (curve.markers) list.AddCircleFilled(pixel, 3.5F * scale, colour, 24);
+/// True when a menu is asked for.
+bool steer(const PlotView& plot, const PlotFrame& frame, PlotZoom& zoom, float scale) {
+    const ImGuiIO& io = ImGui::GetIO();
+    Steering steering(plot, frame, zoom);
+    if (ImGui::IsItemHovered()) {
+        Steered which = steered_at(frame, io.MousePos);
+        if (io.MouseWheel != 0 && which.any()) {
+            if (io.KeyShift) which = {true, false};
+            if (io.KeyCtrl) which = {false, true};
+            steering.wheel(io.MousePos, io.MouseWheel, which);
         }
-        stroke.end();
-    }
-}
-
-void draw_legend(ImDrawList& list, const Plot& plot, const Frame& frame, const Theme& theme, float scale) {
-    if (plot.curves.size() < 2) return;
-    const float line = ImGui::GetFontSize() * 1.25F, pad = 7 * scale, sample = 16 * scale;
-    float width = 0;
-    for (const Curve& curve : plot.curves)
-        width = std::max(width, ImGui::CalcTextSize(curve.label.c_str()).x);
-    const ImVec2 high = {frame.area.max.x - pad, frame.area.min.y + pad};
-    const ImVec2 low = {high.x - width - sample - 3 * pad, high.y};
-    const float bottom = high.y + line * static_cast<float>(plot.curves.size()) + pad;
-    list.AddRectFilled(low, {high.x, bottom}, packed(theme.panel, 0.88F), 4 * scale);
-    for (std::size_t c = 0; c < plot.curves.size(); ++c) {
-        const float top = low.y + pad / 2 + line * static_cast<float>(c), middle = top + line / 2;
-        list.AddLine({low.x + pad, middle}, {low.x + pad + sample, middle}, packed(curve_colour(theme, c)),
-                     2 * scale);
-        list.AddText({low.x + 2 * pad + sample, middle - ImGui::GetFontSize() / 2}, packed(theme.text),
-                     plot.curves[c].label.c_str());
-    }
-}
-
-std::optional<NearestPoint> nearest(const Mapping& map, ImVec2 position, float reach) {
-    std::optional<NearestPoint> found;
-    float best = reach;
-    for (std::size_t c = 0; c < map.plot.curves.size(); ++c)
-        for (std::size_t i = 0; i < map.plot.curves[c].x.size(); ++i) {
-            ImVec2 pixel;
-            if (!map.point(map.plot.curves[c], i, pixel)) continue;
-            const float distance = std::hypot(pixel.x - position.x, pixel.y - position.y);
-            if (distance > best) continue;
-            best = distance;
-            found = NearestPoint{c, i};
+        if (ImGui::IsMouseDoubleClicked(0)) {
+            steering.reset(steered_at(frame, io.MousePos));
+            return false;
         }
-    return found;
+    }
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, 0) &&
+        (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
+        steering.pan(io.MouseDelta, steered_at(frame, io.MouseClickedPos[0]));
+    if (!ImGui::IsItemDeactivated() || !ImGui::IsMouseReleased(1)) return false;
+    if (const auto rect = dragged_rectangle(frame, scale)) {
+        steering.show(*rect);
+        return false;
+    }
+    const ImVec2 from = io.MouseClickedPos[1];
+    return std::hypot(io.MousePos.x - from.x, io.MousePos.y - from.y) < click_slack * scale;
 }
 
-/// The nearest point's values in a box beside it.
-void draw_read_out(ImDrawList& list, const Plot& plot, const Mapping& map, NearestPoint which,
-                   const Theme& theme, float scale) {
-    const Curve& curve = plot.curves[which.curve];
-    ImVec2 at;
-    map.point(curve, which.index, at);
-    const auto name = [](const Axis& axis, const char* otherwise) {
-        return axis.label.empty() ? std::string(otherwise) : axis.label;
+std::size_t nearest_index(const CurveView& curve, const PlotFrame& frame, double pixel_x) {
+    const auto distance = [&](std::size_t i) { return std::abs(frame.pixel_x(curve.x[i]) - pixel_x); };
+    const auto drawn = [&](std::size_t i) {
+        return !std::isnan(frame.pixel_x(curve.x[i])) && !std::isnan(frame.pixel_y(curve.y[i]));
     };
-    std::string text = curve.label.empty() ? "" : curve.label + "\n";
-    text += name(plot.x, "x") + "  " + short_number(curve.x[which.index], 6) + "\n";
-    text += name(plot.y, "y") + "  " + short_number(curve.y[which.index], 5);
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const float pad = 7 * scale, away = 10 * scale;
-    ImVec2 corner = {at.x + away, at.y - away - size.y - 2 * pad};
-    if (corner.x + size.x + 2 * pad > map.area.max.x) corner.x = at.x - away - size.x - 2 * pad;
-    corner.x = std::max(corner.x, map.area.min.x);
-    corner.y = std::max(corner.y, map.area.min.y);
-    list.AddCircleFilled(at, 4 * scale, packed(curve_colour(theme, which.curve)), 24);
-    list.AddCircle(at, 6 * scale, packed(theme.text), 24, scale);
-    const ImVec2 opposite = {corner.x + size.x + 2 * pad, corner.y + size.y + 2 * pad};
-    list.AddRectFilled(corner, opposite, packed(theme.panel, 0.94F), 4 * scale);
-    list.AddRect(corner, opposite, packed(theme.border), 4 * scale);
-    list.AddText({corner.x + pad, corner.y + pad}, packed(theme.text), text.c_str());
+    const std::size_t count = curve.x.size();
+    std::size_t begin = 0, end = count;
+    if (curve.extremes) { // the x are in order: a few to the left and to the right will do
+        constexpr std::size_t far = 32;
+        const double x = from_axis(frame.x, frame.position_x(pixel_x));
+        const auto at =
+            static_cast<std::size_t>(std::lower_bound(curve.x.begin(), curve.x.end(), x) - curve.x.begin());
+        begin = at > far ? at - far : 0;
+        end = std::min(count, at + far);
+    }
+    std::size_t best = count;
+    for (std::size_t i = begin; i < end; ++i)
+        if (drawn(i) && (best == count || distance(i) < distance(best))) best = i;
+    return best;
+}
+
+std::optional<AxisRange> asked_range(const Axis& axis) {
+    if (!axis.low || !axis.high) return std::nullopt;
+    const AxisRange range{to_axis(axis, *axis.low), to_axis(axis, *axis.high)};
+    return range.low < range.high ? std::optional(range) : std::nullopt;
+}
+
+void draw(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, ScreenRect rect, const Theme& theme,
+          float scale) {
+    draw_frame(list, plot, frame, rect, theme, scale);
+    draw_marks(list, plot, frame, theme, scale);
+    draw_curves(list, plot, frame, theme, scale);
+    draw_legend(list, plot, frame, theme, scale);
 }
 
 } // namespace
 
-AxisRange axis_range(const Axis& axis, const Plot& plot, bool vertical) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    bool markers = false;
-    for (const Curve& curve : plot.curves) {
-        markers = markers || curve.markers;
-        for (std::size_t i = 0; i < curve.x.size(); ++i) {
-            // A point that the other axis cannot show asks for no room on this one.
-            const double other = vertical ? on_axis(plot.x, curve.x[i]) : on_axis(plot.y, curve.y[i]);
-            const double value = on_axis(axis, vertical ? curve.y[i] : curve.x[i]);
-            if (std::isnan(value) || std::isnan(other)) continue;
-            low = std::min(low, value), high = std::max(high, value);
-        }
+std::vector<PointedAt> points_at(const PlotView& plot, const PlotFrame& frame, float pixel_x) {
+    const auto reach = static_cast<double>(ImGui::GetFontSize());
+    const auto pointer = static_cast<double>(pixel_x);
+    std::vector<PointedAt> found;
+    for (std::size_t c = 0; c < plot.curves.size(); ++c) {
+        const CurveView& curve = plot.curves[c];
+        const std::size_t i = nearest_index(curve, frame, pointer);
+        if (i == curve.x.size()) continue;
+        // Between the curve's points any distance is fine, beyond its ends only a short one.
+        const bool first = i == 0 && pointer < frame.pixel_x(curve.x[i]) - reach;
+        const bool last = i + 1 == curve.x.size() && pointer > frame.pixel_x(curve.x[i]) + reach;
+        if (!first && !last) found.push_back({c, i});
     }
-    if (low > high) return axis.logarithmic ? AxisRange{-1, 0} : AxisRange{0, 1};
-    const double size = std::max(std::abs(low), std::abs(high));
-    if (high - low <= 1e-12 * size || high == low) {
-        const double half = axis.logarithmic ? 0.5 : size > 0 ? 0.05 * size : 0.5;
-        return {low - half, high + half};
+    return found;
+}
+
+std::string shortened(std::string_view text, float width) {
+    if (text_size(text).x <= width) return std::string(text);
+    // Of UTF-8 only whole letters.
+    const auto starts_letter = [&](std::size_t i) {
+        return i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xc0U) != 0x80U;
+    };
+    for (std::size_t kept = text.size(); kept > 0; --kept) {
+        const std::size_t head = kept * 2 / 5, tail = text.size() - (kept - head);
+        if (!starts_letter(head) || !starts_letter(tail)) continue;
+        std::string result = std::string(text.substr(0, head)) + "…" + std::string(text.substr(tail));
+        if (text_size(result).x <= width) return result;
     }
-    const double room = vertical || markers ? 0.05 * (high - low) : 0;
-    return {low - room, high + room};
+    return "…";
 }
 
-std::optional<NearestPoint> nearest_point(const Plot& plot, ScreenRect area, ImVec2 position, float reach) {
-    return nearest({plot, area, axis_range(plot.x, plot, false), axis_range(plot.y, plot, true)}, position,
-                   reach);
+void draw_plot(ImDrawList& list, const Plot& plot, ScreenRect rect, const Theme& theme, float scale) {
+    const PlotView view = view_of(plot);
+    const PlotFrame frame = make_frame(view, rect, {asked_range(plot.x), asked_range(plot.y)}, scale);
+    if (frame.drawable()) draw(list, view, frame, rect, theme, scale);
 }
 
-void draw_plot(ImDrawList& list, const Plot& plot, ScreenRect rect, const Theme& theme, float scale,
-               const ImVec2* pointer) {
-    const Frame frame = make_frame(plot, rect, scale);
-    if (frame.area.width() < 8 || frame.area.height() < 8) return; // no room for anything
-    const Mapping map{plot, frame.area, frame.x_range, frame.y_range};
-    draw_frame(list, frame, map, theme, scale);
-    draw_labels(list, plot, frame, rect, theme, scale);
-    list.PushClipRect({frame.area.min.x - 4 * scale, frame.area.min.y - 4 * scale},
-                      {frame.area.max.x + 4 * scale, frame.area.max.y + 4 * scale}, true);
-    draw_curves(list, plot, map, theme, scale);
-    list.PopClipRect();
-    draw_legend(list, plot, frame, theme, scale);
-    if (pointer == nullptr) return;
-    if (const auto which = nearest(map, *pointer, 40 * scale))
-        draw_read_out(list, plot, map, *which, theme, scale);
-}
-
-void plot_widget(const char* id, const Plot& plot, ImVec2 size, const Theme& theme, float scale) {
+bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zoom, const Theme& theme,
+                 float scale) {
+    size = {std::max(size.x, 1.0F), std::max(size.y, 1.0F)};
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton(id, size);
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    draw_plot(*ImGui::GetWindowDrawList(), plot, {low, {low.x + size.x, low.y + size.y}}, theme, scale,
-              ImGui::IsItemHovered() ? &mouse : nullptr);
+    ImGui::InvisibleButton(id, size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    const ScreenRect rect{low, {low.x + size.x, low.y + size.y}};
+    PlotFrame frame = make_frame(plot, rect, zoom, scale);
+    if (!frame.drawable()) return false; // no room for anything
+    const PlotZoom before = zoom;
+    const bool menu = steer(plot, frame, zoom, scale);
+    if (zoom != before) frame = make_frame(plot, rect, zoom, scale);
+    if (!frame.drawable()) return menu;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw(list, plot, frame, rect, theme, scale);
+    const ImVec2 pointer = ImGui::GetIO().MousePos;
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive() && frame.area.contains(pointer))
+        draw_read_out(list, plot, frame, pointer, theme, scale);
+    if (ImGui::IsItemActive() && ImGui::IsMouseDown(1))
+        if (const auto rectangle = dragged_rectangle(frame, scale)) {
+            list.AddRectFilled(rectangle->min, rectangle->max, packed(theme.accent, 0.18F));
+            list.AddRect(rectangle->min, rectangle->max, packed(theme.accent), 0, 0, scale);
+        }
+    return menu;
 }
 
 } // namespace gaspard

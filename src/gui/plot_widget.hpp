@@ -1,42 +1,34 @@
-// Draws a Plot: axes with ticks and grid, curves, their legend, and the values of the point near the pointer.
+// Draws a Plot: axes with ticks and grid, curves, their legend, and as a widget the values at the pointer and
+// the zoom.
 //
 // Empty plots, gaps (NaN), single points and values that a logarithmic axis cannot show (zero, negative) are
 // all fine: what can be drawn is drawn.
 #pragma once
 
-#include "core/tessellate/plot.hpp"
-#include "gui/theme.hpp"
+#include "gui/plot_axes.hpp"
 
-#include <imgui.h>
-#include <optional>
+#include <string>
 
 namespace gaspard {
 
-struct ScreenRect {
-    ImVec2 min, max;
-    float width() const { return max.x - min.x; }
-    float height() const { return max.y - min.y; }
-};
+/// Without a pointer and without zoom, as for a file.
+void draw_plot(ImDrawList& list, const Plot& plot, ScreenRect rect, const Theme& theme, float scale);
 
-/// The interval of an axis. Logarithmic axes count in decades.
-struct AxisRange {
-    double low = 0, high = 1;
-};
-/// What the axis must span to show every value that it can show, with a little room; [0, 1] (or one decade)
-/// if none.
-AxisRange axis_range(const Axis& axis, const Plot& plot, bool vertical);
-
-/// The point of the plot that is nearest to `position`, if it is within `reach` pixels.
-struct NearestPoint {
+/// The points of the curves nearest to the pointer's abscissa. A curve that has none there (it ended before)
+/// is left out.
+struct PointedAt {
     std::size_t curve = 0, index = 0;
 };
-std::optional<NearestPoint> nearest_point(const Plot& plot, ScreenRect area, ImVec2 position, float reach);
+std::vector<PointedAt> points_at(const PlotView& plot, const PlotFrame& frame, float pixel_x);
 
-/// `pointer`: where the mouse is, for the read-out; null for none.
-void draw_plot(ImDrawList& list, const Plot& plot, ScreenRect rect, const Theme& theme, float scale,
-               const ImVec2* pointer = nullptr);
+/// A plot in the current window, with the values at the pointer beside it, and steered with the mouse: the
+/// wheel zooms at the pointer (with Shift, or over the axis below, only x; with Ctrl, or over the axis at the
+/// left, only y), the left button drags, the right one zooms to a rectangle, a double click shows everything
+/// again. True when clicked with the right button: a menu is asked for.
+bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zoom, const Theme& theme,
+                 float scale);
 
-/// The same as a widget in the current window, with read-out where the mouse hovers.
-void plot_widget(const char* id, const Plot& plot, ImVec2 size, const Theme& theme, float scale);
+/// `text`, or its beginning and its end where it is wider than `width`.
+std::string shortened(std::string_view text, float width);
 
 } // namespace gaspard

@@ -6,6 +6,7 @@
 #include "gui/imgui_context.hpp"
 #include "gui/imgui_renderer.hpp"
 #include "gui/mesh_renderer.hpp"
+#include "gui/plot_picture.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -331,6 +332,10 @@ class Window {
         interface_->draw(*ImGui::GetDrawData());
         if (application_->take_screenshot_request())
             application_->save_picture(read_pixels(pixels_of(application_->viewport_rectangle()), height));
+        application_->save_plot([this](const Plot& plot) {
+            return draw_plot_picture(gl_, *interface_, plot, application_->theme(), zoom(),
+                                     look_.scales.density);
+        });
         gl_.Finish();
         drawing_seconds_ = glfwGetTime() - begun_; // without the wait for the screen that follows
         glfwSwapBuffers(window_.get());

@@ -72,8 +72,8 @@ TEST_F(ApplicationTest, EveryPartHasItsPlaceInTheWindow) {
         frame();
         for (const char* key :
              {"action.run", "action.step", "action.reset", "action.home", "action.screenshot",
-              "action.export", "scenario", "monitor.type", "monitor.amplitude", "viewport", "plot.residual",
-              "plot.equidistribution", "status.0", "message"}) {
+              "action.export", "scenario", "monitor.type", "monitor.amplitude", "viewport", "plot.first",
+              "plot.second", "status.0", "message"}) {
             ASSERT_TRUE(application.items().count(key)) << key;
             const ItemRectangle& item = application.items().find(key)->second;
             EXPECT_GT(item.width(), 10) << key << " at " << width;

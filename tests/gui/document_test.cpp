@@ -47,12 +47,13 @@ TEST_F(DocumentTest, KeepsEveryReportInOrderAndPlotsIt) {
     const auto& history = run().history;
     ASSERT_EQ(history.size(), 41U);
     for (std::size_t i = 0; i < history.size(); ++i) EXPECT_EQ(history[i].iteration, static_cast<int>(i));
-    const Plot& plot = document.residual_plot();
-    ASSERT_EQ(plot.curves.size(), 1U);
-    EXPECT_TRUE(plot.y.logarithmic);
-    ASSERT_EQ(plot.curves[0].x.size(), history.size());
-    EXPECT_EQ(plot.curves[0].y[7], history[7].residual);
-    EXPECT_EQ(document.equidistribution_plot().curves[0].y[40], *history[40].equidistribution);
+    const HistoryCurves& curves = run().curves;
+    ASSERT_EQ(curves.residual.values.size(), history.size());
+    EXPECT_EQ(curves.residual.values[7], history[7].residual);
+    EXPECT_EQ(curves.residual.seconds[7], history[7].seconds);
+    EXPECT_EQ(curves.equidistribution.values[40], *history[40].equidistribution);
+    EXPECT_EQ(curves.max_jacobian.values[40], *history[40].max_jacobian);
+    EXPECT_EQ(curves.step_size.values.size(), 40U) << "no step led to the start";
     EXPECT_GT(notified, 0);
     ASSERT_NE(run().snapshot, nullptr);
     EXPECT_EQ(run().snapshot->report.iteration, 40);
@@ -69,20 +70,19 @@ TEST_F(DocumentTest, AChangeGoesOnAndAResetBeginsAnew) {
     document.reset(0);
     ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
     EXPECT_EQ(run().history.front().iteration, 0);
-    EXPECT_EQ(document.residual_plot().curves[0].x.size(), 1U);
+    EXPECT_EQ(run().curves.residual.values.size(), 1U);
     EXPECT_FALSE(run().wants_to_run) << "a run that had ended rests after a reset";
     document.start(0);
     ASSERT_TRUE(wait_until([&] { return run().ended() && run().history.back().iteration == 40; }));
 }
 
-TEST_F(DocumentTest, TwoRunsShareTheirPlots) {
+TEST_F(DocumentTest, RunsDifferInColour) {
     document.open(small_ring(*catalogue));
     document.open(find_scenario(*catalogue, "plane-bell"));
     document.pause(1);
     ASSERT_TRUE(wait_until([&] { return run().ended() && !document.runs()[1].history.empty(); }));
-    EXPECT_EQ(document.residual_plot().curves.size(), 2U);
     EXPECT_EQ(document.viewports()[1].run, 1U);
-    EXPECT_EQ(document.residual_plot().curves[1].x.size(), document.runs()[1].history.size());
+    EXPECT_NE(document.runs()[0].colour, document.runs()[1].colour);
 }
 
 TEST(IterationRate, LooksAtTheLastSecondOnly) {

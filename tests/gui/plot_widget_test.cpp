@@ -18,43 +18,33 @@ Plot plot_of(std::vector<double> x, std::vector<double> y, bool logarithmic = fa
     return plot;
 }
 
-TEST(AxisRange, HoldsAllValuesWithALittleRoomAboveAndBelow) {
+AxisRange home_of(const Plot& plot, bool vertical) { return home_range(view_of(plot), vertical); }
+
+TEST(HomeRange, HoldsAllValuesWithALittleRoomAboveAndBelow) {
     const Plot plot = plot_of({0, 10}, {1, 3});
-    EXPECT_EQ(axis_range(plot.x, plot, false).low, 0);
-    EXPECT_EQ(axis_range(plot.x, plot, false).high, 10);
-    EXPECT_NEAR(axis_range(plot.y, plot, true).low, 0.9, 1e-12);
-    EXPECT_NEAR(axis_range(plot.y, plot, true).high, 3.1, 1e-12);
+    EXPECT_EQ(home_of(plot, false), (AxisRange{0, 10}));
+    EXPECT_NEAR(home_of(plot, true).low, 0.9, 1e-12);
+    EXPECT_NEAR(home_of(plot, true).high, 3.1, 1e-12);
 }
 
-TEST(AxisRange, OfALogarithmicAxisCountsDecadesAndPassesOverWhatHasNone) {
+TEST(HomeRange, OfALogarithmicAxisCountsDecadesAndPassesOverWhatHasNone) {
     const Plot plot = plot_of({0, 1, 2, 3, 4}, {1, 1e-4, 0, -5, nan}, true);
-    EXPECT_NEAR(axis_range(plot.y, plot, true).low, -4.2, 1e-12);
-    EXPECT_NEAR(axis_range(plot.y, plot, true).high, 0.2, 1e-12);
-    EXPECT_EQ(axis_range(plot.x, plot, false).high, 1) << "points that are not shown ask for no room";
+    EXPECT_NEAR(home_of(plot, true).low, -4.2, 1e-12);
+    EXPECT_NEAR(home_of(plot, true).high, 0.2, 1e-12);
+    EXPECT_EQ(home_of(plot, false).high, 1) << "points that are not shown ask for no room";
 }
 
-TEST(AxisRange, OfNothingAndOfOnePointIsNotEmpty) {
+TEST(HomeRange, OfNothingAndOfOnePointIsNotEmpty) {
     for (const bool logarithmic : {false, true})
         for (const Plot& plot :
              {Plot{.title = {}, .x = {}, .y = {"", logarithmic}, .curves = {}}, plot_of({}, {}, logarithmic),
               plot_of({3}, {7}, logarithmic), plot_of({0, 1}, {nan, nan}, logarithmic),
               plot_of({0, 1}, {2, 2}, logarithmic), plot_of({0, 1}, {0, 0}, logarithmic)})
             for (const bool vertical : {false, true}) {
-                const AxisRange range = axis_range(vertical ? plot.y : plot.x, plot, vertical);
+                const AxisRange range = home_of(plot, vertical);
                 EXPECT_LT(range.low, range.high);
                 EXPECT_TRUE(std::isfinite(range.low) && std::isfinite(range.high));
             }
-}
-
-TEST(NearestPoint, IsFoundWithinReachOnly) {
-    const Plot plot = plot_of({0, 1, 2}, {0, 5, nan});
-    const ScreenRect area{{100, 100}, {300, 200}};
-    // x runs over [0, 1]: the gap is not shown. The point (1, 5) is at the right, near the top.
-    const auto found = nearest_point(plot, area, {297, 104}, 20);
-    ASSERT_TRUE(found);
-    EXPECT_EQ(found->curve, 0U);
-    EXPECT_EQ(found->index, 1U);
-    EXPECT_FALSE(nearest_point(plot, area, {200, 150}, 20));
 }
 
 /// Draws a plot into a window of a headless ImGui and counts the triangles' corners.
@@ -62,13 +52,14 @@ int drawn_vertices(const Plot& plot, ImVec2 size = {400, 300}, ImVec2 mouse = {-
     HeadlessUi ui;
     ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset; // as ours
     int count = 0;
+    PlotZoom zoom;
     for (int repeated = 0; repeated < 3; ++repeated)
         ui.frame([&] {
             ui.move(mouse.x, mouse.y);
             ImGui::SetNextWindowPos({0, 0});
             ImGui::Begin("plots", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize);
             const int before = ImGui::GetWindowDrawList()->VtxBuffer.Size;
-            plot_widget("plot", plot, size, dark_theme(), 1);
+            plot_widget("plot", view_of(plot), size, zoom, dark_theme(), 1);
             count = ImGui::GetWindowDrawList()->VtxBuffer.Size - before;
             ImGui::End();
         });

@@ -1,0 +1,181 @@
+#include "gui/plot_choice.hpp"
+
+#include "core/base/check.hpp"
+#include "gui/plot_curves.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace gaspard {
+
+namespace {
+
+struct QuantityRow {
+    Quantity quantity;
+    std::string_view name, label;
+    struct Part {
+        std::string_view name;
+        Trace HistoryCurves::*trace;
+    };
+    std::vector<Part> parts;
+};
+
+const std::vector<QuantityRow>& quantity_rows() {
+    static const std::vector<QuantityRow> rows = {
+        {Quantity::residual, "residual", "Residual", {{"", &HistoryCurves::residual}}},
+        {Quantity::equidistribution,
+         "equidistribution",
+         "Equidistribution",
+         {{"", &HistoryCurves::equidistribution}}},
+        {Quantity::jacobian,
+         "jacobian",
+         "Jacobian range",
+         {{"max", &HistoryCurves::max_jacobian}, {"min", &HistoryCurves::min_jacobian}}},
+        {Quantity::step_size, "step-size", "Step size", {{"", &HistoryCurves::step_size}}},
+    };
+    return rows;
+}
+
+const QuantityRow& row_of(Quantity quantity) {
+    const auto& rows = quantity_rows();
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.quantity == quantity; });
+    GASPARD_CHECK(found != rows.end());
+    return *found;
+}
+
+constexpr std::string_view axis_name(bool logarithmic) { return logarithmic ? "log" : "linear"; }
+
+/// The text up to the next comma, which goes with it.
+std::string_view take_word(std::string_view& text) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const std::string_view word = text.substr(0, comma);
+    text.remove_prefix(std::min(comma + 1, text.size()));
+    return word;
+}
+
+template <class Choice>
+std::optional<Choice> choice_of(std::span<const Choice> all, std::string_view name) {
+    for (const Choice one : all)
+        if (name_of(one) == name) return one;
+    return std::nullopt;
+}
+
+std::optional<bool> logarithmic_of(std::string_view name) {
+    if (name != axis_name(true) && name != axis_name(false)) return std::nullopt;
+    return name == axis_name(true);
+}
+
+/// The points of a curve as many as a picture `columns` pixels wide can show.
+Curve thinned(const CurveView& view, const PlotView& plot, const PlotZoom& zoom) {
+    constexpr float columns = 2000;
+    Curve curve{.label = view.label, .x = {}, .y = {}, .colour = view.colour};
+    if (!view.extremes || static_cast<float>(view.x.size()) <= 2 * columns) {
+        curve.x.assign(view.x.begin(), view.x.end());
+        curve.y.assign(view.y.begin(), view.y.end());
+        return curve;
+    }
+    PlotFrame frame;
+    frame.x = plot.x, frame.y = plot.y;
+    frame.x_range = zoom.x ? *zoom.x : home_range(plot, false);
+    frame.y_range = zoom.y ? *zoom.y : home_range(plot, true);
+    frame.area = {{0, 0}, {columns, columns}};
+    const PixelPath path = pixel_path(view, frame);
+    for (std::size_t i = 0; i < path.x.size(); ++i) {
+        const bool gap = std::isnan(path.y[i]);
+        curve.x.push_back(from_axis(plot.x, frame.position_x(path.x[i])));
+        curve.y.push_back(gap ? path.y[i] : from_axis(plot.y, frame.position_y(path.y[i])));
+    }
+    return curve;
+}
+
+void ask_for(Axis& axis, const std::optional<AxisRange>& range) {
+    if (!range) return;
+    axis.low = from_axis(axis, range->low);
+    axis.high = from_axis(axis, range->high);
+}
+
+} // namespace
+
+std::span<const Quantity> quantities() {
+    static const std::vector<Quantity> all = [] {
+        std::vector<Quantity> list;
+        for (const QuantityRow& row : quantity_rows()) list.push_back(row.quantity);
+        return list;
+    }();
+    return all;
+}
+
+std::span<const Abscissa> abscissas() {
+    static constexpr std::array all = {Abscissa::iterations, Abscissa::seconds};
+    return all;
+}
+
+std::string_view name_of(Quantity quantity) { return row_of(quantity).name; }
+std::string_view name_of(Abscissa abscissa) {
+    return abscissa == Abscissa::iterations ? "iterations" : "seconds";
+}
+std::string_view label_of(Quantity quantity) { return row_of(quantity).label; }
+std::string_view label_of(Abscissa abscissa) { return name_of(abscissa); }
+
+std::string format_choice(const PlotChoice& choice) {
+    std::string text(name_of(choice.quantity));
+    for (const std::string_view word :
+         {name_of(choice.abscissa), axis_name(choice.log_x), axis_name(choice.log_y)})
+        text.append(",").append(word);
+    return text;
+}
+
+std::optional<PlotChoice> parse_choice(std::string_view text) {
+    const auto quantity = choice_of(quantities(), take_word(text));
+    const auto abscissa = choice_of(abscissas(), take_word(text));
+    const auto log_x = logarithmic_of(take_word(text)), log_y = logarithmic_of(take_word(text));
+    if (!quantity || !abscissa || !log_x || !log_y || !text.empty()) return std::nullopt;
+    return PlotChoice{*quantity, *abscissa, *log_x, *log_y};
+}
+
+PlotView view_of_runs(const std::vector<DocumentRun>& runs, const PlotChoice& choice) {
+    const bool by_iteration = choice.abscissa == Abscissa::iterations;
+    PlotView view;
+    view.x = {by_iteration ? "iteration" : "seconds", choice.log_x};
+    view.y = {"", choice.log_y};
+    for (const DocumentRun& run : runs) {
+        if (run.hidden) continue;
+        // Only where there are others does it matter which one still moves.
+        const std::string label = run.live() && runs.size() > 1 ? run.name + " (now)" : run.name;
+        for (const QuantityRow::Part& part : row_of(choice.quantity).parts) {
+            const Trace& trace = run.curves.*part.trace;
+            view.curves.push_back({.label = label,
+                                   .part = part.name,
+                                   .x = by_iteration ? trace.iterations : trace.seconds,
+                                   .y = trace.values,
+                                   .extremes = &trace.extremes,
+                                   .colour = run.colour,
+                                   .behind = !run.live()});
+        }
+        for (const ChangeMark& mark : run.marks)
+            view.marks.push_back({by_iteration ? mark.iteration : mark.seconds, mark.text, run.colour});
+    }
+    return view;
+}
+
+Plot plot_of_runs(const std::vector<DocumentRun>& runs, const PlotChoice& choice, const PlotZoom& zoom) {
+    const PlotView view = view_of_runs(runs, choice);
+    Plot plot{.title = std::string(label_of(choice.quantity)), .x = view.x, .y = view.y, .curves = {}};
+    ask_for(plot.x, zoom.x);
+    ask_for(plot.y, zoom.y);
+    const CurveView* before = nullptr;
+    for (const CurveView& curve : view.curves) {
+        plot.curves.push_back(thinned(curve, view, zoom));
+        // The second of a run's curves has no entry of its own in the legend.
+        if (before && before->colour == curve.colour && before->label == curve.label && !curve.part.empty())
+            plot.curves.back().label.clear();
+        before = &curve;
+    }
+    for (const MarkView& mark : view.marks) plot.marks.push_back({mark.x, std::string(mark.label)});
+    return plot;
+}
+
+} // namespace gaspard
