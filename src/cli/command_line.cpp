@@ -30,6 +30,7 @@ void add_run(CLI::App& app, RunArguments& run) {
     command->add_option("--formats", run.formats, "Mesh formats, separated by commas")->type_name("LIST");
     command->add_option("--size", run.size, "Size of the picture in pixels")->type_name("WxH");
     command->add_flag("--no-render", run.no_render, "Draw no picture");
+    command->add_flag("--whole-window", run.whole_window, "Draw the complete window as picture");
     command->add_option("--max-iterations", run.max_iterations, "Iterations at most")->type_name("N");
     command->add_option("--tolerance", run.tolerance, "Converged when the residual is below")->type_name("T");
     command->add_option("--start", run.start, "Go on from a state.bin")->type_name("FILE");

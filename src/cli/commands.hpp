@@ -18,7 +18,7 @@ struct RunArguments {
     std::optional<std::string> formats, size, start;
     std::optional<long long> max_iterations, threads, seed;
     std::optional<double> tolerance;
-    bool no_render = false, quiet = false;
+    bool no_render = false, whole_window = false, quiet = false;
 };
 
 int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& arguments);

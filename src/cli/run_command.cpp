@@ -11,6 +11,7 @@
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
 #include "gui/picture.hpp"
+#include "gui/whole_window.hpp"
 
 #include <charconv>
 #include <cstdio>
@@ -78,10 +79,15 @@ void print_outcome(const Run& run, const std::filesystem::path& folder) {
     std::printf("files in %s\n", folder.string().c_str());
 }
 
-void draw_view(Run& run, const std::filesystem::path& folder) {
+void draw_view(std::shared_ptr<const Catalogue> catalogue, Run& run, const std::filesystem::path& folder,
+               bool whole_window) {
     const Scenario& scenario = run.scenario();
     const auto width = static_cast<int>(scenario.view.integer("width"));
     const auto height = static_cast<int>(scenario.view.integer("height"));
+    if (whole_window)
+        return write_png(folder / "view.png",
+                         render_whole_window(std::move(catalogue), {scenario, run.history(), run.snapshot()},
+                                             width, height));
     write_png(folder / "view.png",
               render_view(*run.snapshot(), scenario.view, width, height, scenario.title));
 }
@@ -135,7 +141,7 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
         } catch (const MachineError&) {
             trouble = std::current_exception();
         }
-        if (!arguments.no_render) draw_view(run, folder);
+        if (!arguments.no_render) draw_view(catalogue, run, folder, arguments.whole_window);
         if (trouble) std::rethrow_exception(trouble);
         return exit_code(run.status());
     } catch (const Interrupted&) {

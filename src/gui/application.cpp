@@ -18,14 +18,24 @@ constexpr double projector_size = 1.7, text_step = 1.1;
 
 } // namespace
 
-Application::Application(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
-                         ApplicationOptions options)
+Application::Application(std::shared_ptr<const Catalogue> catalogue, ApplicationOptions options)
     : catalogue_(catalogue), output_(std::move(options.output)), settings_(std::move(options.settings)),
       board_(std::make_shared<NoticeBoard>(options.wake)),
       theme_(theme_named(settings_.window.text("theme"))), writer_(board_),
       document_(std::move(catalogue), std::move(options.wake)) {
-    document_.open(scenario);
     for (std::string& complaint : options.complaints) log_.add({std::move(complaint), true});
+}
+
+Application::Application(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
+                         ApplicationOptions options)
+    : Application(std::move(catalogue), std::move(options)) {
+    document_.open(scenario);
+}
+
+Application::Application(std::shared_ptr<const Catalogue> catalogue, const FinishedRun& finished,
+                         ApplicationOptions options)
+    : Application(std::move(catalogue), std::move(options)) {
+    document_.show(finished);
 }
 
 /// Into the log and the status line; what went wrong comes up as well.

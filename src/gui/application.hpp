@@ -43,6 +43,9 @@ class Application {
   public:
     Application(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
                 ApplicationOptions options = {});
+    /// Around a run that was solved elsewhere: to be looked at, not to be worked with.
+    Application(std::shared_ptr<const Catalogue> catalogue, const FinishedRun& finished,
+                ApplicationOptions options = {});
     /// How much larger than the theme says everything is drawn: the display's density times text_size().
     void set_scale(float scale) { scale_ = scale; }
 
@@ -81,6 +84,7 @@ class Application {
     const ErrorDialog& error() const { return error_; }
 
   private:
+    Application(std::shared_ptr<const Catalogue> catalogue, ApplicationOptions options);
     /// A scenario on its way from the thread that read it.
     struct Arrivals {
         std::mutex mutex;

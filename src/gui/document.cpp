@@ -75,20 +75,33 @@ std::optional<double> iteration_rate(const std::vector<StepReport>& history) {
 Document::Document(std::shared_ptr<const Catalogue> catalogue, std::function<void()> notify)
     : catalogue_(std::move(catalogue)), notify_(std::move(notify)) {}
 
-void Document::open(const Scenario& scenario) {
+DocumentRun& Document::add(const Scenario& scenario) {
     DocumentRun run;
     run.number = ++last_number_;
     run.title = title_of(scenario);
     run.opened = run.scenario = scenario;
     run.name = describe_scenario(*catalogue_, scenario, scenario);
     run.colour = free_colour();
+    viewports_.push_back({.run = runs_.size(), .view = scenario.view});
+    return runs_.emplace_back(std::move(run));
+}
+
+void Document::open(const Scenario& scenario) {
     SolverThread::Options options;
     options.notify = notify_;
     const unsigned cores = std::thread::hardware_concurrency(); // one of them is left to the window
     options.run.threads = cores > 2 ? static_cast<int>(cores) - 1 : 1;
-    run.solver = std::make_unique<SolverThread>(catalogue_, scenario, std::move(options));
-    viewports_.push_back({.run = runs_.size(), .view = scenario.view});
-    runs_.push_back(std::move(run));
+    add(scenario).solver = std::make_unique<SolverThread>(catalogue_, scenario, std::move(options));
+}
+
+void Document::show(const FinishedRun& finished) {
+    GASPARD_CHECK(!finished.history.empty());
+    DocumentRun& run = add(finished.scenario);
+    run.history = finished.history;
+    for (const StepReport& report : run.history) run.curves.append(report);
+    run.snapshot = finished.snapshot;
+    run.status.run = run.history.back().status;
+    run.wants_to_run = false;
 }
 
 void Document::change(std::size_t run, const Scenario& scenario) {

@@ -47,6 +47,13 @@ struct DocumentRun {
     bool solving() const { return live() && status.run == RunStatus::running && wants_to_run; }
 };
 
+/// A run that was solved elsewhere, as it ended.
+struct FinishedRun {
+    Scenario scenario;
+    std::vector<StepReport> history;
+    std::shared_ptr<const Snapshot> snapshot;
+};
+
 /// One picture of one run.
 struct DocumentViewport {
     std::size_t run = 0;            ///< which of the document's
@@ -64,6 +71,8 @@ class Document {
 
     /// Adds a run, which begins to solve at once, and a viewport that looks at it.
     void open(const Scenario& scenario);
+    /// Adds a run as it ended, and a viewport that looks at it. It is kept, not live.
+    void show(const FinishedRun& finished);
 
     /// Takes over what the solver threads have produced, every report of it. True if there was anything new.
     bool collect();
@@ -89,6 +98,7 @@ class Document {
     std::vector<DocumentViewport>& viewports() { return viewports_; }
 
   private:
+    DocumentRun& add(const Scenario& scenario);
     bool collect(DocumentRun& run);
     std::string free_name(const DocumentRun& run) const;
     std::size_t free_colour() const;

@@ -1,12 +1,10 @@
 #include "gui/window.hpp"
 
 #include "core/base/error.hpp"
-#include "gui/application.hpp"
 #include "gui/gl.hpp"
 #include "gui/imgui_context.hpp"
-#include "gui/imgui_renderer.hpp"
-#include "gui/mesh_renderer.hpp"
 #include "gui/plot_picture.hpp"
+#include "gui/whole_window.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -318,20 +316,10 @@ class Window {
         ImGui::NewFrame();
         application_->frame();
         ImGui::Render();
-        gl_.Viewport(0, 0, width, height);
-        gl_.Disable(GL_SCISSOR_TEST);
-        const Colour background = application_->theme().background;
-        gl_.ClearColor(background.r, background.g, background.b, 1);
-        gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        for (const ShownPicture& shown : application_->pictures()) {
-            Camera camera = shown.camera;
-            camera.scale /= static_cast<double>(look_.scales.density);
-            meshes_->draw(shown.picture, camera, pixels_of(shown.rectangle), height, application_->theme(),
-                          zoom() * look_.scales.density);
-        }
-        interface_->draw(*ImGui::GetDrawData());
+        draw_window(gl_, *application_, *meshes_, *interface_, {width, height, look_.scales.density}, zoom());
         if (application_->take_screenshot_request())
-            application_->save_picture(read_pixels(pixels_of(application_->viewport_rectangle()), height));
+            application_->save_picture(
+                read_pixels(pixels_of(application_->viewport_rectangle(), look_.scales.density), height));
         application_->save_plot([this](const Plot& plot) {
             return draw_plot_picture(gl_, *interface_, plot, application_->theme(), zoom(),
                                      look_.scales.density);
@@ -339,14 +327,6 @@ class Window {
         gl_.Finish();
         drawing_seconds_ = glfwGetTime() - begun_; // without the wait for the screen that follows
         glfwSwapBuffers(window_.get());
-    }
-
-    PixelRect pixels_of(const ItemRectangle& part) const {
-        const auto pixels = [&](float units) {
-            return static_cast<int>(std::lround(units * look_.scales.density));
-        };
-        const int x = pixels(part.left), y = pixels(part.top);
-        return {x, y, pixels(part.right) - x, pixels(part.bottom) - y};
     }
 
     /// The viewport with its legend, as it stands in the back buffer.

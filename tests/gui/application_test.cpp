@@ -330,7 +330,7 @@ TEST_F(ApplicationTest, PartsAreShownHiddenAndMadeWider) {
     for (const char* key : {"F2", "F3", "F4"}) application.press_key(key);
     frame();
     EXPECT_EQ(application.items().count("monitor.type"), 0U);
-    EXPECT_EQ(application.items().count("plot.residual"), 0U);
+    EXPECT_EQ(application.items().count("plot.first"), 0U);
     EXPECT_EQ(application.items().count("log"), 1U);
     EXPECT_EQ(application.viewport_rectangle().width(), ImGui::GetIO().DisplaySize.x);
     for (const char* key : {"F2", "F3", "F4"}) application.press_key(key);
@@ -379,7 +379,7 @@ TEST_F(ApplicationTest, EverythingHasRoomAtTheSizeForProjectors) {
     ImGui::GetIO().DisplaySize = {1920, 1080};
     for (int i = 0; i < 3; ++i) frame();
     for (const char* key : {"action.run", "action.export", "scenario", "monitor.amplitude", "viewport",
-                            "plot.residual", "plot.equidistribution", "status.0", "message"}) {
+                            "plot.first", "plot.second", "status.0", "message"}) {
         ASSERT_TRUE(application.items().count(key)) << key;
         EXPECT_LE(application.items().find(key)->second.right, 1921) << key;
     }

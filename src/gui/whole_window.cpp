@@ -1,0 +1,68 @@
+#include "gui/whole_window.hpp"
+
+#include "gui/imgui_context.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+/// A window of the usual size in usual size; larger ones for denser displays.
+float window_zoom(int width, int height) {
+    return std::clamp(std::min(static_cast<float>(width) / 1400, static_cast<float>(height) / 900), 0.75F,
+                      6.0F);
+}
+
+} // namespace
+
+PixelRect pixels_of(const ItemRectangle& part, float density) {
+    const auto pixels = [density](float units) { return static_cast<int>(std::lround(units * density)); };
+    const int x = pixels(part.left), y = pixels(part.top);
+    return {x, y, pixels(part.right) - x, pixels(part.bottom) - y};
+}
+
+void draw_window(const Gl& gl, const Application& application, MeshRenderer& meshes, ImGuiRenderer& interface,
+                 const WindowPixels& pixels, float zoom) {
+    const Theme& theme = application.theme();
+    gl.Viewport(0, 0, pixels.width, pixels.height);
+    gl.Disable(GL_SCISSOR_TEST);
+    gl.ClearColor(theme.background.r, theme.background.g, theme.background.b, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    for (const ShownPicture& shown : application.pictures()) {
+        Camera camera = shown.camera;
+        camera.scale /= static_cast<double>(pixels.density);
+        meshes.draw(shown.picture, camera, pixels_of(shown.rectangle, pixels.density), pixels.height, theme,
+                    zoom * pixels.density);
+    }
+    interface.draw(*ImGui::GetDrawData());
+}
+
+Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const FinishedRun& run, int width,
+                          int height, const Settings& settings, OffscreenBackend backend) {
+    const auto context = make_offscreen_context(backend);
+    const Gl& gl = context->gl();
+    const RenderTarget target(gl, width, height);
+    const ImGuiSession session;
+    Application application(std::move(catalogue), run, {.settings = settings});
+    const float zoom = window_zoom(width, height) * application.text_size();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    io.MousePos = {-FLT_MAX, -FLT_MAX};
+    load_font(*io.Fonts, application.theme(), zoom);
+    apply_theme(application.theme(), zoom);
+    application.set_scale(zoom);
+    ImGuiRenderer interface(gl);
+    MeshRenderer meshes(gl);
+    for (int frame = 0; frame < 3; ++frame) { // some sizes are known only in the frame after
+        ImGui::NewFrame();
+        application.frame();
+        ImGui::Render();
+    }
+    target.bind();
+    draw_window(gl, application, meshes, interface, {width, height, 1}, zoom);
+    return target.read();
+}
+
+} // namespace gaspard
