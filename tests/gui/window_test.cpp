@@ -57,8 +57,11 @@ class WindowTest : public testing::Test {
 
     void start(const std::string& scenario, int width, int height) {
         ChildProcess::Setup setup;
-        setup.command = {GASPARD_PROGRAM, scenario, "--size",
-                         std::to_string(width) + "x" + std::to_string(height)};
+        setup.command = {GASPARD_PROGRAM, scenario};
+        if (width > 0) // else: as it was remembered
+            for (const auto& word :
+                 {std::string("--size"), std::to_string(width) + "x" + std::to_string(height)})
+                setup.command.push_back(word);
         setup.environment = {{"DISPLAY", display.name()},
                              {"WAYLAND_DISPLAY", ""},
                              {"XDG_CONFIG_HOME", (folder / "config").string()}};
@@ -169,6 +172,46 @@ TEST_F(WindowTest, ClosingWhileSolvingEndsQuickly) {
     EXPECT_GT(program->cpu_seconds() - before, 0.3) << "it is not solving";
     press("ctrl+q");
     EXPECT_EQ(program->wait(8s), 0) << text_of(folder / "log");
+}
+
+TEST_F(WindowTest, WhatWasChangedIsThereTheNextTime) {
+    write_slow_ring(120);
+    start("slow.toml", 1000, 700);
+    press("t");
+    press("F10");
+    press("F4");
+    display.xdotool({"windowsize", window, "1100", "760"});
+    std::this_thread::sleep_for(700ms);
+    move(700, 300); // over the picture: pan, zoom
+    display.xdotool({"mousedown", "1"});
+    move(740, 330);
+    display.xdotool({"mouseup", "1", "click", "4", "click", "4"});
+    press("ctrl+q"); // while it solves
+    ASSERT_EQ(program->wait(10s), 0) << text_of(folder / "log");
+    const std::string remembered = text_of(folder / "config" / "gaspard" / "window.toml");
+    for (const char* line :
+         {"theme = 'light'", "text_size = 1.7", "log = true", "width = 1100", "height = 760", "slow.toml"})
+        EXPECT_NE(remembered.find(line), std::string::npos) << line << " in\n" << remembered;
+
+    program.reset();
+    window.clear();
+    start("slow.toml", 0, 0);
+    const std::string geometry = display.xdotool({"getwindowgeometry", "--shell", window});
+    EXPECT_NE(geometry.find("WIDTH=1100"), std::string::npos) << geometry;
+    EXPECT_NE(geometry.find("HEIGHT=760"), std::string::npos) << geometry;
+    press("p");
+    const auto file = out("slow") / "view.png";
+    ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << text_of(folder / "log");
+    EXPECT_EQ(read_image(file).rgba.front(), 255) << "the corner of a light picture";
+}
+
+TEST_F(WindowTest, SettingsThatCannotBeReadOrWrittenAreNoReasonToFail) {
+    std::filesystem::create_directories(folder / "config");
+    std::ofstream(folder / "config" / "gaspard") << "a file where a folder belongs";
+    start("plane-ring", 1000, 700);
+    press("ctrl+q");
+    EXPECT_EQ(program->wait(10s), 0) << text_of(folder / "log");
+    EXPECT_NE(text_of(folder / "log").find("not remembered"), std::string::npos) << text_of(folder / "log");
 }
 
 TEST_F(WindowTest, AnIdleWindowCostsNothing) {
