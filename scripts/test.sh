@@ -20,9 +20,9 @@ build_and_test() { # folder, label expression of tests to leave out (empty: none
 
 if [ -n "$full" ]; then
   echo "== ThreadSanitizer (the core and its threads; graphics drivers are not instrumented)"
-  build_and_test "$here/build-thread" 'graphics|display|long' -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGASPARD_SANITIZER=thread
+  build_and_test "$here/build-thread" 'graphics|display|long|numbers' -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGASPARD_SANITIZER=thread
   echo "== AddressSanitizer and UndefinedBehaviorSanitizer (likewise: Mesa keeps memory that it never frees)"
-  build_and_test "$here/build-address" 'graphics|display|long' -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGASPARD_SANITIZER=address
+  build_and_test "$here/build-address" 'graphics|display|long|numbers' -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGASPARD_SANITIZER=address
   echo "== Release"
   build_and_test "$here/build-test" '' -DCMAKE_BUILD_TYPE=Release -DGASPARD_NATIVE=ON
 else

@@ -3,6 +3,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "core/base/error.hpp"
+#include "core/base/parameter.hpp"
 #include "core/base/version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -72,6 +73,13 @@ int dispatch(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::Success& wanted) { // --help, --version
         return app.exit(wanted);
+    } catch (const CLI::ExtrasError& error) {
+        std::vector<std::string> commands;
+        for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+        const bool known_command = !app.get_subcommands().empty();
+        const std::string meant = known_command ? "" : did_you_mean(scenario, commands);
+        if (meant.empty()) throw InputError(std::string(error.what()) + "; see gaspard --help");
+        throw InputError("there is no command '" + scenario + "'" + meant + "; see gaspard --help");
     } catch (const CLI::ParseError& error) {
         std::cerr << "gaspard: " << error.what() << "; see gaspard --help\n";
         return exit_input;
