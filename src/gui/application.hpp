@@ -110,12 +110,13 @@ class Application {
     void draw_scenarios();
     void draw_sidebar();
     void draw_edges();
-    /// How a strip moves: to the sides or up and down, where its share is 0, how far off it is 1.
+    /// How a strip moves: to the sides or up and down, where its setting is 0, how far off it is 1.
     struct EdgeTravel {
         bool across = true;
         float zero = 0, span = 1;
     };
-    void draw_edge(const char* name, const ItemRectangle& edge, const char* share, const EdgeTravel& travel);
+    void draw_edge(const char* name, const ItemRectangle& edge, const char* setting,
+                   const EdgeTravel& travel);
     void draw_status();
     void draw_log();
     void draw_dialogs();

@@ -64,7 +64,7 @@ void Application::arrange() {
     const LayoutChoice choice{.sidebar = window.boolean("sidebar"),
                               .plots = window.boolean("plots"),
                               .log = window.boolean("log"),
-                              .sidebar_share = static_cast<float>(window.real("sidebar_share")),
+                              .sidebar_width = static_cast<float>(window.real("sidebar_width")),
                               .plots_share = static_cast<float>(window.real("plots_share"))};
     layout_ = compute_layout(size.x, size.y, ImGui::GetFontSize(), ImGui::GetFrameHeight(), choice);
 }
@@ -179,15 +179,15 @@ void Application::draw_edges() {
     const ItemRectangle& plots = layout_.plots_edge;
     const float right = ImGui::GetIO().DisplaySize.x, bottom = layout_.second_plot.bottom;
     if (checked(ActionId::sidebar))
-        draw_edge("edge.sidebar", layout_.sidebar_edge, "sidebar_share", {true, 0, right});
+        draw_edge("edge.sidebar", layout_.sidebar_edge, "sidebar_width", {true, 0, ImGui::GetFontSize()});
     if (checked(ActionId::plots) && layout_.plots_beside)
         draw_edge("edge.plots", plots, "plots_share", {true, right, layout_.sidebar.width() - right});
     else if (checked(ActionId::plots))
         draw_edge("edge.plots", plots, "plots_share", {false, bottom, layout_.viewport.top - bottom});
 }
 
-/// A strip that changes a share as it is dragged.
-void Application::draw_edge(const char* name, const ItemRectangle& edge, const char* share,
+/// A strip that changes a setting as it is dragged.
+void Application::draw_edge(const char* name, const ItemRectangle& edge, const char* setting,
                             const EdgeTravel& travel) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
@@ -204,7 +204,7 @@ void Application::draw_edge(const char* name, const ItemRectangle& edge, const c
         const ImVec2 pointer = ImGui::GetIO().MousePos;
         const double value =
             static_cast<double>(((travel.across ? pointer.x : pointer.y) - travel.zero) / travel.span);
-        if (std::isfinite(value)) settings_.window.set(share, within(settings_.window, share, value));
+        if (std::isfinite(value)) settings_.window.set(setting, within(settings_.window, setting, value));
     }
     ImGui::End();
 }

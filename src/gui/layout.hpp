@@ -9,8 +9,8 @@ namespace gaspard {
 /// What the user has chosen to see, and how much room it gets.
 struct LayoutChoice {
     bool sidebar = true, plots = true, log = false;
-    float sidebar_share = 0.29F; ///< of the window's width
-    float plots_share = 0.33F;   ///< of the room beside the sidebar: of its width, or height
+    float sidebar_width = 27;  ///< in widths of the font; never more than about half of the window
+    float plots_share = 0.33F; ///< of the room beside the sidebar: of its width, or height
 };
 
 struct Layout {

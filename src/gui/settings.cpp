@@ -77,7 +77,7 @@ std::vector<ParameterRow> settings_rows() {
             flag("sidebar", true, "whether the sliders are shown"),
             flag("plots", true, "whether the plots are shown"),
             flag("log", false, "whether the messages are shown"),
-            number("sidebar_share", real, 0.1, 0.6, 0.29, "of the window's width"),
+            number("sidebar_width", real, 14, 60, 27.0, "in widths of the font"),
             number("plots_share", real, 0.15, 0.7, 0.33, "of the room beside the sliders"),
             text("camera", "", "where one looked from last, as in view.camera"),
             text("camera_scenario", "", "what one looked at then")};
