@@ -19,7 +19,9 @@ struct Candidate {
 };
 
 /// Whether a shown point is a node of the mesh, and not a point on a curved edge or face.
-bool is_node(const Tessellation& t, std::uint32_t p) { return t.starts.empty() || t.starts[p + 1] - t.starts[p] == 1; }
+bool is_node(const Tessellation& t, std::uint32_t p) {
+    return t.starts.empty() || t.starts[p + 1] - t.starts[p] == 1;
+}
 
 /// Nodes on lines that are drawn: of solids those at the surface.
 std::vector<char> shown_nodes(const Tessellation& t) {

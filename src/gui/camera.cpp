@@ -19,23 +19,37 @@ namespace {
 Vec3 minimum(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vec3 maximum(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
-/// Sets centre and scale so that the box, seen along the camera's axes, fills what the insets leave free.
-void fit(Camera& camera, const Box& box, Size size, Insets insets) {
-    constexpr double margin = 0.04; // of the free room, at each side
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double left = infinity, right = -infinity, bottom = infinity, top = -infinity;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 p{(corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
-                     (corner & 4) != 0 ? box.high.z : box.low.z};
-        left = std::min(left, dot(camera.right, p)), right = std::max(right, dot(camera.right, p));
-        bottom = std::min(bottom, dot(camera.up, p)), top = std::max(top, dot(camera.up, p));
+/// What is seen of something, along the camera's axes.
+struct Extent {
+    double left = std::numeric_limits<double>::infinity(), right = -left, bottom = left, top = -left;
+    void add(const Camera& camera, Vec3 p) {
+        const double x = dot(camera.right, p), y = dot(camera.up, p);
+        if (!std::isfinite(x) || !std::isfinite(y)) return;
+        left = std::min(left, x), right = std::max(right, x);
+        bottom = std::min(bottom, y), top = std::max(top, y);
     }
+};
+
+/// Sets the scale so that the extent fills what the insets leave free, and moves the camera, which looks at
+/// the middle of the extent, beside the insets.
+void fit_extent(Camera& camera, const Extent& extent, Size size, Insets insets) {
+    constexpr double margin = 0.04; // of the free room, at each side
     const double free_width = std::max(1.0, size.width - insets.left - insets.right) * (1 - 2 * margin);
     const double free_height = std::max(1.0, size.height - insets.top - insets.bottom) * (1 - 2 * margin);
-    camera.scale = std::max((right - left) / free_width, (top - bottom) / free_height);
+    camera.scale =
+        std::max((extent.right - extent.left) / free_width, (extent.top - extent.bottom) / free_height);
     if (!(camera.scale > 0)) camera.scale = 1 / std::min(free_width, free_height);
-    camera.centre = box.centre();
     pan(camera, {(insets.left - insets.right) / 2, (insets.top - insets.bottom) / 2});
+}
+
+void fit(Camera& camera, const Box& box, Size size, Insets insets) {
+    Extent extent;
+    for (int corner = 0; corner < 8; ++corner)
+        extent.add(camera,
+                   {(corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
+                    (corner & 4) != 0 ? box.high.z : box.low.z});
+    camera.centre = box.centre();
+    fit_extent(camera, extent, size, insets);
 }
 
 /// To the right and up in the picture.
@@ -61,7 +75,8 @@ Vec3 turned(Vec3 v, Vec3 k, double angle) {
     return std::cos(angle) * v + std::sin(angle) * cross(k, v) + ((1 - std::cos(angle)) * dot(k, v)) * k;
 }
 
-/// Unit length and a right angle; false where there is no such pair near. What is good already stays as it is.
+/// Unit length and a right angle; false where there is no such pair near. What is good already stays as it
+/// is.
 bool make_orthonormal(Vec3& right, Vec3& up) {
     constexpr double tolerance = 1e-9;
     if (std::abs(norm(right) - 1) < tolerance && std::abs(norm(up) - 1) < tolerance &&
@@ -89,8 +104,9 @@ std::string twelve_digits(double value) {
 }
 
 [[noreturn]] void refuse_camera(std::string_view text, const std::string& why) {
-    throw InputError("the camera '" + std::string(text) + "' " + why +
-                     "; a camera reads 'centre 0.5 0.5 0 height 1.2', and may go on with 'right 1 0 0 up 0 1 0'");
+    throw InputError(
+        "the camera '" + std::string(text) + "' " + why +
+        "; a camera reads 'centre 0.5 0.5 0 height 1.2', and may go on with 'right 1 0 0 up 0 1 0'");
 }
 
 std::vector<std::string_view> words_of(std::string_view text) {
@@ -135,7 +151,8 @@ Box bounding_box(const Points& points) {
     const auto finite = [](Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
     box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (const Vec3 p = points[i]; finite(p)) box.low = minimum(box.low, p), box.high = maximum(box.high, p);
+        if (const Vec3 p = points[i]; finite(p))
+            box.low = minimum(box.low, p), box.high = maximum(box.high, p);
     return box.low.x <= box.high.x ? box : Box{};
 }
 
@@ -157,6 +174,17 @@ Camera spatial_home(const Box& box, Size size, Insets insets, std::string_view d
 Camera home(const Box& box, Size size, Insets insets, std::string_view direction) {
     return box.high.z > box.low.z ? spatial_home(box, size, insets, direction)
                                   : planar_home(box, size, insets);
+}
+
+void fit_points(Camera& camera, const std::vector<const Points*>& points, Size size, Insets insets) {
+    Extent extent;
+    for (const Points* of : points)
+        for (std::size_t i = 0; i < of->size(); ++i) extent.add(camera, (*of)[i]);
+    if (!(extent.left <= extent.right)) return;
+    const double x = (extent.left + extent.right) / 2 - dot(camera.right, camera.centre);
+    const double y = (extent.bottom + extent.top) / 2 - dot(camera.up, camera.centre);
+    camera.centre = camera.centre + x * camera.right + y * camera.up;
+    fit_extent(camera, extent, size, insets);
 }
 
 Pixel to_pixel(const Camera& camera, Size size, Vec3 world) {
@@ -222,7 +250,8 @@ Camera parse_camera(std::string_view text, Size size) {
             continue;
         }
         const std::string_view name = word == "center" ? "centre" : word;
-        part = std::find_if(std::begin(parts), std::end(parts), [&](const Part& p) { return p.name == name; });
+        part =
+            std::find_if(std::begin(parts), std::end(parts), [&](const Part& p) { return p.name == name; });
         if (part == std::end(parts)) refuse_camera(text, "has the word '" + std::string(word) + "'");
         if (!part->numbers.empty()) refuse_camera(text, "says '" + std::string(word) + "' twice");
     }

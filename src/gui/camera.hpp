@@ -10,11 +10,13 @@
 #include <glm/mat4x4.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gaspard {
 
 struct Size {
     double width = 1, height = 1;
+    friend bool operator==(const Size&, const Size&) = default;
 };
 struct Pixel {
     double x = 0, y = 0;
@@ -22,6 +24,7 @@ struct Pixel {
 /// Room to leave free at the sides of the area, in pixels.
 struct Insets {
     double left = 0, top = 0, right = 0, bottom = 0;
+    friend bool operator==(const Insets&, const Insets&) = default;
 };
 
 struct Box {
@@ -45,14 +48,19 @@ struct Camera {
 
 /// Looks down the z axis; `box` fills what `insets` leave free, but for a small margin.
 Camera planar_home(const Box& box, Size size, Insets insets = {});
-/// Looks at all of `box` from a direction, as view.direction names it; z is up. "home" is somewhat from above,
-/// "front" along y from its lower end, "right" along x from its upper end, "top" down the z axis.
+/// Looks at all of `box` from a direction, as view.direction names it; z is up. "home" is somewhat from
+/// above, "front" along y from its lower end, "right" along x from its upper end, "top" down the z axis.
 Camera spatial_home(const Box& box, Size size, Insets insets = {}, std::string_view direction = "home");
 /// The first for boxes without depth, the second for others.
 Camera home(const Box& box, Size size, Insets insets = {}, std::string_view direction = "home");
 
-/// "centre 0.5 0.5 0 height 1.25", for cameras with other axes also "right 0 1 0 up 0 0 1": one line that fits a
-/// picture of any size, for it says how much of the world the picture's height shows. Reads back to the same text.
+/// Moves and scales a camera so that what it sees of all these points, which need not fill their box, fills
+/// what the insets leave. Leaves it as it is where no point is finite.
+void fit_points(Camera& camera, const std::vector<const Points*>& points, Size size, Insets insets);
+
+/// "centre 0.5 0.5 0 height 1.25", for cameras with other axes also "right 0 1 0 up 0 0 1": one line that
+/// fits a picture of any size, for it says how much of the world the picture's height shows. Reads back to
+/// the same text.
 std::string format_camera(const Camera& camera, Size size);
 /// Throws InputError with one sentence. Axes that are not quite orthonormal are made so; z may be left out.
 Camera parse_camera(std::string_view text, Size size);
@@ -67,8 +75,8 @@ void pan(Camera& camera, Pixel by);
 /// double precision carries around `box`.
 void zoom(Camera& camera, Size size, Pixel fixed, double factor, const Box& box);
 
-/// Turns the world about `pivot` as if it were a ball under the pointer, which moves by so many pixels; a drag across
-/// the smaller side of the area is half a turn.
+/// Turns the world about `pivot` as if it were a ball under the pointer, which moves by so many pixels; a
+/// drag across the smaller side of the area is half a turn.
 void rotate(Camera& camera, Size size, Pixel by, Vec3 pivot);
 /// Towards the viewer, of unit length.
 Vec3 towards_viewer(const Camera& camera);

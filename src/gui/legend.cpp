@@ -21,7 +21,7 @@ std::string title_of(const Colouring& colouring) {
 }
 
 struct Frame {
-    ScreenRect all; ///< with its title
+    ScreenRect all;   ///< with its title
     ImVec2 low, high; ///< the bar
 };
 
@@ -29,7 +29,8 @@ Frame frame_of(const Colouring& colouring, bool histogram, ScreenRect room, floa
     const float line = line_height();
     const float width = legend_width(colouring, histogram, scale) - 2 * margin * scale;
     const float free = room.height() - 2 * line - 2 * (pad + gap) * scale;
-    const float height = std::round(std::max(std::min(free, std::min(0.66F * room.height(), 420 * scale)), 1.0F));
+    const float height =
+        std::round(std::max(std::min(free, std::min(0.66F * room.height(), 420 * scale)), 1.0F));
     const float left = std::round(room.max.x - margin * scale - width);
     const float top = std::round((room.min.y + room.max.y - height + line) / 2);
     const float bar = std::round(left + (histogram ? histogram_width * scale : 0));
@@ -52,20 +53,22 @@ void draw_bar(ImDrawList& list, const ColourMap& map, ImVec2 low, ImVec2 high) {
     }
 }
 
-/// Bars to the left of the colours, the longest as long as there is room; what is there at all is seen.
+/// Bars to the left of the colours, as long as the square roots of the counts: with the counts themselves, a
+/// mesh that has one colour nearly everywhere would show one bar and nothing else.
 void draw_histogram(ImDrawList& list, const Colouring& colouring, ImVec2 low, ImVec2 high, const Theme& theme,
                     float scale) {
     const auto& counts = colouring.histogram;
     const std::uint32_t most = *std::max_element(counts.begin(), counts.end());
     if (most == 0) return;
     const auto y = [&](std::size_t k) {
-        return std::round(high.y - (high.y - low.y) * static_cast<float>(k) / static_cast<float>(counts.size()));
+        return std::round(high.y -
+                          (high.y - low.y) * static_cast<float>(k) / static_cast<float>(counts.size()));
     };
     const float longest = (histogram_width - 4) * scale, right = low.x - 2 * scale;
     for (std::size_t k = 0; k < counts.size(); ++k) {
         if (counts[k] == 0) continue;
-        const float length =
-            std::max(longest * static_cast<float>(counts[k]) / static_cast<float>(most), 1.5F * scale);
+        const float length = std::max(
+            longest * std::sqrt(static_cast<float>(counts[k]) / static_cast<float>(most)), 1.5F * scale);
         list.AddRectFilled({right - length, y(k + 1)}, {right, y(k)}, packed(theme.faint_text, 0.85F));
     }
 }
@@ -86,14 +89,18 @@ void draw_tips(ImDrawList& list, const Colouring& colouring, ImVec2 low, ImVec2 
 
 std::vector<Tick> legend_ticks(const ColourRange& range) {
     if (!(range.high > range.low)) return {{range.low, short_number(range.low, 4), true}};
-    std::vector<Tick> ticks = range.logarithmic ? log_ticks(range.low, range.high, 6)
-                                                : linear_ticks(range.low, range.high, 6);
+    std::vector<Tick> ticks =
+        range.logarithmic ? log_ticks(range.low, range.high, 6) : linear_ticks(range.low, range.high, 6);
     std::erase_if(ticks, [&](const Tick& tick) {
         const double at = range.position(tick.value);
         return tick.label.empty() || at < 0.07 || at > 0.93;
     });
-    ticks.push_back({range.low, short_number(range.low, 3), true});
-    ticks.push_back({range.high, short_number(range.high, 3), true});
+    // A zero that rounding has missed is a zero.
+    const auto label = [&](double value) {
+        return short_number(std::abs(value) < 1e-10 * (range.high - range.low) ? 0 : value, 3);
+    };
+    ticks.push_back({range.low, range.logarithmic ? short_number(range.low, 3) : label(range.low), true});
+    ticks.push_back({range.high, label(range.high), true});
     return ticks;
 }
 

@@ -14,8 +14,8 @@ namespace gaspard {
 /// Both ends of the range, and round values between that keep their distance.
 std::vector<Tick> legend_ticks(const ColourRange& range);
 
-/// What the legend takes of a viewport's side, in pixels; it does not depend on the values, lest the picture tremble.
-/// Needs a current ImGui frame.
+/// What the legend takes of a viewport's side, in pixels; it does not depend on the values, lest the picture
+/// tremble. Needs a current ImGui frame.
 float legend_width(const Colouring& colouring, bool histogram, float scale);
 
 /// In the middle of the right side of `room`.

@@ -1,5 +1,5 @@
-// What to draw of a mesh, as plain data: made from a snapshot and a view, drawn by MeshRenderer, and readable by
-// tests.
+// What to draw of a mesh, as plain data: made from a snapshot and a view, drawn by MeshRenderer, and readable
+// by tests.
 //
 // Arrays are shared and immutable: another array (another pointer) is another version, and only that is
 // uploaded.
@@ -27,10 +27,11 @@ struct MeshPicture {
     /// Per shown point what the colouring shows there (of cells: the mean around), null without a colouring.
     std::shared_ptr<const std::vector<double>> point_values;
     std::shared_ptr<const std::vector<std::uint32_t>> tangled; ///< cells; null: none
-    std::shared_ptr<const std::vector<std::uint32_t>> arrows;  ///< shown points with an arrow from xi to x; null: none
-    Box box;                                                   ///< around both meshes
-    double blend = 1;                                          ///< 0 shows xi, 1 shows x
-    bool lines = true;                                         ///< the cells' edges
+    std::shared_ptr<const std::vector<std::uint32_t>>
+        arrows;        ///< shown points with an arrow from xi to x; null: none
+    Box box;           ///< around both meshes
+    double blend = 1;  ///< 0 shows xi, 1 shows x
+    bool lines = true; ///< the cells' edges
 
     bool planar() const { return box.low.z == box.high.z; }
     /// Cells are filled with one colour each.

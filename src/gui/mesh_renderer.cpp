@@ -19,8 +19,8 @@ constexpr int computational_unit = 0, physical_unit = 1, colours_unit = 2, segme
 
 // In pixels at scale 1.
 constexpr float line_cell_width = 5, disc_width = 7, rimmed_disc_width = 10;
-// A tangled cell, however small, is a magenta dot in a ring of the text's colour in a ring of the background's: some
-// two of the three stand out from any colour map.
+// A tangled cell, however small, is a magenta dot in a ring of the text's colour in a ring of the
+// background's: some two of the three stand out from any colour map.
 constexpr float tangled_width = 5, tangled_ring_width = 8, tangled_rim_width = 11;
 constexpr float arrow_shaft_width = 0.8F, arrow_head_width = 3, arrow_rim_width = 1;
 constexpr float arrow_pull = 0.06F; // of half the view's depth
@@ -65,16 +65,16 @@ float logarithm_of(const MeshPicture& picture) {
 
 MeshRenderer::MeshRenderer(const Gl& gl)
     : gl_(gl), fill_program_(make_program(gl, "mesh_fill")), line_program_(make_program(gl, "mesh_line")),
-      arrow_program_(make_program(gl, "arrow")), fill_array_(gl), tangled_array_(gl), empty_array_(gl), triangles_(gl), tangled_triangles_(gl),
-      colours_(gl), layer_(gl) {
+      arrow_program_(make_program(gl, "arrow")), fill_array_(gl), tangled_array_(gl), empty_array_(gl),
+      triangles_(gl), tangled_triangles_(gl), colours_(gl), layer_(gl) {
     const auto fill = [&](const char* name) { return uniform(gl, fill_program_, name); };
     const auto line = [&](const char* name) { return uniform(gl, line_program_, name); };
     const auto arrow = [&](const char* name) { return uniform(gl, arrow_program_, name); };
     fill_ = {fill("clip"),    fill("blend"),     fill("clip_to_pixels"),
              fill("surface"), fill("logarithm"), fill("flat_cells")};
-    line_ = {line("clip"), line("blend"),   line("half_viewport"), line("half_width"), line("fade"),
-             line("haze"), line("pull"),    line("surface"),       line("flat_ink"),   line("logarithm"),
-             line("by_map"), line("flat_cells")};
+    line_ = {line("clip"),     line("blend"),     line("half_viewport"), line("half_width"),
+             line("fade"),     line("haze"),      line("pull"),          line("surface"),
+             line("flat_ink"), line("logarithm"), line("by_map"),        line("flat_cells")};
     arrow_ = {arrow("clip"),      arrow("half_viewport"), arrow("head_width"), arrow("shaft_width"),
               arrow("rim_width"), arrow("pull"),          arrow("ink"),        arrow("rim")};
     for (const GlProgram* program : {&fill_program_, &line_program_, &arrow_program_}) {
@@ -182,7 +182,8 @@ void MeshRenderer::upload_tangled(const MeshPicture& picture) {
         for (const std::uint32_t cell : *picture.tangled) marked[cell] = 1;
         for (std::size_t i = 0; i < t.segment_cells.size(); ++i)
             if (t.segment_cells[i] < marked.size() && marked[t.segment_cells[i]] != 0)
-                outlines.push_back({t.segments[2 * i], t.segments[2 * i + 1], t.segments[2 * i], t.segments[2 * i]});
+                outlines.push_back(
+                    {t.segments[2 * i], t.segments[2 * i + 1], t.segments[2 * i], t.segments[2 * i]});
         for (std::size_t i = 0; i < t.triangle_cells.size(); ++i) {
             if (t.triangle_cells[i] >= marked.size() || marked[t.triangle_cells[i]] == 0) continue;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -225,7 +226,8 @@ void MeshRenderer::upload(const MeshPicture& picture) {
         upload_points(*picture.physical, picture, true, physical_);
     if (new_colouring && picture.flat()) upload_cell_values(picture);
     if (new_structure || picture.tangled != shown_.tangled) upload_tangled(picture);
-    if (picture.arrows != nullptr && picture.arrows != shown_.arrows) upload_numbers(arrows_, *picture.arrows);
+    if (picture.arrows != nullptr && picture.arrows != shown_.arrows)
+        upload_numbers(arrows_, *picture.arrows);
     if (picture.colouring != nullptr && picture.colouring->map != map_) {
         map_ = picture.colouring->map;
         upload_colours(*map_);

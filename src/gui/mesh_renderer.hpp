@@ -1,5 +1,5 @@
-// Draws a MeshPicture with OpenGL: cells filled by a colour map, edges as smooth lines of constant width, tangled
-// cells with a rim on top, and arrows. Leaves the rest of the framebuffer alone.
+// Draws a MeshPicture with OpenGL: cells filled by a colour map, edges as smooth lines of constant width,
+// tangled cells with a rim on top, and arrows. Leaves the rest of the framebuffer alone.
 //
 // Positions go to the graphics card in single precision relative to a centre that was subtracted in double.
 #pragma once
@@ -115,7 +115,7 @@ class MeshRenderer {
     GlTexture colours_;
     LineLayer layer_;
     const ColourMap* map_ = nullptr; ///< what colours_ holds
-    std::size_t tangled_count_ = 0; ///< corners of triangles
+    std::size_t tangled_count_ = 0;  ///< corners of triangles
     Vec3 centre_;
     MeshPicture shown_; ///< what is on the card; holds its arrays, so that a pointer is a version
     std::size_t uploaded_bytes_ = 0;

@@ -146,7 +146,8 @@ std::string position(Vec3 p, int dimension) {
     return text;
 }
 
-/// The number of cells along a side if the mesh is that of the unit square, whose numbering says column and row.
+/// The number of cells along a side if the mesh is that of the unit square, whose numbering says column and
+/// row.
 std::optional<std::uint32_t> square_side(const Mesh& mesh) {
     if (mesh.kind != CellKind{CellShape::quadrilateral, 1} || mesh.space_dimension != 2) return std::nullopt;
     const auto n = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(mesh.cell_count()))));
@@ -180,7 +181,8 @@ std::vector<std::size_t> cells_of(const Pick& pick, const Mesh& mesh) {
 /// One value, or the smallest and the largest.
 std::string range_text(const std::vector<double>& values, const std::vector<std::size_t>& cells) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const std::size_t cell : cells) low = std::min(low, values[cell]), high = std::max(high, values[cell]);
+    for (const std::size_t cell : cells)
+        low = std::min(low, values[cell]), high = std::max(high, values[cell]);
     const std::string first = short_number(low, 5), second = short_number(high, 5);
     return first == second ? first : first + " to " + second;
 }
@@ -213,12 +215,14 @@ std::string format_pick(const Pick& pick) {
 std::optional<Pick> parse_pick(std::string_view text) {
     if (text.empty()) return std::nullopt;
     Pick pick;
-    const std::string_view kind = text.substr(0, 5), number = text.substr(std::min<std::size_t>(5, text.size()));
+    const std::string_view kind = text.substr(0, 5),
+                           number = text.substr(std::min<std::size_t>(5, text.size()));
     pick.kind = kind == "node " ? Pick::Kind::node : Pick::Kind::cell;
     const auto [end, code] = std::from_chars(number.data(), number.data() + number.size(), pick.index);
     const bool right = code == std::errc{} && end == number.data() + number.size();
     if (!right || (kind != "cell " && kind != "node "))
-        throw InputError("view.pick = '" + std::string(text) + "' is neither a cell nor a node: 'cell 12', 'node 7'");
+        throw InputError("view.pick = '" + std::string(text) +
+                         "' is neither a cell nor a node: 'cell 12', 'node 7'");
     return pick;
 }
 
@@ -268,7 +272,8 @@ std::vector<std::pair<Pixel, Pixel>> outline_of(const MeshPicture& picture, cons
     };
     std::vector<std::pair<Pixel, Pixel>> lines;
     for (const auto& side : sides)
-        if (std::count_if(sides.begin(), sides.end(), [&](const auto& other) { return same(side, other); }) == 1)
+        if (std::count_if(sides.begin(), sides.end(), [&](const auto& other) { return same(side, other); }) ==
+            1)
             lines.emplace_back(to_pixel(camera, size, shown(picture, side[0])),
                                to_pixel(camera, size, shown(picture, side[1])));
     return lines;

@@ -1,4 +1,5 @@
-// Which cell or node of a picture is under a pointer, and what is known of it. Pure: pixels, points and words.
+// Which cell or node of a picture is under a pointer, and what is known of it. Pure: pixels, points and
+// words.
 #pragma once
 
 #include "gui/camera.hpp"
@@ -32,13 +33,13 @@ struct PickHit {
     Pick pick;
     Vec3 where; ///< the point of the mesh under the pointer
 };
-/// The nearest node within `reach` pixels, or less where cells are small, so that there is always a cell to pick too;
-/// else the front-most cell under the pointer. Follows picture.blend.
+/// The nearest node within `reach` pixels, or less where cells are small, so that there is always a cell to
+/// pick too; else the front-most cell under the pointer. Follows picture.blend.
 std::optional<PickHit> pick_at(const MeshPicture& picture, const Camera& camera, Size size, Pixel pointer,
                                double reach);
 
-/// The lines around a cell in pixels, two points each; for a node the lines to its neighbours: none, as it is marked by
-/// a ring. Follows picture.blend.
+/// The lines around a cell in pixels, two points each; for a node the lines to its neighbours: none, as it is
+/// marked by a ring. Follows picture.blend.
 std::vector<std::pair<Pixel, Pixel>> outline_of(const MeshPicture& picture, const Camera& camera, Size size,
                                                 std::uint32_t cell);
 /// Where a node is seen; nothing if it is inside a solid.

@@ -103,9 +103,8 @@ std::vector<double> CellGeometry::jacobians(const Points& x) const {
         double smallest = std::numeric_limits<double>::infinity();
         for (const Sample& sample : nodes_) {
             const Tangents reference = tangents(mesh_->cell(i), mesh_->nodes, sample);
-            smallest =
-                smaller(smallest, signed_measure(tangents(mesh_->cell(i), x, sample), reference) /
-                                      signed_measure(reference, reference));
+            smallest = smaller(smallest, signed_measure(tangents(mesh_->cell(i), x, sample), reference) /
+                                             signed_measure(reference, reference));
         }
         found[i] = smallest;
     }

@@ -1,5 +1,6 @@
-// What can be told of a mesh's cells from the positions of their nodes alone: how large they are, and how they are
-// stretched. Cheap beside a measurement (core/diagnostics), so that a picture can be coloured in between.
+// What can be told of a mesh's cells from the positions of their nodes alone: how large they are, and how
+// they are stretched. Cheap beside a measurement (core/diagnostics), so that a picture can be coloured in
+// between.
 #pragma once
 
 #include "core/mesh/mesh.hpp"
@@ -17,8 +18,8 @@ class CellGeometry {
 
     /// Length, area or volume of every cell for nodes at `x`; negative where it is turned over.
     std::vector<double> measures(const Points& x) const;
-    /// det dx/dxi of every cell, the smallest at its nodes. On a line or surface in space it is negative where the
-    /// cell faces away from the computational one.
+    /// det dx/dxi of every cell, the smallest at its nodes. On a line or surface in space it is negative
+    /// where the cell faces away from the computational one.
     std::vector<double> jacobians(const Points& x) const;
 
   private:

@@ -52,7 +52,7 @@ struct Entry {
     std::string_view name;
     bool diverging;
 };
-constexpr Entry order[] = {{"viridis", false}, {"plasma", false},   {"ember", false},
+constexpr Entry order[] = {{"viridis", false}, {"plasma", false},      {"ember", false},
                            {"grey", false},    {"blue-yellow", false}, {"blue-red", true}};
 
 std::vector<OwnedMap> parse_maps() {

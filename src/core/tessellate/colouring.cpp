@@ -118,8 +118,8 @@ const char* measure_label(int dimension) {
 } // namespace
 
 ColourChoice colour_choice(const Values& view) {
-    return {view.text("color"),   view.text("map"),  view.boolean("log"), view.text("range") == "fixed",
-            view.real("low"), view.real("high")};
+    return {view.text("color"), view.text("map"), view.boolean("log"), view.text("range") == "fixed",
+            view.real("low"),   view.real("high")};
 }
 
 void ColouringMaker::see(const Snapshot& snapshot) {

@@ -1,5 +1,5 @@
-// What the cells of a picture or a file are coloured by: a snapshot and a choice (the rows of the section "view") give
-// values, the map and the range that turn them into colours, and a histogram for the legend.
+// What the cells of a picture or a file are coloured by: a snapshot and a choice (the rows of the section
+// "view") give values, the map and the range that turn them into colours, and a histogram for the legend.
 //
 //   monitor          m at the nodes
 //   area             of the physical cell; length of a line, volume of a solid
@@ -26,8 +26,8 @@ namespace gaspard {
 struct ColourChoice {
     std::string colouring = "monitor"; ///< one of the names above
     std::string map = "automatic";     ///< or a name of colour_maps(): the one that suits the values
-    bool logarithmic = false; ///< where values may be negative (equidistribution) it stays linear
-    bool fixed = false;       ///< the range is low to high, else it follows the values
+    bool logarithmic = false;          ///< where values may be negative (equidistribution) it stays linear
+    bool fixed = false;                ///< the range is low to high, else it follows the values
     double low = 0, high = 1;
     friend bool operator==(const ColourChoice&, const ColourChoice&) = default;
 };
@@ -38,9 +38,9 @@ struct Colouring {
     std::string name;  ///< as in ColourChoice
     std::string label; ///< for a legend: "cell area"
     FieldPlace place = FieldPlace::node;
-    std::vector<double> values; ///< of the mesh's nodes or cells
+    std::vector<double> values{}; ///< of the mesh's nodes or cells
     const ColourMap* map = nullptr;
-    ColourRange range;
+    ColourRange range{};
     /// How many values lie in each part of the range, from low to high; what is outside counts for neither.
     std::array<std::uint32_t, 64> histogram{};
     bool below = false, above = false; ///< some values lie outside
@@ -50,8 +50,9 @@ struct Colouring {
     }
 };
 
-/// Colours the snapshots of one run after the other. Where a snapshot was not measured (method.diagnostics_every),
-/// Jacobians are taken at the nodes, and M_i are those measured last, so that colours do not flicker.
+/// Colours the snapshots of one run after the other. Where a snapshot was not measured
+/// (method.diagnostics_every), Jacobians are taken at the nodes, and M_i are those measured last, so that
+/// colours do not flicker.
 class ColouringMaker {
   public:
     /// Nothing for "none", and for M_i before they were first measured.
