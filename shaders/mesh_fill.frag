@@ -1,16 +1,29 @@
 #version 330 core
 // The inside of cells: a colour map or one colour, darker where the surface turns away from the viewer.
 uniform sampler2D colours;
-uniform vec4 surface; // used where its alpha is above zero
+uniform float logarithm;          // of the range's high end over its low one; 0: the range is linear
+uniform vec4 surface;             // used where its alpha is above zero
+uniform bool flat_cells;          // each cell has a value of its own
+uniform usampler2D shown_cells;   // which cell a triangle belongs to
+uniform sampler2D cell_values;    // where a cell's value lies in the range
 
-in float scalar;
+in float value;
 in vec3 pixel;
 out vec4 colour;
 
-void main() {
+float own_value() {
+    uint cell = texelFetch(shown_cells, ivec2(gl_PrimitiveID & 2047, gl_PrimitiveID >> 11), 0).r;
+    return texelFetch(cell_values, ivec2(int(cell & 2047u), int(cell >> 11)), 0).r;
+}
+
+vec3 colour_of(float place) {
+    float t = logarithm > 0.0 ? log(1.0 + max(place, 0.0) * (exp(logarithm) - 1.0)) / logarithm : place;
     float last = float(textureSize(colours, 0).x) - 1.0;
-    float position = (clamp(scalar, 0.0, 1.0) * last + 0.5) / (last + 1.0);
-    vec3 base = surface.a > 0.0 ? surface.rgb : texture(colours, vec2(position, 0.5)).rgb;
+    return texture(colours, vec2((clamp(t, 0.0, 1.0) * last + 0.5) / (last + 1.0), 0.5)).rgb;
+}
+
+void main() {
+    vec3 base = surface.a > 0.0 ? surface.rgb : colour_of(flat_cells ? own_value() : value);
     vec3 normal = cross(dFdx(pixel), dFdy(pixel));
     float facing = abs(normal.z) / max(length(normal), 1e-20);
     colour = vec4(base * mix(0.45, 1.0, facing), 1.0);

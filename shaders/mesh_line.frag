@@ -1,18 +1,26 @@
 #version 330 core
 // Coverage of a pixel by a line with round ends. Into a LineLayer: light ink on dark colours, dark ink on light ones.
-// Straight into a picture: one ink for all.
+// Straight into a picture: one ink for all, or the colour map.
 uniform sampler2D colours;
+uniform float logarithm; // as in mesh_fill.frag
+uniform bool by_map;
 uniform vec4 surface; // as in mesh_fill.frag
 uniform vec4 flat_ink; // straight into a picture if its alpha is above zero
 uniform float half_width;
 
 noperspective in vec2 place;
-noperspective in float scalar;
+noperspective in float value;
 flat in float line_length;
 flat in float strength;
 flat in float softness;
 flat in vec3 tint;
 out vec4 colour;
+
+vec3 colour_of(float place) {
+    float t = logarithm > 0.0 ? log(1.0 + max(place, 0.0) * (exp(logarithm) - 1.0)) / logarithm : place;
+    float last = float(textureSize(colours, 0).x) - 1.0;
+    return texture(colours, vec2((clamp(t, 0.0, 1.0) * last + 0.5) / (last + 1.0), 0.5)).rgb;
+}
 
 void main() {
     vec2 nearest = vec2(clamp(place.x, 0.0, line_length), 0.0);
@@ -22,12 +30,10 @@ void main() {
     bool beside = place.x >= 0.0 && place.x <= line_length && place.y * tint.z >= 0.0;
     if (beside && away <= tint.x) coverage = max(coverage, tint.y);
     if (flat_ink.a > 0.0) {
-        colour = vec4(flat_ink.rgb, flat_ink.a * coverage);
+        colour = vec4(by_map ? colour_of(value) : flat_ink.rgb, flat_ink.a * coverage);
         return;
     }
-    float last = float(textureSize(colours, 0).x) - 1.0;
-    float position = (clamp(scalar, 0.0, 1.0) * last + 0.5) / (last + 1.0);
-    vec3 below = surface.a > 0.0 ? surface.rgb : texture(colours, vec2(position, 0.5)).rgb;
+    vec3 below = surface.a > 0.0 ? surface.rgb : colour_of(value);
     float light = smoothstep(0.5, 0.6, dot(below, vec3(0.299, 0.587, 0.114)));
     colour = vec4(coverage * (1.0 - light), coverage * light, 0.0, 0.0);
 }

@@ -4,6 +4,9 @@
 uniform sampler2D computational;
 uniform sampler2D physical;
 uniform usampler2D segments; // two points, and two at the far sides of the cells beside
+uniform bool flat_cells;         // as in mesh_fill.frag; of cells that are lines
+uniform usampler2D shown_cells; // which cell a segment belongs to
+uniform sampler2D cell_values;
 uniform mat4 clip;
 uniform float blend;
 uniform vec2 half_viewport; // half its size in pixels
@@ -13,7 +16,7 @@ uniform float haze;         // how strongly an even tint, as dense as the lines,
 uniform float pull;         // towards the viewer, in clip coordinates, so that faces do not hide their own edges
 
 noperspective out vec2 place; // in pixels from the first point: along the line, across it
-noperspective out float scalar;
+noperspective out float value; // where it lies in the range of colours
 flat out float line_length;
 flat out float strength;
 flat out float softness; // half the width of the line's smooth rim: close lines are softer, so that none beat
@@ -54,6 +57,7 @@ void main() {
     place = vec2(mix(-reach, line_length + reach, side.x), mix(-reach, reach, side.y));
     vec2 spot = from + along * place.x + across * place.y;
     float t = line_length > 0.0 ? clamp(place.x / line_length, 0.0, 1.0) : 0.0;
-    scalar = mix(row(physical, ends.x).w, row(physical, ends.y).w, t);
+    value = flat_cells ? row(cell_values, texelFetch(shown_cells, ivec2(segment & 2047, segment >> 11), 0).r).r
+                       : mix(row(physical, ends.x).w, row(physical, ends.y).w, t);
     gl_Position = vec4(spot / half_viewport, mix(a.z, b.z, t) - pull, 1.0);
 }

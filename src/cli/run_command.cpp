@@ -11,6 +11,7 @@
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
 #include "gui/picture.hpp"
+#include "gui/viewport.hpp"
 #include "gui/whole_window.hpp"
 
 #include <charconv>
@@ -114,6 +115,7 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
     // All that can be wrong with the input is found before the first iteration.
     const Scenario scenario = scenario_of(*catalogue, arguments);
     check(*catalogue, scenario);
+    check_view(scenario.view);
     const auto formats = parse_formats(scenario.output.text("formats"));
     RunOptions options{.threads = threads_of(arguments)};
     if (arguments.start) options.start = read_state(*arguments.start);
@@ -123,6 +125,7 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
 
     try {
         Run run(catalogue, scenario, std::move(options), {}, interrupt.token());
+        check_view(scenario.view, run.discretisation().mesh().get());
         check_writable(folder); // before the first iteration, after all that may refuse the input
         {
             ProgressLine line(arguments.quiet);

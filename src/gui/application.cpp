@@ -76,7 +76,22 @@ bool Application::press_key(std::string_view key) {
 bool Application::working() { return !run().status.activity.empty(); }
 
 bool Application::possible(ActionId id) {
-    if (id == ActionId::cancel) return error_.open() || open_dialog_.open() || help_ || working();
+    switch (id) {
+    case ActionId::cancel:
+        return error_.open() || open_dialog_.open() || help_ || working() ||
+               !viewport().view.text("pick").empty();
+    case ActionId::front:
+    case ActionId::back:
+    case ActionId::left:
+    case ActionId::right:
+    case ActionId::top:
+    case ActionId::bottom:
+        return run().snapshot && run().snapshot->mesh->space_dimension == 3;
+    case ActionId::copy_camera:
+        return !viewport_pane_.pictures().empty();
+    default:
+        break;
+    }
     if (id == ActionId::step) return !run().ended();
     return id != ActionId::keep || !run().history.empty();
 }
@@ -95,7 +110,25 @@ void Application::perform(ActionId id) {
     case ActionId::cancel:
         return cancel();
     case ActionId::home:
-        return viewport_pane_.go_home(viewport());
+        return look_from("home");
+    case ActionId::front:
+    case ActionId::back:
+    case ActionId::left:
+    case ActionId::right:
+    case ActionId::top:
+    case ActionId::bottom:
+        return look_from(std::string(action(id).name).c_str());
+    case ActionId::side_by_side:
+        viewport().view.set("layout", std::string(checked(id) ? "single" : "side-by-side"));
+        return;
+    case ActionId::lines:
+        return toggle_view("lines");
+    case ActionId::arrows:
+        return toggle_view("arrows");
+    case ActionId::copy_camera:
+        return copy_camera();
+    case ActionId::paste_camera:
+        return paste_camera();
     case ActionId::theme:
         return set_theme(settings_.window.text("theme") == "dark" ? "light" : "dark");
     case ActionId::sidebar:
@@ -132,7 +165,14 @@ void Application::perform(ActionId id) {
 }
 
 bool Application::checked(ActionId id) const {
+    const Values& view = document_.viewports().front().view;
     switch (id) {
+    case ActionId::side_by_side:
+        return view.text("layout") == "side-by-side";
+    case ActionId::lines:
+        return view.boolean("lines");
+    case ActionId::arrows:
+        return view.boolean("arrows");
     case ActionId::sidebar:
         return settings_.window.boolean("sidebar");
     case ActionId::plots:
@@ -159,6 +199,29 @@ void Application::toggle(const char* setting) {
     settings_.window.set(setting, !settings_.window.boolean(setting));
 }
 
+void Application::toggle_view(const char* key) { viewport().view.set(key, !viewport().view.boolean(key)); }
+
+void Application::look_from(const char* direction) {
+    viewport().view.set("direction", std::string(direction));
+    viewport_pane_.go_home(viewport());
+}
+
+void Application::copy_camera() {
+    const std::string text = viewport_pane_.camera_text();
+    ImGui::SetClipboardText(text.c_str());
+    message_ = {"Copied: " + text, false};
+}
+
+void Application::paste_camera() {
+    const char* text = ImGui::GetClipboardText();
+    try {
+        parse_camera(text ? text : "", {});
+        viewport().view.set("camera", std::string(text));
+    } catch (const InputError& error) {
+        say({error.what(), true});
+    }
+}
+
 void Application::set_theme(const std::string& name) {
     settings_.window.set("theme", name);
     theme_ = theme_named(name);
@@ -176,6 +239,8 @@ void Application::cancel() {
         open_dialog_.close();
     else if (help_)
         help_ = false;
+    else if (!viewport().view.text("pick").empty())
+        viewport().view.set("pick", std::string());
     else
         run().solver->cancel();
 }
@@ -255,7 +320,7 @@ void Application::open_file(const std::filesystem::path& file) {
 
 void Application::open_scenario(const Scenario& scenario) {
     document_.replace(0, scenario);
-    viewport_pane_.go_home(viewport());
+    viewport_pane_.forget_home();
 }
 
 void Application::open_builtin(const std::string& name) {

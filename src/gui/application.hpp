@@ -109,6 +109,7 @@ class Application {
     void draw_button(const Action& row);
     void draw_scenarios();
     void draw_sidebar();
+    void draw_view(const PanelContext& context);
     void draw_edges();
     /// How a strip moves: to the sides or up and down, where its setting is 0, how far off it is 1.
     struct EdgeTravel {
@@ -122,6 +123,10 @@ class Application {
     void draw_dialogs();
     void toggle_running();
     void toggle(const char* setting);
+    void toggle_view(const char* key);
+    void look_from(const char* direction);
+    void copy_camera();
+    void paste_camera();
     void set_theme(const std::string& name);
     void set_text_size(double size);
     void cancel();

@@ -14,7 +14,7 @@ namespace gaspard {
 namespace {
 
 constexpr const char* hint =
-    "Drag to pan, turn the wheel to zoom, double-click to see the whole mesh. F1 shows all keys.";
+    "Drag to pan, turn the wheel to zoom, click a cell to know it, press H to see all. F1 shows all keys.";
 
 Icon icon_of(ActionId id) {
     switch (id) {
@@ -162,8 +162,7 @@ void Application::draw_sidebar() {
             changed |= panel_.draw_section(kind, context, scenario);
         ImGui::Spacing();
     }
-    if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen))
-        panel_.draw_rows(context, run().opened.view, viewport().view, {"color", "blend"});
+    if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) draw_view(context);
     ImGui::Spacing();
     if (ImGui::CollapsingHeader("Runs", ImGuiTreeNodeFlags_DefaultOpen))
         if (run_list_.draw(document_, {theme_, scale_, items_})) perform(ActionId::keep);
@@ -173,6 +172,18 @@ void Application::draw_sidebar() {
         message_ = {};
     }
     ImGui::End();
+}
+
+void Application::draw_view(const PanelContext& context) {
+    Values& view = viewport().view;
+    const bool was_fixed = view.text("range") == "fixed";
+    std::vector<std::string> keys = {"color", "map", "log", "range"};
+    if (was_fixed) keys.insert(keys.end(), {"low", "high"});
+    for (const char* key : {"histogram", "lines", "arrows", "blend", "layout", "camera"})
+        keys.emplace_back(key);
+    if (run().snapshot && run().snapshot->mesh->space_dimension == 3) keys.emplace_back("direction");
+    panel_.draw_rows(context, run().opened.view, view, keys);
+    if (!was_fixed && view.text("range") == "fixed") viewport_pane_.fix_range(viewport());
 }
 
 void Application::draw_edges() {

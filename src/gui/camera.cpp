@@ -1,8 +1,16 @@
 #include "gui/camera.hpp"
 
+#include "core/base/check.hpp"
+#include "core/base/error.hpp"
+#include "core/base/parameter.hpp"
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <tuple>
+#include <vector>
 
 namespace gaspard {
 
@@ -11,35 +19,140 @@ namespace {
 Vec3 minimum(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vec3 maximum(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
-/// Sets centre and scale so that the box, seen along the camera's axes, fills what the insets leave free.
-void fit(Camera& camera, const Box& box, Size size, Insets insets) {
-    constexpr double margin = 0.04; // of the free room, at each side
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double left = infinity, right = -infinity, bottom = infinity, top = -infinity;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 p{(corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
-                     (corner & 4) != 0 ? box.high.z : box.low.z};
-        left = std::min(left, dot(camera.right, p)), right = std::max(right, dot(camera.right, p));
-        bottom = std::min(bottom, dot(camera.up, p)), top = std::max(top, dot(camera.up, p));
+/// What is seen of something, along the camera's axes.
+struct Extent {
+    double left = std::numeric_limits<double>::infinity(), right = -left, bottom = left, top = -left;
+    void add(const Camera& camera, Vec3 p) {
+        const double x = dot(camera.right, p), y = dot(camera.up, p);
+        if (!std::isfinite(x) || !std::isfinite(y)) return;
+        left = std::min(left, x), right = std::max(right, x);
+        bottom = std::min(bottom, y), top = std::max(top, y);
     }
+};
+
+/// Sets the scale so that the extent fills what the insets leave free, and moves the camera, which looks at
+/// the middle of the extent, beside the insets.
+void fit_extent(Camera& camera, const Extent& extent, Size size, Insets insets) {
+    constexpr double margin = 0.04; // of the free room, at each side
     const double free_width = std::max(1.0, size.width - insets.left - insets.right) * (1 - 2 * margin);
     const double free_height = std::max(1.0, size.height - insets.top - insets.bottom) * (1 - 2 * margin);
-    camera.scale = std::max((right - left) / free_width, (top - bottom) / free_height);
+    camera.scale =
+        std::max((extent.right - extent.left) / free_width, (extent.top - extent.bottom) / free_height);
     if (!(camera.scale > 0)) camera.scale = 1 / std::min(free_width, free_height);
-    camera.centre = box.centre();
     pan(camera, {(insets.left - insets.right) / 2, (insets.top - insets.bottom) / 2});
+}
+
+void fit(Camera& camera, const Box& box, Size size, Insets insets) {
+    Extent extent;
+    for (int corner = 0; corner < 8; ++corner)
+        extent.add(camera,
+                   {(corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
+                    (corner & 4) != 0 ? box.high.z : box.low.z});
+    camera.centre = box.centre();
+    fit_extent(camera, extent, size, insets);
+}
+
+/// To the right and up in the picture.
+std::pair<Vec3, Vec3> axes_of(std::string_view direction) {
+    struct Row {
+        std::string_view name;
+        Vec3 right, up;
+    };
+    constexpr Row rows[] = {{"front", {1, 0, 0}, {0, 0, 1}}, {"back", {-1, 0, 0}, {0, 0, 1}},
+                            {"left", {0, -1, 0}, {0, 0, 1}}, {"right", {0, 1, 0}, {0, 0, 1}},
+                            {"top", {1, 0, 0}, {0, 1, 0}},   {"bottom", {1, 0, 0}, {0, -1, 0}}};
+    for (const Row& row : rows)
+        if (row.name == direction) return {row.right, row.up};
+    GASPARD_CHECK(direction == "home");
+    constexpr double azimuth = 0.6, elevation = 0.45; // radians, of the viewer as seen from the box
+    return {{-std::sin(azimuth), std::cos(azimuth), 0},
+            {-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth),
+             std::cos(elevation)}};
+}
+
+/// `v` turned about the axis `k` (of unit length).
+Vec3 turned(Vec3 v, Vec3 k, double angle) {
+    return std::cos(angle) * v + std::sin(angle) * cross(k, v) + ((1 - std::cos(angle)) * dot(k, v)) * k;
+}
+
+/// Unit length and a right angle; false where there is no such pair near. What is good already stays as it
+/// is.
+bool make_orthonormal(Vec3& right, Vec3& up) {
+    constexpr double tolerance = 1e-9;
+    if (std::abs(norm(right) - 1) < tolerance && std::abs(norm(up) - 1) < tolerance &&
+        std::abs(dot(right, up)) < tolerance)
+        return true;
+    if (!(norm(right) > 0) || !(norm(up) > 0)) return false;
+    right = (1 / norm(right)) * right;
+    up = (1 / norm(up)) * up;
+    up = up - dot(right, up) * right;
+    if (!(norm(up) > 1e-6)) return false;
+    up = (1 / norm(up)) * up;
+    return true;
+}
+
+std::string three_numbers(Vec3 v) {
+    return format_number(v.x) + " " + format_number(v.y) + " " + format_number(v.z);
+}
+
+/// Twelve digits: enough to aim with, few enough to survive a division and a multiplication.
+std::string twelve_digits(double value) {
+    char buffer[40];
+    const auto [end, code] =
+        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 12);
+    return {buffer, end};
+}
+
+[[noreturn]] void refuse_camera(std::string_view text, const std::string& why) {
+    throw InputError(
+        "the camera '" + std::string(text) + "' " + why +
+        "; a camera reads 'centre 0.5 0.5 0 height 1.2', and may go on with 'right 1 0 0 up 0 1 0'");
+}
+
+std::vector<std::string_view> words_of(std::string_view text) {
+    std::vector<std::string_view> words;
+    constexpr std::string_view blanks = " \t\r\n,;";
+    for (std::size_t begin = 0; (begin = text.find_first_not_of(blanks, begin)) != text.npos;) {
+        const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+        words.push_back(text.substr(begin, end - begin));
+        begin = end;
+    }
+    return words;
+}
+
+std::optional<double> number_of(std::string_view word) {
+    double value = 0;
+    const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (code != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
 }
 
 } // namespace
 
 Box bounding_box(const Points& points) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    Box box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec3 p = points[i];
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
-        box.low = minimum(box.low, p), box.high = maximum(box.high, p);
-    }
+    // One coordinate at a time runs fastest, as long as all are finite.
+    bool all_finite = points.size() > 0;
+    const auto range = [&all_finite](const std::vector<double>& values) {
+        double low = infinity, high = -infinity;
+        bool strange = false;
+        for (const double value : values) {
+            low = value < low ? value : low, high = value > high ? value : high;
+            strange |= !(value - value == 0);
+        }
+        all_finite = all_finite && !strange;
+        return std::pair(low, high);
+    };
+    const auto [x_low, x_high] = range(points.x);
+    const auto [y_low, y_high] = range(points.y);
+    const auto [z_low, z_high] = range(points.z);
+    Box box{{x_low, y_low, z_low}, {x_high, y_high, z_high}};
+    if (all_finite) return box;
+    const auto finite = [](Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
+    box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (const Vec3 p = points[i]; finite(p))
+            box.low = minimum(box.low, p), box.high = maximum(box.high, p);
     return box.low.x <= box.high.x ? box : Box{};
 }
 
@@ -51,18 +164,27 @@ Camera planar_home(const Box& box, Size size, Insets insets) {
     return camera;
 }
 
-Camera spatial_home(const Box& box, Size size, Insets insets) {
-    constexpr double azimuth = 0.6, elevation = 0.45; // radians, of the viewer as seen from the box
+Camera spatial_home(const Box& box, Size size, Insets insets, std::string_view direction) {
     Camera camera;
-    camera.right = {-std::sin(azimuth), std::cos(azimuth), 0};
-    camera.up = {-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth),
-                 std::cos(elevation)};
+    std::tie(camera.right, camera.up) = axes_of(direction);
     fit(camera, box, size, insets);
     return camera;
 }
 
-Camera home(const Box& box, Size size, Insets insets) {
-    return box.high.z > box.low.z ? spatial_home(box, size, insets) : planar_home(box, size, insets);
+Camera home(const Box& box, Size size, Insets insets, std::string_view direction) {
+    return box.high.z > box.low.z ? spatial_home(box, size, insets, direction)
+                                  : planar_home(box, size, insets);
+}
+
+void fit_points(Camera& camera, const std::vector<const Points*>& points, Size size, Insets insets) {
+    Extent extent;
+    for (const Points* of : points)
+        for (std::size_t i = 0; i < of->size(); ++i) extent.add(camera, (*of)[i]);
+    if (!(extent.left <= extent.right)) return;
+    const double x = (extent.left + extent.right) / 2 - dot(camera.right, camera.centre);
+    const double y = (extent.bottom + extent.top) / 2 - dot(camera.up, camera.centre);
+    camera.centre = camera.centre + x * camera.right + y * camera.up;
+    fit_extent(camera, extent, size, insets);
 }
 
 Pixel to_pixel(const Camera& camera, Size size, Vec3 world) {
@@ -90,15 +212,76 @@ void zoom(Camera& camera, Size size, Pixel fixed, double factor, const Box& box)
     camera.centre = camera.centre + under - to_world(camera, size, fixed);
 }
 
+Vec3 towards_viewer(const Camera& camera) { return cross(camera.right, camera.up); }
+
+void rotate(Camera& camera, Size size, Pixel by, Vec3 pivot) {
+    constexpr double half_turn = 3.14159265358979323846;
+    const double distance = std::hypot(by.x, by.y);
+    if (!(distance > 0)) return;
+    const double angle = half_turn * distance / std::min(size.width, size.height);
+    const Vec3 axis = (by.y / distance) * camera.right + (by.x / distance) * camera.up;
+    const auto turn = [&](Vec3 v) { return turned(v, axis, -angle); }; // the camera goes the other way
+    camera.centre = pivot + turn(camera.centre - pivot);
+    camera.right = turn(camera.right), camera.up = turn(camera.up);
+    camera.right = (1 / norm(camera.right)) * camera.right;
+    camera.up = camera.up - dot(camera.up, camera.right) * camera.right;
+    camera.up = (1 / norm(camera.up)) * camera.up;
+}
+
+std::string format_camera(const Camera& camera, Size size) {
+    std::string text =
+        "centre " + three_numbers(camera.centre) + " height " + twelve_digits(camera.scale * size.height);
+    if (!(camera.right == Vec3{1, 0, 0} && camera.up == Vec3{0, 1, 0}))
+        text += " right " + three_numbers(camera.right) + " up " + three_numbers(camera.up);
+    return text;
+}
+
+Camera parse_camera(std::string_view text, Size size) {
+    struct Part {
+        std::string_view name;
+        std::size_t least, most; ///< numbers
+        std::vector<double> numbers;
+    };
+    Part parts[] = {{"centre", 2, 3, {}}, {"height", 1, 1, {}}, {"right", 3, 3, {}}, {"up", 3, 3, {}}};
+    Part* part = nullptr;
+    for (const std::string_view word : words_of(text)) {
+        if (const auto number = number_of(word); number && part != nullptr) {
+            part->numbers.push_back(*number);
+            continue;
+        }
+        const std::string_view name = word == "center" ? "centre" : word;
+        part =
+            std::find_if(std::begin(parts), std::end(parts), [&](const Part& p) { return p.name == name; });
+        if (part == std::end(parts)) refuse_camera(text, "has the word '" + std::string(word) + "'");
+        if (!part->numbers.empty()) refuse_camera(text, "says '" + std::string(word) + "' twice");
+    }
+    for (const Part& p : parts) {
+        const bool optional = &p >= parts + 2 && p.numbers.empty();
+        if (!optional && (p.numbers.size() < p.least || p.numbers.size() > p.most))
+            refuse_camera(text, "wants " + std::to_string(p.most) + (p.most == 1 ? " number" : " numbers") +
+                                    " after '" + std::string(p.name) + "'");
+    }
+    const auto vector = [](const Part& p, Vec3 otherwise) {
+        if (p.numbers.empty()) return otherwise;
+        return Vec3{p.numbers[0], p.numbers[1], p.numbers.size() > 2 ? p.numbers[2] : 0};
+    };
+    const double height = parts[1].numbers[0];
+    if (!(height > 0)) refuse_camera(text, "wants a height above 0");
+    Camera camera{vector(parts[0], {}), height / size.height, vector(parts[2], {1, 0, 0}),
+                  vector(parts[3], {0, 1, 0})};
+    if (!make_orthonormal(camera.right, camera.up))
+        refuse_camera(text, "wants a right and an up that point in different directions");
+    return camera;
+}
+
 glm::mat4 clip_matrix(const Camera& camera, Size size, Vec3 origin, double depth) {
-    const Vec3 towards_viewer = cross(camera.right, camera.up);
     const Vec3 shift = origin - camera.centre;
     const struct {
         Vec3 axis;
         double factor;
     } rows[3] = {{camera.right, 2 / (camera.scale * size.width)},
                  {camera.up, 2 / (camera.scale * size.height)},
-                 {towards_viewer, -1 / depth}};
+                 {towards_viewer(camera), -1 / depth}};
     glm::mat4 matrix(1.0F);
     for (int i = 0; i < 3; ++i) {
         const Vec3 axis = rows[i].factor * rows[i].axis;

@@ -8,12 +8,15 @@
 #include "core/base/points.hpp"
 
 #include <glm/mat4x4.hpp>
-#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace gaspard {
 
 struct Size {
     double width = 1, height = 1;
+    friend bool operator==(const Size&, const Size&) = default;
 };
 struct Pixel {
     double x = 0, y = 0;
@@ -21,6 +24,7 @@ struct Pixel {
 /// Room to leave free at the sides of the area, in pixels.
 struct Insets {
     double left = 0, top = 0, right = 0, bottom = 0;
+    friend bool operator==(const Insets&, const Insets&) = default;
 };
 
 struct Box {
@@ -44,10 +48,22 @@ struct Camera {
 
 /// Looks down the z axis; `box` fills what `insets` leave free, but for a small margin.
 Camera planar_home(const Box& box, Size size, Insets insets = {});
-/// Looks from a fixed direction, somewhat from above (z is up), at all of `box`.
-Camera spatial_home(const Box& box, Size size, Insets insets = {});
+/// Looks at all of `box` from a direction, as view.direction names it; z is up. "home" is somewhat from
+/// above, "front" along y from its lower end, "right" along x from its upper end, "top" down the z axis.
+Camera spatial_home(const Box& box, Size size, Insets insets = {}, std::string_view direction = "home");
 /// The first for boxes without depth, the second for others.
-Camera home(const Box& box, Size size, Insets insets = {});
+Camera home(const Box& box, Size size, Insets insets = {}, std::string_view direction = "home");
+
+/// Moves and scales a camera so that what it sees of all these points, which need not fill their box, fills
+/// what the insets leave. Leaves it as it is where no point is finite.
+void fit_points(Camera& camera, const std::vector<const Points*>& points, Size size, Insets insets);
+
+/// "centre 0.5 0.5 0 height 1.25", for cameras with other axes also "right 0 1 0 up 0 0 1": one line that
+/// fits a picture of any size, for it says how much of the world the picture's height shows. Reads back to
+/// the same text.
+std::string format_camera(const Camera& camera, Size size);
+/// Throws InputError with one sentence. Axes that are not quite orthonormal are made so; z may be left out.
+Camera parse_camera(std::string_view text, Size size);
 
 Pixel to_pixel(const Camera& camera, Size size, Vec3 world);
 /// The point under a pixel, in the plane through the camera's centre that faces the viewer.
@@ -58,6 +74,12 @@ void pan(Camera& camera, Pixel by);
 /// Enlarges by `factor` (> 1 comes closer); the point under `fixed` stays there. The scale stays within what
 /// double precision carries around `box`.
 void zoom(Camera& camera, Size size, Pixel fixed, double factor, const Box& box);
+
+/// Turns the world about `pivot` as if it were a ball under the pointer, which moves by so many pixels; a
+/// drag across the smaller side of the area is half a turn.
+void rotate(Camera& camera, Size size, Pixel by, Vec3 pivot);
+/// Towards the viewer, of unit length.
+Vec3 towards_viewer(const Camera& camera);
 
 /// From world positions minus `origin` to OpenGL's clip coordinates; `depth` is half the depth of the view in
 /// world units: what is farther from the centre is cut off.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/session/solver_thread.hpp"
-#include "gui/camera.hpp"
 #include "gui/history_curves.hpp"
 
 #include <functional>
@@ -56,9 +55,8 @@ struct FinishedRun {
 
 /// One picture of one run.
 struct DocumentViewport {
-    std::size_t run = 0;            ///< which of the document's
-    std::optional<Camera> camera{}; ///< in window units; empty: home, which follows the viewport's size
-    Values view;                    ///< colouring and blending, as in a scenario's view section
+    std::size_t run = 0; ///< which of the document's
+    Values view;         ///< colours, camera, what is picked: as in a scenario's view section
 };
 
 /// Iterations per second over the last second of solving; nothing before the first iteration.
@@ -96,6 +94,7 @@ class Document {
     std::vector<DocumentRun>& runs() { return runs_; }
     const std::vector<DocumentRun>& runs() const { return runs_; }
     std::vector<DocumentViewport>& viewports() { return viewports_; }
+    const std::vector<DocumentViewport>& viewports() const { return viewports_; }
 
   private:
     DocumentRun& add(const Scenario& scenario);

@@ -4,53 +4,55 @@
 
 namespace gaspard {
 
-namespace {
-
-/// Cells with a Jacobian of zero or less, where the snapshot has measured it.
-std::shared_ptr<const std::vector<std::uint32_t>> tangled_cells(const Snapshot& snapshot) {
-    const Field* jacobian = snapshot.field("jacobian");
-    if (jacobian == nullptr) return nullptr;
-    std::vector<std::uint32_t> cells;
-    for (std::size_t i = 0; i < jacobian->values.size(); ++i)
-        if (!(jacobian->values[i] > 0)) cells.push_back(static_cast<std::uint32_t>(i));
-    if (cells.empty()) return nullptr;
-    return std::make_shared<const std::vector<std::uint32_t>>(std::move(cells));
+void PictureMaker::take_mesh(const Snapshot& snapshot) {
+    mesh_ = snapshot.mesh;
+    last_ = {};
+    last_.tessellation = std::make_shared<const Tessellation>(tessellate(*mesh_));
+    last_.computational = std::make_shared<const Points>(shown_points(*last_.tessellation, mesh_->nodes));
+    last_.cell_dimension = cell_dimension(mesh_->kind);
+    computational_box_ = bounding_box(*last_.computational);
 }
 
-} // namespace
+void PictureMaker::take_positions(const Snapshot& snapshot) {
+    last_.physical = std::make_shared<const Points>(shown_points(*last_.tessellation, snapshot.x));
+    last_.box = merge(computational_box_, bounding_box(*last_.physical));
+    last_version_ = snapshot.version;
+    std::vector<std::uint32_t> tangled = colouring_maker_.tangled(snapshot);
+    if (tangled.empty())
+        last_.tangled = nullptr;
+    else if (last_.tangled == nullptr || *last_.tangled != tangled)
+        last_.tangled = std::make_shared<const std::vector<std::uint32_t>>(std::move(tangled));
+}
 
-MeshPicture PictureMaker::make(const Snapshot& snapshot, std::string_view colour, double blend) {
+void PictureMaker::take_colouring(const Snapshot& snapshot, const ColourChoice& choice) {
+    choice_ = choice;
+    last_.colouring = nullptr;
+    last_.point_values = nullptr;
+    auto made = colouring_maker_.make(snapshot, choice);
+    if (!made) return;
+    const auto colouring = std::make_shared<const Colouring>(std::move(*made));
+    const Tessellation& tessellation = *last_.tessellation;
+    last_.colouring = colouring;
+    if (colouring->place == FieldPlace::cell)
+        last_.point_values =
+            std::make_shared<const std::vector<double>>(point_means(tessellation, colouring->values));
+    else if (tessellation.starts.empty()) // shown points are nodes
+        last_.point_values = {colouring, &colouring->values};
+    else
+        last_.point_values =
+            std::make_shared<const std::vector<double>>(shown_values(tessellation, colouring->values));
+}
+
+MeshPicture PictureMaker::make(const Snapshot& snapshot, const Values& view) {
     GASPARD_CHECK(snapshot.mesh != nullptr);
     const bool new_mesh = mesh_ != snapshot.mesh;
-    if (new_mesh) {
-        mesh_ = snapshot.mesh;
-        tessellation_ = std::make_shared<const Tessellation>(tessellate(*mesh_));
-        computational_ = std::make_shared<const Points>(shown_points(*tessellation_, mesh_->nodes));
-        computational_box_ = bounding_box(*computational_);
-        last_ = {};
-    }
+    if (new_mesh) take_mesh(snapshot);
     const bool new_positions = new_mesh || snapshot.version != last_version_;
-    if (new_positions) {
-        last_.tessellation = tessellation_;
-        last_.cell_dimension = cell_dimension(mesh_->kind);
-        last_.computational = computational_;
-        last_.physical = std::make_shared<const Points>(shown_points(*tessellation_, snapshot.x));
-        last_.tangled = tangled_cells(snapshot);
-        last_.box = merge(computational_box_, bounding_box(*last_.physical));
-        last_version_ = snapshot.version;
-    }
-    if (new_positions || last_.scalar_name != colour) {
-        const Field* field = snapshot.field(colour);
-        const bool shown = field != nullptr && field->place == FieldPlace::node;
-        last_.scalar_name = shown ? colour : "";
-        last_.scalar = nullptr;
-        if (shown) {
-            last_.scalar =
-                std::make_shared<const std::vector<double>>(shown_values(*tessellation_, field->values));
-            last_.range = range_of(*last_.scalar);
-        }
-    }
-    last_.blend = blend;
+    if (new_positions) take_positions(snapshot);
+    if (const ColourChoice choice = colour_choice(view); new_positions || !(choice == choice_))
+        take_colouring(snapshot, choice);
+    last_.blend = view.real("blend");
+    last_.lines = view.boolean("lines");
     return last_;
 }
 

@@ -1,14 +1,15 @@
-// What to draw of a mesh, as plain data: made from a snapshot, drawn by MeshRenderer, and readable by tests.
+// What to draw of a mesh, as plain data: made from a snapshot and a view, drawn by MeshRenderer, and readable
+// by tests.
 //
 // Arrays are shared and immutable: another array (another pointer) is another version, and only that is
 // uploaded.
 #pragma once
 
+#include "core/base/parameter.hpp"
 #include "core/session/snapshot.hpp"
-#include "core/tessellate/colour_map.hpp"
+#include "core/tessellate/colouring.hpp"
 #include "core/tessellate/tessellation.hpp"
 #include "gui/camera.hpp"
-#include "gui/theme.hpp"
 
 #include <memory>
 #include <string>
@@ -19,31 +20,41 @@ namespace gaspard {
 
 struct MeshPicture {
     std::shared_ptr<const Tessellation> tessellation;
-    int cell_dimension = 2;                            ///< 1: nodes are marked by discs
-    std::shared_ptr<const Points> computational;       ///< shown points at xi
-    std::shared_ptr<const Points> physical;            ///< shown points at x
-    std::shared_ptr<const std::vector<double>> scalar; ///< per shown point; null: no colour map
-    std::string scalar_name;                           ///< for the legend
-    std::string_view map = "viridis";
-    ColourRange range;
+    int cell_dimension = 2;                      ///< 1: cells are lines, nodes are marked by discs
+    std::shared_ptr<const Points> computational; ///< shown points at xi
+    std::shared_ptr<const Points> physical;      ///< shown points at x
+    std::shared_ptr<const Colouring> colouring;  ///< null: no colour map
+    /// Per shown point what the colouring shows there (of cells: the mean around), null without a colouring.
+    std::shared_ptr<const std::vector<double>> point_values;
     std::shared_ptr<const std::vector<std::uint32_t>> tangled; ///< cells; null: none
-    Box box;                                                   ///< around both meshes
-    double blend = 1;                                          ///< 0 shows xi, 1 shows x
+    std::shared_ptr<const std::vector<std::uint32_t>>
+        arrows;        ///< shown points with an arrow from xi to x; null: none
+    Box box;           ///< around both meshes
+    double blend = 1;  ///< 0 shows xi, 1 shows x
+    bool lines = true; ///< the cells' edges
 
     bool planar() const { return box.low.z == box.high.z; }
+    /// Cells are filled with one colour each.
+    bool flat() const { return colouring != nullptr && colouring->place == FieldPlace::cell; }
 };
 
 /// Makes pictures of one run's snapshots; keeps what does not change between them.
 class PictureMaker {
   public:
-    /// `colour`: the name of a field of the nodes ("monitor"), or "none".
-    MeshPicture make(const Snapshot& snapshot, std::string_view colour, double blend);
+    /// `view`: values of view_rows(). Leaves out the arrows, for which one has to know the camera.
+    MeshPicture make(const Snapshot& snapshot, const Values& view);
+    /// What is known of the cells; of the snapshot last shown.
+    ColouringMaker& cells() { return colouring_maker_; }
 
   private:
+    void take_mesh(const Snapshot& snapshot);
+    void take_positions(const Snapshot& snapshot);
+    void take_colouring(const Snapshot& snapshot, const ColourChoice& choice);
+
     std::shared_ptr<const Mesh> mesh_;
-    std::shared_ptr<const Tessellation> tessellation_;
-    std::shared_ptr<const Points> computational_;
     Box computational_box_;
+    ColouringMaker colouring_maker_;
+    ColourChoice choice_;
     MeshPicture last_;
     std::uint64_t last_version_ = 0;
 };

@@ -14,10 +14,16 @@ namespace {
 constexpr std::size_t table_width = 2048; // as in the shaders
 
 // Texture units.
-constexpr int computational_unit = 0, physical_unit = 1, colours_unit = 2, segments_unit = 3;
+constexpr int computational_unit = 0, physical_unit = 1, colours_unit = 2, segments_unit = 3, cells_unit = 4,
+              cell_values_unit = 5;
 
 // In pixels at scale 1.
-constexpr float disc_width = 5, outline_width = 5;
+constexpr float line_cell_width = 5, disc_width = 7, rimmed_disc_width = 10;
+// A tangled cell, however small, is a magenta dot in a ring of the text's colour in a ring of the
+// background's: some two of the three stand out from any colour map.
+constexpr float tangled_width = 5, tangled_ring_width = 8, tangled_rim_width = 11;
+constexpr float arrow_shaft_width = 0.8F, arrow_head_width = 3, arrow_rim_width = 1;
+constexpr float arrow_pull = 0.06F; // of half the view's depth
 // Lines closer than `begin` vanish, beyond `end` they are whole; `haze` is the even tint instead of vanished
 // ones. A mesh without colours has to show how dense it is by its lines, one with colours shows those.
 struct Fading {
@@ -26,36 +32,59 @@ struct Fading {
 constexpr Fading plain_fading{1.5F, 3.8F, 1}, coloured_fading{1.6F, 5.5F, 0.1F};
 constexpr float pull_pixels = 2;
 
-struct Rgba {
-    float r, g, b, a;
-};
-
 void set_colour(const Gl& gl, GLint where, Colour c) { gl.Uniform4f(where, c.r, c.g, c.b, c.a); }
 
 /// Half the depth of the view, so that all of the box lies within it.
 double view_depth(const Camera& camera, const Box& box) {
-    const Vec3 towards_viewer = cross(camera.right, camera.up);
-    const double offset = std::abs(dot(towards_viewer, box.centre() - camera.centre));
+    const double offset = std::abs(dot(towards_viewer(camera), box.centre() - camera.centre));
     return 1.01 * (offset + box.size() / 2) + 1e-300;
+}
+
+/// Where values lie in a range, linearly; the shaders take the logarithm.
+class Place {
+  public:
+    explicit Place(const ColourRange& range)
+        : low_(range.low), scale_(range.high > range.low ? 1 / (range.high - range.low) : 0),
+          shift_(range.high > range.low ? 0.0F : 0.5F) {}
+    float of(double value) const {
+        const float place = static_cast<float>((value - low_) * scale_) + shift_;
+        return place - place == 0 ? place : 0.0F; // what is not finite has the lowest colour
+    }
+
+  private:
+    double low_, scale_;
+    float shift_;
+};
+
+float logarithm_of(const MeshPicture& picture) {
+    if (picture.colouring == nullptr || !picture.colouring->range.logarithmic) return 0;
+    return static_cast<float>(std::log(picture.colouring->range.high / picture.colouring->range.low));
 }
 
 } // namespace
 
 MeshRenderer::MeshRenderer(const Gl& gl)
     : gl_(gl), fill_program_(make_program(gl, "mesh_fill")), line_program_(make_program(gl, "mesh_line")),
-      fill_array_(gl), tangled_array_(gl), empty_array_(gl), triangles_(gl), tangled_triangles_(gl),
-      colours_(gl), layer_(gl) {
+      arrow_program_(make_program(gl, "arrow")), fill_array_(gl), tangled_array_(gl), empty_array_(gl),
+      triangles_(gl), tangled_triangles_(gl), colours_(gl), layer_(gl) {
     const auto fill = [&](const char* name) { return uniform(gl, fill_program_, name); };
     const auto line = [&](const char* name) { return uniform(gl, line_program_, name); };
-    fill_ = {fill("clip"), fill("blend"), fill("clip_to_pixels"), fill("surface")};
-    line_ = {line("clip"), line("blend"), line("half_viewport"), line("half_width"), line("fade"),
-             line("haze"), line("pull"),  line("surface"),       line("flat_ink")};
-    for (const GlProgram* program : {&fill_program_, &line_program_}) {
+    const auto arrow = [&](const char* name) { return uniform(gl, arrow_program_, name); };
+    fill_ = {fill("clip"),    fill("blend"),     fill("clip_to_pixels"),
+             fill("surface"), fill("logarithm"), fill("flat_cells")};
+    line_ = {line("clip"),     line("blend"),     line("half_viewport"), line("half_width"),
+             line("fade"),     line("haze"),      line("pull"),          line("surface"),
+             line("flat_ink"), line("logarithm"), line("by_map"),        line("flat_cells")};
+    arrow_ = {arrow("clip"),      arrow("half_viewport"), arrow("head_width"), arrow("shaft_width"),
+              arrow("rim_width"), arrow("pull"),          arrow("ink"),        arrow("rim")};
+    for (const GlProgram* program : {&fill_program_, &line_program_, &arrow_program_}) {
         gl.UseProgram(program->name());
         gl.Uniform1i(uniform(gl, *program, "computational"), computational_unit);
         gl.Uniform1i(uniform(gl, *program, "physical"), physical_unit);
         gl.Uniform1i(uniform(gl, *program, "colours"), colours_unit);
         gl.Uniform1i(uniform(gl, *program, "segments"), segments_unit);
+        gl.Uniform1i(uniform(gl, *program, "shown_cells"), cells_unit);
+        gl.Uniform1i(uniform(gl, *program, "cell_values"), cell_values_unit);
     }
     gl.BindVertexArray(fill_array_.name());
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.name());
@@ -63,9 +92,7 @@ MeshRenderer::MeshRenderer(const Gl& gl)
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, tangled_triangles_.name());
 }
 
-void MeshRenderer::fill_table(Table& table, GLint internal_format, GLenum format, GLenum type,
-                              const void* texels, std::size_t count) {
-    constexpr std::size_t texel_bytes = 16;
+void MeshRenderer::fill_table(Table& table, const TexelFormat& texel, const void* texels, std::size_t count) {
     const auto rows = static_cast<int>((count + table_width - 1) / table_width);
     const auto width = static_cast<GLsizei>(table_width);
     gl_.ActiveTexture(GL_TEXTURE0);
@@ -73,7 +100,7 @@ void MeshRenderer::fill_table(Table& table, GLint internal_format, GLenum format
     if (table.texture.name() == 0) table.texture = GlTexture(gl_);
     gl_.BindTexture(GL_TEXTURE_2D, table.texture.name());
     if (rows > table.rows) {
-        gl_.TexImage2D(GL_TEXTURE_2D, 0, internal_format, width, rows, 0, format, type, nullptr);
+        gl_.TexImage2D(GL_TEXTURE_2D, 0, texel.internal, width, rows, 0, texel.format, texel.type, nullptr);
         gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         table.rows = rows;
@@ -81,24 +108,38 @@ void MeshRenderer::fill_table(Table& table, GLint internal_format, GLenum format
     const auto full = static_cast<GLsizei>(count / table_width),
                rest = static_cast<GLsizei>(count % table_width);
     const auto* bytes = static_cast<const unsigned char*>(texels);
-    if (full > 0) gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, full, format, type, bytes);
+    if (full > 0) gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, full, texel.format, texel.type, bytes);
     if (rest > 0)
-        gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, format, type,
-                          bytes + static_cast<std::size_t>(full) * table_width * texel_bytes);
-    uploaded_bytes_ += count * texel_bytes;
+        gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, texel.format, texel.type,
+                          bytes + static_cast<std::size_t>(full) * table_width * texel.bytes);
+    uploaded_bytes_ += count * texel.bytes;
 }
 
-void MeshRenderer::upload_points(const Points& points, const MeshPicture& picture, bool with_scalar,
+void MeshRenderer::upload_points(const Points& points, const MeshPicture& picture, bool with_values,
                                  Table& table) {
-    std::vector<Rgba> texels(points.size());
-    const bool coloured = with_scalar && picture.scalar != nullptr;
-    for (std::size_t i = 0; i < texels.size(); ++i) {
-        const Vec3 p = points[i] - centre_;
-        const double position = coloured ? picture.range.position((*picture.scalar)[i]) : 0;
-        texels[i] = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
-                     static_cast<float>(position)};
+    texels_.resize(points.size());
+    const double *x = points.x.data(), *y = points.y.data(), *z = points.z.data();
+    for (std::size_t i = 0; i < texels_.size(); ++i)
+        texels_[i] = {static_cast<float>(x[i] - centre_.x), static_cast<float>(y[i] - centre_.y),
+                      static_cast<float>(z[i] - centre_.z), 0};
+    if (with_values && picture.point_values != nullptr) {
+        const Place place(picture.colouring->range);
+        const double* values = picture.point_values->data();
+        for (std::size_t i = 0; i < texels_.size(); ++i) texels_[i].a = place.of(values[i]);
     }
-    fill_table(table, GL_RGBA32F, GL_RGBA, GL_FLOAT, texels.data(), texels.size());
+    fill_table(table, {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16}, texels_.data(), texels_.size());
+}
+
+void MeshRenderer::upload_cell_values(const MeshPicture& picture) {
+    const Place place(picture.colouring->range);
+    const std::vector<double>& values = picture.colouring->values;
+    numbers_.resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) numbers_[i] = place.of(values[i]);
+    fill_table(cell_values_, {GL_R32F, GL_RED, GL_FLOAT, 4}, numbers_.data(), numbers_.size());
+}
+
+void MeshRenderer::upload_numbers(Table& table, const std::vector<std::uint32_t>& numbers) {
+    fill_table(table, {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4}, numbers.data(), numbers.size());
 }
 
 void MeshRenderer::upload_triangles(const GlVertexArray& array, const std::vector<std::uint32_t>& triangles) {
@@ -110,7 +151,8 @@ void MeshRenderer::upload_triangles(const GlVertexArray& array, const std::vecto
 
 void MeshRenderer::upload_segments(LineSet& set, const std::vector<Segment>& segments) {
     set.count = segments.size();
-    fill_table(set.table, GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, segments.data(), segments.size());
+    fill_table(set.table, {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16}, segments.data(),
+               segments.size());
 }
 
 void MeshRenderer::upload_structure(const Tessellation& tessellation, int cell_dimension) {
@@ -127,6 +169,8 @@ void MeshRenderer::upload_structure(const Tessellation& tessellation, int cell_d
     if (cell_dimension == 1)
         for (std::uint32_t p = 0; p < tessellation.point_count; ++p) discs.push_back({p, p, p, p});
     upload_segments(discs_, discs);
+    upload_numbers(shown_cells_,
+                   cell_dimension == 1 ? tessellation.segment_cells : tessellation.triangle_cells);
 }
 
 void MeshRenderer::upload_tangled(const MeshPicture& picture) {
@@ -134,9 +178,14 @@ void MeshRenderer::upload_tangled(const MeshPicture& picture) {
     std::vector<Segment> outlines;
     if (picture.tangled != nullptr) {
         const Tessellation& t = *picture.tessellation;
+        std::vector<char> marked(picture.tangled->back() + std::size_t{1}, 0);
+        for (const std::uint32_t cell : *picture.tangled) marked[cell] = 1;
+        for (std::size_t i = 0; i < t.segment_cells.size(); ++i)
+            if (t.segment_cells[i] < marked.size() && marked[t.segment_cells[i]] != 0)
+                outlines.push_back(
+                    {t.segments[2 * i], t.segments[2 * i + 1], t.segments[2 * i], t.segments[2 * i]});
         for (std::size_t i = 0; i < t.triangle_cells.size(); ++i) {
-            if (!std::binary_search(picture.tangled->begin(), picture.tangled->end(), t.triangle_cells[i]))
-                continue;
+            if (t.triangle_cells[i] >= marked.size() || marked[t.triangle_cells[i]] == 0) continue;
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t a = t.triangles[3 * i + k], b = t.triangles[3 * i + (k + 1) % 3];
                 triangles.push_back(a);
@@ -149,8 +198,8 @@ void MeshRenderer::upload_tangled(const MeshPicture& picture) {
     upload_segments(outlines_, outlines);
 }
 
-void MeshRenderer::upload_colours(std::string_view map) {
-    const auto& colours = colour_map(map).colours;
+void MeshRenderer::upload_colours(const ColourMap& map) {
+    const auto& colours = map.colours;
     std::vector<unsigned char> texels;
     for (const auto& c : colours) texels.insert(texels.end(), {c[0], c[1], c[2], 255});
     gl_.ActiveTexture(GL_TEXTURE0 + colours_unit);
@@ -172,11 +221,17 @@ void MeshRenderer::upload(const MeshPicture& picture) {
         centre_ = bounding_box(*picture.computational).centre();
         upload_points(*picture.computational, picture, false, computational_);
     }
-    if (new_computational || picture.physical != shown_.physical || picture.scalar != shown_.scalar ||
-        !(picture.range == shown_.range))
+    const bool new_colouring = picture.colouring != shown_.colouring;
+    if (new_computational || new_colouring || picture.physical != shown_.physical)
         upload_points(*picture.physical, picture, true, physical_);
+    if (new_colouring && picture.flat()) upload_cell_values(picture);
     if (new_structure || picture.tangled != shown_.tangled) upload_tangled(picture);
-    if (shown_.tessellation == nullptr || picture.map != shown_.map) upload_colours(picture.map);
+    if (picture.arrows != nullptr && picture.arrows != shown_.arrows)
+        upload_numbers(arrows_, *picture.arrows);
+    if (picture.colouring != nullptr && picture.colouring->map != map_) {
+        map_ = picture.colouring->map;
+        upload_colours(*map_);
+    }
     shown_ = picture;
 }
 
@@ -202,6 +257,8 @@ void MeshRenderer::bind_tables() {
     bind(computational_unit, computational_.texture.name());
     bind(physical_unit, physical_.texture.name());
     bind(colours_unit, colours_.name());
+    bind(cells_unit, shown_cells_.texture.name());
+    bind(cell_values_unit, cell_values_.texture.name());
 }
 
 void MeshRenderer::draw_fill(const Frame& frame, const GlVertexArray& array, std::size_t count,
@@ -212,6 +269,8 @@ void MeshRenderer::draw_fill(const Frame& frame, const GlVertexArray& array, std
     gl_.Uniform3f(fill_.clip_to_pixels, frame.clip_to_pixels.x, frame.clip_to_pixels.y,
                   frame.clip_to_pixels.z);
     set_colour(gl_, fill_.surface, surface);
+    gl_.Uniform1f(fill_.logarithm, frame.logarithm);
+    gl_.Uniform1i(fill_.flat_cells, shown_.flat() ? 1 : 0);
     gl_.BindVertexArray(array.name());
     gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT, nullptr);
 }
@@ -230,6 +289,9 @@ void MeshRenderer::draw_lines(const Frame& frame, const LineSet& set, const Line
     gl_.Uniform1f(line_.pull, style.pull);
     set_colour(gl_, line_.surface, style.surface);
     set_colour(gl_, line_.flat_ink, style.flat_ink);
+    gl_.Uniform1f(line_.logarithm, frame.logarithm);
+    gl_.Uniform1i(line_.by_map, style.by_map ? 1 : 0);
+    gl_.Uniform1i(line_.flat_cells, style.by_map && shown_.flat() ? 1 : 0);
     gl_.BindVertexArray(empty_array_.name());
     gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * set.count));
 }
@@ -277,9 +339,11 @@ void MeshRenderer::draw(const MeshPicture& picture, const Camera& camera, PixelR
                       {static_cast<float>(size.width / 2), static_cast<float>(size.height / 2),
                        static_cast<float>(depth / camera.scale)},
                       static_cast<float>(picture.blend),
-                      picture.planar()};
+                      picture.planar(),
+                      logarithm_of(picture)};
     const Colour nothing{0, 0, 0, 0};
-    const Colour surface = picture.scalar == nullptr ? theme.surface : nothing;
+    const bool plain = picture.colouring == nullptr;
+    const Colour surface = plain ? theme.surface : nothing;
     set_depth_test(!frame.planar);
     draw_fill(frame, fill_array_, shown_.tessellation->triangles.size(), surface);
 
@@ -287,28 +351,66 @@ void MeshRenderer::draw(const MeshPicture& picture, const Camera& camera, PixelR
     const float fineness = std::max(1.0F, 0.7F * scale);
     LineStyle style;
     style.width = theme.line_width * fineness;
-    const Fading& fading = picture.scalar == nullptr ? plain_fading : coloured_fading;
+    const Fading& fading = plain ? plain_fading : coloured_fading;
     style.fade_begin = fading.begin * fineness;
     style.fade_end = fading.end * fineness;
     style.haze = fading.haze;
     style.pull = frame.planar ? 0 : pull_pixels / frame.clip_to_pixels.z;
     style.surface = surface;
     style.flat_ink = nothing;
-    if (picture.cell_dimension > 1) draw_edges(frame, style, area, bottom, theme);
+    if (picture.cell_dimension > 1 && picture.lines) draw_edges(frame, style, area, bottom, theme);
     gl_.DepthMask(GL_FALSE);
-    style.flat_ink = theme.faint_text;
-    if (picture.cell_dimension == 1) draw_lines(frame, edges_, style);
-    style.width = disc_width * scale;
-    style.flat_ink = theme.accent;
-    draw_lines(frame, discs_, style);
-
-    if (tangled_count_ > 0) draw_fill(frame, tangled_array_, tangled_count_, theme.tangled);
-    style.width = outline_width * scale;
-    style.flat_ink = theme.tangled;
-    draw_lines(frame, outlines_, style);
+    if (picture.cell_dimension == 1) draw_line_cells(frame, style, theme, scale);
+    draw_tangled(frame, style, theme, scale);
+    if (picture.arrows != nullptr) draw_arrows(frame, theme, scale);
     gl_.DepthMask(GL_TRUE);
     gl_.Disable(GL_DEPTH_TEST);
     gl_.Disable(GL_SCISSOR_TEST);
+}
+
+/// Cells that are lines: wide ones in the colours of their values, with their ends marked.
+void MeshRenderer::draw_line_cells(const Frame& frame, LineStyle style, const Theme& theme, float scale) {
+    style.width = line_cell_width * scale;
+    style.flat_ink = theme.faint_text;
+    style.by_map = shown_.colouring != nullptr;
+    draw_lines(frame, edges_, style);
+    if (!shown_.lines) return;
+    style.by_map = false;
+    style.width = rimmed_disc_width * scale;
+    style.flat_ink = theme.background;
+    draw_lines(frame, discs_, style);
+    style.width = disc_width * scale;
+    style.flat_ink = theme.text;
+    draw_lines(frame, discs_, style);
+}
+
+void MeshRenderer::draw_tangled(const Frame& frame, LineStyle style, const Theme& theme, float scale) {
+    if (outlines_.count == 0) return;
+    const auto outline = [&](float width, Colour ink) {
+        style.width = width * scale;
+        style.flat_ink = ink;
+        draw_lines(frame, outlines_, style);
+    };
+    outline(tangled_rim_width, theme.background);
+    outline(tangled_ring_width, theme.text);
+    if (tangled_count_ > 0) draw_fill(frame, tangled_array_, tangled_count_, theme.tangled);
+    outline(tangled_width, theme.tangled);
+}
+
+void MeshRenderer::draw_arrows(const Frame& frame, const Theme& theme, float scale) {
+    gl_.UseProgram(arrow_program_.name());
+    gl_.ActiveTexture(GL_TEXTURE0 + segments_unit);
+    gl_.BindTexture(GL_TEXTURE_2D, arrows_.texture.name());
+    gl_.UniformMatrix4fv(arrow_.clip, 1, GL_FALSE, glm::value_ptr(frame.clip));
+    gl_.Uniform2f(arrow_.half_viewport, frame.clip_to_pixels.x, frame.clip_to_pixels.y);
+    gl_.Uniform1f(arrow_.head_width, arrow_head_width * scale);
+    gl_.Uniform1f(arrow_.shaft_width, arrow_shaft_width * scale);
+    gl_.Uniform1f(arrow_.rim_width, arrow_rim_width * scale);
+    gl_.Uniform1f(arrow_.pull, frame.planar ? 0 : arrow_pull);
+    set_colour(gl_, arrow_.ink, theme.text);
+    set_colour(gl_, arrow_.rim, theme.background);
+    gl_.BindVertexArray(empty_array_.name());
+    gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * shown_.arrows->size()));
 }
 
 } // namespace gaspard

@@ -1,5 +1,5 @@
 // Draws a MeshPicture with OpenGL: cells filled by a colour map, edges as smooth lines of constant width,
-// tangled cells on top. Leaves the rest of the framebuffer alone.
+// tangled cells with a rim on top, and arrows. Leaves the rest of the framebuffer alone.
 //
 // Positions go to the graphics card in single precision relative to a centre that was subtracted in double.
 #pragma once
@@ -11,7 +11,6 @@
 #include "gui/theme.hpp"
 
 #include <array>
-#include <string_view>
 #include <vector>
 
 namespace gaspard {
@@ -43,6 +42,15 @@ class MeshRenderer {
     };
     /// Two ends and what lies beside (see Tessellation::segment_sides).
     using Segment = std::array<std::uint32_t, 4>;
+    struct Texel {
+        float r, g, b, a;
+    };
+    /// What one texel of a table is.
+    struct TexelFormat {
+        GLint internal;
+        GLenum format, type;
+        std::size_t bytes;
+    };
     struct LineSet {
         Table table;
         std::size_t count = 0;
@@ -52,6 +60,7 @@ class MeshRenderer {
         float fade_begin = 0, fade_end = 0;
         float haze = 0, pull = 0; ///< as in mesh_line.vert
         Colour surface, flat_ink; ///< as in mesh_line.frag
+        bool by_map = false;      ///< as in mesh_line.frag
     };
     /// What all draws of one picture share.
     struct Frame {
@@ -59,41 +68,54 @@ class MeshRenderer {
         glm::vec3 clip_to_pixels;
         float blend = 1;
         bool planar = true;
+        float logarithm = 0; ///< as in mesh_fill.frag
     };
     struct FillUniforms {
-        GLint clip, blend, clip_to_pixels, surface;
+        GLint clip, blend, clip_to_pixels, surface, logarithm, flat_cells;
     };
     struct LineUniforms {
-        GLint clip, blend, half_viewport, half_width, fade, haze, pull, surface, flat_ink;
+        GLint clip, blend, half_viewport, half_width, fade, haze, pull, surface, flat_ink, logarithm, by_map,
+            flat_cells;
+    };
+    struct ArrowUniforms {
+        GLint clip, half_viewport, head_width, shaft_width, rim_width, pull, ink, rim;
     };
 
     void upload(const MeshPicture& picture);
     void upload_structure(const Tessellation& tessellation, int cell_dimension);
-    void upload_points(const Points& points, const MeshPicture& picture, bool with_scalar, Table& table);
-    void upload_colours(std::string_view map);
+    void upload_points(const Points& points, const MeshPicture& picture, bool with_values, Table& table);
+    void upload_cell_values(const MeshPicture& picture);
+    void upload_colours(const ColourMap& map);
     void upload_tangled(const MeshPicture& picture);
     void upload_triangles(const GlVertexArray& array, const std::vector<std::uint32_t>& triangles);
     void upload_segments(LineSet& set, const std::vector<Segment>& segments);
-    void fill_table(Table& table, GLint internal_format, GLenum format, GLenum type, const void* texels,
-                    std::size_t count);
+    void upload_numbers(Table& table, const std::vector<std::uint32_t>& numbers);
+    void fill_table(Table& table, const TexelFormat& format, const void* texels, std::size_t count);
     void clear(PixelRect area, int bottom, const Theme& theme);
     void bind_tables();
     void set_depth_test(bool on);
     void draw_fill(const Frame& frame, const GlVertexArray& array, std::size_t count, Colour surface);
+    void draw_line_cells(const Frame& frame, LineStyle style, const Theme& theme, float scale);
+    void draw_tangled(const Frame& frame, LineStyle style, const Theme& theme, float scale);
+    void draw_arrows(const Frame& frame, const Theme& theme, float scale);
     void draw_lines(const Frame& frame, const LineSet& set, const LineStyle& style);
     void draw_edges(const Frame& frame, LineStyle style, PixelRect area, int bottom, const Theme& theme);
 
     const Gl& gl_;
-    GlProgram fill_program_, line_program_;
+    GlProgram fill_program_, line_program_, arrow_program_;
     FillUniforms fill_{};
     LineUniforms line_{};
+    ArrowUniforms arrow_{};
     GlVertexArray fill_array_, tangled_array_, empty_array_;
     GlBuffer triangles_, tangled_triangles_;
-    Table computational_, physical_;
+    Table computational_, physical_, shown_cells_, cell_values_, arrows_;
     LineSet edges_, discs_, outlines_;
+    std::vector<Texel> texels_; ///< room to convert in
+    std::vector<float> numbers_;
     GlTexture colours_;
     LineLayer layer_;
-    std::size_t tangled_count_ = 0;
+    const ColourMap* map_ = nullptr; ///< what colours_ holds
+    std::size_t tangled_count_ = 0;  ///< corners of triangles
     Vec3 centre_;
     MeshPicture shown_; ///< what is on the card; holds its arrays, so that a pointer is a version
     std::size_t uploaded_bytes_ = 0;

@@ -1,12 +1,14 @@
 #include "gui/picture.hpp"
 
 #include "core/base/check.hpp"
+#include "core/scenario/view_rows.hpp"
 #include "gui/imgui_context.hpp"
 #include "gui/imgui_renderer.hpp"
 #include "gui/mesh_renderer.hpp"
 #include "gui/viewport.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace gaspard {
@@ -38,12 +40,13 @@ class Canvas {
         gl.Clear(GL_COLOR_BUFFER_BIT);
     }
 
-    void mesh(const MeshPicture& picture, const ViewportText& text, PixelRect area) {
-        const Insets insets = viewport_insets(picture, text, area.size(), scale_);
-        mesh_renderer_.draw(picture, home(picture.box, area.size(), insets), area, target_.height(), theme_,
-                            scale_);
-        draw_viewport_overlay(*ImGui::GetBackgroundDrawList(), picture, text, on_screen(area), theme_,
-                              scale_);
+    void mesh(const Snapshot& snapshot, const Values& view, const ViewportText& text, PixelRect area) {
+        ViewportPlanner planner;
+        const ViewportPlan plan = planner.plan(snapshot, view, text, on_screen(area), scale_);
+        for (const PlannedPicture& shown : plan.pictures)
+            mesh_renderer_.draw(shown.picture, shown.camera, in_pixels(shown.rect), target_.height(), theme_,
+                                scale_);
+        draw_viewport_overlay(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
     }
 
     void plot(const Plot& plot, PixelRect area) {
@@ -66,6 +69,11 @@ class Canvas {
         return {{x, y}, {x + static_cast<float>(area.width), y + static_cast<float>(area.height)}};
     }
 
+    static PixelRect in_pixels(ScreenRect rect) {
+        const auto pixel = [](float position) { return static_cast<int>(std::lround(position)); };
+        return {pixel(rect.min.x), pixel(rect.min.y), pixel(rect.width()), pixel(rect.height())};
+    }
+
     Theme theme_;
     float scale_;
     std::unique_ptr<OffscreenContext> context_;
@@ -79,10 +87,10 @@ class Canvas {
 
 Image render_view(const Snapshot& snapshot, const Values& view, int width, int height,
                   const std::string& subject, const PictureOptions& options) {
-    PictureMaker maker;
-    const MeshPicture picture = maker.make(snapshot, view.text("color"), view.real("blend"));
-    Canvas canvas(width, height, picture_scale(width, height), options);
-    canvas.mesh(picture, {.subject = subject, .report = snapshot.report}, {0, 0, width, height});
+    PictureOptions themed = options;
+    themed.light = options.light || view.text("theme") == "light";
+    Canvas canvas(width, height, picture_scale(width, height), themed);
+    canvas.mesh(snapshot, view, {.subject = subject, .report = snapshot.report}, {0, 0, width, height});
     return canvas.finish();
 }
 
@@ -107,9 +115,11 @@ Image render_panels(const std::vector<Panel>& panels, int columns, int width, in
             continue;
         }
         const auto& panel = std::get<MeshPanel>(panels[i]);
-        PictureMaker maker;
-        canvas.mesh(maker.make(*panel.snapshot, panel.colour, panel.blend),
-                    {.title = panel.title, .caption = false}, area);
+        Values view("view", view_rows());
+        view.set("color", panel.colour);
+        view.set("blend", panel.blend);
+        view.set("histogram", false);
+        canvas.mesh(*panel.snapshot, view, {.title = panel.title, .caption = false}, area);
     }
     return canvas.finish();
 }

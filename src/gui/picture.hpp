@@ -17,7 +17,7 @@
 namespace gaspard {
 
 struct PictureOptions {
-    bool light = false; ///< dark on white, for paper
+    bool light = false; ///< dark on white, for paper; so does view.theme
     OffscreenBackend backend = OffscreenBackend::any;
 };
 

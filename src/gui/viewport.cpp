@@ -1,6 +1,9 @@
 #include "gui/viewport.hpp"
 
+#include "core/base/error.hpp"
 #include "core/tessellate/ticks.hpp"
+#include "gui/arrows.hpp"
+#include "gui/legend.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +13,8 @@ namespace gaspard {
 namespace {
 
 // At scale 1.
-constexpr float margin = 14, gap = 6, bar_width = 14;
+constexpr float margin = 14, gap = 6;
+constexpr double arrow_spacing = 26;
 
 float line_height() { return ImGui::GetFontSize() * 1.35F; }
 
@@ -49,79 +53,45 @@ std::vector<std::vector<std::string>> caption_lines(const ViewportText& text, fl
     return lines;
 }
 
-struct Legend {
-    std::vector<Tick> ticks;
-    float width = 0; ///< bar, gap and labels or title, whichever is wider
-};
-
-/// Both ends of the range, and round values that keep their distance from them.
-std::vector<Tick> legend_ticks(const ColourRange& range) {
-    std::vector<Tick> ticks = linear_ticks(range.low, range.high, 6);
-    if (ticks.size() < 2) return ticks;
-    std::erase_if(ticks, [&](const Tick& tick) {
-        return range.position(tick.value) < 0.07 || range.position(tick.value) > 0.93;
-    });
-    ticks.push_back({range.low, short_number(range.low, 3), true});
-    ticks.push_back({range.high, short_number(range.high, 3), true});
-    return ticks;
+float caption_height(const ViewportText& text, float width, float scale) {
+    if (!text.caption) return 0;
+    const auto lines = caption_lines(text, width - 2 * margin * scale, scale);
+    return std::round(line_height() * static_cast<float>(lines.size()) + gap * scale);
 }
 
-Legend make_legend(const MeshPicture& picture, float scale) {
-    Legend legend;
-    if (picture.scalar == nullptr) return legend;
-    legend.ticks = legend_ticks(picture.range);
-    float labels = 0;
-    for (const Tick& tick : legend.ticks)
-        labels = std::max(labels, ImGui::CalcTextSize(tick.label.c_str()).x);
-    legend.width =
-        std::max((bar_width + gap) * scale + labels, ImGui::CalcTextSize(picture.scalar_name.c_str()).x);
-    return legend;
+float title_height(const std::string& title, float scale) {
+    return title.empty() ? 0 : line_height() + margin * scale;
 }
 
-void draw_bar(ImDrawList& list, const ColourMap& map, ImVec2 low, ImVec2 high) {
-    constexpr int pieces = 64;
-    const auto colour = [&](int i) {
-        const auto c = colour_at(map, 1 - static_cast<double>(i) / pieces);
-        return IM_COL32(c[0], c[1], c[2], 255);
-    };
-    for (int i = 0; i < pieces; ++i) {
-        const auto y = [&](int k) { return low.y + (high.y - low.y) * static_cast<float>(k) / pieces; };
-        list.AddRectFilledMultiColor({low.x, y(i)}, {high.x, y(i + 1)}, colour(i), colour(i), colour(i + 1),
-                                     colour(i + 1));
-    }
+/// What the caption leaves.
+ScreenRect above_caption(const ViewportPlan& plan, float scale) {
+    ScreenRect room = plan.rect;
+    room.max.y -= caption_height(plan.text, room.width(), scale);
+    return room;
 }
 
-void draw_legend(ImDrawList& list, const MeshPicture& picture, ScreenRect room, const Theme& theme,
-                 float scale) {
-    const Legend legend = make_legend(picture, scale);
-    if (legend.ticks.empty()) return;
-    const float line = line_height(), pad = 8 * scale;
-    const float height = std::min(0.62F * room.height(), 420 * scale);
-    const float left = std::round(room.max.x - margin * scale - legend.width);
-    const float top = std::round((room.min.y + room.max.y - height) / 2 + line / 2);
-    const ImVec2 low = {left, top}, high = {left + std::round(bar_width * scale), std::round(top + height)};
-    list.AddRectFilled({left - pad, top - line - pad}, {left + legend.width + pad, high.y + pad + line / 2},
-                       packed(theme.background, 0.78F), 6 * scale);
-    list.AddText({left, top - line - gap * scale / 2}, packed(theme.text), picture.scalar_name.c_str());
-    draw_bar(list, colour_map(picture.map), low, high);
-    for (const Tick& tick : legend.ticks) {
-        const float at = static_cast<float>(picture.range.position(tick.value));
-        const float y = std::round(high.y - at * (high.y - low.y));
-        list.AddRectFilled({high.x, y}, {high.x + 3 * scale, y + std::max(1.0F, std::round(scale))},
-                           packed(theme.faint_text));
-        list.AddText({high.x + gap * scale, y - ImGui::GetFontSize() / 2}, packed(theme.faint_text),
-                     tick.label.c_str());
-    }
+/// What to keep the mesh clear of in a picture that fills the viewport.
+Insets insets_of(const ViewportPlan& plan, const MeshPicture& picture, float scale) {
+    Insets insets;
+    const ScreenRect rect = plan.rect;
+    insets.top = static_cast<double>(title_height(plan.text.title, scale));
+    insets.bottom = static_cast<double>(caption_height(plan.text, rect.width(), scale));
+    if (picture.colouring != nullptr)
+        insets.right = static_cast<double>(legend_width(*picture.colouring, plan.histogram, scale));
+    // Where the legend's strip is free anyway beside a centred mesh, the mesh stays centred.
+    const double free_side =
+        (static_cast<double>(rect.width() - rect.height()) + insets.top + insets.bottom) / 2;
+    if (free_side > insets.right) insets.left = insets.right;
+    return insets;
 }
 
-void draw_caption(ImDrawList& list, const ViewportText& text, ScreenRect rect, const Theme& theme,
-                  float scale) {
-    const auto lines = caption_lines(text, rect.width() - 2 * margin * scale, scale);
-    const float height = line_height() * static_cast<float>(lines.size()) + gap * scale;
-    float y = rect.max.y - height;
+void draw_caption(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale) {
+    const ScreenRect& rect = plan.rect;
+    const auto lines = caption_lines(plan.text, rect.width() - 2 * margin * scale, scale);
+    float y = rect.max.y - caption_height(plan.text, rect.width(), scale);
     list.AddRectFilled({rect.min.x, y}, rect.max, packed(theme.panel, 0.9F));
     y += gap * scale / 2;
-    const Colour status = status_colour(text.report.status, theme);
+    const Colour status = status_colour(plan.text.report.status, theme);
     for (const auto& line : lines) {
         float x = rect.min.x + margin * scale;
         for (const std::string& part : line) {
@@ -132,6 +102,90 @@ void draw_caption(ImDrawList& list, const ViewportText& text, ScreenRect rect, c
         }
         y += line_height();
     }
+}
+
+void draw_title(ImDrawList& list, const std::string& title, ScreenRect rect, const Theme& theme,
+                float scale) {
+    if (title.empty()) return;
+    const ImVec2 size = ImGui::CalcTextSize(title.c_str());
+    const ImVec2 at{std::round((rect.min.x + rect.max.x - size.x) / 2), rect.min.y + margin * scale / 2};
+    list.AddRectFilled({at.x - gap * scale, at.y - gap * scale / 3},
+                       {at.x + size.x + gap * scale, at.y + size.y + gap * scale / 3},
+                       packed(theme.background, 0.82F), 4 * scale);
+    list.AddText(at, packed(theme.text), title.c_str());
+}
+
+/// What is picked: a cell has an outline, a node a ring; dark on light on dark, to be seen on any colour.
+void draw_mark(ImDrawList& list, const PlannedPicture& shown, const Pick& pick, const Theme& theme,
+               float scale) {
+    const auto on_screen = [&](Pixel p) {
+        return ImVec2{shown.rect.min.x + static_cast<float>(p.x), shown.rect.min.y + static_cast<float>(p.y)};
+    };
+    const std::pair<float, Colour> strokes[] = {{5.0F, theme.background}, {2.2F, theme.accent}};
+    list.PushClipRect(shown.rect.min, shown.rect.max, true);
+    if (pick.kind == Pick::Kind::node) {
+        if (const auto at = pixel_of_node(shown.picture, shown.camera, shown.size(), pick.index))
+            for (const auto& [width, colour] : strokes)
+                list.AddCircle(on_screen(*at), 7 * scale, packed(colour), 32, width * scale);
+        list.PopClipRect();
+        return;
+    }
+    const auto sides = outline_of(shown.picture, shown.camera, shown.size(), pick.index);
+    ImVec2 low{1e30F, 1e30F}, high{-1e30F, -1e30F};
+    for (const auto& [width, colour] : strokes)
+        for (const auto& [from, to] : sides) {
+            const ImVec2 a = on_screen(from), b = on_screen(to);
+            list.AddLine(a, b, packed(colour), width * scale);
+            for (const ImVec2 p : {a, b}) {
+                list.AddCircleFilled(p, width * scale / 2, packed(colour), 12);
+                low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+                high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+            }
+        }
+    if (std::max(high.x - low.x, high.y - low.y) < 8 * scale && high.x >= low.x) // too small to be found
+        for (const auto& [width, colour] : strokes)
+            list.AddCircle({(low.x + high.x) / 2, (low.y + high.y) / 2}, 10 * scale, packed(colour), 32,
+                           width * scale);
+    list.PopClipRect();
+}
+
+void draw_card(ImDrawList& list, const PickFacts& facts, ScreenRect room, const Theme& theme, float scale) {
+    float names = 0, values = 0;
+    for (const auto& [name, value] : facts) {
+        const float width = ImGui::CalcTextSize(value.c_str()).x;
+        if (!name.empty()) names = std::max(names, ImGui::CalcTextSize(name.c_str()).x);
+        values = std::max(values, width);
+    }
+    const float pad = 10 * scale, line = line_height(), between = 10 * scale;
+    const ImVec2 low{room.min.x + margin * scale, room.min.y + margin * scale};
+    const ImVec2 high{low.x + names + between + values + 2 * pad,
+                      low.y + line * static_cast<float>(facts.size()) + 2 * pad - line / 4};
+    list.AddRectFilled(low, high, packed(theme.panel, 0.94F), 6 * scale);
+    list.AddRect(low, high, packed(theme.border), 6 * scale, 0, scale);
+    float y = low.y + pad;
+    for (const auto& [name, value] : facts) {
+        const bool title = name.empty();
+        if (!title) list.AddText({low.x + pad, y}, packed(theme.faint_text), name.c_str());
+        list.AddText({low.x + pad + (title ? 0 : names + between), y},
+                     packed(title ? theme.accent : theme.text), value.c_str());
+        y += line;
+    }
+}
+
+void draw_complaint(ImDrawList& list, const std::string& text, ScreenRect room, const Theme& theme,
+                    float scale) {
+    const float width = std::max(1.0F, room.width() - 4 * margin * scale);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+    const ImVec2 low{room.min.x + margin * scale, room.max.y - size.y - 3 * margin * scale};
+    list.AddRectFilled(low, {low.x + size.x + 2 * margin * scale, low.y + size.y + margin * scale},
+                       packed(theme.panel, 0.94F), 6 * scale);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + margin * scale, low.y + margin * scale / 2},
+                 packed(theme.bad), text.c_str(), nullptr, width);
+}
+
+std::string blend_title(double blend) {
+    if (blend == 1) return "physical";
+    return "t = " + short_number(blend, 3);
 }
 
 } // namespace
@@ -151,37 +205,137 @@ std::vector<std::string> caption_parts(const ViewportText& text) {
     return parts;
 }
 
-Insets viewport_insets(const MeshPicture& picture, const ViewportText& text, Size area, float scale) {
-    Insets insets;
-    if (!text.title.empty()) insets.top = static_cast<double>(line_height() + margin * scale);
-    const float legend = make_legend(picture, scale).width;
-    if (legend > 0) insets.right = static_cast<double>(legend + 2 * margin * scale);
-    if (text.caption) {
-        const auto lines = caption_lines(text, static_cast<float>(area.width) - 2 * margin * scale, scale);
-        insets.bottom = static_cast<double>(line_height() * static_cast<float>(lines.size()) + gap * scale);
+Camera ViewportPlanner::camera_of(const MeshPicture& picture, const Values& view, Size size, Insets insets,
+                                  std::string& complaint) {
+    try {
+        if (const std::string& text = view.text("camera"); !text.empty()) return parse_camera(text, size);
+    } catch (const InputError& error) {
+        complaint = error.what();
     }
-    // Where the legend's strip is free anyway beside a centred mesh, the mesh stays centred.
-    const double free_side = (area.width - (area.height - insets.top - insets.bottom)) / 2;
-    if (free_side > insets.right) insets.left = insets.right;
-    return insets;
+    const std::string& direction = view.text("direction");
+    if (home_.of == picture.tessellation && home_.size == size && home_.insets == insets &&
+        home_.direction == direction)
+        return home_.camera;
+    home_ = {picture.tessellation, size, insets, direction, home(picture.box, size, insets, direction)};
+    if (!picture.planar()) {
+        home_.camera.centre = picture.box.centre();
+        fit_points(home_.camera, {picture.computational.get(), picture.physical.get()}, size, insets);
+    }
+    return home_.camera;
 }
 
-void draw_viewport_overlay(ImDrawList& list, const MeshPicture& picture, const ViewportText& text,
-                           ScreenRect rect, const Theme& theme, float scale) {
-    list.PushClipRect(rect.min, rect.max, true);
-    const Size size{static_cast<double>(rect.width()), static_cast<double>(rect.height())};
-    const Insets insets = viewport_insets(picture, text, size, scale);
-    ScreenRect room = rect;
-    room.min.y += static_cast<float>(insets.top);
-    room.max.y -= static_cast<float>(insets.bottom);
-    draw_legend(list, picture, room, theme, scale);
-    if (text.caption) draw_caption(list, text, rect, theme, scale);
-    if (!text.title.empty()) {
-        const float width = ImGui::CalcTextSize(text.title.c_str()).x;
-        list.AddText({(rect.min.x + rect.max.x - width) / 2, rect.min.y + margin * scale / 2},
-                     packed(theme.text), text.title.c_str());
+void ViewportPlanner::place_pictures(const MeshPicture& picture, const Values& view, ViewportPlan& plan,
+                                     float scale) {
+    const auto size_of = [](ScreenRect rect) {
+        return Size{std::max(1.0, static_cast<double>(rect.width())),
+                    std::max(1.0, static_cast<double>(rect.height()))};
+    };
+    if (view.text("layout") == "single") {
+        const Camera camera =
+            camera_of(picture, view, size_of(plan.rect), insets_of(plan, picture, scale), plan.complaint);
+        plan.pictures = {{picture, camera, plan.rect, plan.text.title}};
+        return;
     }
+    // Two of the same size; the legend has a strip of its own.
+    ScreenRect room = above_caption(plan, scale);
+    if (picture.colouring != nullptr)
+        room.max.x -= std::round(legend_width(*picture.colouring, plan.histogram, scale));
+    const bool beside = room.width() >= room.height();
+    const float half = std::floor((beside ? room.width() : room.height()) / 2);
+    ScreenRect first = room, second = room;
+    (beside ? first.max.x : first.max.y) = (beside ? room.min.x : room.min.y) + half;
+    (beside ? second.min.x : second.min.y) = (beside ? first.max.x : first.max.y);
+    (beside ? second.max.x : second.max.y) = (beside ? second.min.x : second.min.y) + half;
+    PlannedPicture left{picture, {}, first, "computational"};
+    left.picture.blend = 0;
+    const Insets insets{.top = static_cast<double>(title_height(left.title, scale))};
+    left.camera = camera_of(picture, view, size_of(first), insets, plan.complaint);
+    plan.pictures = {left, {picture, left.camera, second, blend_title(picture.blend)}};
+}
+
+void ViewportPlanner::add_arrows(ViewportPlan& plan, float scale) {
+    for (PlannedPicture& shown : plan.pictures) {
+        const Size size = shown.size();
+        const double spacing = arrow_spacing * static_cast<double>(scale);
+        if (arrows_.of != shown.picture.tessellation || !(arrows_.camera == shown.camera) ||
+            arrows_.width != size.width || arrows_.height != size.height || arrows_.spacing != spacing)
+            arrows_ = {shown.picture.tessellation,
+                       shown.camera,
+                       size.width,
+                       size.height,
+                       spacing,
+                       std::make_shared<const std::vector<std::uint32_t>>(
+                           points_with_arrows(shown.picture, shown.camera, size, spacing))};
+        shown.picture.arrows = arrows_.points;
+    }
+}
+
+void ViewportPlanner::add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan) {
+    try {
+        plan.pick = parse_pick(view.text("pick"));
+    } catch (const InputError& error) {
+        plan.complaint = error.what();
+    }
+    if (!plan.pick) return;
+    if (!has(*snapshot.mesh, *plan.pick)) {
+        plan.pick.reset();
+        return;
+    }
+    if (facts_.mesh != snapshot.mesh || facts_.version != snapshot.version || facts_.pick != plan.pick)
+        facts_ = {snapshot.mesh, snapshot.version, plan.pick, facts_of(*plan.pick, snapshot, maker_.cells())};
+    plan.facts = facts_.facts;
+}
+
+ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view, const ViewportText& text,
+                                   ScreenRect rect, float scale) {
+    const MeshPicture picture = maker_.make(snapshot, view);
+    ViewportPlan plan;
+    plan.rect = rect;
+    plan.text = text;
+    plan.histogram = view.boolean("histogram");
+    place_pictures(picture, view, plan, scale);
+    if (view.boolean("arrows")) add_arrows(plan, scale);
+    add_pick(snapshot, view, plan);
+    return plan;
+}
+
+void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale) {
+    list.PushClipRect(plan.rect.min, plan.rect.max, true);
+    ScreenRect room = above_caption(plan, scale);
+    for (const PlannedPicture& shown : plan.pictures) {
+        if (plan.pick) draw_mark(list, shown, *plan.pick, theme, scale);
+        draw_title(list, shown.title, shown.rect, theme, scale);
+    }
+    if (plan.pictures.size() > 1) {
+        const ScreenRect& second = plan.pictures[1].rect;
+        const bool beside = second.min.x > plan.pictures[0].rect.min.x;
+        list.AddRectFilled(second.min,
+                           beside ? ImVec2{second.min.x + 1, second.max.y}
+                                  : ImVec2{second.max.x, second.min.y + 1},
+                           packed(theme.border));
+    }
+    if (const auto& colouring = plan.pictures.front().picture.colouring) {
+        ScreenRect legend = room;
+        legend.min.y += title_height(plan.text.title, scale);
+        draw_legend(list, *colouring, plan.histogram, legend, theme, scale);
+    }
+    if (plan.text.caption) draw_caption(list, plan, theme, scale);
+    if (!plan.facts.empty()) draw_card(list, plan.facts, room, theme, scale);
+    if (!plan.complaint.empty()) draw_complaint(list, plan.complaint, room, theme, scale);
     list.PopClipRect();
+}
+
+void check_view(const Values& view, const Mesh* mesh) {
+    if (!view.text("camera").empty()) parse_camera(view.text("camera"), {1, 1});
+    const auto pick = parse_pick(view.text("pick"));
+    if (pick && mesh != nullptr && !has(*mesh, *pick))
+        throw InputError("view.pick = '" + view.text("pick") + "': the mesh has " +
+                         (pick->kind == Pick::Kind::cell ? std::to_string(mesh->cell_count()) + " cells"
+                                                         : std::to_string(mesh->node_count()) + " nodes") +
+                         ", counted from 0");
+    if (view.text("range") == "fixed" && !(view.real("low") < view.real("high")))
+        throw InputError("view.low = " + format_number(view.real("low")) +
+                         " must be below view.high = " + format_number(view.real("high")));
 }
 
 } // namespace gaspard

@@ -1,17 +1,21 @@
-// How a viewport looks, in the window and in a picture alike: the mesh, the legend of its colours, one
-// caption line.
+// How a viewport looks, in the window and in a picture alike: one mesh or two side by side, the legend of
+// their colours, a caption, a card about what is picked.
 //
-// The mesh is drawn by MeshRenderer over the whole area; what is here draws on top with an ImDrawList, and
-// tells how much room that takes, so that the camera's home keeps the mesh clear of it.
+// A ViewportPlanner says what goes where; MeshRenderer draws the meshes; draw_viewport_overlay() draws the
+// rest with an ImDrawList. Everything is in pixels of the current ImGui frame, and everything a user can
+// choose comes from values of view_rows().
 #pragma once
 
 #include "core/session/snapshot.hpp"
 #include "gui/camera.hpp"
 #include "gui/mesh_picture.hpp"
+#include "gui/picking.hpp"
 #include "gui/plot_widget.hpp"
 #include "gui/theme.hpp"
 
 #include <imgui.h>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,11 +32,72 @@ struct ViewportText {
 /// caption says.
 std::vector<std::string> caption_parts(const ViewportText& text);
 
-/// What title, legend and caption take of the sides of an area, in pixels. Needs a current ImGui frame.
-Insets viewport_insets(const MeshPicture& picture, const ViewportText& text, Size area, float scale);
+/// A mesh to be drawn: what, from where, and where it belongs.
+struct PlannedPicture {
+    MeshPicture picture;
+    Camera camera; ///< speaks of the size of `rect`
+    ScreenRect rect;
+    std::string title; ///< above it; may be empty
 
-/// Legend and caption over `rect`, where the mesh has been drawn.
-void draw_viewport_overlay(ImDrawList& list, const MeshPicture& picture, const ViewportText& text,
-                           ScreenRect rect, const Theme& theme, float scale);
+    Size size() const { return {static_cast<double>(rect.width()), static_cast<double>(rect.height())}; }
+};
+
+struct ViewportPlan {
+    ScreenRect rect;
+    std::vector<PlannedPicture> pictures; ///< of one size and one camera; blends differ
+    ViewportText text;
+    std::optional<Pick> pick;
+    PickFacts facts;       ///< of the pick
+    std::string complaint; ///< what was wrong with the view's texts
+    bool histogram = true;
+};
+
+/// Plans one viewport, frame after frame; keeps what does not change between them.
+class ViewportPlanner {
+  public:
+    /// Needs a current ImGui frame, for the sizes of texts. `view`: values of view_rows(). Texts that cannot
+    /// be read are as good as empty, but for a complaint.
+    ViewportPlan plan(const Snapshot& snapshot, const Values& view, const ViewportText& text, ScreenRect rect,
+                      float scale);
+    /// Home is what showed the whole mesh when it was first seen, lest the picture tremble while it moves;
+    /// from now on it is for the mesh of the next plan.
+    void forget_home() { home_ = {}; }
+
+  private:
+    Camera camera_of(const MeshPicture& picture, const Values& view, Size size, Insets insets,
+                     std::string& complaint);
+    void place_pictures(const MeshPicture& picture, const Values& view, ViewportPlan& plan, float scale);
+    void add_arrows(ViewportPlan& plan, float scale);
+    void add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan);
+
+    PictureMaker maker_;
+    struct Home {
+        std::shared_ptr<const Tessellation> of;
+        Size size;
+        Insets insets;
+        std::string direction;
+        Camera camera;
+    } home_;
+    /// What the last arrows and the last facts were made for.
+    struct Arrows {
+        std::shared_ptr<const Tessellation> of;
+        Camera camera;
+        double width = 0, height = 0, spacing = 0;
+        std::shared_ptr<const std::vector<std::uint32_t>> points;
+    } arrows_;
+    struct Facts {
+        std::shared_ptr<const Mesh> mesh;
+        std::uint64_t version = 0;
+        std::optional<Pick> pick;
+        PickFacts facts;
+    } facts_;
+};
+
+/// Everything but the meshes, over them.
+void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale);
+
+/// Throws InputError where a text of the view cannot be read, or a fixed range is empty. With a mesh also
+/// where the picked cell or node is none of it.
+void check_view(const Values& view, const Mesh* mesh = nullptr);
 
 } // namespace gaspard

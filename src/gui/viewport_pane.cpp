@@ -1,9 +1,9 @@
 #include "gui/viewport_pane.hpp"
 
 #include "gui/part_window.hpp"
-#include "gui/viewport.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <imgui.h>
 
@@ -11,9 +11,29 @@ namespace gaspard {
 
 namespace {
 
-Size size_of(const ItemRectangle& area) {
-    return {static_cast<double>(std::max(1.0F, area.width())),
-            static_cast<double>(std::max(1.0F, area.height()))};
+constexpr float drag_threshold = 4; // pixels at scale 1: less is a click
+constexpr double pick_reach = 8;    // likewise
+constexpr double wheel_factor = 1.15;
+
+Pixel pixel_in(const PlannedPicture& shown, ImVec2 mouse) {
+    return {static_cast<double>(mouse.x - shown.rect.min.x), static_cast<double>(mouse.y - shown.rect.min.y)};
+}
+
+/// The picture that a position belongs to; of those beside each other the nearer one.
+const PlannedPicture& picture_at(const ViewportPlan& plan, ImVec2 at) {
+    const auto away = [at](const PlannedPicture& shown) {
+        const ScreenRect& r = shown.rect;
+        return std::max({r.min.x - at.x, at.x - r.max.x, r.min.y - at.y, at.y - r.max.y});
+    };
+    return *std::min_element(plan.pictures.begin(), plan.pictures.end(),
+                             [&](const auto& a, const auto& b) { return away(a) < away(b); });
+}
+
+/// The button that is held; -1 for none.
+int held_button() {
+    for (const int button : {0, 1, 2})
+        if (ImGui::IsMouseDown(button)) return button;
+    return -1;
 }
 
 } // namespace
@@ -25,53 +45,109 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                    ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    const Size size = size_of(area);
-    ImGui::InvisibleButton("##picture", {static_cast<float>(size.width), static_cast<float>(size.height)},
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+    ImGui::InvisibleButton("##picture", {std::max(1.0F, area.width()), std::max(1.0F, area.height())},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                               ImGuiButtonFlags_MouseButtonRight);
     remember_item(context.items, "viewport");
-    if (run.snapshot) draw_picture(run, viewport, area, context);
+    if (plan_) steer(viewport.view, context.scale);
+    if (run.snapshot) {
+        const ViewportText text{.title = {}, .subject = run.title, .report = {}, .caption = false};
+        plan_ = planner_.plan(*run.snapshot, viewport.view, text,
+                              {{area.left, area.top}, {area.right, area.bottom}}, context.scale);
+        draw_viewport_overlay(*ImGui::GetWindowDrawList(), *plan_, context.theme, context.scale);
+        pictures_.clear();
+        for (const PlannedPicture& shown : plan_->pictures)
+            pictures_.push_back({shown.picture,
+                                 shown.camera,
+                                 {shown.rect.min.x, shown.rect.min.y, shown.rect.max.x, shown.rect.max.y}});
+    }
     ImGui::End();
 }
 
-void ViewportPane::draw_picture(const DocumentRun& run, DocumentViewport& viewport, const ItemRectangle& area,
-                                const FrameContext& context) {
-    const MeshPicture picture =
-        maker_.make(*run.snapshot, viewport.view.text("color"), viewport.view.real("blend"));
-    const ViewportText text{.title = {}, .subject = run.title, .report = {}, .caption = false};
-    const Size size = size_of(area);
-    // Home stays where it is while the mesh moves, lest the picture tremble.
-    if (home_of_ != picture.tessellation || home_size_.width != size.width ||
-        home_size_.height != size.height) {
-        home_ = home(picture.box, size, viewport_insets(picture, text, size, context.scale));
-        home_of_ = picture.tessellation;
-        home_size_ = size;
-    }
-    draw_viewport_overlay(*ImGui::GetWindowDrawList(), picture, text,
-                          {{area.left, area.top}, {area.right, area.bottom}}, context.theme, context.scale);
-    steer_camera(viewport, area, picture);
-    pictures_ = {{picture, viewport.camera.value_or(home_), area}};
-}
-
 void ViewportPane::go_home(DocumentViewport& viewport) {
-    viewport.camera.reset();
-    home_of_.reset();
+    viewport.view.set("camera", std::string());
+    planner_.forget_home();
 }
 
-/// Left or middle drag pans, the wheel zooms to the pointer, a double click goes home.
-void ViewportPane::steer_camera(DocumentViewport& viewport, const ItemRectangle& area,
-                                const MeshPicture& picture) {
+std::string ViewportPane::camera_text() const {
+    if (!plan_) return {};
+    return format_camera(plan_->pictures.front().camera, plan_->pictures.front().size());
+}
+
+void ViewportPane::fix_range(DocumentViewport& viewport) const {
+    if (!plan_ || plan_->pictures.front().picture.colouring == nullptr) return;
+    const ColourRange& range = plan_->pictures.front().picture.colouring->range;
+    if (!(range.low < range.high)) return;
+    viewport.view.set("range", std::string("fixed"));
+    viewport.view.set("low", range.low);
+    viewport.view.set("high", range.high);
+}
+
+void ViewportPane::set_camera(Values& view, const PlannedPicture& shown, const Camera& camera) {
+    if (!(camera == shown.camera)) view.set("camera", format_camera(camera, shown.size()));
+}
+
+/// Drags pan or turn, the wheel zooms to the pointer, a click picks, a double click brings a point to the
+/// middle.
+void ViewportPane::steer(Values& view, float scale) {
     const ImGuiIO& io = ImGui::GetIO();
-    const Camera before = viewport.camera.value_or(home_);
-    Camera seen = before;
-    if (ImGui::IsItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
-        pan(seen, {static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)});
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
-        const Pixel pointer{static_cast<double>(io.MousePos.x - area.left),
-                            static_cast<double>(io.MousePos.y - area.top)};
-        zoom(seen, size_of(area), pointer, std::pow(1.15, static_cast<double>(io.MouseWheel)), picture.box);
+    const bool hovered = ImGui::IsItemHovered();
+    if (ImGui::IsItemActive()) {
+        const int button = held_button();
+        const float far = drag_threshold * scale;
+        const bool begins = button >= 0 && !dragging_ && io.MouseDragMaxDistanceSqr[button] > far * far;
+        if (begins || dragging_) drag(view, picture_at(*plan_, io.MouseClickedPos[std::max(0, button)]));
+        dragging_ = dragging_ || begins;
     }
-    if (seen != before) viewport.camera = seen;
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) go_home(viewport);
+    const PlannedPicture& under = picture_at(*plan_, io.MousePos);
+    if (hovered && io.MouseWheel != 0) {
+        Camera camera = under.camera;
+        zoom(camera, under.size(), pixel_in(under, io.MousePos),
+             std::pow(wheel_factor, static_cast<double>(io.MouseWheel)), under.picture.box);
+        set_camera(view, under, camera);
+    }
+    if (hovered && ImGui::IsMouseDoubleClicked(0)) {
+        const Pixel pointer = pixel_in(under, io.MousePos);
+        const auto hit = pick_at(under.picture, under.camera, under.size(), pointer, 0);
+        Camera camera = under.camera;
+        camera.centre = hit ? hit->where : to_world(camera, under.size(), pointer);
+        set_camera(view, under, camera);
+        view.set("pick", picked_before_);
+        dragging_ = true; // the button's release is no click
+    }
+    if (!ImGui::IsItemDeactivated()) return;
+    if (!dragging_ && hovered && ImGui::IsMouseReleased(0)) {
+        picked_before_ = view.text("pick");
+        click(view, under, pixel_in(under, io.MousePos), scale);
+    }
+    dragging_ = false;
+}
+
+void ViewportPane::drag(Values& view, const PlannedPicture& shown) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const int button = held_button();
+    if (button < 0) return;
+    // What was held back until it was clear that this is no click comes with the first step.
+    const ImVec2 step = dragging_ ? io.MouseDelta : ImGui::GetMouseDragDelta(button, 0);
+    const Pixel by{static_cast<double>(step.x), static_cast<double>(step.y)};
+    Camera camera = shown.camera;
+    if (shown.picture.planar() || button != 0 || io.KeyShift) {
+        pan(camera, by);
+    } else {
+        // A mesh turns about its own middle as long as that is to be seen.
+        const Vec3 middle = shown.picture.box.centre();
+        const Pixel seen = to_pixel(camera, shown.size(), middle);
+        const bool visible =
+            seen.x >= 0 && seen.y >= 0 && seen.x <= shown.size().width && seen.y <= shown.size().height;
+        rotate(camera, shown.size(), by, visible ? middle : camera.centre);
+    }
+    set_camera(view, shown, camera);
+}
+
+void ViewportPane::click(Values& view, const PlannedPicture& shown, Pixel pointer, float scale) {
+    const auto hit =
+        pick_at(shown.picture, shown.camera, shown.size(), pointer, pick_reach * static_cast<double>(scale));
+    view.set("pick", hit ? format_pick(hit->pick) : std::string());
 }
 
 } // namespace gaspard

@@ -1,14 +1,18 @@
 // A viewport as part of the window: the picture of its run's newest snapshot, the camera that mouse and wheel
-// steer, and the legend on top. All of it are ImGui calls and values; whoever has OpenGL draws the
-// pictures it asks for.
+// steer, what the mouse picks, and the legend on top. All of it are ImGui calls and values; whoever has
+// OpenGL draws the pictures it asks for.
+//
+// What one looks at and from where are values of the viewport's view (core/scenario/view_rows.hpp), nothing
+// else: the camera and the pick are texts there, which the mouse rewrites.
 #pragma once
 
 #include "gui/document.hpp"
 #include "gui/item_rectangles.hpp"
-#include "gui/mesh_picture.hpp"
 #include "gui/theme.hpp"
+#include "gui/viewport.hpp"
 
-#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace gaspard {
@@ -32,21 +36,28 @@ class ViewportPane {
     /// Draws all but the meshes into a window of its own that fills `area`.
     void frame(const DocumentRun& run, DocumentViewport& viewport, const ItemRectangle& area,
                const FrameContext& context);
-    /// Shows the whole mesh again, however the viewport's size changes.
+    /// Shows the whole mesh again, however the viewport's size changes, from the view's direction.
     void go_home(DocumentViewport& viewport);
+    /// Home is from now on for the mesh that is shown next.
+    void forget_home() { planner_.forget_home(); }
+    /// The present camera as text, also where the view's is empty; empty before the first snapshot.
+    std::string camera_text() const;
+    /// The view's range becomes fixed, to what the colours span now.
+    void fix_range(DocumentViewport& viewport) const;
     /// What the last frame asked for; empty before the first snapshot.
     const std::vector<ShownPicture>& pictures() const { return pictures_; }
 
   private:
-    void draw_picture(const DocumentRun& run, DocumentViewport& viewport, const ItemRectangle& area,
-                      const FrameContext& context);
-    void steer_camera(DocumentViewport& viewport, const ItemRectangle& area, const MeshPicture& picture);
+    void steer(Values& view, float scale);
+    void drag(Values& view, const PlannedPicture& shown);
+    void click(Values& view, const PlannedPicture& shown, Pixel pointer, float scale);
+    void set_camera(Values& view, const PlannedPicture& shown, const Camera& camera);
 
-    PictureMaker maker_;
+    ViewportPlanner planner_;
+    std::optional<ViewportPlan> plan_; ///< of the last frame
     std::vector<ShownPicture> pictures_;
-    Camera home_; ///< the whole mesh, for this size of the viewport
-    Size home_size_;
-    std::shared_ptr<const Tessellation> home_of_;
+    bool dragging_ = false;
+    std::string picked_before_; ///< view.pick before the last click, which may be the first of two
 };
 
 } // namespace gaspard

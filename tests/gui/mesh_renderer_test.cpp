@@ -85,15 +85,15 @@ class Renderer : public testing::Test {
 TEST_F(Renderer, SendsOnlyWhatChanged) {
     Snapshot snapshot = ring_snapshot(20);
     const std::size_t points = snapshot.x.size() * 16;
-    EXPECT_GT(sent_for(maker_.make(snapshot, "monitor", 1)), 2 * points);
-    EXPECT_EQ(sent_for(maker_.make(snapshot, "monitor", 1)), 0U);
-    EXPECT_EQ(sent_for(maker_.make(snapshot, "monitor", 0.3)), 0U) << "blending is done on the card";
+    EXPECT_GT(sent_for(maker_.make(snapshot, view("monitor", 1))), 2 * points);
+    EXPECT_EQ(sent_for(maker_.make(snapshot, view("monitor", 1))), 0U);
+    EXPECT_EQ(sent_for(maker_.make(snapshot, view("monitor", 0.3))), 0U) << "blending is done on the card";
     ++snapshot.version;
-    EXPECT_EQ(sent_for(maker_.make(snapshot, "monitor", 1)), points) << "positions and scalars";
+    EXPECT_EQ(sent_for(maker_.make(snapshot, view("monitor", 1))), points) << "positions and scalars";
 }
 
 TEST_F(Renderer, DrawsIntoItsAreaOnly) {
-    const MeshPicture picture = maker_.make(ring_snapshot(10), "monitor", 1);
+    const MeshPicture picture = maker_.make(ring_snapshot(10), view("monitor", 1));
     const Gl& gl = context_->gl();
     target_.bind();
     gl.ClearColor(1, 1, 1, 1);
@@ -113,11 +113,11 @@ TEST_F(Renderer, DrawsIntoItsAreaOnly) {
 }
 
 TEST_F(Renderer, ShowsOneMeshAfterAnother) {
-    draw(maker_.make(ring_snapshot(10), "monitor", 1));
-    draw(maker_.make(sphere_snapshot(3), "monitor", 1));
-    const Image after_others = (draw(maker_.make(ring_snapshot(5), "none", 1)), target_.read());
+    draw(maker_.make(ring_snapshot(10), view("monitor", 1)));
+    draw(maker_.make(sphere_snapshot(3), view("monitor", 1)));
+    const Image after_others = (draw(maker_.make(ring_snapshot(5), view("none", 1))), target_.read());
     MeshRenderer fresh(context_->gl());
-    const MeshPicture picture = maker_.make(ring_snapshot(5), "none", 1);
+    const MeshPicture picture = maker_.make(ring_snapshot(5), view("none", 1));
     target_.bind();
     fresh.draw(picture, home(picture.box, size_), {0, 0, 320, 240}, 240, dark_theme(), 1);
     EXPECT_EQ(after_others.rgba, target_.read().rgba);
@@ -126,7 +126,7 @@ TEST_F(Renderer, ShowsOneMeshAfterAnother) {
 TEST_F(Renderer, LinesAreAsWideAsTheThemeSaysAtAnyZoom) {
     Snapshot snapshot = ring_snapshot(2);
     snapshot.x = snapshot.mesh->nodes;
-    const MeshPicture picture = maker_.make(snapshot, "none", 1);
+    const MeshPicture picture = maker_.make(snapshot, view("none", 1));
     const Theme theme = dark_theme();
     for (const double closer : {1.0, 3.0, 20.0}) {
         Camera camera = home(picture.box, size_);

@@ -28,13 +28,6 @@ Snapshot finished(Mesh mesh, Points x) {
     return snapshot;
 }
 
-Values view(const char* colour, double blend) {
-    Values values("view", view_rows());
-    values.set("color", std::string(colour));
-    values.set("blend", blend);
-    return values;
-}
-
 Image draw(const Snapshot& snapshot, OffscreenBackend backend, const char* colour = "monitor",
            double blend = 1) {
     return render_view(snapshot, view(colour, blend), 400, 300, "plane, ring",
@@ -60,6 +53,13 @@ Plot convergence() {
 }
 
 } // namespace
+
+Values view(const std::string& colour, double blend) {
+    Values values("view", view_rows());
+    values.set("color", colour);
+    values.set("blend", blend);
+    return values;
+}
 
 Snapshot ring_snapshot(int n) {
     const Mesh mesh = unit_square_mesh(n);

@@ -1,6 +1,7 @@
 // Meshes to draw: made up, the same on every machine.
 #pragma once
 
+#include "core/base/parameter.hpp"
 #include "core/io/image.hpp"
 #include "core/session/snapshot.hpp"
 #include "gui/offscreen.hpp"
@@ -20,6 +21,9 @@ Snapshot sphere_snapshot(int n);
 Snapshot cube_snapshot(int n);
 /// n lines in [0, 1], finer towards 0.
 Snapshot interval_snapshot(int n);
+
+/// A view with everything else as by default.
+Values view(const std::string& colour, double blend = 1);
 
 /// A picture that is compared with tests/goldens/NAME.png.
 struct Scene {

@@ -48,17 +48,30 @@ OwnedMap parse_map(std::string_view path, std::string_view text) {
     return map;
 }
 
+struct Entry {
+    std::string_view name;
+    bool diverging;
+};
+constexpr Entry order[] = {{"viridis", false}, {"plasma", false},      {"ember", false},
+                           {"grey", false},    {"blue-yellow", false}, {"blue-red", true}};
+
 std::vector<OwnedMap> parse_maps() {
     std::vector<OwnedMap> maps;
     for (const auto& file : core_assets::files())
         if (file.path.starts_with("assets/colour_maps/")) maps.push_back(parse_map(file.path, file.bytes));
+    GASPARD_CHECK(maps.size() == std::size(order));
     return maps;
 }
 
 std::vector<ColourMap> make_table() {
     static const std::vector<OwnedMap> owned = parse_maps();
     std::vector<ColourMap> table;
-    for (const auto& map : owned) table.push_back({map.name, map.colours});
+    for (const Entry& entry : order) {
+        const auto map =
+            std::find_if(owned.begin(), owned.end(), [&](const OwnedMap& m) { return m.name == entry.name; });
+        GASPARD_CHECK(map != owned.end());
+        table.push_back({map->name, map->colours, entry.diverging});
+    }
     return table;
 }
 
@@ -86,6 +99,16 @@ std::array<unsigned char, 3> colour_at(const ColourMap& map, double t) {
         colour[i] = static_cast<unsigned char>(
             std::lround((1 - share) * map.colours[below][i] + share * map.colours[above][i]));
     return colour;
+}
+
+double ColourRange::position(double value) const {
+    if (!(high > low)) return 0.5;
+    if (!logarithmic) return (value - low) / (high - low);
+    return value > 0 ? std::log(value / low) / std::log(high / low) : 0;
+}
+
+double ColourRange::value(double position) const {
+    return logarithmic ? low * std::pow(high / low, position) : low + position * (high - low);
 }
 
 ColourRange range_of(std::span<const double> values) {

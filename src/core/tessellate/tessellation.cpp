@@ -193,7 +193,10 @@ void draw_line_cells(const Mesh& mesh, int cuts, PointMaker& points, Tessellatio
     Edge edge;
     edge.b = 1;
     edge.alone = true;
-    for (; edge.cell < mesh.cell_count(); ++edge.cell) draw_edge(edge, cuts, points, out);
+    for (; edge.cell < mesh.cell_count(); ++edge.cell) {
+        draw_edge(edge, cuts, points, out);
+        out.segment_cells.resize(out.segments.size() / 2, edge.cell);
+    }
 }
 
 } // namespace
@@ -224,6 +227,23 @@ std::vector<double> shown_values(const Tessellation& tessellation, std::span<con
         for (std::size_t k = tessellation.starts[p]; k < tessellation.starts[p + 1]; ++k)
             shown[p] += tessellation.weights[k] * nodes[tessellation.nodes[k]];
     return shown;
+}
+
+std::vector<double> point_means(const Tessellation& tessellation, std::span<const double> cells) {
+    std::vector<double> sums(tessellation.point_count, 0);
+    std::vector<std::uint32_t> counts(tessellation.point_count, 0);
+    const auto add = [&](std::span<const std::uint32_t> corners, std::span<const std::uint32_t> owners) {
+        const std::size_t each = owners.empty() ? 0 : corners.size() / owners.size();
+        for (std::size_t i = 0; i < owners.size(); ++i)
+            for (std::size_t k = 0; k < each; ++k) {
+                sums[corners[each * i + k]] += cells[owners[i]];
+                ++counts[corners[each * i + k]];
+            }
+    };
+    add(tessellation.triangles, tessellation.triangle_cells);
+    add(tessellation.segments, tessellation.segment_cells);
+    for (std::size_t p = 0; p < sums.size(); ++p) sums[p] /= std::max(1U, counts[p]);
+    return sums;
 }
 
 Points shown_points(const Tessellation& tessellation, const Points& nodes) {

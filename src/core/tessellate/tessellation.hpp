@@ -22,6 +22,8 @@ struct Tessellation {
     std::vector<std::uint32_t> triangles;      ///< three points each
     std::vector<std::uint32_t> triangle_cells; ///< which cell each triangle belongs to
     std::vector<std::uint32_t> segments;       ///< two points each; an edge shared by cells is drawn once
+    std::vector<std::uint32_t>
+        segment_cells; ///< which cell each belongs to, where cells are lines; else empty
     /// Two points per segment: a corner at the far side of each cell beside it, so that a picture can tell
     /// how close the next line is. The same twice at a border; the segment's own first point where there is
     /// nothing beside.
@@ -30,6 +32,10 @@ struct Tessellation {
 
 /// `cuts` pieces per curved edge (order 2 only). Of solids, the boundary faces and all edges of those faces.
 Tessellation tessellate(const Mesh& mesh, int cuts = 8);
+
+/// For what belongs to cells, at the shown points: the mean of the triangles around each (of the segments
+/// where there are only those). Points in no cell get 0.
+std::vector<double> point_means(const Tessellation& tessellation, std::span<const double> cells);
 
 /// The shown points for given node positions (mesh numbering).
 Points shown_points(const Tessellation& tessellation, const Points& nodes);

@@ -1,0 +1,114 @@
+#include "core/tessellate/cell_geometry.hpp"
+
+#include "core/base/check.hpp"
+#include "core/diagnostics/cell_quadrature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gaspard {
+
+namespace {
+
+constexpr int quadrature_points = 3; // per direction: exact for cells of order 2 in the plane
+
+// Of the parallelogram at corner b, between its neighbours a and c.
+double corner_area(const Points& x, std::size_t a, std::size_t b, std::size_t c) {
+    return (x.x[c] - x.x[b]) * (x.y[a] - x.y[b]) - (x.y[c] - x.y[b]) * (x.x[a] - x.x[b]);
+}
+
+} // namespace
+
+CellGeometry::CellGeometry(std::shared_ptr<const Mesh> mesh)
+    : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)) {
+    const auto n = static_cast<std::size_t>(nodes_per_cell(mesh_->kind));
+    std::vector<double> values(n);
+    const auto sample = [&](Vec3 point, double weight) {
+        Sample made{std::vector<Vec3>(n), weight};
+        shape_functions(mesh_->kind, point, values, made.gradients);
+        return made;
+    };
+    for (const Vec3 node : reference_nodes(mesh_->kind)) nodes_.push_back(sample(node, 0));
+    for (const auto& [point, weight] : cell_quadrature(mesh_->kind.shape, quadrature_points))
+        quadrature_.push_back(sample(point, weight));
+}
+
+CellGeometry::Tangents CellGeometry::tangents(std::span<const std::int32_t> cell, const Points& x,
+                                              const Sample& sample) const {
+    Tangents t{};
+    for (std::size_t k = 0; k < cell.size(); ++k) {
+        const Vec3 g = sample.gradients[k], node = x[static_cast<std::size_t>(cell[k])];
+        t[0] = t[0] + g.x * node;
+        if (dimension_ > 1) t[1] = t[1] + g.y * node;
+        if (dimension_ > 2) t[2] = t[2] + g.z * node;
+    }
+    return t;
+}
+
+double CellGeometry::signed_measure(const Tangents& of, const Tangents& reference) const {
+    if (dimension_ == 2 && mesh_->space_dimension == 2) return of[0].x * of[1].y - of[0].y * of[1].x;
+    if (dimension_ == 1) return std::copysign(norm(of[0]), dot(of[0], reference[0]));
+    const Vec3 normal = cross(of[0], of[1]);
+    if (dimension_ == 3) return dot(normal, of[2]);
+    return std::copysign(norm(normal), dot(normal, cross(reference[0], reference[1])));
+}
+
+bool CellGeometry::straight_in_the_plane() const {
+    return dimension_ == 2 && mesh_->space_dimension == 2 && mesh_->kind.order == 1;
+}
+
+std::vector<double> CellGeometry::measures(const Points& x) const {
+    GASPARD_CHECK(x.size() == mesh_->node_count());
+    std::vector<double> found(mesh_->cell_count());
+    if (straight_in_the_plane()) { // half the product of the diagonals, or of two sides
+        const auto corners = static_cast<std::size_t>(corners_per_cell(mesh_->kind));
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const std::int32_t* c = mesh_->cells.data() + i * corners;
+            const auto a = static_cast<std::size_t>(c[0]), b = static_cast<std::size_t>(c[corners - 2]);
+            const auto d = static_cast<std::size_t>(c[corners - 1]),
+                       e = static_cast<std::size_t>(c[corners == 4 ? 1 : 0]);
+            found[i] = 0.5 * ((x.x[b] - x.x[a]) * (x.y[d] - x.y[e]) - (x.y[b] - x.y[a]) * (x.x[d] - x.x[e]));
+        }
+        return found;
+    }
+    for (std::size_t i = 0; i < found.size(); ++i)
+        for (const Sample& sample : quadrature_)
+            found[i] += sample.weight * signed_measure(tangents(mesh_->cell(i), x, sample),
+                                                       tangents(mesh_->cell(i), mesh_->nodes, sample));
+    return found;
+}
+
+std::vector<double> CellGeometry::jacobians(const Points& x) const {
+    GASPARD_CHECK(x.size() == mesh_->node_count());
+    std::vector<double> found(mesh_->cell_count());
+    const auto smaller = [](double a, double b) { return std::isnan(b) || b < a ? b : a; };
+    if (straight_in_the_plane()) {
+        const auto corners = static_cast<std::size_t>(corners_per_cell(mesh_->kind));
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const std::int32_t* c = mesh_->cells.data() + i * corners;
+            double smallest = std::numeric_limits<double>::infinity();
+            auto before = static_cast<std::size_t>(c[corners - 1]), here = static_cast<std::size_t>(c[0]);
+            for (std::size_t k = 0; k < corners; ++k) {
+                const auto next = static_cast<std::size_t>(c[k + 1 < corners ? k + 1 : 0]);
+                smallest = smaller(smallest, corner_area(x, before, here, next) /
+                                                 corner_area(mesh_->nodes, before, here, next));
+                before = here, here = next;
+            }
+            found[i] = smallest;
+        }
+        return found;
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        double smallest = std::numeric_limits<double>::infinity();
+        for (const Sample& sample : nodes_) {
+            const Tangents reference = tangents(mesh_->cell(i), mesh_->nodes, sample);
+            smallest = smaller(smallest, signed_measure(tangents(mesh_->cell(i), x, sample), reference) /
+                                             signed_measure(reference, reference));
+        }
+        found[i] = smallest;
+    }
+    return found;
+}
+
+} // namespace gaspard

@@ -1,0 +1,41 @@
+// What can be told of a mesh's cells from the positions of their nodes alone: how large they are, and how
+// they are stretched. Cheap beside a measurement (core/diagnostics), so that a picture can be coloured in
+// between.
+#pragma once
+
+#include "core/mesh/mesh.hpp"
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gaspard {
+
+class CellGeometry {
+  public:
+    explicit CellGeometry(std::shared_ptr<const Mesh> mesh);
+
+    /// Length, area or volume of every cell for nodes at `x`; negative where it is turned over.
+    std::vector<double> measures(const Points& x) const;
+    /// det dx/dxi of every cell, the smallest at its nodes. On a line or surface in space it is negative
+    /// where the cell faces away from the computational one.
+    std::vector<double> jacobians(const Points& x) const;
+
+  private:
+    using Tangents = std::array<Vec3, 3>;
+    struct Sample {
+        std::vector<Vec3> gradients; ///< of the shape functions
+        double weight = 0;
+    };
+
+    Tangents tangents(std::span<const std::int32_t> cell, const Points& x, const Sample& sample) const;
+    double signed_measure(const Tangents& of, const Tangents& reference) const;
+    bool straight_in_the_plane() const;
+
+    std::shared_ptr<const Mesh> mesh_;
+    int dimension_;
+    std::vector<Sample> nodes_, quadrature_;
+};
+
+} // namespace gaspard

@@ -1,0 +1,201 @@
+#include "core/tessellate/colouring.hpp"
+
+#include "core/base/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double decades_limit = 1e-6; // a logarithmic range spans no more than this part of its high end
+
+struct Kind {
+    std::string_view name, label;
+    FieldPlace place;
+    bool is_signed;               ///< values may be negative; has no logarithm
+    std::optional<double> centre; ///< what a diverging map has its middle at
+};
+const std::array<Kind, 5>& kinds() {
+    static const std::array<Kind, 5> table = {{
+        {"monitor", "monitor", FieldPlace::node, false, {}},
+        {"area", "cell area", FieldPlace::cell, false, {}},
+        {"jacobian", "Jacobian", FieldPlace::cell, false, 1.0},
+        {"equidistribution", "equidistribution", FieldPlace::cell, true, 0.0},
+        {"displacement", "displacement", FieldPlace::node, false, {}},
+    }};
+    return table;
+}
+
+const Kind* find_kind(std::string_view name) {
+    for (const Kind& kind : kinds())
+        if (kind.name == name) return &kind;
+    GASPARD_CHECK(name == "none");
+    return nullptr;
+}
+
+double smallest_positive(std::span<const double> values) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const double value : values)
+        if (value > 0 && value < smallest) smallest = value;
+    return smallest;
+}
+
+ColourRange logarithmic(ColourRange range, std::span<const double> values, const Kind& kind, bool diverging) {
+    if (!(range.high > 0)) return range;
+    if (!(range.low > 0)) range.low = std::min(smallest_positive(values), range.high);
+    range.low = std::max(range.low, decades_limit * range.high);
+    range.logarithmic = true;
+    if (diverging && kind.centre && *kind.centre > 0) {
+        const double ratio = std::max(range.high / *kind.centre, *kind.centre / range.low);
+        range.low = *kind.centre / ratio, range.high = *kind.centre * ratio;
+    }
+    return range;
+}
+
+ColourRange automatic_range(std::span<const double> values, const Kind& kind, bool log, bool diverging) {
+    ColourRange range = range_of(values);
+    if (log && !kind.is_signed) return logarithmic(range, values, kind, diverging);
+    if (!diverging || !kind.centre) return range;
+    const double half = std::max(range.high - *kind.centre, *kind.centre - range.low);
+    return {*kind.centre - half, *kind.centre + half};
+}
+
+const ColourMap& map_of(const ColourChoice& choice, const Kind& kind) {
+    if (choice.map != "automatic") return colour_map(choice.map);
+    return kind.is_signed ? colour_map("blue-red") : colour_maps().front();
+}
+
+void count(Colouring& colouring) {
+    const ColourRange& range = colouring.range;
+    const auto bins = static_cast<float>(colouring.histogram.size());
+    const auto put = [&](float place) { // NaN is in none
+        if (place < 0 || place > 1)
+            (place < 0 ? colouring.below : colouring.above) = true;
+        else if (place >= 0)
+            ++colouring.histogram[static_cast<std::size_t>(std::min(place * bins, bins - 1))];
+    };
+    if (!(range.high > range.low)) {
+        for (const double value : colouring.values)
+            put(value < range.low ? -1.0F : value > range.high ? 2.0F : 0.5F);
+    } else if (range.logarithmic) {
+        const double factor = 1 / range.low;
+        const float scale = 1 / std::log2(static_cast<float>(range.high / range.low));
+        for (const double value : colouring.values)
+            put(value > 0 ? std::log2(static_cast<float>(value * factor)) * scale : -1.0F);
+    } else {
+        const double scale = 1 / (range.high - range.low);
+        for (const double value : colouring.values) put(static_cast<float>((value - range.low) * scale));
+    }
+}
+
+std::vector<double> displacements(const Snapshot& snapshot) {
+    const Points &from = snapshot.mesh->nodes, &to = snapshot.x;
+    std::vector<double> found(to.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const double x = to.x[i] - from.x[i], y = to.y[i] - from.y[i], z = to.z[i] - from.z[i];
+        found[i] = std::sqrt(x * x + y * y + z * z);
+    }
+    return found;
+}
+
+/// M_i / mean - 1
+std::vector<double> deviations(const std::vector<double>& masses) {
+    double mean = 0;
+    for (const double mass : masses) mean += mass;
+    mean /= static_cast<double>(masses.size());
+    std::vector<double> found(masses.size());
+    for (std::size_t i = 0; i < found.size(); ++i) found[i] = masses[i] / mean - 1;
+    return found;
+}
+
+const char* measure_label(int dimension) {
+    return dimension == 1 ? "cell length" : dimension == 2 ? "cell area" : "cell volume";
+}
+
+} // namespace
+
+ColourChoice colour_choice(const Values& view) {
+    return {view.text("color"), view.text("map"), view.boolean("log"), view.text("range") == "fixed",
+            view.real("low"),   view.real("high")};
+}
+
+void ColouringMaker::see(const Snapshot& snapshot) {
+    GASPARD_CHECK(snapshot.mesh != nullptr);
+    const bool new_mesh = mesh_ != snapshot.mesh;
+    if (new_mesh) {
+        mesh_ = snapshot.mesh;
+        geometry_.emplace(mesh_);
+        mass_.clear();
+    }
+    if (!new_mesh && seen_version_ == snapshot.version) return;
+    seen_version_ = snapshot.version;
+    if (const Field* mass = snapshot.field("mass")) mass_ = mass->values;
+}
+
+std::vector<double> ColouringMaker::measures(const Snapshot& snapshot) {
+    see(snapshot);
+    return geometry_->measures(snapshot.x);
+}
+
+std::vector<double> ColouringMaker::jacobians(const Snapshot& snapshot) {
+    see(snapshot);
+    const Field* measured = snapshot.field("jacobian");
+    return measured != nullptr ? measured->values : geometry_->jacobians(snapshot.x);
+}
+
+std::vector<std::uint32_t> ColouringMaker::tangled(const Snapshot& snapshot) {
+    see(snapshot);
+    const Field* measured = snapshot.field("jacobian");
+    const std::vector<double> computed =
+        measured != nullptr ? std::vector<double>{} : geometry_->jacobians(snapshot.x);
+    const std::vector<double>& jacobians = measured != nullptr ? measured->values : computed;
+    std::vector<std::uint32_t> cells;
+    for (std::size_t i = 0; i < jacobians.size(); ++i)
+        if (!(jacobians[i] > 0)) cells.push_back(static_cast<std::uint32_t>(i));
+    return cells;
+}
+
+bool ColouringMaker::fill(const Snapshot& snapshot, Colouring& colouring) {
+    if (colouring.name == "monitor") {
+        const Field* monitor = snapshot.field("monitor");
+        if (monitor == nullptr) return false;
+        colouring.values = monitor->values;
+    } else if (colouring.name == "area") {
+        colouring.values = geometry_->measures(snapshot.x);
+        colouring.label = measure_label(cell_dimension(mesh_->kind));
+    } else if (colouring.name == "jacobian") {
+        colouring.values = jacobians(snapshot);
+    } else if (colouring.name == "equidistribution") {
+        if (mass_.empty()) return false;
+        colouring.values = deviations(mass_);
+    } else {
+        colouring.values = displacements(snapshot);
+    }
+    return true;
+}
+
+std::optional<Colouring> ColouringMaker::make(const Snapshot& snapshot, const ColourChoice& choice) {
+    see(snapshot);
+    const Kind* kind = find_kind(choice.colouring);
+    if (kind == nullptr) return std::nullopt;
+    Colouring colouring{.name = choice.colouring, .label = std::string(kind->label), .place = kind->place};
+    if (!fill(snapshot, colouring)) return std::nullopt;
+    colouring.map = &map_of(choice, *kind);
+    if (choice.fixed)
+        colouring.range = {choice.low, choice.high,
+                           choice.logarithmic && !kind->is_signed && choice.low > 0 && choice.high > 0};
+    else
+        colouring.range =
+            automatic_range(colouring.values, *kind, choice.logarithmic, colouring.map->diverging);
+    count(colouring);
+    return colouring;
+}
+
+std::optional<Colouring> make_colouring(const Snapshot& snapshot, const ColourChoice& choice) {
+    return ColouringMaker().make(snapshot, choice);
+}
+
+} // namespace gaspard

@@ -1,0 +1,82 @@
+// What the cells of a picture or a file are coloured by: a snapshot and a choice (the rows of the section
+// "view") give values, the map and the range that turn them into colours, and a histogram for the legend.
+//
+//   monitor          m at the nodes
+//   area             of the physical cell; length of a line, volume of a solid
+//   jacobian         det dx/dxi, the smallest sampled in each cell
+//   equidistribution M_i / mean of M - 1 of each cell: 0 where the monitor is shared out evenly
+//   displacement     |x - xi| of the nodes
+//   none             no colours
+#pragma once
+
+#include "core/base/parameter.hpp"
+#include "core/session/snapshot.hpp"
+#include "core/tessellate/cell_geometry.hpp"
+#include "core/tessellate/colour_map.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gaspard {
+
+struct ColourChoice {
+    std::string colouring = "monitor"; ///< one of the names above
+    std::string map = "automatic";     ///< or a name of colour_maps(): the one that suits the values
+    bool logarithmic = false;          ///< where values may be negative (equidistribution) it stays linear
+    bool fixed = false;                ///< the range is low to high, else it follows the values
+    double low = 0, high = 1;
+    friend bool operator==(const ColourChoice&, const ColourChoice&) = default;
+};
+/// `view`: values of view_rows().
+ColourChoice colour_choice(const Values& view);
+
+struct Colouring {
+    std::string name;  ///< as in ColourChoice
+    std::string label; ///< for a legend: "cell area"
+    FieldPlace place = FieldPlace::node;
+    std::vector<double> values{}; ///< of the mesh's nodes or cells
+    const ColourMap* map = nullptr;
+    ColourRange range{};
+    /// How many values lie in each part of the range, from low to high; what is outside counts for neither.
+    std::array<std::uint32_t, 64> histogram{};
+    bool below = false, above = false; ///< some values lie outside
+
+    std::array<unsigned char, 3> colour(std::size_t i) const {
+        return colour_at(*map, range.position(values[i]));
+    }
+};
+
+/// Colours the snapshots of one run after the other. Where a snapshot was not measured
+/// (method.diagnostics_every), Jacobians are taken at the nodes, and M_i are those measured last, so that
+/// colours do not flicker.
+class ColouringMaker {
+  public:
+    /// Nothing for "none", and for M_i before they were first measured.
+    std::optional<Colouring> make(const Snapshot& snapshot, const ColourChoice& choice);
+    /// Notes what was measured; needed for snapshots that make() does not see.
+    void see(const Snapshot& snapshot);
+    /// Cells with a Jacobian of zero or less at any sampled point, in ascending order.
+    std::vector<std::uint32_t> tangled(const Snapshot& snapshot);
+
+    /// Of every cell.
+    std::vector<double> measures(const Snapshot& snapshot);
+    std::vector<double> jacobians(const Snapshot& snapshot);
+    const std::vector<double>& masses() const { return mass_; } ///< M_i as last measured; empty before
+
+  private:
+    bool fill(const Snapshot& snapshot, Colouring& colouring);
+
+    std::shared_ptr<const Mesh> mesh_;
+    std::optional<CellGeometry> geometry_;
+    std::vector<double> mass_;
+    std::uint64_t seen_version_ = 0;
+};
+
+/// The colouring of one snapshot alone.
+std::optional<Colouring> make_colouring(const Snapshot& snapshot, const ColourChoice& choice);
+
+} // namespace gaspard
