@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "core/base/error.hpp"
 #include "core/scenario/toml.hpp"
 #include "gui/window.hpp"
 
@@ -18,16 +19,29 @@ void remember(const std::filesystem::path& file, const Settings& settings) {
     }
 }
 
+/// What the scenario leaves open is as it was when the window was closed.
+void look_as_before(const Catalogue& catalogue, Scenario& scenario, const Values& remembered) {
+    if (is_default(scenario.view, "theme")) scenario.view.set("theme", remembered.at("theme"));
+    if (!is_default(scenario.view, "camera") || remembered.text("camera_scenario") != scenario.name) return;
+    try {
+        set_value(catalogue, scenario, "view.camera", remembered.at("camera"));
+        check(catalogue, scenario);
+    } catch (const InputError&) { // edited by hand: home will do
+        scenario.view.set("camera", std::string());
+    }
+}
+
 } // namespace
 
 int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string& name,
                    const std::vector<std::string>& settings, const std::optional<std::string>& size) {
-    Scenario scenario = find_scenario(*catalogue, name);
-    apply_settings(*catalogue, scenario, settings);
-    check(*catalogue, scenario);
     const std::filesystem::path file = settings_file();
     WindowOptions options;
     options.settings = read_settings(file, options.complaints);
+    Scenario scenario = find_scenario(*catalogue, name);
+    look_as_before(*catalogue, scenario, options.settings.window);
+    apply_settings(*catalogue, scenario, settings);
+    check(*catalogue, scenario);
     if (size) {
         apply_size(scenario, *size);
         for (const char* key : {"width", "height"}) options.settings.window.set(key, scenario.view.at(key));

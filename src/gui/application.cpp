@@ -20,8 +20,7 @@ constexpr double projector_size = 1.7, text_step = 1.1;
 
 Application::Application(std::shared_ptr<const Catalogue> catalogue, ApplicationOptions options)
     : catalogue_(catalogue), output_(std::move(options.output)), settings_(std::move(options.settings)),
-      board_(std::make_shared<NoticeBoard>(options.wake)),
-      theme_(theme_named(settings_.window.text("theme"))), writer_(board_),
+      board_(std::make_shared<NoticeBoard>(options.wake)), theme_(dark_theme()), writer_(board_),
       document_(std::move(catalogue), std::move(options.wake)) {
     for (std::string& complaint : options.complaints) log_.add({std::move(complaint), true});
 }
@@ -30,12 +29,14 @@ Application::Application(std::shared_ptr<const Catalogue> catalogue, const Scena
                          ApplicationOptions options)
     : Application(std::move(catalogue), std::move(options)) {
     document_.open(scenario);
+    follow_theme();
 }
 
 Application::Application(std::shared_ptr<const Catalogue> catalogue, const FinishedRun& finished,
                          ApplicationOptions options)
     : Application(std::move(catalogue), std::move(options)) {
     document_.show(finished);
+    follow_theme();
 }
 
 /// Into the log and the status line; what went wrong comes up as well.
@@ -130,7 +131,8 @@ void Application::perform(ActionId id) {
     case ActionId::paste_camera:
         return paste_camera();
     case ActionId::theme:
-        return set_theme(settings_.window.text("theme") == "dark" ? "light" : "dark");
+        viewport().view.set("theme", std::string(theme_name() == "dark" ? "light" : "dark"));
+        return follow_theme();
     case ActionId::sidebar:
         return toggle("sidebar");
     case ActionId::plots:
@@ -222,9 +224,10 @@ void Application::paste_camera() {
     }
 }
 
-void Application::set_theme(const std::string& name) {
-    settings_.window.set("theme", name);
-    theme_ = theme_named(name);
+/// The window looks as its viewport's view says.
+void Application::follow_theme() {
+    settings_.window.set("theme", theme_name());
+    theme_ = theme_named(theme_name());
 }
 
 void Application::set_text_size(double size) {
@@ -264,6 +267,13 @@ void Application::export_files() {
 
 void Application::save_picture(Image image) {
     writer_.write_picture(output_folder(), "view", std::move(image));
+}
+
+Settings Application::settings() {
+    Settings settings = settings_;
+    settings.window.set("camera", viewport().view.text("camera"));
+    settings.window.set("camera_scenario", run().scenario.name);
+    return settings;
 }
 
 void Application::keep() {
@@ -319,7 +329,11 @@ void Application::open_file(const std::filesystem::path& file) {
 }
 
 void Application::open_scenario(const Scenario& scenario) {
+    const std::string theme = theme_name();
     document_.replace(0, scenario);
+    if (is_default(viewport().view, "theme"))
+        viewport().view.set("theme", theme); // it has no wish of its own
+    follow_theme();
     viewport_pane_.forget_home();
 }
 

@@ -64,6 +64,7 @@ class Application {
     bool quit_requested() const { return quit_; }
     /// How the caller is to style the next frame, and whether the window is to fill the screen.
     const Theme& theme() const { return theme_; }
+    const std::string& theme_name() { return viewport().view.text("theme"); }
     float text_size() const { return static_cast<float>(settings_.window.real("text_size")); }
     bool fullscreen() const { return fullscreen_; }
     /// True once after a screenshot was asked for; the answer is save_picture().
@@ -72,7 +73,7 @@ class Application {
     /// Saves the plot that was asked for, if any, as the picture that `draw` makes of it.
     void save_plot(const std::function<Image(const Plot&)>& draw);
     /// What is to be remembered when the window closes.
-    const Settings& settings() const { return settings_; }
+    Settings settings();
 
     Document& document() { return document_; }
     /// The meshes that the last frame asks for.
@@ -127,7 +128,7 @@ class Application {
     void look_from(const char* direction);
     void copy_camera();
     void paste_camera();
-    void set_theme(const std::string& name);
+    void follow_theme();
     void set_text_size(double size);
     void cancel();
     void keep();

@@ -43,6 +43,7 @@ void Application::frame() {
     // that is held would follow it.
     taking_screenshot_ = std::exchange(screenshot_, false);
     if (taking_screenshot_ && !ImGui::IsAnyItemActive()) ImGui::GetIO().MousePos = {-FLT_MAX, -FLT_MAX};
+    if (theme_name() != settings_.window.text("theme")) follow_theme();
     draw_menus();
     arrange();
     const FrameContext context{theme_, scale_, items_};

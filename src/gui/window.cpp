@@ -224,7 +224,7 @@ class Window {
     }
 
     /// After the loop: what is to be remembered.
-    Settings settings() const {
+    Settings settings() {
         Settings settings = application_->settings();
         for (const auto& [key, value] : place_) settings.window.set(key, value);
         return settings;
@@ -240,7 +240,7 @@ class Window {
     };
     Look wanted_look() const {
         return {scales_of(window_.get()), application_->text_size(),
-                application_->settings().window.text("theme")};
+                application_->theme_name()};
     }
     /// Units of the window per unit of the theme.
     float zoom() const { return look_.scales.zoom * look_.text_size; }

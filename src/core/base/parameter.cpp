@@ -116,6 +116,13 @@ Values::Values(std::string section, std::vector<ParameterRow> rows)
         set(row.key, row.default_value); // a default out of its own range is our fault
 }
 
+bool is_default(const Values& values, std::string_view key) {
+    const auto row = std::find_if(values.rows().begin(), values.rows().end(),
+                                  [&](const ParameterRow& one) { return one.key == key; });
+    GASPARD_CHECK(row != values.rows().end());
+    return values.at(key) == row->default_value;
+}
+
 bool Values::has(std::string_view key) const {
     return std::any_of(rows_.begin(), rows_.end(), [&](const auto& row) { return row.key == key; });
 }

@@ -65,6 +65,8 @@ class Values {
     std::vector<Value> values_;
 };
 
+/// Whether a value is as its row has it.
+bool is_default(const Values& values, std::string_view key);
 /// A number in the C locale that reads back to the same double.
 std::string format_number(double value);
 std::string format_value(const Value& value);
