@@ -23,6 +23,8 @@ Application::Application(std::shared_ptr<const Catalogue> catalogue, Application
       board_(std::make_shared<NoticeBoard>(options.wake)),
       theme_(theme_named(settings_.window.text("theme"))), writer_(board_),
       document_(std::move(catalogue), std::move(options.wake)) {
+    if (const auto choice = parse_choice(settings_.window.text("first_plot"))) plot_pane_.choose(0, *choice);
+    if (const auto choice = parse_choice(settings_.window.text("second_plot"))) plot_pane_.choose(1, *choice);
     for (std::string& complaint : options.complaints) log_.add({std::move(complaint), true});
 }
 
@@ -202,16 +204,14 @@ void Application::save_picture(Image image) {
 }
 
 void Application::keep() {
-    if (const auto kept = document_.keep(0))
-        message_ = {"Kept as \"" + document_.runs()[*kept].name + "\"", false};
+    if (const auto kept = document_.keep(0)) say({"Kept as " + document_.runs()[*kept].name, false});
 }
 
 void Application::fulfil(const PlotWish& wish) {
     switch (wish.kind) {
     case PlotWish::Kind::copy_csv:
         ImGui::SetClipboardText(runs_csv(document_.runs()).c_str());
-        message_ = {"Copied the numbers of all runs that are shown", false};
-        return;
+        return say({"Copied the numbers of all runs that are shown", false});
     case PlotWish::Kind::save_png:
         plot_picture_ = plot_of_runs(document_.runs(), wish.choice, wish.zoom);
         plot_name_ = name_of(wish.choice.quantity);

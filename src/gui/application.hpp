@@ -109,6 +109,7 @@ class Application {
     void draw_button(const Action& row);
     void draw_scenarios();
     void draw_sidebar();
+    void draw_plots(const FrameContext& context);
     void draw_edges();
     /// How a strip moves: to the sides or up and down, where its share is 0, how far off it is 1.
     struct EdgeTravel {

@@ -49,9 +49,7 @@ void Application::frame() {
     draw_toolbar();
     viewport_pane_.frame(run(), viewport(), layout_.viewport, context);
     if (checked(ActionId::sidebar)) draw_sidebar();
-    if (checked(ActionId::plots))
-        if (const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context))
-            fulfil(*wish);
+    if (checked(ActionId::plots)) draw_plots(context);
     draw_edges();
     if (checked(ActionId::log)) draw_log();
     draw_status();
@@ -173,6 +171,14 @@ void Application::draw_sidebar() {
         message_ = {};
     }
     ImGui::End();
+}
+
+void Application::draw_plots(const FrameContext& context) {
+    const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context);
+    if (wish) fulfil(*wish);
+    const auto choices = plot_pane_.choices();
+    settings_.window.set("first_plot", format_choice(choices[0]));
+    settings_.window.set("second_plot", format_choice(choices[1]));
 }
 
 void Application::draw_edges() {
