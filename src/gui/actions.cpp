@@ -94,6 +94,8 @@ std::span<const MouseHelp> mouse_help() {
         {"Drag the picture", "Pan, with the left or the middle button."},
         {"Wheel", "Zoom at the pointer."},
         {"Double-click", "Show the whole mesh again."},
+        {"Drag or wheel on a plot", "Pan and zoom; Shift or Ctrl or an axis for one direction only."},
+        {"Right drag on a plot", "Zoom to a rectangle; a double click shows everything again."},
         {"Ctrl+click a slider", "Type its value."},
         {"Drop a .toml file", "Open it."},
     };

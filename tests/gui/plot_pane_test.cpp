@@ -111,67 +111,95 @@ TEST_F(PlotPaneTest, HasAHeaderAtAnyWidth) {
     }
 }
 
-TEST_F(PlotPaneTest, RandomInputOnPlotsAndRunListBreaksNothing) {
-    std::mt19937 random(11); // the same input every time
-    const auto draw_int = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
-    const auto draw_float = [&](float low, float high) {
-        return std::uniform_real_distribution<float>(low, high)(random);
-    };
-    RunList list;
-    int kept = 0, wishes = 0, zoomed = 0, removed = 0;
-    for (int i = 0; i < 10000; ++i) {
+/// Mouse and keys at random; the same input every time.
+class RandomInput {
+  public:
+    int whole(int low, int high) { return std::uniform_int_distribution(low, high)(random_); }
+    float real(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
+    bool once_in(int times) { return whole(1, times) == 1; }
+
+    void stir(HeadlessUi& ui) {
         ImGuiIO& io = ImGui::GetIO();
-        if (draw_int(0, 2) == 0) ui.move(draw_float(-20, 920), draw_float(-20, 920));
-        if (draw_int(0, 99) == 0) ui.move_away();
-        if (draw_int(0, 2) == 0) ui.button(draw_int(0, 1) == 1, draw_int(0, 2));
-        if (draw_int(0, 4) == 0) ui.wheel(draw_float(-5, 5));
-        if (draw_int(0, 9) == 0) io.KeyCtrl = !io.KeyCtrl;
-        if (draw_int(0, 9) == 0) io.KeyShift = !io.KeyShift;
-        if (draw_int(0, 4) == 0) io.AddInputCharacter(static_cast<unsigned>(draw_int(32, 0x3000)));
-        if (draw_int(0, 99) == 0) {
-            first.right = first.left + draw_float(-10, 600);
-            second.bottom = second.top + draw_float(-10, 600);
+        if (once_in(6)) ui.move(real(-20, 920), real(-20, 920));
+        if (once_in(100)) ui.move_away();
+        if (once_in(3)) ui.button(once_in(2), whole(0, 2));
+        if (once_in(5)) ui.wheel(real(-5, 5));
+        if (once_in(10)) io.KeyCtrl = !io.KeyCtrl;
+        if (once_in(10)) io.KeyShift = !io.KeyShift;
+        if (once_in(5)) io.AddInputCharacter(static_cast<unsigned>(whole(32, 0x3000)));
+    }
+    /// One of the items there are, most of all of an open menu or list.
+    ItemRectangle choose(const ItemRectangles& items) {
+        std::vector<ItemRectangle> all, offered;
+        for (const auto& [key, item] : items) {
+            all.push_back(item);
+            if (key.find(".menu.") != std::string::npos || key.find('=') != std::string::npos)
+                offered.push_back(item);
         }
-        // Runs grow, with values of every kind.
-        if (DocumentRun* run = document.runs().empty() ? nullptr : &document.runs().front()) {
-            static constexpr double values[] = {
-                0,     -1,  1e-320, 1e300, std::numeric_limits<double>::infinity(),
-                1e-12, 0.5, 3,      -1e9,  std::numeric_limits<double>::quiet_NaN()};
-            const auto value = [&] { return values[draw_int(0, 9)]; };
-            run->curves.append({.iteration = 201 + i / 3,
-                                .residual = value(),
-                                .step_size = value(),
-                                .equidistribution = value(),
-                                .min_jacobian = value(),
-                                .max_jacobian = value(),
-                                .seconds = 2 + 0.01 * i});
-        }
+        const auto& from = offered.empty() || once_in(4) ? all : offered;
+        return from[static_cast<std::size_t>(whole(0, static_cast<int>(from.size()) - 1))];
+    }
+    /// Of every kind that a double can be.
+    double value() {
+        static constexpr double values[] = {
+            0,     -1,  1e-320, 1e300, std::numeric_limits<double>::infinity(),
+            1e-12, 0.5, 3,      -1e9,  std::numeric_limits<double>::quiet_NaN()};
+        return values[whole(0, 9)];
+    }
+
+  private:
+    std::mt19937 random_{11};
+};
+
+TEST_F(PlotPaneTest, RandomInputOnPlotsAndRunListBreaksNothing) {
+    RandomInput random;
+    RunList list;
+    int frames = 0, kept = 0, wishes = 0, zoomed = 0, removed = 0;
+    const auto draw_both = [&] {
         const std::size_t before = document.runs().size();
-        ui.frame([&] {
-            draw();
-            ImGui::SetNextWindowPos({0, 0});
-            ImGui::SetNextWindowSize({390, 900});
-            ImGui::Begin("runs", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-            if (list.draw(document, {theme, 1, items}) && document.runs().size() < 30) {
-                document.runs().push_back(made_up_run("Run " + std::to_string(kept), draw_int(0, 3) * 100));
-                document.runs().back().number = document.runs().back().colour =
-                    static_cast<std::size_t>(100 + ++kept);
-            }
-            ImGui::End();
-        });
+        draw();
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({390, 900});
+        ImGui::Begin("runs", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+        const bool keep = list.draw(document, {theme, 1, items});
+        ImGui::End();
         removed += document.runs().size() < before ? 1 : 0;
+        if (keep && document.runs().size() < 30) {
+            document.runs().push_back(made_up_run("Run " + std::to_string(++kept), 100 * random.whole(0, 3)));
+            document.runs().back().number = static_cast<std::uint64_t>(100 + kept);
+            document.runs().back().colour = static_cast<std::size_t>(kept);
+        }
+        ++frames;
+    };
+    while (frames < 10000) {
+        random.stir(ui);
+        if (random.once_in(100)) first.right = first.left + random.real(-10, 600);
+        if (random.once_in(100)) second.bottom = second.top + random.real(-10, 600);
+        if (!document.runs().empty())
+            document.runs().front().curves.append({.iteration = 201 + frames / 3,
+                                                   .residual = random.value(),
+                                                   .step_size = random.value(),
+                                                   .equidistribution = random.value(),
+                                                   .min_jacobian = random.value(),
+                                                   .max_jacobian = random.value(),
+                                                   .seconds = 2 + 0.01 * frames});
+        if (random.once_in(5) && !items.empty()) {
+            for (const int button : {0, 1, 2}) ui.button(false, button);
+            ui.click(random.choose(items), draw_both);
+        } else {
+            ui.frame(draw_both);
+        }
         wishes += std::exchange(wish, std::nullopt) ? 1 : 0;
         zoomed += pane.zoom(0) != PlotZoom{} ? 1 : 0;
         for (const std::size_t plot : {0U, 1U})
             for (const auto& range : {pane.zoom(plot).x, pane.zoom(plot).y})
-                if (range) {
-                    ASSERT_LT(range->low, range->high) << i;
-                }
+                ASSERT_TRUE(!range || range->low < range->high) << frames;
     }
-    EXPECT_GT(wishes, 0) << "the input reached too little";
+    EXPECT_GT(wishes, 5) << "the input reached too little";
     EXPECT_GT(zoomed, 100);
-    EXPECT_GT(removed, 0);
-    EXPECT_GT(kept, 0);
+    EXPECT_GT(removed, 1);
+    EXPECT_GT(kept, 5);
+    EXPECT_NE(pane.choices()[0], PlotChoice{});
 }
 
 } // namespace

@@ -70,7 +70,7 @@ TEST_F(RunListTest, RenamesInPlace) {
 }
 
 TEST_F(RunListTest, ARunIsNeverWithoutAName) {
-    document.runs()[1].name = "x";
+    document.runs()[1].name.assign(1, 'x');
     frame(), frame();
     click("runs.1.name");
     press(ImGuiKey_End);
@@ -99,7 +99,7 @@ TEST_F(RunListTest, NamesOfAnyLengthAndKindAreFine) {
     document.runs()[0].name = std::string(5000, 'a');
     document.runs()[1].name.clear();
     for (int i = 0; i < 300; ++i) document.runs()[1].name += "ä";
-    document.runs()[2].name = "";
+    document.runs()[2].name.clear();
     frame(), frame();
     click("runs.1.name");
     press(ImGuiKey_End);
