@@ -125,6 +125,8 @@ std::span<const MouseHelp> mouse_help() {
         {"Wheel", "Zoom at the pointer."},
         {"Click", "Pick a node or a cell: a card tells what is known of it. Beside the mesh: none."},
         {"Double-click", "Bring a point to the middle."},
+        {"Drag or wheel on a plot", "Pan and zoom; Shift or Ctrl or an axis for one direction only."},
+        {"Right drag on a plot", "Zoom to a rectangle; a double click shows everything again."},
         {"Ctrl+click a slider", "Type its value."},
         {"Drop a .toml file", "Open it."},
     };

@@ -22,6 +22,8 @@ Application::Application(std::shared_ptr<const Catalogue> catalogue, Application
     : catalogue_(catalogue), output_(std::move(options.output)), settings_(std::move(options.settings)),
       board_(std::make_shared<NoticeBoard>(options.wake)), theme_(dark_theme()), writer_(board_),
       document_(std::move(catalogue), std::move(options.wake)) {
+    if (const auto choice = parse_choice(settings_.window.text("first_plot"))) plot_pane_.choose(0, *choice);
+    if (const auto choice = parse_choice(settings_.window.text("second_plot"))) plot_pane_.choose(1, *choice);
     for (std::string& complaint : options.complaints) log_.add({std::move(complaint), true});
 }
 
@@ -131,7 +133,7 @@ void Application::perform(ActionId id) {
     case ActionId::paste_camera:
         return paste_camera();
     case ActionId::theme:
-        viewport().view.set("theme", std::string(theme_name() == "dark" ? "light" : "dark"));
+        viewport().view.set("theme", std::string(viewed_theme() == "dark" ? "light" : "dark"));
         return follow_theme();
     case ActionId::sidebar:
         return toggle("sidebar");
@@ -226,8 +228,8 @@ void Application::paste_camera() {
 
 /// The window looks as its viewport's view says.
 void Application::follow_theme() {
-    settings_.window.set("theme", theme_name());
-    theme_ = theme_named(theme_name());
+    settings_.window.set("theme", viewed_theme());
+    theme_ = theme_named(viewed_theme());
 }
 
 void Application::set_text_size(double size) {
@@ -277,16 +279,14 @@ Settings Application::settings() {
 }
 
 void Application::keep() {
-    if (const auto kept = document_.keep(0))
-        message_ = {"Kept as \"" + document_.runs()[*kept].name + "\"", false};
+    if (const auto kept = document_.keep(0)) say({"Kept as " + document_.runs()[*kept].name, false});
 }
 
 void Application::fulfil(const PlotWish& wish) {
     switch (wish.kind) {
     case PlotWish::Kind::copy_csv:
         ImGui::SetClipboardText(runs_csv(document_.runs()).c_str());
-        message_ = {"Copied the numbers of all runs that are shown", false};
-        return;
+        return say({"Copied the numbers of all runs that are shown", false});
     case PlotWish::Kind::save_png:
         plot_picture_ = plot_of_runs(document_.runs(), wish.choice, wish.zoom);
         plot_name_ = name_of(wish.choice.quantity);
@@ -329,7 +329,7 @@ void Application::open_file(const std::filesystem::path& file) {
 }
 
 void Application::open_scenario(const Scenario& scenario) {
-    const std::string theme = theme_name();
+    const std::string theme = viewed_theme();
     document_.replace(0, scenario);
     if (is_default(viewport().view, "theme"))
         viewport().view.set("theme", theme); // it has no wish of its own

@@ -64,7 +64,7 @@ class Application {
     bool quit_requested() const { return quit_; }
     /// How the caller is to style the next frame, and whether the window is to fill the screen.
     const Theme& theme() const { return theme_; }
-    const std::string& theme_name() { return viewport().view.text("theme"); }
+    const std::string& theme_name() const { return settings_.window.text("theme"); }
     float text_size() const { return static_cast<float>(settings_.window.real("text_size")); }
     bool fullscreen() const { return fullscreen_; }
     /// True once after a screenshot was asked for; the answer is save_picture().
@@ -111,6 +111,7 @@ class Application {
     void draw_scenarios();
     void draw_sidebar();
     void draw_view(const PanelContext& context);
+    void draw_plots(const FrameContext& context);
     void draw_edges();
     /// How a strip moves: to the sides or up and down, where its setting is 0, how far off it is 1.
     struct EdgeTravel {
@@ -128,6 +129,7 @@ class Application {
     void look_from(const char* direction);
     void copy_camera();
     void paste_camera();
+    const std::string& viewed_theme() { return viewport().view.text("theme"); }
     void follow_theme();
     void set_text_size(double size);
     void cancel();

@@ -43,16 +43,14 @@ void Application::frame() {
     // that is held would follow it.
     taking_screenshot_ = std::exchange(screenshot_, false);
     if (taking_screenshot_ && !ImGui::IsAnyItemActive()) ImGui::GetIO().MousePos = {-FLT_MAX, -FLT_MAX};
-    if (theme_name() != settings_.window.text("theme")) follow_theme();
+    if (viewed_theme() != theme_name()) follow_theme();
     draw_menus();
     arrange();
     const FrameContext context{theme_, scale_, items_};
     draw_toolbar();
     viewport_pane_.frame(run(), viewport(), layout_.viewport, context);
     if (checked(ActionId::sidebar)) draw_sidebar();
-    if (checked(ActionId::plots))
-        if (const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context))
-            fulfil(*wish);
+    if (checked(ActionId::plots)) draw_plots(context);
     draw_edges();
     if (checked(ActionId::log)) draw_log();
     draw_status();
@@ -185,6 +183,14 @@ void Application::draw_view(const PanelContext& context) {
     if (run().snapshot && run().snapshot->mesh->space_dimension == 3) keys.emplace_back("direction");
     panel_.draw_rows(context, run().opened.view, view, keys);
     if (!was_fixed && view.text("range") == "fixed") viewport_pane_.fix_range(viewport());
+}
+
+void Application::draw_plots(const FrameContext& context) {
+    const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context);
+    if (wish) fulfil(*wish);
+    const auto choices = plot_pane_.choices();
+    settings_.window.set("first_plot", format_choice(choices[0]));
+    settings_.window.set("second_plot", format_choice(choices[1]));
 }
 
 void Application::draw_edges() {

@@ -155,6 +155,7 @@ bool Document::collect() {
 bool Document::collect(DocumentRun& run) {
     SolverStatus status = run.solver->status(); // first: a run that has ended has told all it has to tell
     const std::vector<SolverEvent> events = run.solver->drain();
+    status.scenario = run.solver->status().scenario; // of the last of these events
     auto snapshot = run.solver->latest();
     const bool news = !events.empty() || snapshot != run.snapshot || !same(status, run.status);
     const bool news_of_change = status.answered != run.answered;

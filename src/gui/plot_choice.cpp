@@ -48,12 +48,13 @@ const QuantityRow& row_of(Quantity quantity) {
 
 constexpr std::string_view axis_name(bool logarithmic) { return logarithmic ? "log" : "linear"; }
 
-/// The text up to the next comma, which goes with it.
-std::string_view take_word(std::string_view& text) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    const std::string_view word = text.substr(0, comma);
-    text.remove_prefix(std::min(comma + 1, text.size()));
-    return word;
+std::vector<std::string_view> split(std::string_view text) {
+    std::vector<std::string_view> words;
+    for (std::size_t comma = 0; (comma = text.find(',')) != std::string_view::npos;
+         text.remove_prefix(comma + 1))
+        words.push_back(text.substr(0, comma));
+    words.push_back(text);
+    return words;
 }
 
 template <class Choice>
@@ -129,10 +130,12 @@ std::string format_choice(const PlotChoice& choice) {
 }
 
 std::optional<PlotChoice> parse_choice(std::string_view text) {
-    const auto quantity = choice_of(quantities(), take_word(text));
-    const auto abscissa = choice_of(abscissas(), take_word(text));
-    const auto log_x = logarithmic_of(take_word(text)), log_y = logarithmic_of(take_word(text));
-    if (!quantity || !abscissa || !log_x || !log_y || !text.empty()) return std::nullopt;
+    const auto words = split(text);
+    if (words.size() != 4) return std::nullopt;
+    const auto quantity = choice_of(quantities(), words[0]);
+    const auto abscissa = choice_of(abscissas(), words[1]);
+    const auto log_x = logarithmic_of(words[2]), log_y = logarithmic_of(words[3]);
+    if (!quantity || !abscissa || !log_x || !log_y) return std::nullopt;
     return PlotChoice{*quantity, *abscissa, *log_x, *log_y};
 }
 

@@ -76,6 +76,78 @@ TEST_F(DocumentTest, AChangeGoesOnAndAResetBeginsAnew) {
     ASSERT_TRUE(wait_until([&] { return run().ended() && run().history.back().iteration == 40; }));
 }
 
+TEST_F(DocumentTest, AKeptRunStaysWhileTheLiveOneGoesOn) {
+    document.open(small_ring(*catalogue));
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    ASSERT_EQ(document.keep(0), 1U);
+    EXPECT_EQ(document.runs()[1].name, "Ring");
+    EXPECT_FALSE(document.runs()[1].live());
+    EXPECT_NE(document.runs()[1].colour, run().colour);
+    const auto snapshot = run().snapshot;
+
+    Scenario changed = run().scenario;
+    set_value(*catalogue, changed, "monitor.amplitude", 20.0);
+    document.change(0, changed);
+    EXPECT_EQ(run().name, "Ring, amplitude 20");
+    document.reset(0);
+    document.start(0);
+    const DocumentRun& kept = document.runs()[1];
+    ASSERT_TRUE(wait_until([&] {
+        return run().ended() && run().history.size() == 41 &&
+               run().history[40].residual != kept.history[40].residual;
+    }));
+    EXPECT_EQ(kept.history.size(), 41U);
+    EXPECT_EQ(kept.curves.residual.values[40], kept.history[40].residual);
+    EXPECT_LT(kept.history[40].residual, run().history[40].residual);
+    EXPECT_EQ(kept.snapshot, snapshot) << "its mesh can still be looked at";
+    EXPECT_EQ(kept.scenario.monitor.values.real("amplitude"), 10);
+    EXPECT_TRUE(kept.ended());
+
+    ASSERT_EQ(document.keep(0), 2U);
+    EXPECT_EQ(document.runs()[2].name, "Ring, amplitude 20");
+    EXPECT_EQ(document.runs()[2].scenario.monitor.values.real("amplitude"), 20);
+    ASSERT_EQ(document.keep(0), 3U);
+    EXPECT_EQ(document.runs()[3].name, "Ring, amplitude 20 (2)") << "no two have the same name";
+}
+
+TEST_F(DocumentTest, OfARemovedRunNothingRemains) {
+    document.open(small_ring(*catalogue));
+    EXPECT_FALSE(document.keep(0)) << "there is nothing yet";
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    document.keep(0), document.keep(0);
+    const std::size_t colour = document.runs()[1].colour;
+    document.viewports().push_back({.run = 1, .view = run().scenario.view});
+    document.viewports().push_back({.run = 2, .view = run().scenario.view});
+    document.remove(1);
+    ASSERT_EQ(document.runs().size(), 2U);
+    EXPECT_EQ(document.runs()[1].name, "Ring (2)");
+    EXPECT_EQ(document.viewports()[1].run, 0U) << "what it looked at is gone";
+    EXPECT_EQ(document.viewports()[2].run, 1U) << "the same run as before";
+    document.keep(0);
+    EXPECT_EQ(document.runs()[2].colour, colour) << "its colour is free again";
+}
+
+TEST_F(DocumentTest, AChangeOfValuesMarksTheHistory) {
+    document.open(small_ring(*catalogue));
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    EXPECT_TRUE(run().marks.empty());
+    Scenario changed = run().scenario;
+    for (const double amplitude : {12.0, 15.0, 20.0}) { // a slider being dragged
+        set_value(*catalogue, changed, "monitor.amplitude", amplitude);
+        document.change(0, changed);
+        ASSERT_TRUE(wait_until([&] { return run().answered == run().asked; }));
+    }
+    ASSERT_TRUE(wait_until([&] { return run().ended() && run().history.back().iteration >= 80; }));
+    ASSERT_EQ(run().marks.size(), 1U);
+    EXPECT_EQ(run().marks[0].iteration, 40);
+    EXPECT_EQ(run().marks[0].text, "amplitude 10 to 20");
+    document.keep(0);
+    document.reset(0);
+    ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
+    EXPECT_TRUE(run().marks.empty());
+    EXPECT_EQ(document.runs()[1].marks.size(), 1U);
+}
+
 TEST_F(DocumentTest, RunsDifferInColour) {
     document.open(small_ring(*catalogue));
     document.open(find_scenario(*catalogue, "plane-bell"));
