@@ -61,7 +61,7 @@ const std::vector<Format>& formats() {
          {"adapted.vtu"},
          &write_vtu_file},
         {"msh",
-         "Gmsh 2.2, exact, with all fields and named borders: for finite element codes",
+         "Gmsh 2.2, exact, with named borders and the fields of nodes: for finite element codes",
          {"adapted.msh"},
          &write_msh_file},
         {"ply",
