@@ -1,0 +1,285 @@
+#include "core/base/check.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/svg.hpp"
+#include "core/io/svg_document.hpp"
+#include "core/io/svg_scene.hpp"
+#include "core/tessellate/colour_map.hpp"
+#include "core/tessellate/ticks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+constexpr const char *dark_ink = "#14171c", *light_ink = "#d4d2de", *tangled_colour = "#e600b8";
+constexpr double margin = 6, legend_width = 56; // points
+
+std::string hex(std::array<unsigned char, 3> colour) {
+    static constexpr std::string_view digits = "0123456789abcdef";
+    std::string text = "#";
+    for (const unsigned char channel : colour) (text += digits[channel >> 4]) += digits[channel & 15];
+    return text;
+}
+
+/// From 0 to 1, of linear light.
+double luminance(std::array<unsigned char, 3> colour) {
+    constexpr std::array weights = {0.2126, 0.7152, 0.0722};
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double s = colour[i] / 255.0;
+        sum += weights[i] * (s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+/// The colours of the cells, a limited number of them.
+class Classes {
+  public:
+    Classes(const SvgScene& scene, const MeshSvgOptions& options)
+        : scene_(scene), range_(range_of(scene.values)) {
+        GASPARD_CHECK(options.classes >= 1);
+        const ColourMap& map = colour_map(options.colour_map);
+        for (int k = 0; k < options.classes && !scene.values.empty(); ++k)
+            colours_.push_back(colour_at(map, (k + 0.5) / options.classes));
+        if (colours_.empty()) colours_.push_back({255, 255, 255});
+    }
+
+    std::size_t count() const { return colours_.size(); }
+    ColourRange range() const { return range_; }
+    std::string colour(std::size_t k) const { return hex(colours_[k]); }
+    std::size_t of(std::size_t face) const {
+        if (scene_.values.empty()) return 0;
+        const double position = std::clamp(range_.position(scene_.values[face]), 0.0, 1.0);
+        return std::min(colours_.size() - 1,
+                        static_cast<std::size_t>(position * static_cast<double>(count())));
+    }
+    /// Lines on these classes are seen: against either ink the contrast ratio is at least 3.
+    bool wants_light_ink(std::size_t a, std::size_t b) const {
+        return (luminance(colours_[a]) + luminance(colours_[b])) / 2 < 0.13;
+    }
+
+  private:
+    const SvgScene& scene_;
+    ColourRange range_;
+    std::vector<std::array<unsigned char, 3>> colours_;
+};
+
+/// Everything the drawing functions share.
+struct Drawing {
+    const SvgScene& scene;
+    const SvgView& view;
+    const Classes& classes;
+    int decimals = 2;
+    double line_width = 0.4;
+
+    PagePoint node(std::int32_t number) const { return view.page(scene.x[static_cast<std::size_t>(number)]); }
+    void go(SvgPath& path, const Side& side) const {
+        const PagePoint to = node(side.to);
+        if (side.middle < 0) return path.line(to);
+        // The parabola through the middle node.
+        const PagePoint from = node(side.from), middle = node(side.middle);
+        path.curve({2 * middle.x - (from.x + to.x) / 2, 2 * middle.y - (from.y + to.y) / 2}, to);
+    }
+    void add(SvgPath& path, const std::vector<Side>& line, bool closed) const {
+        path.move(node(line.front().from));
+        for (const Side& side : line) go(path, side);
+        if (closed) path.close();
+    }
+};
+
+/// The length that all but a tenth of the edges exceed.
+double short_edge(const SvgScene& scene, const SvgView& view) {
+    std::vector<double> lengths;
+    const auto measure = [&](const Side& side) {
+        const PagePoint a = view.page(scene.x[static_cast<std::size_t>(side.from)]);
+        const PagePoint b = view.page(scene.x[static_cast<std::size_t>(side.to)]);
+        lengths.push_back(std::hypot(a.x - b.x, a.y - b.y));
+    };
+    for (std::size_t f = 0; f < scene.faces.size(); ++f)
+        for (const Side& side : sides_of_face(scene.faces, f)) measure(side);
+    for (const Side& side : scene.lines) measure(side);
+    if (lengths.empty()) return 1;
+    const auto tenth = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 10);
+    std::nth_element(lengths.begin(), tenth, lengths.end());
+    return *tenth;
+}
+
+std::string path_element(const SvgPath& path, const std::string& attributes = {}) {
+    return path.empty() ? "" : "<path" + attributes + " d=\"" + path.data() + "\"/>\n";
+}
+
+/// One path per class around all of its cells.
+std::string flat_fill(const Drawing& drawing) {
+    const SvgScene& scene = drawing.scene;
+    std::vector<std::vector<std::uint32_t>> members(drawing.classes.count());
+    for (std::size_t f = 0; f < scene.faces.size(); ++f)
+        if (!scene.tangled[f]) members[drawing.classes.of(f)].push_back(static_cast<std::uint32_t>(f));
+    std::string text = "<g id=\"cells\">\n";
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        SvgPath path(drawing.decimals);
+        for (const auto& loop : outline(scene.faces, members[k])) drawing.add(path, loop, true);
+        text += path_element(path, " fill=\"" + drawing.classes.colour(k) + '"');
+    }
+    return text + "</g>\n";
+}
+
+std::string line_group(const Drawing& drawing, const std::vector<Side>& edges, const std::string& id,
+                       const std::string& ink, double width) {
+    if (edges.empty()) return "";
+    std::string text = "<g id=\"" + id + "\" fill=\"none\" stroke=\"" + ink + "\" stroke-width=\"" +
+                       svg_number(width, 3) + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
+    for (const auto& line : chain(edges, drawing.scene.xi)) {
+        SvgPath path(drawing.decimals);
+        drawing.add(path, line, false);
+        text += path_element(path);
+    }
+    return text + "</g>\n";
+}
+
+std::string flat_edges(const Drawing& drawing) {
+    std::vector<Side> dark, light;
+    for (const DrawnEdge& edge : edges_of(drawing.scene.faces)) {
+        const bool on_dark = drawing.classes.wants_light_ink(drawing.classes.of(edge.faces[0]),
+                                                             drawing.classes.of(edge.faces[1]));
+        (on_dark ? light : dark).push_back(edge.side);
+    }
+    return line_group(drawing, light, "edges-on-dark", light_ink, drawing.line_width) +
+           line_group(drawing, dark, "edges", dark_ink, drawing.line_width);
+}
+
+std::string flat_tangled(const Drawing& drawing) {
+    SvgPath path(drawing.decimals);
+    for (std::size_t f = 0; f < drawing.scene.faces.size(); ++f)
+        if (drawing.scene.tangled[f]) drawing.add(path, sides_of_face(drawing.scene.faces, f), true);
+    return path_element(path, " id=\"tangled\" fill=\"" + std::string(tangled_colour) + "\" stroke=\"" +
+                                  tangled_colour + "\" stroke-width=\".8\" stroke-linejoin=\"round\"");
+}
+
+/// Face by face, the nearer over the farther; neighbours of one class in one group.
+std::string spatial_faces(const Drawing& drawing) {
+    const SvgScene& scene = drawing.scene;
+    std::string text = "<g id=\"cells\" stroke-width=\"" + svg_number(drawing.line_width, 3) +
+                       "\" stroke-linejoin=\"round\">\n";
+    std::string group; // the one that is open
+    for (const auto f : painters_order(scene, drawing.view)) {
+        const std::size_t k = drawing.classes.of(f);
+        const std::string colour = scene.tangled[f] ? tangled_colour : drawing.classes.colour(k);
+        if (group != colour) {
+            const bool light = !scene.tangled[f] && drawing.classes.wants_light_ink(k, k);
+            if (!group.empty()) text += "</g>\n";
+            text += "<g fill=\"" + colour + "\" stroke=\"" + (light ? light_ink : dark_ink) + "\">\n";
+            group = colour;
+        }
+        SvgPath path(drawing.decimals);
+        drawing.add(path, sides_of_face(scene.faces, f), true);
+        text += path_element(path);
+    }
+    return text + (group.empty() ? "" : "</g>\n") + "</g>\n";
+}
+
+/// A curve's cells in their colours, with dots between them.
+std::string coloured_lines(const Drawing& drawing) {
+    const SvgScene& scene = drawing.scene;
+    std::string text;
+    for (std::size_t k = 0; k < drawing.classes.count(); ++k) {
+        std::vector<Side> members;
+        for (std::size_t i = 0; i < scene.lines.size(); ++i)
+            if (!scene.tangled[i] && drawing.classes.of(i) == k) members.push_back(scene.lines[i]);
+        const std::string ink = scene.values.empty() ? dark_ink : drawing.classes.colour(k);
+        text += line_group(drawing, members, "cells-" + std::to_string(k), ink, 2);
+    }
+    std::vector<Side> tangled;
+    for (std::size_t i = 0; i < scene.lines.size(); ++i)
+        if (scene.tangled[i]) tangled.push_back(scene.lines[i]);
+    text += line_group(drawing, tangled, "tangled", tangled_colour, 2) + "<g id=\"nodes\" fill=\"" +
+            dark_ink + "\">\n";
+    for (const Side& side : scene.lines)
+        for (const std::int32_t end : {side.from, side.to}) {
+            const PagePoint p = drawing.node(end);
+            text += "<circle cx=\"" + svg_number(p.x) + "\" cy=\"" + svg_number(p.y) + "\" r=\".9\"/>\n";
+        }
+    return text + "</g>\n";
+}
+
+std::string svg_block(double x, double y, double width, double height, const std::string& attributes) {
+    return "<rect x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" width=\"" + svg_number(width) +
+           "\" height=\"" + svg_number(height) + "\" " + attributes + "/>\n";
+}
+
+/// A bar of the classes with ticks, its upper left corner at `corner`.
+std::string colour_bar(const Classes& classes, const std::string& name, PagePoint corner, double height) {
+    constexpr double bar_width = 10;
+    const double block = height / static_cast<double>(classes.count());
+    std::string text = "<g id=\"legend\" fill=\"#222\">\n";
+    text += svg_text({corner.x, corner.y + 0.75 * svg_font_size}, Anchor::start, name);
+    const double top = corner.y + 1.5 * svg_font_size;
+    for (std::size_t k = 0; k < classes.count(); ++k)
+        text += svg_block(corner.x, top + height - static_cast<double>(k + 1) * block, bar_width, block,
+                          "fill=\"" + classes.colour(k) + '"');
+    text += svg_block(corner.x, top, bar_width, height, "fill=\"none\" stroke=\"#444\" stroke-width=\".35\"");
+    const ColourRange range = classes.range();
+    SvgPath marks;
+    for (const Tick& tick : linear_ticks(range.low, range.high, static_cast<int>(height / 20))) {
+        const double y = top + height * (1 - range.position(tick.value));
+        if (y < top - 0.01 || y > top + height + 0.01) continue;
+        marks.move({corner.x + bar_width, y});
+        marks.line({corner.x + bar_width + 2.5, y});
+        text += svg_text({corner.x + bar_width + 5, y + 0.36 * svg_font_size}, Anchor::start, tick.label);
+    }
+    return text + path_element(marks, " stroke=\"#444\" stroke-width=\".35\"") + "</g>\n";
+}
+
+/// The sentence that says what is wrong, with its colour; nothing if all is well.
+std::string tangled_note(const SvgScene& scene, PagePoint at) {
+    std::vector<std::uint32_t> cells; // a solid's cell may show several faces
+    for (std::size_t f = 0; f < scene.size(); ++f)
+        if (scene.tangled[f])
+            cells.push_back(scene.lines.empty() ? scene.faces.cells[f] : static_cast<std::uint32_t>(f));
+    std::sort(cells.begin(), cells.end());
+    const auto count = std::unique(cells.begin(), cells.end()) - cells.begin();
+    if (count == 0) return "";
+    return svg_block(at.x, at.y - 0.75 * svg_font_size, svg_font_size, 0.9 * svg_font_size,
+                     "fill=\"" + std::string(tangled_colour) + '"') +
+           svg_text({at.x + 1.5 * svg_font_size, at.y}, Anchor::start,
+                    std::to_string(count) + (count == 1 ? " tangled cell" : " tangled cells"),
+                    "fill=\"#222\"");
+}
+
+std::string mesh_content(const Drawing& drawing) {
+    if (!drawing.scene.lines.empty()) return coloured_lines(drawing);
+    if (drawing.scene.spatial) return spatial_faces(drawing);
+    return flat_fill(drawing) + flat_edges(drawing) + flat_tangled(drawing);
+}
+
+} // namespace
+
+std::string svg_of_mesh(const Snapshot& snapshot, const MeshSvgOptions& options) {
+    const SvgScene scene = svg_scene(snapshot, options.field);
+    const Classes classes(scene, options);
+    const bool legend = !scene.values.empty();
+    const double width = options.width_mm * points_per_mm;
+    const double free_width = width - 2 * margin - (legend ? legend_width : 0);
+    const SvgView view = svg_view(scene, {margin, margin}, free_width, 1.5 * free_width);
+
+    const double edge = short_edge(scene, view);
+    const Drawing drawing{scene, view, classes, edge < 0.3 ? 3 : 2, std::clamp(edge / 4, 0.04, 0.4)};
+    std::string content = mesh_content(drawing);
+    const double shown_height = std::max(view.height, legend ? 90.0 : 0.0);
+    if (legend)
+        content += colour_bar(classes, options.field, {width - margin - legend_width + 10, margin},
+                              std::min(shown_height - 1.5 * svg_font_size, 170.0));
+    double height = shown_height + 2 * margin;
+    const std::string note = tangled_note(scene, {margin, height + 0.75 * svg_font_size});
+    if (!note.empty()) content += note, height += 1.5 * svg_font_size;
+    return svg_document(width, height,
+                        "Mesh after " + std::to_string(snapshot.report.iteration) + " iterations", content);
+}
+
+void write_svg(const std::filesystem::path& file, const Snapshot& snapshot, const MeshSvgOptions& options) {
+    write_atomically(file, svg_of_mesh(snapshot, options));
+}
+
+} // namespace gaspard
