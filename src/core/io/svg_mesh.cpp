@@ -42,8 +42,8 @@ class Classes {
         : scene_(scene), range_(range_of(scene.values)) {
         GASPARD_CHECK(options.classes >= 1);
         const ColourMap& map = colour_map(options.colour_map);
-        for (int k = 0; k < options.classes && !scene.values.empty(); ++k)
-            colours_.push_back(colour_at(map, (k + 0.5) / options.classes));
+        const int count = scene.values.empty() ? 0 : range_.low < range_.high ? options.classes : 1;
+        for (int k = 0; k < count; ++k) colours_.push_back(colour_at(map, (k + 0.5) / count));
         if (colours_.empty()) colours_.push_back({255, 255, 255});
     }
 
@@ -73,7 +73,6 @@ struct Drawing {
     const SvgView& view;
     const Classes& classes;
     int decimals = 2;
-    double line_width = 0.4;
 
     PagePoint node(std::int32_t number) const { return view.page(scene.x[static_cast<std::size_t>(number)]); }
     void go(SvgPath& path, const Side& side) const {
@@ -88,23 +87,41 @@ struct Drawing {
         for (const Side& side : line) go(path, side);
         if (closed) path.close();
     }
+    double length(const Side& side) const {
+        const PagePoint a = node(side.from), b = node(side.to);
+        return std::hypot(a.x - b.x, a.y - b.y);
+    }
+    /// About how far one side of a face is from the opposite one, where that is nearest.
+    double narrowness(std::size_t face) const {
+        double twice_area = 0, longest = 0;
+        for (const Side& side : sides_of_face(scene.faces, face)) {
+            const PagePoint a = node(side.from), b = node(side.to);
+            twice_area += a.x * b.y - b.x * a.y;
+            longest = std::max(longest, length(side));
+        }
+        return longest > 0 ? std::abs(twice_area) / 2 / longest : 0;
+    }
 };
 
-/// The length that all but a tenth of the edges exceed.
-double short_edge(const SvgScene& scene, const SvgView& view) {
-    std::vector<double> lengths;
-    const auto measure = [&](const Side& side) {
-        const PagePoint a = view.page(scene.x[static_cast<std::size_t>(side.from)]);
-        const PagePoint b = view.page(scene.x[static_cast<std::size_t>(side.to)]);
-        lengths.push_back(std::hypot(a.x - b.x, a.y - b.y));
-    };
-    for (std::size_t f = 0; f < scene.faces.size(); ++f)
-        for (const Side& side : sides_of_face(scene.faces, f)) measure(side);
-    for (const Side& side : scene.lines) measure(side);
-    if (lengths.empty()) return 1;
-    const auto tenth = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 10);
-    std::nth_element(lengths.begin(), tenth, lengths.end());
-    return *tenth;
+// Where lines lie close together they are thinner, so that the colours between them are seen.
+constexpr std::array line_widths = {0.4, 0.28, 0.2, 0.14, 0.1, 0.07, 0.05}; // points
+
+std::size_t width_class(double narrowness) {
+    constexpr double share = 0.13; // of the space between, at most
+    std::size_t k = 0;
+    while (k + 1 < line_widths.size() && line_widths[k] > share * narrowness) ++k;
+    return k;
+}
+
+/// Decimals of a point that tell the nodes of all but a hundredth of the faces apart.
+int decimals_of(const Drawing& drawing) {
+    std::vector<double> sizes;
+    for (std::size_t f = 0; f < drawing.scene.faces.size(); ++f) sizes.push_back(drawing.narrowness(f));
+    for (const Side& side : drawing.scene.lines) sizes.push_back(drawing.length(side));
+    if (sizes.empty()) return 2;
+    const auto small = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 100);
+    std::nth_element(sizes.begin(), small, sizes.end());
+    return *small < 0.15 ? 3 : 2;
 }
 
 std::string path_element(const SvgPath& path, const std::string& attributes = {}) {
@@ -126,11 +143,11 @@ std::string flat_fill(const Drawing& drawing) {
     return text + "</g>\n";
 }
 
-std::string line_group(const Drawing& drawing, const std::vector<Side>& edges, const std::string& id,
-                       const std::string& ink, double width) {
+std::string line_group(const Drawing& drawing, const std::vector<Side>& edges, const std::string& ink,
+                       double width) {
     if (edges.empty()) return "";
-    std::string text = "<g id=\"" + id + "\" fill=\"none\" stroke=\"" + ink + "\" stroke-width=\"" +
-                       svg_number(width, 3) + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
+    std::string text = "<g fill=\"none\" stroke=\"" + ink + "\" stroke-width=\"" + svg_number(width, 3) +
+                       "\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     for (const auto& line : chain(edges, drawing.scene.xi)) {
         SvgPath path(drawing.decimals);
         drawing.add(path, line, false);
@@ -140,14 +157,19 @@ std::string line_group(const Drawing& drawing, const std::vector<Side>& edges, c
 }
 
 std::string flat_edges(const Drawing& drawing) {
-    std::vector<Side> dark, light;
+    const Classes& classes = drawing.classes;
+    std::array<std::array<std::vector<Side>, line_widths.size()>, 2> groups; // light and dark ink
     for (const DrawnEdge& edge : edges_of(drawing.scene.faces)) {
-        const bool on_dark = drawing.classes.wants_light_ink(drawing.classes.of(edge.faces[0]),
-                                                             drawing.classes.of(edge.faces[1]));
-        (on_dark ? light : dark).push_back(edge.side);
+        const auto [a, b] = edge.faces;
+        const std::size_t ink = classes.wants_light_ink(classes.of(a), classes.of(b)) ? 0 : 1;
+        const double narrow = std::min(drawing.narrowness(a), drawing.narrowness(b));
+        groups[ink][width_class(narrow)].push_back(edge.side);
     }
-    return line_group(drawing, light, "edges-on-dark", light_ink, drawing.line_width) +
-           line_group(drawing, dark, "edges", dark_ink, drawing.line_width);
+    std::string text = "<g id=\"edges\">\n";
+    for (std::size_t ink = 0; ink < 2; ++ink)
+        for (std::size_t k = 0; k < line_widths.size(); ++k)
+            text += line_group(drawing, groups[ink][k], ink == 0 ? light_ink : dark_ink, line_widths[k]);
+    return text + "</g>\n";
 }
 
 std::string flat_tangled(const Drawing& drawing) {
@@ -161,18 +183,17 @@ std::string flat_tangled(const Drawing& drawing) {
 /// Face by face, the nearer over the farther; neighbours of one class in one group.
 std::string spatial_faces(const Drawing& drawing) {
     const SvgScene& scene = drawing.scene;
-    std::string text = "<g id=\"cells\" stroke-width=\"" + svg_number(drawing.line_width, 3) +
-                       "\" stroke-linejoin=\"round\">\n";
+    std::string text = "<g id=\"cells\" stroke-linejoin=\"round\">\n";
     std::string group; // the one that is open
     for (const auto f : painters_order(scene, drawing.view)) {
         const std::size_t k = drawing.classes.of(f);
-        const std::string colour = scene.tangled[f] ? tangled_colour : drawing.classes.colour(k);
-        if (group != colour) {
-            const bool light = !scene.tangled[f] && drawing.classes.wants_light_ink(k, k);
-            if (!group.empty()) text += "</g>\n";
-            text += "<g fill=\"" + colour + "\" stroke=\"" + (light ? light_ink : dark_ink) + "\">\n";
-            group = colour;
-        }
+        const bool light = !scene.tangled[f] && drawing.classes.wants_light_ink(k, k);
+        const std::string look = "<g fill=\"" +
+                                 (scene.tangled[f] ? tangled_colour : drawing.classes.colour(k)) +
+                                 "\" stroke=\"" + (light ? light_ink : dark_ink) + "\" stroke-width=\"" +
+                                 svg_number(line_widths[width_class(drawing.narrowness(f))]) + "\">\n";
+        if (group != look) text += (group.empty() ? "" : "</g>\n") + look;
+        group = look;
         SvgPath path(drawing.decimals);
         drawing.add(path, sides_of_face(scene.faces, f), true);
         text += path_element(path);
@@ -189,13 +210,12 @@ std::string coloured_lines(const Drawing& drawing) {
         for (std::size_t i = 0; i < scene.lines.size(); ++i)
             if (!scene.tangled[i] && drawing.classes.of(i) == k) members.push_back(scene.lines[i]);
         const std::string ink = scene.values.empty() ? dark_ink : drawing.classes.colour(k);
-        text += line_group(drawing, members, "cells-" + std::to_string(k), ink, 2);
+        text += line_group(drawing, members, ink, 2);
     }
     std::vector<Side> tangled;
     for (std::size_t i = 0; i < scene.lines.size(); ++i)
         if (scene.tangled[i]) tangled.push_back(scene.lines[i]);
-    text += line_group(drawing, tangled, "tangled", tangled_colour, 2) + "<g id=\"nodes\" fill=\"" +
-            dark_ink + "\">\n";
+    text += line_group(drawing, tangled, tangled_colour, 2) + "<g id=\"nodes\" fill=\"" + dark_ink + "\">\n";
     for (const Side& side : scene.lines)
         for (const std::int32_t end : {side.from, side.to}) {
             const PagePoint p = drawing.node(end);
@@ -217,7 +237,8 @@ std::string colour_bar(const Classes& classes, const std::string& name, PagePoin
     text += svg_text({corner.x, corner.y + 0.75 * svg_font_size}, Anchor::start, name);
     const double top = corner.y + 1.5 * svg_font_size;
     for (std::size_t k = 0; k < classes.count(); ++k)
-        text += svg_block(corner.x, top + height - static_cast<double>(k + 1) * block, bar_width, block,
+        // Each up to the bar's top, the next one over it: no gap shines through between them.
+        text += svg_block(corner.x, top, bar_width, height - static_cast<double>(k) * block,
                           "fill=\"" + classes.colour(k) + '"');
     text += svg_block(corner.x, top, bar_width, height, "fill=\"none\" stroke=\"#444\" stroke-width=\".35\"");
     const ColourRange range = classes.range();
@@ -264,8 +285,8 @@ std::string svg_of_mesh(const Snapshot& snapshot, const MeshSvgOptions& options)
     const double free_width = width - 2 * margin - (legend ? legend_width : 0);
     const SvgView view = svg_view(scene, {margin, margin}, free_width, 1.5 * free_width);
 
-    const double edge = short_edge(scene, view);
-    const Drawing drawing{scene, view, classes, edge < 0.3 ? 3 : 2, std::clamp(edge / 4, 0.04, 0.4)};
+    Drawing drawing{scene, view, classes};
+    drawing.decimals = decimals_of(drawing);
     std::string content = mesh_content(drawing);
     const double shown_height = std::max(view.height, legend ? 90.0 : 0.0);
     if (legend)

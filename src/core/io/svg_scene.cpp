@@ -135,9 +135,12 @@ std::vector<std::uint32_t> painters_order(const SvgScene& scene, const SvgView& 
     std::vector<double> nearness;
     for (std::size_t f = 0; f < scene.faces.size(); ++f) {
         nearness.push_back(dot(viewer, face_centre(scene, f)));
-        const double facing = outward * dot(viewer, face_normal(scene, f));
+        const Vec3 normal = face_normal(scene, f);
+        // A part of a curved face may be seen although its corners turn away.
+        const double limit = scene.faces.kind.order == 2 ? -0.5 * norm(normal) : 0;
         // A cell turned inside out is seen where its neighbours are.
-        if (!scene.closed || scene.tangled[f] || facing > 0) order.push_back(static_cast<std::uint32_t>(f));
+        if (!scene.closed || scene.tangled[f] || outward * dot(viewer, normal) > limit)
+            order.push_back(static_cast<std::uint32_t>(f));
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return nearness[a] < nearness[b]; });
