@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace gaspard {
 
@@ -21,19 +23,23 @@ struct Area {
     double left, top, right, bottom;
     double width() const { return right - left; }
     double height() const { return bottom - top; }
+    bool contains(PagePoint p) const {
+        constexpr double slack = 0.01;
+        return p.x >= left - slack && p.x <= right + slack && p.y >= top - slack && p.y <= bottom + slack;
+    }
 };
 
 /// From values to the page.
 struct Mapping {
     const Plot& plot;
     Area area;
-    AxisSpan x, y;
+    AxisRange x, y;
 
     double page_x(double value) const {
-        return area.left + (on_axis(plot.x, value) - x.low) / (x.high - x.low) * area.width();
+        return area.left + (to_axis(plot.x, value) - x.low) / x.span() * area.width();
     }
     double page_y(double value) const {
-        return area.bottom - (on_axis(plot.y, value) - y.low) / (y.high - y.low) * area.height();
+        return area.bottom - (to_axis(plot.y, value) - y.low) / y.span() * area.height();
     }
 };
 
@@ -59,8 +65,8 @@ std::string svg_grid(const Mapping& map, const std::vector<Tick>& x, const std::
     SvgPath major, minor;
     const Area& area = map.area;
     // Minor lines help only where decades are wide.
-    const bool minor_x = area.width() / (map.x.high - map.x.low) > 36;
-    const bool minor_y = area.height() / (map.y.high - map.y.low) > 36;
+    const bool minor_x = area.width() / (map.x.span()) > 36;
+    const bool minor_y = area.height() / (map.y.span()) > 36;
     const auto inside = [](double at, double low, double high) {
         return at >= low - 0.01 && at <= high + 0.01;
     };
@@ -149,17 +155,45 @@ std::string svg_disc(PagePoint at, double radius) {
            svg_number(radius) + "\"/>\n";
 }
 
+/// The part of a line that lies in the area; nothing if none does.
+std::optional<std::pair<PagePoint, PagePoint>> clipped(PagePoint a, PagePoint b, const Area& area) {
+    double from = 0, to = 1; // along the line
+    const double dx = b.x - a.x, dy = b.y - a.y;
+    for (const auto& [step, room] : {std::pair{-dx, a.x - area.left},
+                                     {dx, area.right - a.x},
+                                     {-dy, a.y - area.top},
+                                     {dy, area.bottom - a.y}}) {
+        if (step == 0 && room < -0.01) return std::nullopt;
+        if (step < 0) from = std::max(from, room / step);
+        if (step > 0) to = std::min(to, room / step);
+    }
+    if (!(from <= to)) return std::nullopt;
+    const PagePoint end = {a.x + to * dx, a.y + to * dy};
+    return std::pair{from > 0 ? PagePoint{a.x + from * dx, a.y + from * dy} : a, to < 1 ? end : b};
+}
+
+/// Connected lines, as far as they lie in the area.
+void add_line(SvgPath& path, const std::vector<PagePoint>& points, const Area& area) {
+    bool connected = false;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const auto part = clipped(points[i - 1], points[i], area);
+        if (part) {
+            if (!connected) path.move(part->first);
+            path.line(part->second);
+        }
+        connected = part && area.contains(points[i]);
+    }
+}
+
 std::string svg_curve(const Curve& curve, const Mapping& map, const std::string& colour) {
     SvgPath path;
     std::string discs;
     for (const auto& piece : pieces_of(curve, map)) {
         const auto points = thinned(piece);
-        path.move(points.front());
-        for (std::size_t i = 1; i < points.size(); ++i) path.line(points[i]);
-        if (curve.markers)
-            for (const PagePoint p : points) discs += svg_disc(p, 2);
-        else if (points.size() == 1)
-            discs += svg_disc(points.front(), 1);
+        add_line(path, points, map.area);
+        if (!curve.markers && points.size() > 1) continue;
+        for (const PagePoint p : points)
+            if (map.area.contains(p)) discs += svg_disc(p, curve.markers ? 2 : 1);
     }
     std::string text;
     if (!path.empty()) text += "<path fill=\"none\" stroke=\"" + colour + "\" d=\"" + path.data() + "\"/>\n";
@@ -167,25 +201,57 @@ std::string svg_curve(const Curve& curve, const Mapping& map, const std::string&
     return text;
 }
 
+/// Thin lines where something happened, what it was along them.
+std::string svg_marks(const Mapping& map) {
+    std::string text;
+    for (const PlotMark& mark : map.plot.marks) {
+        const double x = map.page_x(mark.x);
+        if (!map.area.contains({x, map.area.top})) continue;
+        SvgPath path;
+        path.move({x, map.area.top});
+        path.line({x, map.area.bottom});
+        text += "<path fill=\"none\" stroke=\"#666\" stroke-width=\".5\" stroke-dasharray=\"2 2\" d=\"" +
+                path.data() + "\"/>\n";
+        const PagePoint at = {x + 0.9 * svg_font_size, map.area.top + gap};
+        text += svg_text(at, Anchor::end, mark.label,
+                         "font-size=\"7\" fill=\"#444\" transform=\"rotate(-90 " + svg_number(at.x) + ' ' +
+                             svg_number(at.y) + ")\"");
+    }
+    return text;
+}
+
+std::string colour_of(const Plot& plot, std::size_t curve) {
+    return curve_colours[plot.curves[curve].colour.value_or(curve) % curve_colours.size()];
+}
+
+/// The curves that the legend names.
+std::vector<std::size_t> named_curves(const Plot& plot) {
+    std::vector<std::size_t> named;
+    for (std::size_t c = 0; c < plot.curves.size(); ++c)
+        if (!plot.curves[c].label.empty()) named.push_back(c);
+    return named;
+}
+
 std::string svg_legend(const Mapping& map) {
     constexpr double line = 1.3 * svg_font_size, sample = 14, pad = 4;
     double width = 0;
-    for (const Curve& curve : map.plot.curves) width = std::max(width, svg_text_width(curve.label));
+    const auto named = named_curves(map.plot);
+    for (const std::size_t c : named) width = std::max(width, svg_text_width(map.plot.curves[c].label));
     const double right = map.area.right - pad, top = map.area.top + pad;
     const double left = right - width - sample - 3 * pad;
     std::string text = "<rect x=\"" + svg_number(left) + "\" y=\"" + svg_number(top) + "\" width=\"" +
                        svg_number(right - left) + "\" height=\"" +
-                       svg_number(line * static_cast<double>(map.plot.curves.size()) + pad) +
+                       svg_number(line * static_cast<double>(named.size()) + pad) +
                        "\" fill=\"#fff\" fill-opacity=\".85\"/>\n";
-    for (std::size_t c = 0; c < map.plot.curves.size(); ++c) {
-        const double middle = top + pad / 2 + line * (static_cast<double>(c) + 0.5);
+    for (std::size_t row = 0; row < named.size(); ++row) {
+        const double middle = top + pad / 2 + line * (static_cast<double>(row) + 0.5);
         SvgPath path;
         path.move({left + pad, middle});
         path.line({left + pad + sample, middle});
-        text += "<path fill=\"none\" stroke=\"" + std::string(curve_colours[c % curve_colours.size()]) +
+        text += "<path fill=\"none\" stroke=\"" + colour_of(map.plot, named[row]) +
                 "\" stroke-width=\"1.2\" d=\"" + path.data() + "\"/>\n";
         text += svg_text({left + 2 * pad + sample, middle + 0.36 * svg_font_size}, Anchor::start,
-                         map.plot.curves[c].label, "fill=\"#222\"");
+                         map.plot.curves[named[row]].label, "fill=\"#222\"");
     }
     return text;
 }
@@ -200,19 +266,20 @@ std::string svg_rect(const Area& area, const std::string& attributes) {
 
 std::string svg_of_plot(const Plot& plot, const PlotSvgOptions& options) {
     const double width = options.width_mm * points_per_mm, height = options.height_mm * points_per_mm;
-    const AxisSpan x_span = span_of_axis(plot.x, plot, false), y_span = span_of_axis(plot.y, plot, true);
-    const auto y = ticks_of_axis(plot.y, y_span, static_cast<int>(height / (2.8 * svg_font_size)));
-    const auto x = ticks_of_axis(plot.x, x_span, static_cast<int>(width / (5 * svg_font_size)));
+    const AxisRange x_range = shown_range(plot, false), y_range = shown_range(plot, true);
+    const auto y = axis_ticks(plot.y, y_range, static_cast<int>(height / (2.8 * svg_font_size)));
+    const auto x = axis_ticks(plot.x, x_range, static_cast<int>(width / (5 * svg_font_size)));
     const double last = x.empty() ? 0 : svg_text_width(x.back().label);
-    const Mapping map{plot, area_of(plot, width, height, widest(y), last), x_span, y_span};
+    const Mapping map{plot, area_of(plot, width, height, widest(y), last), x_range, y_range};
 
     std::string content = svg_grid(map, x, y);
     content += svg_rect(map.area, "fill=\"none\" stroke=\"#444\" stroke-width=\".5\"");
-    content += "<g stroke-width=\"1.2\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
+    content +=
+        svg_marks(map) + "<g stroke-width=\"1.2\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     for (std::size_t c = 0; c < plot.curves.size(); ++c)
-        content += svg_curve(plot.curves[c], map, curve_colours[c % curve_colours.size()]);
+        content += svg_curve(plot.curves[c], map, colour_of(plot, c));
     content += "</g>\n" + svg_labels(map, x, y, height);
-    if (plot.curves.size() > 1) content += svg_legend(map);
+    if (named_curves(plot).size() > 1) content += svg_legend(map);
     return svg_document(width, height, plot.title, content);
 }
 
