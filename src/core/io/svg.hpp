@@ -5,12 +5,19 @@
 #pragma once
 
 #include "core/session/snapshot.hpp"
+#include "core/tessellate/colour_map.hpp"
 #include "core/tessellate/plot.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace gaspard {
+
+/// The world's directions that point to the right of the page and up on it, of unit length, at right angles.
+struct SvgDirection {
+    Vec3 right{1, 0, 0}, up{0, 1, 0};
+};
 
 struct PlotSvgOptions {
     double width_mm = 120, height_mm = 80;
@@ -23,8 +30,12 @@ std::string svg_of_plot(const Plot& plot, const PlotSvgOptions& options = {});
 struct MeshSvgOptions {
     double width_mm = 120;         ///< of the whole picture; its height follows from the mesh
     std::string field = "monitor"; ///< what fills the cells, of nodes or cells; without it they stay white
+    std::string label{};           ///< over the legend; empty: the field's name
     std::string colour_map = "viridis";
-    int classes = 16; ///< colours
+    int classes = 16;                   ///< colours
+    std::optional<ColourRange> range{}; ///< that the colours span; empty: all values
+    bool logarithmic = false;           ///< where the range is positive
+    std::optional<SvgDirection> from{}; ///< how a mesh in space is seen; empty: somewhat from above
 };
 
 /// The mesh at x: cells filled in classes of the field, edges as long lines (curved ones as the parabolas

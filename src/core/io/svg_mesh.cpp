@@ -39,7 +39,8 @@ double luminance(std::array<unsigned char, 3> colour) {
 class Classes {
   public:
     Classes(const SvgScene& scene, const MeshSvgOptions& options)
-        : scene_(scene), range_(range_of(scene.values)) {
+        : scene_(scene), range_(options.range.value_or(range_of(scene.values))),
+          logarithmic_(options.logarithmic && range_.low > 0) {
         GASPARD_CHECK(options.classes >= 1);
         const ColourMap& map = colour_map(options.colour_map);
         const int count = scene.values.empty() ? 0 : range_.low < range_.high ? options.classes : 1;
@@ -48,13 +49,21 @@ class Classes {
     }
 
     std::size_t count() const { return colours_.size(); }
-    ColourRange range() const { return range_; }
     std::string colour(std::size_t k) const { return hex(colours_[k]); }
     std::size_t of(std::size_t face) const {
         if (scene_.values.empty()) return 0;
-        const double position = std::clamp(range_.position(scene_.values[face]), 0.0, 1.0);
-        return std::min(colours_.size() - 1,
-                        static_cast<std::size_t>(position * static_cast<double>(count())));
+        const double place = std::clamp(position(scene_.values[face]), 0.0, 1.0);
+        return std::min(count() - 1, static_cast<std::size_t>(place * static_cast<double>(count())));
+    }
+    /// Where in the range a value lies, from 0 to 1; beyond these outside.
+    double position(double value) const {
+        if (!logarithmic_) return range_.position(value);
+        const ColourRange decades{std::log10(range_.low), std::log10(range_.high)};
+        return decades.position(value > 0 ? std::log10(value) : decades.low);
+    }
+    std::vector<Tick> ticks(int count) const {
+        return logarithmic_ ? log_ticks(range_.low, range_.high, count)
+                            : linear_ticks(range_.low, range_.high, count);
     }
     /// Lines on these classes are seen: against either ink the contrast ratio is at least 3.
     bool wants_light_ink(std::size_t a, std::size_t b) const {
@@ -64,6 +73,7 @@ class Classes {
   private:
     const SvgScene& scene_;
     ColourRange range_;
+    bool logarithmic_;
     std::vector<std::array<unsigned char, 3>> colours_;
 };
 
@@ -241,13 +251,13 @@ std::string colour_bar(const Classes& classes, const std::string& name, PagePoin
         text += svg_block(corner.x, top, bar_width, height - static_cast<double>(k) * block,
                           "fill=\"" + classes.colour(k) + '"');
     text += svg_block(corner.x, top, bar_width, height, "fill=\"none\" stroke=\"#444\" stroke-width=\".35\"");
-    const ColourRange range = classes.range();
     SvgPath marks;
-    for (const Tick& tick : linear_ticks(range.low, range.high, static_cast<int>(height / 20))) {
-        const double y = top + height * (1 - range.position(tick.value));
+    for (const Tick& tick : classes.ticks(static_cast<int>(height / 20))) {
+        const double y = top + height * (1 - classes.position(tick.value));
         if (y < top - 0.01 || y > top + height + 0.01) continue;
         marks.move({corner.x + bar_width, y});
-        marks.line({corner.x + bar_width + 2.5, y});
+        marks.line({corner.x + bar_width + (tick.major ? 2.5 : 1.5), y});
+        if (tick.label.empty()) continue;
         text += svg_text({corner.x + bar_width + 5, y + 0.36 * svg_font_size}, Anchor::start, tick.label);
     }
     return text + path_element(marks, " stroke=\"#444\" stroke-width=\".35\"") + "</g>\n";
@@ -283,14 +293,15 @@ std::string svg_of_mesh(const Snapshot& snapshot, const MeshSvgOptions& options)
     const bool legend = !scene.values.empty();
     const double width = options.width_mm * points_per_mm;
     const double free_width = width - 2 * margin - (legend ? legend_width : 0);
-    const SvgView view = svg_view(scene, {margin, margin}, free_width, 1.5 * free_width);
+    const SvgView view = svg_view(scene, options.from, {margin, margin}, free_width, 1.5 * free_width);
 
     Drawing drawing{scene, view, classes};
     drawing.decimals = decimals_of(drawing);
     std::string content = mesh_content(drawing);
     const double shown_height = std::max(view.height, legend ? 90.0 : 0.0);
     if (legend)
-        content += colour_bar(classes, options.field, {width - margin - legend_width + 10, margin},
+        content += colour_bar(classes, options.label.empty() ? options.field : options.label,
+                              {width - margin - legend_width + 10, margin},
                               std::min(shown_height - 1.5 * svg_font_size, 170.0));
     double height = shown_height + 2 * margin;
     const std::string note = tangled_note(scene, {margin, height + 0.75 * svg_font_size});

@@ -80,6 +80,13 @@ Vec3 face_centre(const SvgScene& scene, std::size_t face) {
     return 1.0 / static_cast<double>(corners.size()) * sum;
 }
 
+SvgDirection somewhat_from_above() {
+    constexpr double azimuth = 0.6, elevation = 0.45; // radians, of the viewer; as in the window
+    return {{-std::sin(azimuth), std::cos(azimuth), 0},
+            {-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth),
+             std::cos(elevation)}};
+}
+
 } // namespace
 
 SvgScene svg_scene(const Snapshot& snapshot, std::string_view field) {
@@ -102,18 +109,15 @@ SvgScene svg_scene(const Snapshot& snapshot, std::string_view field) {
     return scene;
 }
 
-SvgView svg_view(const SvgScene& scene, PagePoint corner, double width, double largest_height) {
-    constexpr double azimuth = 0.6, elevation = 0.45; // radians, of the viewer; as in the window
+SvgView svg_view(const SvgScene& scene, const std::optional<SvgDirection>& direction, PagePoint corner,
+                 double width, double largest_height) {
     SvgView view;
-    if (scene.spatial) {
-        view.right = {-std::sin(azimuth), std::cos(azimuth), 0};
-        view.up = {-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth),
-                   std::cos(elevation)};
-    }
+    if (scene.spatial) view.direction = direction.value_or(somewhat_from_above());
+    const auto& [right_axis, up_axis] = view.direction;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double left = infinity, right = -infinity, bottom = infinity, top = -infinity;
     for (std::size_t i = 0; i < scene.x.size(); ++i) {
-        const double a = dot(view.right, scene.x[i]), b = dot(view.up, scene.x[i]);
+        const double a = dot(right_axis, scene.x[i]), b = dot(up_axis, scene.x[i]);
         GASPARD_CHECK(std::isfinite(a) && std::isfinite(b));
         left = std::min(left, a), right = std::max(right, a);
         bottom = std::min(bottom, b), top = std::max(top, b);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/io/mesh_outline.hpp"
+#include "core/io/svg.hpp"
 #include "core/io/svg_path.hpp"
 #include "core/session/snapshot.hpp"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -26,17 +28,21 @@ SvgScene svg_scene(const Snapshot& snapshot, std::string_view field);
 
 /// An orthographic look at a scene, fitted into a part of the page.
 struct SvgView {
-    Vec3 right{1, 0, 0}, up{0, 1, 0};
+    SvgDirection direction;
     double scale = 1;             ///< points of the page per unit of the world
     PagePoint origin;             ///< where the world's origin is seen
     double width = 0, height = 0; ///< of the scene on the page
 
-    PagePoint page(Vec3 p) const { return {origin.x + scale * dot(right, p), origin.y - scale * dot(up, p)}; }
-    Vec3 towards_viewer() const { return cross(right, up); }
+    PagePoint page(Vec3 p) const {
+        return {origin.x + scale * dot(direction.right, p), origin.y - scale * dot(direction.up, p)};
+    }
+    Vec3 towards_viewer() const { return cross(direction.right, direction.up); }
 };
 
 /// `corner`: of the part of the page; the scene keeps its proportions and touches at least one limit.
-SvgView svg_view(const SvgScene& scene, PagePoint corner, double width, double largest_height);
+/// In the plane `direction` says nothing.
+SvgView svg_view(const SvgScene& scene, const std::optional<SvgDirection>& direction, PagePoint corner,
+                 double width, double largest_height);
 
 /// The faces that are seen, the farthest first.
 std::vector<std::uint32_t> painters_order(const SvgScene& scene, const SvgView& view);

@@ -265,6 +265,28 @@ TEST(MeshSvg, CellsHaveTheColoursOfTheirClasses) {
     EXPECT_GT(texts.size(), 3u) << "ticks";
 }
 
+TEST(MeshSvg, ALogarithmicLegendHasDecades) {
+    Snapshot snapshot = sample_snapshot(unit_square_mesh(20));
+    for (std::size_t i = 0; i < snapshot.x.size(); ++i)
+        snapshot.fields[0].values[i] = std::pow(10.0, 3 * snapshot.mesh->nodes.x[i]);
+    const MeshSvgOptions options{
+        .label = "density", .classes = 3, .range = ColourRange{1, 1000}, .logarithmic = true};
+    const SvgReader svg(svg_of_mesh(snapshot, options));
+    const auto texts = svg.texts();
+    EXPECT_EQ(texts, (std::vector<std::string>{"density", "100", "101", "102", "103"})); // raised digits
+    const auto cells = strokes_in(svg, "cells");
+    ASSERT_EQ(cells.size(), 3u);
+    for (const auto& part : cells)
+        EXPECT_NEAR(area_of({part}) / area_of(cells), 1.0 / 3, 0.08) << "a decade each";
+}
+
+TEST(MeshSvg, ADirectionTurnsAMeshInSpace) {
+    Snapshot snapshot = sample_snapshot(two_cubes());
+    snapshot.x = snapshot.mesh->nodes;
+    const MeshSvgOptions from_above{.from = SvgDirection{{1, 0, 0}, {0, 1, 0}}};
+    EXPECT_EQ(strokes_in(SvgReader(svg_of_mesh(snapshot, from_above)), "cells").size(), 2u);
+}
+
 TEST(MeshSvg, FieldsOfCellsFillTooAndWithoutAFieldNothingDoes) {
     const Snapshot snapshot = sample_snapshot(unit_square_mesh(4));
     const SvgReader cells(svg_of_mesh(snapshot, {.field = "jacobian"}));
@@ -324,8 +346,16 @@ TEST(MeshSvg, AClosedSurfaceMayFaceInwardAsAWhole) {
     Mesh inward = box;
     for (std::size_t f = 0; f < faces.size(); ++f)
         std::swap(inward.cells[4 * f + 1], inward.cells[4 * f + 3]);
-    for (const Mesh& mesh : {box, inward})
-        EXPECT_EQ(strokes_in(SvgReader(svg_of_mesh(sample_snapshot(mesh))), "cells").size(), 5u);
+    std::vector<std::set<std::pair<double, double>>> seen;
+    for (const Mesh& mesh : {box, inward}) {
+        const auto faces_seen = strokes_in(SvgReader(svg_of_mesh(sample_snapshot(mesh))), "cells");
+        EXPECT_EQ(faces_seen.size(), 5u);
+        seen.emplace_back();
+        for (const auto& stroke : faces_seen)
+            for (const auto& p : stroke.corners)
+                seen.back().emplace(std::round(10 * p.x), std::round(10 * p.y));
+    }
+    EXPECT_EQ(seen[0], seen[1]) << "the same corners: those in front";
 }
 
 TEST(MeshSvg, AnIntervalIsABand) {
