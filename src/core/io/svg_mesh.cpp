@@ -182,12 +182,18 @@ std::string flat_edges(const Drawing& drawing) {
     return text + "</g>\n";
 }
 
+/// Cell by cell: in one path, overlapping cells of opposite orientation would blot each other out.
 std::string flat_tangled(const Drawing& drawing) {
-    SvgPath path(drawing.decimals);
-    for (std::size_t f = 0; f < drawing.scene.faces.size(); ++f)
-        if (drawing.scene.tangled[f]) drawing.add(path, sides_of_face(drawing.scene.faces, f), true);
-    return path_element(path, " id=\"tangled\" fill=\"" + std::string(tangled_colour) + "\" stroke=\"" +
-                                  tangled_colour + "\" stroke-width=\".8\" stroke-linejoin=\"round\"");
+    std::string cells;
+    for (std::size_t f = 0; f < drawing.scene.faces.size(); ++f) {
+        if (!drawing.scene.tangled[f]) continue;
+        SvgPath path(drawing.decimals);
+        drawing.add(path, sides_of_face(drawing.scene.faces, f), true);
+        cells += path_element(path);
+    }
+    if (cells.empty()) return "";
+    return "<g id=\"tangled\" fill=\"" + std::string(tangled_colour) + "\" stroke=\"" + tangled_colour +
+           "\" stroke-width=\".8\" stroke-linejoin=\"round\">\n" + cells + "</g>\n";
 }
 
 /// Face by face, the nearer over the farther; neighbours of one class in one group.
