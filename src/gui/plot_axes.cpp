@@ -8,7 +8,6 @@ namespace gaspard {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double lowest_decade = -307, highest_decade = 308; // of doubles that have all their digits
 
 struct Hull {
@@ -41,11 +40,6 @@ void add_points(const CurveView& curve, const PlotView& plot, bool vertical, Hul
         const double x = to_axis(plot.x, curve.x[i]), y = to_axis(plot.y, curve.y[i]);
         if (!std::isnan(x) && !std::isnan(y)) hull.add(vertical ? y : x);
     }
-}
-
-std::vector<Tick> axis_ticks(const Axis& axis, AxisRange range, int count) {
-    if (axis.logarithmic) return log_ticks(from_axis(axis, range.low), from_axis(axis, range.high), count);
-    return linear_ticks(range.low, range.high, count);
 }
 
 float label_width(const std::vector<Tick>& ticks) {
@@ -82,17 +76,6 @@ void draw_labels(ImDrawList& list, const PlotView& plot, const PlotFrame& frame,
 
 } // namespace
 
-double to_axis(const Axis& axis, double value) {
-    if (!std::isfinite(value)) return nothing;
-    if (!axis.logarithmic) return value;
-    return value > 0 ? std::log10(value) : nothing;
-}
-
-double from_axis(const Axis& axis, double position) {
-    if (!axis.logarithmic) return position;
-    return std::pow(10.0, std::clamp(position, lowest_decade, highest_decade));
-}
-
 AxisRange home_range(const PlotView& plot, bool vertical) {
     const Axis& axis = vertical ? plot.y : plot.x;
     Hull hull;
@@ -101,15 +84,7 @@ AxisRange home_range(const PlotView& plot, bool vertical) {
         markers = markers || curve.markers;
         (curve.extremes ? add_indexed : add_points)(curve, plot, vertical, hull);
     }
-    const double low = hull.low, high = hull.high;
-    if (low > high) return axis.logarithmic ? AxisRange{-1, 0} : AxisRange{0, 1};
-    const double size = std::max(std::abs(low), std::abs(high));
-    if (high - low <= 1e-12 * size || high == low) {
-        const double half = axis.logarithmic ? 0.5 : size > 0 ? 0.05 * size : 0.5;
-        return {low - half, high + half};
-    }
-    const double room = vertical || markers ? 0.05 * (high - low) : 0;
-    return {low - room, high + room};
+    return range_around(hull.low, hull.high, axis.logarithmic, vertical || markers);
 }
 
 AxisRange limited(AxisRange range, AxisRange home, bool logarithmic) {

@@ -1,10 +1,9 @@
 // The axes of a plot: which stretch each shows, where a value lies on the screen, ticks, grid and labels.
 //
-// Axes count in axis units: those of the values, or decades (log10) where logarithmic. Screen positions are
-// ImGui's, y downwards.
+// Axes count in axis units, as in core/tessellate/plot_axis.hpp. Screen positions are ImGui's, y downwards.
 #pragma once
 
-#include "core/tessellate/ticks.hpp"
+#include "core/tessellate/plot_axis.hpp"
 #include "gui/plot_view.hpp"
 #include "gui/theme.hpp"
 
@@ -20,18 +19,6 @@ struct ScreenRect {
     float height() const { return max.y - min.y; }
     bool contains(ImVec2 p) const { return p.x >= min.x && p.x < max.x && p.y >= min.y && p.y < max.y; }
 };
-
-/// The stretch of an axis, in axis units.
-struct AxisRange {
-    double low = 0, high = 1;
-    double span() const { return high - low; }
-    friend bool operator==(const AxisRange&, const AxisRange&) = default;
-};
-
-/// In axis units; NaN where the axis cannot show the value.
-double to_axis(const Axis& axis, double value);
-/// Back; kept within what a double can be.
-double from_axis(const Axis& axis, double position);
 
 /// What an axis must span to show every value that it can show, with a little room; [0, 1] (or one decade) if
 /// there is none.

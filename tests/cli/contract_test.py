@@ -11,6 +11,7 @@ import sys
 import tempfile
 import time
 import unittest
+import xml.etree.ElementTree
 
 PROGRAM = None
 README = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "README.md")
@@ -96,10 +97,12 @@ class Runs(Contract):
         self.assertTrue(os.path.exists(os.path.join(self.folder.name, "gaspard-out", "plane-bell", "summary.json")))
 
     def test_the_same_input_gives_the_same_bytes(self):
-        names = ["computational.obj", "adapted.obj", "adapted.glb", "state.bin", "view.png"]
-        self.run_quick(render=True)
+        names = ["computational.obj", "adapted.obj", "adapted.glb", "adapted.vtu", "adapted.msh", "adapted.ply",
+                 "adapted.svg", "residual.svg", "equidistribution.svg", "state.bin", "view.png"]
+        formats = ("--formats", "obj,glb,vtu,msh,ply,svg")
+        self.run_quick(*formats, render=True)
         first = {name: self.bytes(name) for name in names}
-        self.run_quick("--threads", "2", render=True)
+        self.run_quick(*formats, "--threads", "2", render=True)
         for name in names:
             self.assertEqual(first[name], self.bytes(name), name)
 
@@ -148,6 +151,24 @@ class Runs(Contract):
         with open(self.path("view.png"), "rb") as file:
             header = file.read(24)
         self.assertEqual((int.from_bytes(header[16:20], "big"), int.from_bytes(header[20:24], "big")), (320, 240))
+
+    def test_every_format_and_its_xml(self):
+        with_pictures = {"adapted.svg", "residual.svg", "equidistribution.svg"}
+        result = self.run_quick("--formats", "vtu,msh,ply,svg")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(set(os.listdir(self.out)), {"summary.json", "history.csv", "state.bin", "adapted.vtu",
+                                                     "adapted.msh", "adapted.ply"} | with_pictures)
+        piece = xml.etree.ElementTree.parse(self.path("adapted.vtu")).find("UnstructuredGrid/Piece")
+        self.assertEqual((piece.get("NumberOfPoints"), piece.get("NumberOfCells")), ("169", "144"))
+        for name in with_pictures:
+            self.assertTrue(xml.etree.ElementTree.parse(self.path(name)).getroot().tag.endswith("}svg"))
+        with open(self.path("adapted.msh")) as file:
+            msh = file.read()
+        for part in ('1 2 "left"', '1 5 "top"', "$Periodic"):  # plane-ring is periodic
+            self.assertIn(part, msh)
+        self.assertEqual(self.run_quick("--formats", "msh", name="walls-ring").returncode, 0)
+        with open(self.path("adapted.msh")) as file:
+            self.assertNotIn("$Periodic", file.read())
 
     def test_a_scenario_file_works_like_a_name(self):
         file = os.path.join(self.folder.name, "mine.toml")
@@ -228,7 +249,7 @@ class BadInput(Contract):
 
 class Machine(Contract):
     def test_a_full_disk_is_one_sentence_and_leaves_nothing_half_written(self):
-        result = self.run_quick(limit=2000)
+        result = self.run_quick("--formats", "obj,glb,vtu,msh,ply,svg", limit=2000)
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
         self.assertIn("File too large", result.stderr)
@@ -280,7 +301,7 @@ class Information(Contract):
     def test_list_names_everything(self):
         text = gaspard("list").stdout
         for word in ("plane-ring", "plane-bell", "walls-ring", "plane", "ring", "bell", "constant", "relaxation", "obj",
-                     "glb", "monitor.sharpness", "method.step_size"):
+                     "glb", "vtu", "msh", "ply", "svg", "monitor.sharpness", "method.step_size"):
             self.assertIn(word, text)
         self.assertNotIn("relaxation", gaspard("list", "monitors").stdout)
 
@@ -315,6 +336,15 @@ class Information(Contract):
         for command in ([], ["run"], ["list"], ["show"], ["reproduce"]):
             for option in re.findall(r"--[a-z-]+", gaspard(*command, "--help").stdout):
                 self.assertIn(option, readme, "of gaspard " + " ".join(command))
+
+    def test_every_format_is_documented(self):
+        names = re.findall(r"^  (\w+) ", gaspard("list", "formats").stdout, re.MULTILINE)
+        self.assertGreaterEqual(len(names), 6)
+        for document in (README, os.path.join(os.path.dirname(README), "docs", "formats.md")):
+            with open(document) as file:
+                text = file.read()
+            for name in names:
+                self.assertIn("`" + name + "`", text, document)
 
     def test_the_readmes_examples_work(self):
         with open(README) as file:

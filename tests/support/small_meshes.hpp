@@ -3,8 +3,11 @@
 
 #include "core/mesh/mesh.hpp"
 
+#include <array>
 #include <cmath>
 #include <initializer_list>
+#include <map>
+#include <vector>
 
 namespace gaspard {
 
@@ -63,6 +66,40 @@ inline Mesh two_cubes() {
                     {1, 1, 1},
                     {2, 1, 1}},
                    {0, 1, 4, 3, 6, 7, 10, 9, 1, 2, 5, 4, 7, 8, 11, 10});
+}
+
+/// The same cells with the nodes that order 2 has more. Needs coordinates whose means are exact.
+inline Mesh of_order_two(const Mesh& straight) {
+    Mesh mesh;
+    mesh.kind = {straight.kind.shape, 2};
+    mesh.space_dimension = straight.space_dimension;
+    std::map<std::array<double, 3>, std::int32_t> numbers;
+    const auto corners = static_cast<std::size_t>(nodes_per_cell(straight.kind));
+    std::vector<double> values(corners);
+    std::vector<Vec3> gradients(corners), nodes;
+    for (std::size_t c = 0; c < straight.cell_count(); ++c)
+        for (const Vec3 where : reference_nodes(mesh.kind)) {
+            shape_functions(straight.kind, where, values, gradients);
+            Vec3 p;
+            for (std::size_t k = 0; k < corners; ++k)
+                p = p + values[k] * straight.nodes[static_cast<std::size_t>(straight.cell(c)[k])];
+            const auto [entry, fresh] =
+                numbers.try_emplace({p.x, p.y, p.z}, static_cast<std::int32_t>(nodes.size()));
+            if (fresh) nodes.push_back(p);
+            mesh.cells.push_back(entry->second);
+        }
+    mesh.nodes = Points(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) mesh.nodes.set(i, nodes[i]);
+    return mesh;
+}
+
+/// Two or more cells of every kind that there is.
+inline std::vector<Mesh> meshes_of_every_kind() {
+    Mesh lines = three_lines();
+    lines.nodes.x[3] = 0.625; // in halves, for of_order_two()
+    std::vector<Mesh> meshes = {lines, two_triangles(), unit_square_mesh(2), two_cubes()};
+    for (std::size_t i = 0; i < 4; ++i) meshes.push_back(of_order_two(meshes[i]));
+    return meshes;
 }
 
 /// Every node a little away from where it was, with digits that no float holds.

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/io/svg.hpp"
 
 #include <algorithm>
 
@@ -29,6 +30,35 @@ void write_msh_file(const std::filesystem::path& folder, const RunResult& result
 
 void write_ply_file(const std::filesystem::path& folder, const RunResult& result) {
     write_ply(folder / "adapted.ply", result.snapshot);
+}
+
+Plot against_iteration(std::string title, const std::string& y) {
+    return {.title = std::move(title), .x = {"iteration", false}, .y = {y, true}, .curves = {{}}};
+}
+
+Plot residual_plot(const std::vector<StepReport>& history) {
+    Plot plot = against_iteration("Residual", "normalised residual");
+    for (const auto& report : history) {
+        plot.curves[0].x.push_back(report.iteration);
+        plot.curves[0].y.push_back(report.residual);
+    }
+    return plot;
+}
+
+Plot equidistribution_plot(const std::vector<StepReport>& history) {
+    Plot plot = against_iteration("Equidistribution", "coefficient of variation of M");
+    for (const auto& report : history) {
+        if (!report.equidistribution) continue; // not measured; the curve goes on to the next that was
+        plot.curves[0].x.push_back(report.iteration);
+        plot.curves[0].y.push_back(*report.equidistribution);
+    }
+    return plot;
+}
+
+void write_svg_files(const std::filesystem::path& folder, const RunResult& result) {
+    write_svg(folder / "adapted.svg", result.snapshot);
+    write_svg(folder / "residual.svg", residual_plot(result.history));
+    write_svg(folder / "equidistribution.svg", equidistribution_plot(result.history));
 }
 
 const Format& find_format(std::string_view name) {
@@ -61,13 +91,17 @@ const std::vector<Format>& formats() {
          {"adapted.vtu"},
          &write_vtu_file},
         {"msh",
-         "Gmsh 2.2, exact, with all fields and named borders: for finite element codes",
+         "Gmsh 2.2, exact, with named borders and the fields of nodes: for finite element codes",
          {"adapted.msh"},
          &write_msh_file},
         {"ply",
          "binary PLY: corner vertices with the monitor and its colour, straight-edged faces",
          {"adapted.ply"},
          &write_ply_file},
+        {"svg",
+         "vector graphics for papers: the adapted mesh, residual and equidistribution",
+         {"adapted.svg", "residual.svg", "equidistribution.svg"},
+         &write_svg_files},
     };
     return table;
 }

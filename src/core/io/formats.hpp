@@ -27,7 +27,7 @@ void write_vtu(const std::filesystem::path& file, const Snapshot& snapshot);
 
 /// Gmsh's file, version 2.2 as text, at x, exact doubles. Physical groups: "domain" and those of
 /// border_groups(); for a periodic square the sides are paired. Node data: the fields of nodes, displacement
-/// and xi; element data: the fields of cells.
+/// and xi.
 void write_msh(const std::filesystem::path& file, const Snapshot& snapshot, const Space& space);
 
 /// Binary PLY: corners in double precision with the monitor and its colour, straight-edged faces. Lines:

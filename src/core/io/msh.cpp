@@ -1,5 +1,7 @@
 // adapted.msh: Gmsh's mesh file of version 2.2 as text, the version that Gmsh and most finite element codes
-// read. Cells have the numbers 1 to n in our order; behind them come the elements of the border.
+// read. Cells have the numbers 1 to n in our order; behind them come the elements of the border. Fields of
+// cells are left out: meshio, the way into FEniCS, reads no $ElementData where a file has elements of two
+// kinds.
 #include "core/base/check.hpp"
 #include "core/base/parameter.hpp"
 #include "core/io/atomic_file.hpp"
@@ -132,36 +134,21 @@ std::string periodic(const Mesh& mesh, const Facets& facets, const std::vector<B
     return text + "$EndPeriodic\n";
 }
 
-/// The head of a data section: name, time, step, components, number of rows.
-std::string data_head(const std::string& section, const std::string& name, int components, std::size_t rows) {
-    return '$' + section + "\n1\n\"" + name + "\"\n1\n0\n3\n0\n" + std::to_string(components) + '\n' +
-           std::to_string(rows) + '\n';
-}
-
-std::string node_vectors(const std::string& name, const Points& points) {
-    std::string text = data_head("NodeData", name, 3, points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
+/// One row per node: its number and the components of its value.
+std::string node_data(const std::string& name, const std::vector<std::span<const double>>& components) {
+    const std::size_t rows = components.front().size();
+    std::string text = "$NodeData\n1\n\"" + name + "\"\n1\n0\n3\n0\n" + // one name, one time, three numbers:
+                       std::to_string(components.size()) + '\n' + std::to_string(rows) + '\n'; // step 0, ...
+    for (std::size_t i = 0; i < rows; ++i) {
         text += std::to_string(i + 1);
-        append_reals(text, {points.x[i], points.y[i], points.z[i]});
+        for (const auto& component : components) append_reals(text, {component[i]});
         text += '\n';
     }
     return text + "$EndNodeData\n";
 }
 
-/// Readers want a value for every element: those of the border have that of their cell.
-std::string field_data(const Field& field, const Facets& facets, const std::vector<BorderGroup>& groups) {
-    const std::string section = field.place == FieldPlace::node ? "NodeData" : "ElementData";
-    std::vector<double> values = field.values;
-    if (field.place == FieldPlace::cell)
-        for (const auto& group : groups)
-            for (const std::size_t f : group.facets) values.push_back(field.values[facets.cells[f]]);
-    std::string text = data_head(section, field.name, 1, values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        text += std::to_string(i + 1);
-        append_reals(text, {values[i]});
-        text += '\n';
-    }
-    return text + "$End" + section + '\n';
+std::string node_data(const std::string& name, const Points& points) {
+    return node_data(name, {points.x, points.y, points.z});
 }
 
 } // namespace
@@ -174,8 +161,9 @@ void write_msh(const std::filesystem::path& file, const Snapshot& snapshot, cons
     std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
     text += physical_names(mesh, groups) + nodes(snapshot.x) + elements(mesh, facets, groups);
     if (space.kind == SpaceKind::periodic_square) text += periodic(mesh, facets, groups);
-    for (const auto& field : snapshot.fields) text += field_data(field, facets, groups);
-    text += node_vectors("displacement", snapshot.x - mesh.nodes) + node_vectors("xi", mesh.nodes);
+    for (const auto& field : snapshot.fields)
+        if (field.place == FieldPlace::node) text += node_data(field.name, {std::span(field.values)});
+    text += node_data("displacement", snapshot.x - mesh.nodes) + node_data("xi", mesh.nodes);
     write_atomically(file, text);
 }
 

@@ -174,7 +174,8 @@ TEST(Formats, TheTableKnowsWhatEachWrites) {
         EXPECT_FALSE(format.help.empty());
     }
     EXPECT_EQ(expected, (std::vector<std::string>{"adapted.glb", "adapted.msh", "adapted.obj", "adapted.ply",
-                                                  "adapted.vtu", "computational.obj"}));
+                                                  "adapted.svg", "adapted.vtu", "computational.obj",
+                                                  "equidistribution.svg", "residual.svg"}));
     expect_positions(read_obj(folder / "computational.obj"), mesh->nodes);
     expect_positions(read_obj(folder / "adapted.obj"), snapshot.x);
 }
@@ -185,7 +186,7 @@ TEST(Formats, AListIsParsedAndAnUnknownNameToldWithTheNearest) {
     EXPECT_EQ(both[0]->name, "glb");
     EXPECT_EQ(both[1]->name, "obj");
     EXPECT_EQ(message_of<InputError>([] { parse_formats("obj,glbb"); }),
-              "unknown format 'glbb' (did you mean 'glb'?); there are: obj, glb, vtu, msh, ply");
+              "unknown format 'glbb' (did you mean 'glb'?); there are: obj, glb, vtu, msh, ply, svg");
     for (const char* wrong : {"", "obj,", ",obj", "obj glb", "OBJ"})
         EXPECT_THROW(parse_formats(wrong), InputError) << wrong;
 }

@@ -1,0 +1,91 @@
+#include "core/io/svg_document.hpp"
+
+#include "core/base/version.hpp"
+#include "core/io/xml.hpp"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double raised_size = 0.7, rise = 0.38; // of the font's size
+
+/// A superscript character at the front of `text`: its bytes and what it raises; nothing for others.
+std::pair<std::size_t, std::string_view> superscript(std::string_view text) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> table = {{{"⁰", "0"},
+                                                                                             {"¹", "1"},
+                                                                                             {"²", "2"},
+                                                                                             {"³", "3"},
+                                                                                             {"⁴", "4"},
+                                                                                             {"⁵", "5"},
+                                                                                             {"⁶", "6"},
+                                                                                             {"⁷", "7"},
+                                                                                             {"⁸", "8"},
+                                                                                             {"⁹", "9"},
+                                                                                             {"⁻", "−"}}};
+    for (const auto& [character, raised] : table)
+        if (text.starts_with(character)) return {character.size(), raised};
+    return {0, {}};
+}
+
+struct Piece {
+    std::string text;
+    bool raised = false;
+};
+
+std::vector<Piece> split(std::string_view text) {
+    std::vector<Piece> pieces;
+    while (!text.empty()) {
+        const auto [length, raised] = superscript(text);
+        if (pieces.empty() || pieces.back().raised != (length > 0)) pieces.push_back({{}, length > 0});
+        pieces.back().text += length > 0 ? raised : text.substr(0, 1);
+        text.remove_prefix(length > 0 ? length : 1);
+    }
+    return pieces;
+}
+
+} // namespace
+
+std::string svg_document(double width, double height, std::string_view title, std::string_view content) {
+    const std::string w = svg_number(width), h = svg_number(height);
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
+           svg_number(width / points_per_mm) + "mm\" height=\"" + svg_number(height / points_per_mm) +
+           "mm\" viewBox=\"0 0 " + w + ' ' + h +
+           "\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" font-size=\"" +
+           svg_number(svg_font_size) + "\">\n<title>" + xml_escape(title) + "</title>\n<desc>Gaspard " +
+           std::string(version()) + "</desc>\n<rect width=\"" + w + "\" height=\"" + h +
+           "\" fill=\"#fff\"/>\n" + std::string(content) + "</svg>\n";
+}
+
+std::string svg_text(PagePoint at, Anchor anchor, std::string_view text, std::string_view attributes) {
+    std::string out = "<text x=\"" + svg_number(at.x) + "\" y=\"" + svg_number(at.y) + '"';
+    if (anchor == Anchor::middle) out += " text-anchor=\"middle\"";
+    if (anchor == Anchor::end) out += " text-anchor=\"end\"";
+    if (!attributes.empty()) out += ' ' + std::string(attributes);
+    out += '>';
+    bool raised = false;
+    for (const Piece& piece : split(text)) {
+        const std::string inside = xml_escape(piece.text), up = svg_number(rise * svg_font_size);
+        if (piece.raised)
+            out += "<tspan dy=\"-" + up + "\" font-size=\"" + svg_number(raised_size * svg_font_size) +
+                   "\">" + inside + "</tspan>";
+        else
+            out += raised ? "<tspan dy=\"" + up + "\">" + inside + "</tspan>" : inside;
+        raised = piece.raised;
+    }
+    return out + "</text>\n";
+}
+
+double svg_text_width(std::string_view text) {
+    double characters = 0;
+    for (const Piece& piece : split(text))
+        for (const char byte : piece.text)
+            if ((static_cast<unsigned char>(byte) & 0xc0u) != 0x80) // the first byte of a character
+                characters += piece.raised ? raised_size : 1;
+    return 0.56 * svg_font_size * characters;
+}
+
+} // namespace gaspard

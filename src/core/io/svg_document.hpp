@@ -1,0 +1,24 @@
+// The frame of an SVG picture, and its text.
+#pragma once
+
+#include "core/io/svg_path.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace gaspard {
+
+constexpr double points_per_mm = 72 / 25.4;
+constexpr double svg_font_size = 8; ///< points
+
+/// A document of this size in points around `content`.
+std::string svg_document(double width, double height, std::string_view title, std::string_view content);
+
+enum class Anchor { start, middle, end };
+
+/// One line of text, its baseline at `at`. Superscript digits become raised digits, which every font has.
+std::string svg_text(PagePoint at, Anchor anchor, std::string_view text, std::string_view attributes = {});
+/// About how wide that is, in points.
+double svg_text_width(std::string_view text);
+
+} // namespace gaspard

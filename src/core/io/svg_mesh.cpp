@@ -1,0 +1,323 @@
+#include "core/base/check.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/svg.hpp"
+#include "core/io/svg_document.hpp"
+#include "core/io/svg_scene.hpp"
+#include "core/tessellate/colour_map.hpp"
+#include "core/tessellate/ticks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+constexpr const char *dark_ink = "#14171c", *light_ink = "#d4d2de", *tangled_colour = "#e600b8";
+constexpr double margin = 6, legend_width = 56; // points
+
+std::string hex(std::array<unsigned char, 3> colour) {
+    static constexpr std::string_view digits = "0123456789abcdef";
+    std::string text = "#";
+    for (const unsigned char channel : colour) (text += digits[channel >> 4]) += digits[channel & 15];
+    return text;
+}
+
+/// From 0 to 1, of linear light.
+double luminance(std::array<unsigned char, 3> colour) {
+    constexpr std::array weights = {0.2126, 0.7152, 0.0722};
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double s = colour[i] / 255.0;
+        sum += weights[i] * (s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+/// The colours of the cells, a limited number of them.
+class Classes {
+  public:
+    Classes(const SvgScene& scene, const MeshSvgOptions& options)
+        : scene_(scene), range_(options.range.value_or(range_of(scene.values))),
+          logarithmic_(options.logarithmic && range_.low > 0) {
+        GASPARD_CHECK(options.classes >= 1);
+        const ColourMap& map = colour_map(options.colour_map);
+        const int count = scene.values.empty() ? 0 : range_.low < range_.high ? options.classes : 1;
+        for (int k = 0; k < count; ++k) colours_.push_back(colour_at(map, (k + 0.5) / count));
+        if (colours_.empty()) colours_.push_back({255, 255, 255});
+    }
+
+    std::size_t count() const { return colours_.size(); }
+    std::string colour(std::size_t k) const { return hex(colours_[k]); }
+    std::size_t of(std::size_t face) const {
+        if (scene_.values.empty()) return 0;
+        const double place = std::clamp(position(scene_.values[face]), 0.0, 1.0);
+        return std::min(count() - 1, static_cast<std::size_t>(place * static_cast<double>(count())));
+    }
+    /// Where in the range a value lies, from 0 to 1; beyond these outside.
+    double position(double value) const {
+        if (!logarithmic_) return range_.position(value);
+        const ColourRange decades{std::log10(range_.low), std::log10(range_.high)};
+        return decades.position(value > 0 ? std::log10(value) : decades.low);
+    }
+    std::vector<Tick> ticks(int count) const {
+        return logarithmic_ ? log_ticks(range_.low, range_.high, count)
+                            : linear_ticks(range_.low, range_.high, count);
+    }
+    /// Lines on these classes are seen: against either ink the contrast ratio is at least 3.
+    bool wants_light_ink(std::size_t a, std::size_t b) const {
+        return (luminance(colours_[a]) + luminance(colours_[b])) / 2 < 0.13;
+    }
+
+  private:
+    const SvgScene& scene_;
+    ColourRange range_;
+    bool logarithmic_;
+    std::vector<std::array<unsigned char, 3>> colours_;
+};
+
+/// Everything the drawing functions share.
+struct Drawing {
+    const SvgScene& scene;
+    const SvgView& view;
+    const Classes& classes;
+    int decimals = 2;
+
+    PagePoint node(std::int32_t number) const { return view.page(scene.x[static_cast<std::size_t>(number)]); }
+    void go(SvgPath& path, const Side& side) const {
+        const PagePoint to = node(side.to);
+        if (side.middle < 0) return path.line(to);
+        // The parabola through the middle node.
+        const PagePoint from = node(side.from), middle = node(side.middle);
+        path.curve({2 * middle.x - (from.x + to.x) / 2, 2 * middle.y - (from.y + to.y) / 2}, to);
+    }
+    void add(SvgPath& path, const std::vector<Side>& line, bool closed) const {
+        path.move(node(line.front().from));
+        for (const Side& side : line) go(path, side);
+        if (closed) path.close();
+    }
+    double length(const Side& side) const {
+        const PagePoint a = node(side.from), b = node(side.to);
+        return std::hypot(a.x - b.x, a.y - b.y);
+    }
+    /// About how far one side of a face is from the opposite one, where that is nearest.
+    double narrowness(std::size_t face) const {
+        double twice_area = 0, longest = 0;
+        for (const Side& side : sides_of_face(scene.faces, face)) {
+            const PagePoint a = node(side.from), b = node(side.to);
+            twice_area += a.x * b.y - b.x * a.y;
+            longest = std::max(longest, length(side));
+        }
+        return longest > 0 ? std::abs(twice_area) / 2 / longest : 0;
+    }
+};
+
+// Where lines lie close together they are thinner, so that the colours between them are seen.
+constexpr std::array line_widths = {0.4, 0.28, 0.2, 0.14, 0.1, 0.07, 0.05}; // points
+
+std::size_t width_class(double narrowness) {
+    constexpr double share = 0.13; // of the space between, at most
+    std::size_t k = 0;
+    while (k + 1 < line_widths.size() && line_widths[k] > share * narrowness) ++k;
+    return k;
+}
+
+/// Decimals of a point that tell the nodes of all but a hundredth of the faces apart.
+int decimals_of(const Drawing& drawing) {
+    std::vector<double> sizes;
+    for (std::size_t f = 0; f < drawing.scene.faces.size(); ++f) sizes.push_back(drawing.narrowness(f));
+    for (const Side& side : drawing.scene.lines) sizes.push_back(drawing.length(side));
+    if (sizes.empty()) return 2;
+    const auto small = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 100);
+    std::nth_element(sizes.begin(), small, sizes.end());
+    return *small < 0.15 ? 3 : 2;
+}
+
+std::string path_element(const SvgPath& path, const std::string& attributes = {}) {
+    return path.empty() ? "" : "<path" + attributes + " d=\"" + path.data() + "\"/>\n";
+}
+
+/// One path per class around all of its cells.
+std::string flat_fill(const Drawing& drawing) {
+    const SvgScene& scene = drawing.scene;
+    std::vector<std::vector<std::uint32_t>> members(drawing.classes.count());
+    for (std::size_t f = 0; f < scene.faces.size(); ++f)
+        if (!scene.tangled[f]) members[drawing.classes.of(f)].push_back(static_cast<std::uint32_t>(f));
+    std::string text = "<g id=\"cells\">\n";
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        SvgPath path(drawing.decimals);
+        for (const auto& loop : outline(scene.faces, members[k])) drawing.add(path, loop, true);
+        text += path_element(path, " fill=\"" + drawing.classes.colour(k) + '"');
+    }
+    return text + "</g>\n";
+}
+
+std::string line_group(const Drawing& drawing, const std::vector<Side>& edges, const std::string& ink,
+                       double width) {
+    if (edges.empty()) return "";
+    std::string text = "<g fill=\"none\" stroke=\"" + ink + "\" stroke-width=\"" + svg_number(width, 3) +
+                       "\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
+    for (const auto& line : chain(edges, drawing.scene.xi)) {
+        SvgPath path(drawing.decimals);
+        drawing.add(path, line, false);
+        text += path_element(path);
+    }
+    return text + "</g>\n";
+}
+
+std::string flat_edges(const Drawing& drawing) {
+    const Classes& classes = drawing.classes;
+    std::array<std::array<std::vector<Side>, line_widths.size()>, 2> groups; // light and dark ink
+    for (const DrawnEdge& edge : edges_of(drawing.scene.faces)) {
+        const auto [a, b] = edge.faces;
+        const std::size_t ink = classes.wants_light_ink(classes.of(a), classes.of(b)) ? 0 : 1;
+        const double narrow = std::min(drawing.narrowness(a), drawing.narrowness(b));
+        groups[ink][width_class(narrow)].push_back(edge.side);
+    }
+    std::string text = "<g id=\"edges\">\n";
+    for (std::size_t ink = 0; ink < 2; ++ink)
+        for (std::size_t k = 0; k < line_widths.size(); ++k)
+            text += line_group(drawing, groups[ink][k], ink == 0 ? light_ink : dark_ink, line_widths[k]);
+    return text + "</g>\n";
+}
+
+/// Cell by cell: in one path, overlapping cells of opposite orientation would blot each other out.
+std::string flat_tangled(const Drawing& drawing) {
+    std::string cells;
+    for (std::size_t f = 0; f < drawing.scene.faces.size(); ++f) {
+        if (!drawing.scene.tangled[f]) continue;
+        SvgPath path(drawing.decimals);
+        drawing.add(path, sides_of_face(drawing.scene.faces, f), true);
+        cells += path_element(path);
+    }
+    if (cells.empty()) return "";
+    return "<g id=\"tangled\" fill=\"" + std::string(tangled_colour) + "\" stroke=\"" + tangled_colour +
+           "\" stroke-width=\".8\" stroke-linejoin=\"round\">\n" + cells + "</g>\n";
+}
+
+/// Face by face, the nearer over the farther; neighbours of one class in one group.
+std::string spatial_faces(const Drawing& drawing) {
+    const SvgScene& scene = drawing.scene;
+    std::string text = "<g id=\"cells\" stroke-linejoin=\"round\">\n";
+    std::string group; // the one that is open
+    for (const auto f : painters_order(scene, drawing.view)) {
+        const std::size_t k = drawing.classes.of(f);
+        const bool light = !scene.tangled[f] && drawing.classes.wants_light_ink(k, k);
+        const std::string look = "<g fill=\"" +
+                                 (scene.tangled[f] ? tangled_colour : drawing.classes.colour(k)) +
+                                 "\" stroke=\"" + (light ? light_ink : dark_ink) + "\" stroke-width=\"" +
+                                 svg_number(line_widths[width_class(drawing.narrowness(f))]) + "\">\n";
+        if (group != look) text += (group.empty() ? "" : "</g>\n") + look;
+        group = look;
+        SvgPath path(drawing.decimals);
+        drawing.add(path, sides_of_face(scene.faces, f), true);
+        text += path_element(path);
+    }
+    return text + (group.empty() ? "" : "</g>\n") + "</g>\n";
+}
+
+/// A curve's cells in their colours, with dots between them.
+std::string coloured_lines(const Drawing& drawing) {
+    const SvgScene& scene = drawing.scene;
+    std::string text;
+    for (std::size_t k = 0; k < drawing.classes.count(); ++k) {
+        std::vector<Side> members;
+        for (std::size_t i = 0; i < scene.lines.size(); ++i)
+            if (!scene.tangled[i] && drawing.classes.of(i) == k) members.push_back(scene.lines[i]);
+        const std::string ink = scene.values.empty() ? dark_ink : drawing.classes.colour(k);
+        text += line_group(drawing, members, ink, 2);
+    }
+    std::vector<Side> tangled;
+    for (std::size_t i = 0; i < scene.lines.size(); ++i)
+        if (scene.tangled[i]) tangled.push_back(scene.lines[i]);
+    text += line_group(drawing, tangled, tangled_colour, 2) + "<g id=\"nodes\" fill=\"" + dark_ink + "\">\n";
+    for (const Side& side : scene.lines)
+        for (const std::int32_t end : {side.from, side.to}) {
+            const PagePoint p = drawing.node(end);
+            text += "<circle cx=\"" + svg_number(p.x) + "\" cy=\"" + svg_number(p.y) + "\" r=\".9\"/>\n";
+        }
+    return text + "</g>\n";
+}
+
+std::string svg_block(double x, double y, double width, double height, const std::string& attributes) {
+    return "<rect x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" width=\"" + svg_number(width) +
+           "\" height=\"" + svg_number(height) + "\" " + attributes + "/>\n";
+}
+
+/// A bar of the classes with ticks, its upper left corner at `corner`.
+std::string colour_bar(const Classes& classes, const std::string& name, PagePoint corner, double height) {
+    constexpr double bar_width = 10;
+    const double block = height / static_cast<double>(classes.count());
+    std::string text = "<g id=\"legend\" fill=\"#222\">\n";
+    text += svg_text({corner.x, corner.y + 0.75 * svg_font_size}, Anchor::start, name);
+    const double top = corner.y + 1.5 * svg_font_size;
+    for (std::size_t k = 0; k < classes.count(); ++k)
+        // Each up to the bar's top, the next one over it: no gap shines through between them.
+        text += svg_block(corner.x, top, bar_width, height - static_cast<double>(k) * block,
+                          "fill=\"" + classes.colour(k) + '"');
+    text += svg_block(corner.x, top, bar_width, height, "fill=\"none\" stroke=\"#444\" stroke-width=\".35\"");
+    SvgPath marks;
+    for (const Tick& tick : classes.ticks(static_cast<int>(height / 20))) {
+        const double y = top + height * (1 - classes.position(tick.value));
+        if (y < top - 0.01 || y > top + height + 0.01) continue;
+        marks.move({corner.x + bar_width, y});
+        marks.line({corner.x + bar_width + (tick.major ? 2.5 : 1.5), y});
+        if (tick.label.empty()) continue;
+        text += svg_text({corner.x + bar_width + 5, y + 0.36 * svg_font_size}, Anchor::start, tick.label);
+    }
+    return text + path_element(marks, " stroke=\"#444\" stroke-width=\".35\"") + "</g>\n";
+}
+
+/// The sentence that says what is wrong, with its colour; nothing if all is well.
+std::string tangled_note(const SvgScene& scene, PagePoint at) {
+    std::vector<std::uint32_t> cells; // a solid's cell may show several faces
+    for (std::size_t f = 0; f < scene.size(); ++f)
+        if (scene.tangled[f])
+            cells.push_back(scene.lines.empty() ? scene.faces.cells[f] : static_cast<std::uint32_t>(f));
+    std::sort(cells.begin(), cells.end());
+    const auto count = std::unique(cells.begin(), cells.end()) - cells.begin();
+    if (count == 0) return "";
+    return svg_block(at.x, at.y - 0.75 * svg_font_size, svg_font_size, 0.9 * svg_font_size,
+                     "fill=\"" + std::string(tangled_colour) + '"') +
+           svg_text({at.x + 1.5 * svg_font_size, at.y}, Anchor::start,
+                    std::to_string(count) + (count == 1 ? " tangled cell" : " tangled cells"),
+                    "fill=\"#222\"");
+}
+
+std::string mesh_content(const Drawing& drawing) {
+    if (!drawing.scene.lines.empty()) return coloured_lines(drawing);
+    if (drawing.scene.spatial) return spatial_faces(drawing);
+    return flat_fill(drawing) + flat_edges(drawing) + flat_tangled(drawing);
+}
+
+} // namespace
+
+std::string svg_of_mesh(const Snapshot& snapshot, const MeshSvgOptions& options) {
+    const SvgScene scene = svg_scene(snapshot, options.field);
+    const Classes classes(scene, options);
+    const bool legend = !scene.values.empty();
+    const double width = options.width_mm * points_per_mm;
+    const double free_width = width - 2 * margin - (legend ? legend_width : 0);
+    const SvgView view = svg_view(scene, options.from, {margin, margin}, free_width, 1.5 * free_width);
+
+    Drawing drawing{scene, view, classes};
+    drawing.decimals = decimals_of(drawing);
+    std::string content = mesh_content(drawing);
+    const double shown_height = std::max(view.height, legend ? 90.0 : 0.0);
+    if (legend)
+        content += colour_bar(classes, options.label.empty() ? options.field : options.label,
+                              {width - margin - legend_width + 10, margin},
+                              std::min(shown_height - 1.5 * svg_font_size, 170.0));
+    double height = shown_height + 2 * margin;
+    const std::string note = tangled_note(scene, {margin, height + 0.75 * svg_font_size});
+    if (!note.empty()) content += note, height += 1.5 * svg_font_size;
+    return svg_document(width, height,
+                        "Mesh after " + std::to_string(snapshot.report.iteration) + " iterations", content);
+}
+
+void write_svg(const std::filesystem::path& file, const Snapshot& snapshot, const MeshSvgOptions& options) {
+    write_atomically(file, svg_of_mesh(snapshot, options));
+}
+
+} // namespace gaspard

@@ -1,0 +1,290 @@
+#include "core/io/atomic_file.hpp"
+#include "core/io/svg.hpp"
+#include "core/io/svg_document.hpp"
+#include "core/tessellate/plot_axis.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+/// Told apart also by eyes that see no red or no green (Okabe and Ito's palette, without its yellow).
+constexpr std::array<const char*, 7> curve_colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                      "#56b4e9", "#e69f00", "#333333"};
+
+constexpr double gap = 3, tick_length = 3; // points
+
+struct Area {
+    double left, top, right, bottom;
+    double width() const { return right - left; }
+    double height() const { return bottom - top; }
+    bool contains(PagePoint p) const {
+        constexpr double slack = 0.01;
+        return p.x >= left - slack && p.x <= right + slack && p.y >= top - slack && p.y <= bottom + slack;
+    }
+};
+
+/// From values to the page.
+struct Mapping {
+    const Plot& plot;
+    Area area;
+    AxisRange x, y;
+
+    double page_x(double value) const {
+        return area.left + (to_axis(plot.x, value) - x.low) / x.span() * area.width();
+    }
+    double page_y(double value) const {
+        return area.bottom - (to_axis(plot.y, value) - y.low) / y.span() * area.height();
+    }
+};
+
+double widest(const std::vector<Tick>& ticks) {
+    double width = 0;
+    for (const Tick& tick : ticks) width = std::max(width, svg_text_width(tick.label));
+    return width;
+}
+
+Area area_of(const Plot& plot, double width, double height, double y_labels, double last_x_label) {
+    constexpr double border = 4, line = 1.25 * svg_font_size;
+    Area area{border, border + svg_font_size / 2, width - border, height - border - line - gap};
+    if (!plot.title.empty()) area.top += line;
+    if (!plot.y.label.empty()) area.left += line + gap;
+    if (!plot.x.label.empty()) area.bottom -= line;
+    area.left += y_labels + tick_length + gap;
+    area.right -= last_x_label / 2;
+    return area;
+}
+
+/// The grid as one path per weight; ticks reach out of the frame.
+std::string svg_grid(const Mapping& map, const std::vector<Tick>& x, const std::vector<Tick>& y) {
+    SvgPath major, minor;
+    const Area& area = map.area;
+    // Minor lines help only where decades are wide.
+    const bool minor_x = area.width() / (map.x.span()) > 36;
+    const bool minor_y = area.height() / (map.y.span()) > 36;
+    const auto inside = [](double at, double low, double high) {
+        return at >= low - 0.01 && at <= high + 0.01;
+    };
+    for (const Tick& tick : x) {
+        const double at = map.page_x(tick.value);
+        if (!inside(at, area.left, area.right) || (!tick.major && !minor_x)) continue;
+        SvgPath& path = tick.major ? major : minor;
+        path.move({at, area.top});
+        path.line({at, area.bottom + (tick.major ? tick_length : 0)});
+    }
+    for (const Tick& tick : y) {
+        const double at = map.page_y(tick.value);
+        if (!inside(at, area.top, area.bottom) || (!tick.major && !minor_y)) continue;
+        SvgPath& path = tick.major ? major : minor;
+        path.move({area.left - (tick.major ? tick_length : 0), at});
+        path.line({area.right, at});
+    }
+    std::string text;
+    if (!minor.empty())
+        text += "<path fill=\"none\" stroke=\"#ddd\" stroke-width=\".25\" d=\"" + minor.data() + "\"/>\n";
+    return text + "<path fill=\"none\" stroke=\"#bbb\" stroke-width=\".35\" d=\"" + major.data() + "\"/>\n";
+}
+
+std::string svg_labels(const Mapping& map, const std::vector<Tick>& x, const std::vector<Tick>& y,
+                       double height) {
+    const Area& area = map.area;
+    std::string text = "<g fill=\"#222\">\n";
+    for (const Tick& tick : x)
+        if (!tick.label.empty())
+            text += svg_text({map.page_x(tick.value), area.bottom + tick_length + gap + 0.6 * svg_font_size},
+                             Anchor::middle, tick.label);
+    for (const Tick& tick : y)
+        if (!tick.label.empty())
+            text +=
+                svg_text({area.left - tick_length - gap / 2, map.page_y(tick.value) + 0.36 * svg_font_size},
+                         Anchor::end, tick.label);
+    const double middle = (area.left + area.right) / 2;
+    if (!map.plot.title.empty())
+        text += svg_text({middle, 4 + 0.75 * svg_font_size}, Anchor::middle, map.plot.title,
+                         "font-weight=\"bold\"");
+    if (!map.plot.x.label.empty())
+        text += svg_text({middle, height - 4 - 0.2 * svg_font_size}, Anchor::middle, map.plot.x.label);
+    if (!map.plot.y.label.empty()) {
+        const double at = 4 + 0.75 * svg_font_size, centre = (area.top + area.bottom) / 2;
+        text += svg_text({at, centre}, Anchor::middle, map.plot.y.label,
+                         "transform=\"rotate(-90 " + svg_number(at) + ' ' + svg_number(centre) + ")\"");
+    }
+    return text + "</g>\n";
+}
+
+/// Of points that follow each other within a quarter of a point of the page from left to right, only the
+/// first, the lowest, the highest and the last are seen.
+std::vector<PagePoint> thinned(const std::vector<PagePoint>& points) {
+    const auto column = [](PagePoint p) { return std::floor(4 * p.x); };
+    std::vector<PagePoint> kept;
+    for (std::size_t i = 0, next = 0; i < points.size(); i = next) {
+        std::size_t low = i, high = i;
+        for (next = i + 1; next < points.size() && column(points[next]) == column(points[i]); ++next) {
+            if (points[next].y < points[low].y) low = next;
+            if (points[next].y > points[high].y) high = next;
+        }
+        std::array<std::size_t, 4> seen = {i, low, high, next - 1};
+        std::sort(seen.begin(), seen.end());
+        const auto end = std::unique(seen.begin(), seen.end());
+        for (auto k = seen.begin(); k != end; ++k) kept.push_back(points[*k]);
+    }
+    return kept;
+}
+
+/// The unbroken pieces of a curve.
+std::vector<std::vector<PagePoint>> pieces_of(const Curve& curve, const Mapping& map) {
+    std::vector<std::vector<PagePoint>> pieces(1);
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        const PagePoint p{map.page_x(curve.x[i]), map.page_y(curve.y[i])};
+        if (std::isfinite(p.x) && std::isfinite(p.y))
+            pieces.back().push_back(p);
+        else if (!pieces.back().empty())
+            pieces.emplace_back();
+    }
+    if (pieces.back().empty()) pieces.pop_back();
+    return pieces;
+}
+
+std::string svg_disc(PagePoint at, double radius) {
+    return "<circle cx=\"" + svg_number(at.x) + "\" cy=\"" + svg_number(at.y) + "\" r=\"" +
+           svg_number(radius) + "\"/>\n";
+}
+
+/// The part of a line that lies in the area; nothing if none does.
+std::optional<std::pair<PagePoint, PagePoint>> clipped(PagePoint a, PagePoint b, const Area& area) {
+    double from = 0, to = 1; // along the line
+    const double dx = b.x - a.x, dy = b.y - a.y;
+    for (const auto& [step, room] : {std::pair{-dx, a.x - area.left},
+                                     {dx, area.right - a.x},
+                                     {-dy, a.y - area.top},
+                                     {dy, area.bottom - a.y}}) {
+        if (step == 0 && room < -0.01) return std::nullopt;
+        if (step < 0) from = std::max(from, room / step);
+        if (step > 0) to = std::min(to, room / step);
+    }
+    if (!(from <= to)) return std::nullopt;
+    const PagePoint end = {a.x + to * dx, a.y + to * dy};
+    return std::pair{from > 0 ? PagePoint{a.x + from * dx, a.y + from * dy} : a, to < 1 ? end : b};
+}
+
+/// Connected lines, as far as they lie in the area.
+void add_line(SvgPath& path, const std::vector<PagePoint>& points, const Area& area) {
+    bool connected = false;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const auto part = clipped(points[i - 1], points[i], area);
+        if (part) {
+            if (!connected) path.move(part->first);
+            path.line(part->second);
+        }
+        connected = part && area.contains(points[i]);
+    }
+}
+
+std::string svg_curve(const Curve& curve, const Mapping& map, const std::string& colour) {
+    SvgPath path;
+    std::string discs;
+    for (const auto& piece : pieces_of(curve, map)) {
+        const auto points = thinned(piece);
+        add_line(path, points, map.area);
+        if (!curve.markers && points.size() > 1) continue;
+        for (const PagePoint p : points)
+            if (map.area.contains(p)) discs += svg_disc(p, curve.markers ? 2 : 1);
+    }
+    std::string text;
+    if (!path.empty()) text += "<path fill=\"none\" stroke=\"" + colour + "\" d=\"" + path.data() + "\"/>\n";
+    if (!discs.empty()) text += "<g fill=\"" + colour + "\">\n" + discs + "</g>\n";
+    return text;
+}
+
+/// Thin lines where something happened, what it was along them.
+std::string svg_marks(const Mapping& map) {
+    std::string text;
+    for (const PlotMark& mark : map.plot.marks) {
+        const double x = map.page_x(mark.x);
+        if (!map.area.contains({x, map.area.top})) continue;
+        SvgPath path;
+        path.move({x, map.area.top});
+        path.line({x, map.area.bottom});
+        text += "<path fill=\"none\" stroke=\"#666\" stroke-width=\".5\" stroke-dasharray=\"2 2\" d=\"" +
+                path.data() + "\"/>\n";
+        const PagePoint at = {x + 0.9 * svg_font_size, map.area.top + gap};
+        text += svg_text(at, Anchor::end, mark.label,
+                         "font-size=\"7\" fill=\"#444\" transform=\"rotate(-90 " + svg_number(at.x) + ' ' +
+                             svg_number(at.y) + ")\"");
+    }
+    return text;
+}
+
+std::string colour_of(const Plot& plot, std::size_t curve) {
+    return curve_colours[plot.curves[curve].colour.value_or(curve) % curve_colours.size()];
+}
+
+/// The curves that the legend names.
+std::vector<std::size_t> named_curves(const Plot& plot) {
+    std::vector<std::size_t> named;
+    for (std::size_t c = 0; c < plot.curves.size(); ++c)
+        if (!plot.curves[c].label.empty()) named.push_back(c);
+    return named;
+}
+
+std::string svg_legend(const Mapping& map) {
+    constexpr double line = 1.3 * svg_font_size, sample = 14, pad = 4;
+    double width = 0;
+    const auto named = named_curves(map.plot);
+    for (const std::size_t c : named) width = std::max(width, svg_text_width(map.plot.curves[c].label));
+    const double right = map.area.right - pad, top = map.area.top + pad;
+    const double left = right - width - sample - 3 * pad;
+    std::string text = "<rect x=\"" + svg_number(left) + "\" y=\"" + svg_number(top) + "\" width=\"" +
+                       svg_number(right - left) + "\" height=\"" +
+                       svg_number(line * static_cast<double>(named.size()) + pad) +
+                       "\" fill=\"#fff\" fill-opacity=\".85\"/>\n";
+    for (std::size_t row = 0; row < named.size(); ++row) {
+        const double middle = top + pad / 2 + line * (static_cast<double>(row) + 0.5);
+        SvgPath path;
+        path.move({left + pad, middle});
+        path.line({left + pad + sample, middle});
+        text += "<path fill=\"none\" stroke=\"" + colour_of(map.plot, named[row]) +
+                "\" stroke-width=\"1.2\" d=\"" + path.data() + "\"/>\n";
+        text += svg_text({left + 2 * pad + sample, middle + 0.36 * svg_font_size}, Anchor::start,
+                         map.plot.curves[named[row]].label, "fill=\"#222\"");
+    }
+    return text;
+}
+
+std::string svg_rect(const Area& area, const std::string& attributes) {
+    return "<rect x=\"" + svg_number(area.left) + "\" y=\"" + svg_number(area.top) + "\" width=\"" +
+           svg_number(area.width()) + "\" height=\"" + svg_number(area.height()) + "\" " + attributes +
+           "/>\n";
+}
+
+} // namespace
+
+std::string svg_of_plot(const Plot& plot, const PlotSvgOptions& options) {
+    const double width = options.width_mm * points_per_mm, height = options.height_mm * points_per_mm;
+    const AxisRange x_range = shown_range(plot, false), y_range = shown_range(plot, true);
+    const auto y = axis_ticks(plot.y, y_range, static_cast<int>(height / (2.8 * svg_font_size)));
+    const auto x = axis_ticks(plot.x, x_range, static_cast<int>(width / (5 * svg_font_size)));
+    const double last = x.empty() ? 0 : svg_text_width(x.back().label);
+    const Mapping map{plot, area_of(plot, width, height, widest(y), last), x_range, y_range};
+
+    std::string content = svg_grid(map, x, y);
+    content += svg_rect(map.area, "fill=\"none\" stroke=\"#444\" stroke-width=\".5\"");
+    content +=
+        svg_marks(map) + "<g stroke-width=\"1.2\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
+    for (std::size_t c = 0; c < plot.curves.size(); ++c)
+        content += svg_curve(plot.curves[c], map, colour_of(plot, c));
+    content += "</g>\n" + svg_labels(map, x, y, height);
+    if (named_curves(plot).size() > 1) content += svg_legend(map);
+    return svg_document(width, height, plot.title, content);
+}
+
+void write_svg(const std::filesystem::path& file, const Plot& plot, const PlotSvgOptions& options) {
+    write_atomically(file, svg_of_plot(plot, options));
+}
+
+} // namespace gaspard

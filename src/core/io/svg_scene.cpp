@@ -1,0 +1,154 @@
+#include "core/io/svg_scene.hpp"
+
+#include "core/base/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace gaspard {
+
+namespace {
+
+std::size_t index(std::int32_t node) { return static_cast<std::size_t>(node); }
+
+/// The scene's faces or lines with the cell and the nodes of each.
+template <class Use>
+void for_each_part(const SvgScene& scene, const Mesh& mesh, const Use& use) {
+    for (std::size_t i = 0; i < scene.size(); ++i) {
+        if (scene.lines.empty())
+            use(scene.faces.cells[i], scene.faces[i].first(static_cast<std::size_t>(scene.faces.corners)));
+        else
+            use(static_cast<std::uint32_t>(i), mesh.cell(i).first(2));
+    }
+}
+
+void add_values(SvgScene& scene, const Mesh& mesh, const Field& field) {
+    const std::size_t nodes = mesh.node_count(); // a band has every node twice
+    for_each_part(scene, mesh, [&](std::uint32_t cell, std::span<const std::int32_t> corners) {
+        double value = 0;
+        for (const auto node : corners)
+            value += field.place == FieldPlace::cell ? field.values[cell] : field.values[index(node) % nodes];
+        value /= static_cast<double>(corners.size());
+        GASPARD_CHECK(std::isfinite(value));
+        scene.values.push_back(value);
+    });
+}
+
+void add_tangled(SvgScene& scene, const Mesh& mesh, const Field* jacobian) {
+    for_each_part(scene, mesh, [&](std::uint32_t cell, std::span<const std::int32_t>) {
+        scene.tangled.push_back(jacobian && !(jacobian->values[cell] > 0));
+    });
+}
+
+std::vector<Side> lines_of(const Mesh& mesh) {
+    std::vector<Side> lines;
+    for (std::size_t c = 0; c < mesh.cell_count(); ++c)
+        lines.push_back({mesh.cell(c)[0], mesh.cell(c)[1], mesh.kind.order == 2 ? mesh.cell(c)[2] : -1});
+    return lines;
+}
+
+/// Two rows of nodes, one above the other, with an upright square between for every line.
+void make_band(SvgScene& scene, const Mesh& mesh) {
+    const auto [low, high] = std::minmax_element(mesh.nodes.x.begin(), mesh.nodes.x.end());
+    const double height = 0.08 * (*high - *low);
+    for (Points* points : {&scene.x, &scene.xi}) {
+        const std::size_t n = points->size();
+        points->resize(2 * n);
+        for (std::size_t i = 0; i < n; ++i) points->set(n + i, {points->x[i], height, 0});
+    }
+    const auto above = static_cast<std::int32_t>(mesh.node_count());
+    scene.faces = {{CellShape::quadrilateral, 1}, 4, 4, {}, {}};
+    for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
+        const auto a = mesh.cell(c)[0], b = mesh.cell(c)[1];
+        scene.faces.nodes.insert(scene.faces.nodes.end(), {a, b, above + b, above + a});
+        scene.faces.cells.push_back(static_cast<std::uint32_t>(c));
+    }
+}
+
+Vec3 face_normal(const SvgScene& scene, std::size_t face) {
+    const auto n = scene.faces[face];
+    const auto p = [&](std::size_t i) { return scene.x[index(n[i])]; };
+    return scene.faces.corners == 3 ? cross(p(1) - p(0), p(2) - p(0)) : cross(p(2) - p(0), p(3) - p(1));
+}
+
+Vec3 face_centre(const SvgScene& scene, std::size_t face) {
+    const auto corners = scene.faces[face].first(static_cast<std::size_t>(scene.faces.corners));
+    Vec3 sum;
+    for (const auto node : corners) sum = sum + scene.x[index(node)];
+    return 1.0 / static_cast<double>(corners.size()) * sum;
+}
+
+SvgDirection somewhat_from_above() {
+    constexpr double azimuth = 0.6, elevation = 0.45; // radians, of the viewer; as in the window
+    return {{-std::sin(azimuth), std::cos(azimuth), 0},
+            {-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth),
+             std::cos(elevation)}};
+}
+
+} // namespace
+
+SvgScene svg_scene(const Snapshot& snapshot, std::string_view field) {
+    const Mesh& mesh = *snapshot.mesh;
+    GASPARD_CHECK(snapshot.x.size() == mesh.node_count());
+    SvgScene scene;
+    scene.x = snapshot.x;
+    scene.xi = mesh.nodes;
+    if (cell_dimension(mesh.kind) > 1)
+        scene.faces = shown_faces(mesh);
+    else if (mesh.space_dimension == 1)
+        make_band(scene, mesh);
+    else
+        scene.lines = lines_of(mesh);
+    const auto [low, high] = std::minmax_element(scene.x.z.begin(), scene.x.z.end());
+    scene.spatial = mesh.space_dimension == 3 && *low < *high;
+    scene.closed = cell_dimension(mesh.kind) == 3 || (scene.spatial && border(mesh).size() == 0);
+    if (const Field* values = snapshot.field(field)) add_values(scene, mesh, *values);
+    add_tangled(scene, mesh, snapshot.field("jacobian"));
+    return scene;
+}
+
+SvgView svg_view(const SvgScene& scene, const std::optional<SvgDirection>& direction, PagePoint corner,
+                 double width, double largest_height) {
+    SvgView view;
+    if (scene.spatial) view.direction = direction.value_or(somewhat_from_above());
+    const auto& [right_axis, up_axis] = view.direction;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double left = infinity, right = -infinity, bottom = infinity, top = -infinity;
+    for (std::size_t i = 0; i < scene.x.size(); ++i) {
+        const double a = dot(right_axis, scene.x[i]), b = dot(up_axis, scene.x[i]);
+        GASPARD_CHECK(std::isfinite(a) && std::isfinite(b));
+        left = std::min(left, a), right = std::max(right, a);
+        bottom = std::min(bottom, b), top = std::max(top, b);
+    }
+    view.scale = std::min(width / (right - left), largest_height / (top - bottom));
+    if (!std::isfinite(view.scale)) view.scale = 1; // a single point
+    view.width = view.scale * (right - left), view.height = view.scale * (top - bottom);
+    view.origin = {corner.x + (width - view.width) / 2 - view.scale * left, corner.y + view.scale * top};
+    return view;
+}
+
+std::vector<std::uint32_t> painters_order(const SvgScene& scene, const SvgView& view) {
+    const Vec3 viewer = view.towards_viewer();
+    double volume = 0; // of what the faces enclose, times six
+    for (std::size_t f = 0; f < scene.faces.size(); ++f)
+        volume += dot(face_centre(scene, f), face_normal(scene, f));
+    const double outward = volume < 0 ? -1 : 1;
+    std::vector<std::uint32_t> order;
+    std::vector<double> nearness;
+    for (std::size_t f = 0; f < scene.faces.size(); ++f) {
+        nearness.push_back(dot(viewer, face_centre(scene, f)));
+        const Vec3 normal = face_normal(scene, f);
+        // A part of a curved face may be seen although its corners turn away.
+        const double limit = scene.faces.kind.order == 2 ? -0.5 * norm(normal) : 0;
+        // A cell turned inside out is seen where its neighbours are.
+        if (!scene.closed || scene.tangled[f] || outward * dot(viewer, normal) > limit)
+            order.push_back(static_cast<std::uint32_t>(f));
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return nearness[a] < nearness[b]; });
+    return order;
+}
+
+} // namespace gaspard

@@ -1,0 +1,405 @@
+// SVG read back: paths by SVG's own grammar, text as text, sizes. How the pictures look is tried by hand with
+// librsvg and Inkscape (docs/formats.md).
+#include "core/base/error.hpp"
+#include "core/io/facets.hpp"
+#include "core/io/svg.hpp"
+#include "core/io/svg_document.hpp"
+#include "core/io/svg_path.hpp"
+#include "core/io/xml.hpp"
+#include "support/comma_locale.hpp"
+#include "support/sample_snapshot.hpp"
+#include "support/svg_reader.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <limits>
+#include <set>
+#include <sstream>
+
+namespace gaspard {
+namespace {
+
+TEST(SvgPath, IsShortAndDoesNotAddUpItsRounding) {
+    SvgPath path;
+    path.move({10, 20.5});
+    for (int i = 1; i <= 1000; ++i) path.line({10 + i / 3.0, 20.5});
+    const auto strokes = read_path(path.data());
+    ASSERT_EQ(strokes.size(), 1u);
+    ASSERT_EQ(strokes[0].corners.size(), 1001u);
+    for (int i = 0; i <= 1000; ++i)
+        EXPECT_NEAR(strokes[0].corners[static_cast<std::size_t>(i)].x, 10 + i / 3.0, 0.00501);
+    EXPECT_LT(path.data().size(), 6100u);
+}
+
+TEST(SvgPath, WritesWhatSvgReads) {
+    SvgPath path;
+    path.move({1, 2});
+    path.line({1.5, 1.75});
+    path.line({1.5, 1.751}); // too small a step
+    path.curve({2, 3}, {3, 1.75});
+    path.curve({4, 1.755}, {5, 1.75}); // as good as straight
+    path.close();
+    path.move({0, 0});
+    path.line({-1, 100});
+    EXPECT_EQ(path.data(), "M1 2l.5-.25q.5 1.25 1.5 0l2 0zm-1-2l-1 100");
+    const auto strokes = read_path(path.data());
+    ASSERT_EQ(strokes.size(), 2u);
+    EXPECT_EQ(strokes[0].controls.size(), 1u);
+    EXPECT_TRUE(strokes[0].closed);
+    EXPECT_EQ(strokes[1].corners[1].y, 100);
+}
+
+TEST(SvgText, RaisesDigitsAndEscapes) {
+    EXPECT_EQ(svg_text({1, 2.25}, Anchor::end, "10⁻⁸"),
+              "<text x=\"1\" y=\"2.25\" text-anchor=\"end\">10<tspan dy=\"-3.04\" "
+              "font-size=\"5.6\">−8</tspan></text>\n");
+    EXPECT_NE(svg_text({0, 0}, Anchor::start, "a<b & x² c").find("a&lt;b &amp; x<tspan"), std::string::npos);
+    EXPECT_NE(svg_text({0, 0}, Anchor::start, "x² c").find("<tspan dy=\"3.04\"> c</tspan>"),
+              std::string::npos);
+}
+
+TEST(Xml, BytesThatAreNoTextAreReplaced) {
+    EXPECT_EQ(xml_escape("a\x01z"), "a\uFFFDz");
+    EXPECT_EQ(xml_escape("\xff\xc3"), "\uFFFD\uFFFD");
+    EXPECT_EQ(xml_escape("\xed\xa0\x80"), "\uFFFD\uFFFD\uFFFD") << "a surrogate";
+    EXPECT_EQ(xml_escape("ξ → x\t<\"&>"), "ξ → x\t&lt;&quot;&amp;&gt;");
+    EXPECT_EQ(xml_escape("𝔽"), "𝔽");
+}
+
+Plot falling(std::size_t points) {
+    Plot plot{"Residual", {"iteration", false}, {"normalised residual", true}, {{}}};
+    for (std::size_t i = 0; i < points; ++i) {
+        plot.curves[0].x.push_back(static_cast<double>(i));
+        plot.curves[0].y.push_back(
+            std::pow(10.0, -8.0 * static_cast<double>(i) / static_cast<double>(points - 1)));
+    }
+    return plot;
+}
+
+/// The strokes of the first curve of a plot.
+std::vector<SvgStroke> curve_of(const SvgReader& svg) {
+    for (const auto* path : svg.all("path"))
+        if (path->Attribute("stroke") && std::string(path->Attribute("stroke")) == "#0072b2")
+            return read_path(path->Attribute("d"));
+    return {};
+}
+
+TEST(PlotSvg, HasItsSizeAndItsWords) {
+    const SvgReader svg(svg_of_plot(falling(100), {.width_mm = 84, .height_mm = 60}));
+    EXPECT_STREQ(svg.root().Name(), "svg");
+    EXPECT_STREQ(svg.root().Attribute("xmlns"), "http://www.w3.org/2000/svg");
+    EXPECT_STREQ(svg.root().Attribute("width"), "84mm");
+    EXPECT_STREQ(svg.root().Attribute("height"), "60mm");
+    EXPECT_STREQ(svg.root().Attribute("viewBox"), "0 0 238.11 170.08");
+    const auto texts = svg.texts();
+    for (const char* text : {"Residual", "iteration", "normalised residual", "80", "10−8"})
+        EXPECT_NE(std::find(texts.begin(), texts.end(), text), texts.end()) << text;
+}
+
+TEST(PlotSvg, ACurveRunsFromCornerToCorner) {
+    const SvgReader svg(svg_of_plot(falling(100)));
+    const auto strokes = curve_of(svg);
+    ASSERT_EQ(strokes.size(), 1u);
+    const auto& corners = strokes[0].corners;
+    ASSERT_EQ(corners.size(), 100u);
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+        EXPECT_LT(corners[i].x, corners[i + 1].x);
+        EXPECT_LT(corners[i].y, corners[i + 1].y) << "down the page";
+    }
+    // Straight, for the axis is logarithmic.
+    const SvgPoint a = corners.front(), b = corners.back(), m = corners[50];
+    EXPECT_NEAR((m.x - a.x) / (b.x - a.x), (m.y - a.y) / (b.y - a.y), 1e-3);
+}
+
+TEST(PlotSvg, WhatTheEyeCannotSeeIsLeftOut) {
+    Plot plot = falling(200'000);
+    plot.curves[0].y[100'001] = 1e3; // a peak of one point must stay
+    const std::string text = svg_of_plot(plot);
+    EXPECT_LT(text.size(), 60'000u);
+    const auto strokes = curve_of(SvgReader(text));
+    ASSERT_EQ(strokes.size(), 1u);
+    double top = 1e9, left = 0, highest_at = 0;
+    left = strokes[0].corners.front().x;
+    for (const auto& p : strokes[0].corners)
+        if (p.y < top) top = p.y, highest_at = p.x;
+    EXPECT_LT(top, strokes[0].corners.front().y - 10);
+    EXPECT_NEAR((highest_at - left) / (strokes[0].corners.back().x - left), 0.5, 1e-3);
+}
+
+TEST(PlotSvg, WhatCannotBeShownIsAGap) {
+    Plot plot = falling(9);
+    plot.curves[0].y[2] = 0;
+    plot.curves[0].y[5] = std::numeric_limits<double>::quiet_NaN();
+    plot.curves[0].y[7] = std::numeric_limits<double>::infinity();
+    const std::string text = svg_of_plot(plot);
+    EXPECT_EQ(curve_of(SvgReader(text)).size(), 2u);
+    EXPECT_EQ(SvgReader(text).all("circle").size(), 2u) << "points without neighbours";
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+    EXPECT_EQ(text.find("inf"), std::string::npos);
+}
+
+TEST(PlotSvg, AnEmptyPlotIsAFrame) {
+    for (const bool logarithmic : {false, true}) {
+        const SvgReader svg(svg_of_plot({"", {"x", false}, {"y", logarithmic}, {}}));
+        EXPECT_EQ(svg.all("rect").size(), 2u);
+        EXPECT_FALSE(svg.texts().empty());
+    }
+}
+
+TEST(PlotSvg, ALegendNamesSeveralCurves) {
+    Plot plot = falling(10);
+    plot.curves[0].label = "n = 60";
+    EXPECT_EQ(svg_of_plot(plot).find("n = 60"), std::string::npos) << "one curve needs none";
+    plot.curves.push_back(plot.curves[0]);
+    plot.curves[1].label = "n = 120";
+    const SvgReader svg(svg_of_plot(plot));
+    const auto texts = svg.texts();
+    EXPECT_NE(std::find(texts.begin(), texts.end(), "n = 60"), texts.end());
+    EXPECT_NE(std::find(texts.begin(), texts.end(), "n = 120"), texts.end());
+    std::set<std::string> colours;
+    for (const auto* path : svg.all("path"))
+        if (path->Attribute("stroke-width") && std::string(path->Attribute("stroke-width")) == "1.2")
+            colours.insert(path->Attribute("stroke"));
+    EXPECT_EQ(colours.size(), 2u);
+}
+
+TEST(PlotSvg, AnAskedRangeCutsTheCurveOff) {
+    Plot plot{"", {"x", false}, {"y", false}, {{.label = "", .x = {0, 1e9}, .y = {0, 1e9}}}};
+    plot.x.low = 100, plot.x.high = 200;
+    plot.y.low = 0, plot.y.high = 150;
+    const SvgReader svg(svg_of_plot(plot));
+    const auto strokes = curve_of(svg);
+    ASSERT_EQ(strokes.size(), 1u);
+    ASSERT_EQ(strokes[0].corners.size(), 2u);
+    const auto* frame = svg.all("rect")[1];
+    const double x = frame->DoubleAttribute("x"), y = frame->DoubleAttribute("y");
+    const double width = frame->DoubleAttribute("width"), height = frame->DoubleAttribute("height");
+    EXPECT_NEAR(strokes[0].corners[0].x, x, 0.02);
+    EXPECT_NEAR(strokes[0].corners[0].y, y + height / 3, 0.02);
+    EXPECT_NEAR(strokes[0].corners[1].x, x + width / 2, 0.02);
+    EXPECT_NEAR(strokes[0].corners[1].y, y, 0.02);
+}
+
+TEST(PlotSvg, AMarkSaysWhatHappened) {
+    Plot plot = falling(10);
+    plot.marks = {{4, "amplitude changed"}, {400, "out of sight"}};
+    const auto texts = SvgReader(svg_of_plot(plot)).texts();
+    EXPECT_NE(std::find(texts.begin(), texts.end(), "amplitude changed"), texts.end());
+    EXPECT_EQ(std::find(texts.begin(), texts.end(), "out of sight"), texts.end());
+}
+
+TEST(PlotSvg, NumbersHaveAPointUnderACommaLocale) {
+    const std::string plain = svg_of_plot(falling(2000));
+    const CommaLocale comma;
+    EXPECT_EQ(svg_of_plot(falling(2000)), plain);
+}
+
+/// All strokes of the paths within an element, or of a path itself.
+std::vector<SvgStroke> strokes_in(const SvgReader& svg, const std::string& id) {
+    const auto* element = svg.with_id(id);
+    if (!element) return {};
+    if (std::string(element->Name()) == "path") return read_path(element->Attribute("d"));
+    std::vector<SvgStroke> strokes;
+    for (const auto* path : svg.all("path", element))
+        for (const auto& stroke : read_path(path->Attribute("d"))) strokes.push_back(stroke);
+    return strokes;
+}
+
+double area_of(const std::vector<SvgStroke>& strokes) {
+    double twice = 0;
+    for (const auto& stroke : strokes)
+        for (std::size_t i = 0; i < stroke.corners.size(); ++i) {
+            const SvgPoint a = stroke.corners[i], b = stroke.corners[(i + 1) % stroke.corners.size()];
+            twice += b.x * a.y - a.x * b.y; // y down
+        }
+    return twice / 2;
+}
+
+TEST(MeshSvg, FillsTheSquareAndDrawsEveryEdgeOnce) {
+    Snapshot snapshot = sample_snapshot(unit_square_mesh(12));
+    snapshot.x = snapshot.mesh->nodes;
+    const SvgReader svg(svg_of_mesh(snapshot));
+    EXPECT_STREQ(svg.root().Attribute("width"), "120mm");
+    const auto edges = strokes_in(svg, "edges");
+    std::size_t segments = 0;
+    double low = 1e9, high = 0;
+    for (const auto& stroke : edges) {
+        segments += stroke.corners.size() - 1;
+        for (const auto& p : stroke.corners) low = std::min(low, p.x), high = std::max(high, p.x);
+    }
+    EXPECT_EQ(segments, 2u * 12 * 13);
+    EXPECT_NEAR(area_of(strokes_in(svg, "cells")), (high - low) * (high - low), 0.5);
+    EXPECT_GT(high - low, 250) << "points";
+}
+
+TEST(MeshSvg, StaysInsideThePage) {
+    for (const Mesh& mesh : meshes_of_every_kind()) {
+        const SvgReader svg(svg_of_mesh(sample_snapshot(mesh), {.width_mm = 84}));
+        double width = 0, height = 0;
+        std::istringstream box(std::string(svg.root().Attribute("viewBox")).substr(4));
+        box >> width >> height;
+        EXPECT_NEAR(width, 84 * 72 / 25.4, 0.01);
+        std::size_t points = 0;
+        for (const auto* path : svg.all("path"))
+            for (const auto& stroke : read_path(path->Attribute("d")))
+                for (const auto& p : stroke.corners) {
+                    ++points;
+                    EXPECT_TRUE(p.x >= 0 && p.x <= width && p.y >= 0 && p.y <= height)
+                        << cell_name(mesh.kind);
+                }
+        EXPECT_GT(points, 8u) << cell_name(mesh.kind);
+    }
+}
+
+TEST(MeshSvg, CellsHaveTheColoursOfTheirClasses) {
+    const SvgReader svg(svg_of_mesh(sample_snapshot(unit_square_mesh(20)), {.classes = 5}));
+    std::set<std::string> fills;
+    for (const auto* path : svg.all("path", svg.with_id("cells"))) fills.insert(path->Attribute("fill"));
+    EXPECT_EQ(fills.size(), 5u);
+    std::set<std::string> legend;
+    for (const auto* rect : svg.all("rect", svg.with_id("legend"))) legend.insert(rect->Attribute("fill"));
+    legend.erase("none");
+    EXPECT_EQ(legend, fills);
+    const auto texts = svg.texts();
+    EXPECT_EQ(texts[0], "monitor");
+    EXPECT_GT(texts.size(), 3u) << "ticks";
+}
+
+TEST(MeshSvg, ALogarithmicLegendHasDecades) {
+    Snapshot snapshot = sample_snapshot(unit_square_mesh(20));
+    for (std::size_t i = 0; i < snapshot.x.size(); ++i)
+        snapshot.fields[0].values[i] = std::pow(10.0, 3 * snapshot.mesh->nodes.x[i]);
+    const MeshSvgOptions options{
+        .label = "density", .classes = 3, .range = ColourRange{1, 1000}, .logarithmic = true};
+    const SvgReader svg(svg_of_mesh(snapshot, options));
+    const auto texts = svg.texts();
+    EXPECT_EQ(texts, (std::vector<std::string>{"density", "100", "101", "102", "103"})); // raised digits
+    const auto cells = strokes_in(svg, "cells");
+    ASSERT_EQ(cells.size(), 3u);
+    for (const auto& part : cells)
+        EXPECT_NEAR(area_of({part}) / area_of(cells), 1.0 / 3, 0.08) << "a decade each";
+}
+
+TEST(MeshSvg, ADirectionTurnsAMeshInSpace) {
+    Snapshot snapshot = sample_snapshot(two_cubes());
+    snapshot.x = snapshot.mesh->nodes;
+    const MeshSvgOptions from_above{.from = SvgDirection{{1, 0, 0}, {0, 1, 0}}};
+    EXPECT_EQ(strokes_in(SvgReader(svg_of_mesh(snapshot, from_above)), "cells").size(), 2u);
+}
+
+TEST(MeshSvg, FieldsOfCellsFillTooAndWithoutAFieldNothingDoes) {
+    const Snapshot snapshot = sample_snapshot(unit_square_mesh(4));
+    const SvgReader cells(svg_of_mesh(snapshot, {.field = "jacobian"}));
+    EXPECT_EQ(cells.texts()[0], "jacobian");
+    EXPECT_EQ(cells.all("path", cells.with_id("cells")).size(), 16u) << "one class for each of the 16 values";
+    const SvgReader white(svg_of_mesh(snapshot, {.field = ""}));
+    EXPECT_TRUE(white.texts().empty());
+    EXPECT_EQ(strokes_in(white, "cells").size(), 1u);
+}
+
+TEST(MeshSvg, TangledCellsStandOut) {
+    Snapshot snapshot = sample_snapshot(unit_square_mesh(5));
+    EXPECT_EQ(SvgReader(svg_of_mesh(snapshot)).with_id("tangled"), nullptr);
+    snapshot.fields[1].values[7] = -0.25;
+    snapshot.fields[1].values[8] = 0;
+    const SvgReader svg(svg_of_mesh(snapshot));
+    EXPECT_EQ(strokes_in(svg, "tangled").size(), 2u);
+    EXPECT_EQ(svg.texts().back(), "2 tangled cells");
+    // Above everything else of the mesh.
+    bool edges_seen = false;
+    for (auto* e = svg.root().FirstChildElement(); e; e = e->NextSiblingElement()) {
+        const char* id = e->Attribute("id");
+        if (id && std::string(id) == "edges") edges_seen = true;
+        if (id && std::string(id) == "tangled") {
+            EXPECT_TRUE(edges_seen);
+        }
+    }
+}
+
+TEST(MeshSvg, ACurvedEdgeIsItsParabola) {
+    Mesh mesh = of_order_two(unit_square_mesh(1));
+    Snapshot snapshot = sample_snapshot(mesh);
+    snapshot.x = mesh.nodes;
+    for (std::size_t i = 0; i < mesh.node_count(); ++i)
+        if (mesh.nodes[i] == Vec3{0.5, 1, 0}) snapshot.x.y[i] = 1.25;
+    const auto strokes = strokes_in(SvgReader(svg_of_mesh(snapshot)), "cells");
+    ASSERT_EQ(strokes.size(), 1u);
+    ASSERT_EQ(strokes[0].controls.size(), 1u);
+    // Corners at heights 0 and 1, the middle at 1.25: the control point at 1.5.
+    double bottom = 0, top = 1e9;
+    for (const auto& p : strokes[0].corners) bottom = std::max(bottom, p.y), top = std::min(top, p.y);
+    EXPECT_NEAR((bottom - strokes[0].controls[0].y) / (bottom - top), 1.5, 1e-3);
+}
+
+TEST(MeshSvg, OfASolidOnlyTheFrontIsDrawn) {
+    Snapshot snapshot = sample_snapshot(two_cubes());
+    snapshot.x = snapshot.mesh->nodes;
+    const SvgReader svg(svg_of_mesh(snapshot));
+    EXPECT_EQ(strokes_in(svg, "cells").size(), 5u) << "right, two on top, two at a side";
+}
+
+TEST(MeshSvg, AClosedSurfaceMayFaceInwardAsAWhole) {
+    const Facets faces = border(two_cubes());
+    Mesh box = two_cubes();
+    box.kind = faces.kind;
+    box.cells = faces.nodes;
+    Mesh inward = box;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        std::swap(inward.cells[4 * f + 1], inward.cells[4 * f + 3]);
+    std::vector<std::set<std::pair<double, double>>> seen;
+    for (const Mesh& mesh : {box, inward}) {
+        const auto faces_seen = strokes_in(SvgReader(svg_of_mesh(sample_snapshot(mesh))), "cells");
+        EXPECT_EQ(faces_seen.size(), 5u);
+        seen.emplace_back();
+        for (const auto& stroke : faces_seen)
+            for (const auto& p : stroke.corners)
+                seen.back().emplace(std::round(10 * p.x), std::round(10 * p.y));
+    }
+    EXPECT_EQ(seen[0], seen[1]) << "the same corners: those in front";
+}
+
+TEST(MeshSvg, AnIntervalIsABand) {
+    const SvgReader svg(svg_of_mesh(sample_snapshot(three_lines())));
+    std::size_t uprights = 0;
+    for (const auto& stroke : strokes_in(svg, "edges"))
+        for (std::size_t i = 1; i < stroke.corners.size(); ++i)
+            if (stroke.corners[i].x == stroke.corners[i - 1].x) ++uprights;
+    EXPECT_EQ(uprights, 4u);
+}
+
+TEST(MeshSvg, ACurveInThePlaneIsALine) {
+    Mesh mesh = three_lines();
+    mesh.space_dimension = 2;
+    mesh.nodes.y = {0, 0.5, 0.25, 0.125};
+    const SvgReader svg(svg_of_mesh(sample_snapshot(mesh)));
+    EXPECT_EQ(svg.all("circle").size(), 6u);
+    EXPECT_EQ(svg.with_id("cells"), nullptr);
+}
+
+TEST(MeshSvg, AMeshOf120By120CellsIsSmall) {
+    Snapshot snapshot = sample_snapshot(unit_square_mesh(120));
+    for (std::size_t i = 0; i < snapshot.x.size(); ++i) // a bell
+        snapshot.fields[0].values[i] =
+            1 + 50 * std::exp(-30 * (std::pow(snapshot.x.x[i] - .5, 2) + std::pow(snapshot.x.y[i] - .5, 2)));
+    const std::string text = svg_of_mesh(snapshot);
+    EXPECT_LT(text.size(), 500'000u);
+    EXPECT_GT(text.size(), 200'000u) << "is the mesh there?";
+}
+
+TEST(MeshSvg, NumbersHaveAPointUnderACommaLocale) {
+    const Snapshot snapshot = sample_snapshot(unit_square_mesh(40));
+    const std::string plain = svg_of_mesh(snapshot);
+    const CommaLocale comma;
+    EXPECT_EQ(svg_of_mesh(snapshot), plain);
+}
+
+TEST(MeshSvg, WhatIsNotFiniteIsAFault) {
+    Snapshot position = sample_snapshot(two_triangles()), field = position;
+    position.x.x[0] = std::numeric_limits<double>::quiet_NaN();
+    field.fields[0].values[1] = std::numeric_limits<double>::infinity();
+    EXPECT_THROW(svg_of_mesh(position), InternalError);
+    EXPECT_THROW(svg_of_mesh(field), InternalError);
+}
+
+} // namespace
+} // namespace gaspard

@@ -1,0 +1,207 @@
+// VTU read back by tinyxml2, the arrays by a few lines of our own, to the last bit. That VTK, meshio and F3D
+// read the files too is tried by hand (docs/formats.md).
+#include "core/base/error.hpp"
+#include "core/base/read_file.hpp"
+#include "core/io/formats.hpp"
+#include "support/comma_locale.hpp"
+#include "support/little_endian.hpp"
+#include "support/sample_snapshot.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <limits>
+#include <map>
+#include <tinyxml2.h>
+
+namespace gaspard {
+namespace {
+
+std::string from_base64(std::string_view text) {
+    std::string bytes;
+    std::uint32_t group = 0;
+    int bits = 0;
+    EXPECT_EQ(text.size() % 4, 0u);
+    while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+    for (const char c : text) {
+        const std::uint32_t digit = c >= 'A' && c <= 'Z'   ? static_cast<std::uint32_t>(c - 'A')
+                                    : c >= 'a' && c <= 'z' ? static_cast<std::uint32_t>(c - 'a' + 26)
+                                    : c >= '0' && c <= '9' ? static_cast<std::uint32_t>(c - '0' + 52)
+                                    : c == '+'             ? 62u
+                                                           : 63u;
+        if (digit == 63) {
+            EXPECT_EQ(c, '/');
+        }
+        group = group << 6 | digit;
+        bits += 6;
+        if (bits < 8) continue;
+        bits -= 8;
+        bytes += static_cast<char>(group >> bits & 255u);
+    }
+    return bytes;
+}
+
+struct Array {
+    std::string type;
+    int components = 0;
+    std::string bytes; ///< without their length
+
+    std::vector<double> reals() const {
+        EXPECT_EQ(type, "Float64");
+        std::vector<double> values;
+        for (LittleEndian in(bytes); !in.rest().empty();) values.push_back(in.real());
+        return values;
+    }
+    std::vector<std::int32_t> integers() const {
+        EXPECT_EQ(type, "Int32");
+        std::vector<std::int32_t> values;
+        for (LittleEndian in(bytes); !in.rest().empty();) values.push_back(in.int32());
+        return values;
+    }
+    Points points() const {
+        EXPECT_EQ(components, 3);
+        const auto values = reals();
+        Points points(values.size() / 3);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points.set(i, {values[3 * i], values[3 * i + 1], values[3 * i + 2]});
+        return points;
+    }
+};
+
+using Arrays = std::map<std::string, Array>;
+
+Arrays arrays_of(const tinyxml2::XMLElement* section) {
+    Arrays arrays;
+    for (auto* e = section->FirstChildElement(); e; e = e->NextSiblingElement()) {
+        EXPECT_STREQ(e->Name(), "DataArray");
+        EXPECT_STREQ(e->Attribute("format"), "binary");
+        const std::string block = from_base64(e->GetText());
+        LittleEndian in(block);
+        const auto length = in.unsigned_number<std::uint64_t>();
+        EXPECT_EQ(length, in.rest().size());
+        arrays[e->Attribute("Name")] = {e->Attribute("type"), e->IntAttribute("NumberOfComponents"),
+                                        std::string(in.rest())};
+    }
+    return arrays;
+}
+
+struct ReadVtu {
+    tinyxml2::XMLDocument document;
+    Arrays points, cells, point_data, cell_data, field_data;
+    int point_count = 0, cell_count = 0;
+
+    explicit ReadVtu(const std::filesystem::path& file) {
+        if (document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS)
+            throw std::runtime_error(document.ErrorStr());
+        const auto* root = document.RootElement();
+        EXPECT_STREQ(root->Name(), "VTKFile");
+        EXPECT_STREQ(root->Attribute("type"), "UnstructuredGrid");
+        EXPECT_STREQ(root->Attribute("byte_order"), "LittleEndian");
+        EXPECT_STREQ(root->Attribute("header_type"), "UInt64");
+        const auto* grid = root->FirstChildElement("UnstructuredGrid");
+        const auto* piece = grid->FirstChildElement("Piece");
+        point_count = piece->IntAttribute("NumberOfPoints");
+        cell_count = piece->IntAttribute("NumberOfCells");
+        field_data = arrays_of(grid->FirstChildElement("FieldData"));
+        point_data = arrays_of(piece->FirstChildElement("PointData"));
+        cell_data = arrays_of(piece->FirstChildElement("CellData"));
+        points = arrays_of(piece->FirstChildElement("Points"));
+        cells = arrays_of(piece->FirstChildElement("Cells"));
+    }
+};
+
+class VtuTest : public testing::TestWithParam<std::size_t> {
+  protected:
+    TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_ / "adapted.vtu";
+    Snapshot snapshot_ = sample_snapshot(meshes_of_every_kind()[GetParam()]);
+};
+INSTANTIATE_TEST_SUITE_P(Kinds, VtuTest, testing::Range<std::size_t>(0, 8),
+                         [](const auto& mesh) { return kind_name(meshes_of_every_kind()[mesh.param].kind); });
+
+TEST_P(VtuTest, HoldsPointsAndFieldsToTheLastBit) {
+    write_vtu(file_, snapshot_);
+    ReadVtu vtu(file_);
+    const Mesh& mesh = *snapshot_.mesh;
+    EXPECT_EQ(static_cast<std::size_t>(vtu.point_count), mesh.node_count());
+    ASSERT_EQ(vtu.points.size(), 1u);
+    EXPECT_EQ(vtu.points.begin()->second.points(), snapshot_.x);
+    EXPECT_EQ(vtu.point_data.size(), 3u);
+    EXPECT_EQ(vtu.point_data["xi"].points(), mesh.nodes);
+    EXPECT_EQ(vtu.point_data["displacement"].points(), snapshot_.x - mesh.nodes);
+    EXPECT_EQ(vtu.point_data["monitor"].reals(), snapshot_.field("monitor")->values);
+    EXPECT_EQ(vtu.point_data["monitor"].components, 1);
+    EXPECT_EQ(vtu.cell_data.size(), 1u);
+    EXPECT_EQ(vtu.cell_data["jacobian"].reals(), snapshot_.field("jacobian")->values);
+}
+
+TEST_P(VtuTest, HoldsTheCellsAsTheyAre) {
+    // VTK_LINE, VTK_QUADRATIC_EDGE and so on, from vtkCellType.h.
+    const std::map<std::string, int> types = {
+        {"line1", 3},          {"line2", 21},          {"triangle1", 5},    {"triangle2", 22},
+        {"quadrilateral1", 9}, {"quadrilateral2", 28}, {"hexahedron1", 12}, {"hexahedron2", 29}};
+    write_vtu(file_, snapshot_);
+    ReadVtu vtu(file_);
+    const Mesh& mesh = *snapshot_.mesh;
+    EXPECT_EQ(static_cast<std::size_t>(vtu.cell_count), mesh.cell_count());
+    EXPECT_EQ(vtu.cells["connectivity"].integers(), mesh.cells); // numbered as in VTK (cell_kind_test.cpp)
+    const auto ends = vtu.cells["offsets"].integers();
+    ASSERT_EQ(ends.size(), mesh.cell_count());
+    for (std::size_t c = 0; c < ends.size(); ++c)
+        EXPECT_EQ(static_cast<std::size_t>(ends[c]),
+                  (c + 1) * static_cast<std::size_t>(nodes_per_cell(mesh.kind)));
+    EXPECT_EQ(vtu.cells["types"].type, "UInt8");
+    EXPECT_EQ(vtu.cells["types"].bytes,
+              std::string(mesh.cell_count(), static_cast<char>(types.at(kind_name(mesh.kind)))));
+}
+
+TEST(Vtu, SaysHowFarTheRunIs) {
+    const TemporaryFolder folder;
+    write_vtu(folder / "m.vtu", sample_snapshot(two_triangles()));
+    ReadVtu vtu(folder / "m.vtu");
+    EXPECT_EQ(vtu.field_data["iteration"].integers(), std::vector<std::int32_t>{17});
+    EXPECT_EQ(vtu.field_data["residual"].reals(), std::vector<double>{1.0 / 3});
+    EXPECT_EQ(vtu.field_data["tangled_cells"].integers(), std::vector<std::int32_t>{2});
+    EXPECT_FALSE(vtu.field_data.contains("equidistribution")) << "it was not measured";
+}
+
+TEST(Vtu, APeriodicSquareIsUnwrapped) {
+    const TemporaryFolder folder;
+    write_vtu(folder / "m.vtu", sample_snapshot(unit_square_mesh(7)));
+    EXPECT_EQ(ReadVtu(folder / "m.vtu").point_count, 64);
+}
+
+TEST(Vtu, DoesNotKnowTheLocale) {
+    const TemporaryFolder folder;
+    const Snapshot snapshot = sample_snapshot(unit_square_mesh(40)); // more than a thousand points
+    write_vtu(folder / "plain.vtu", snapshot);
+    {
+        const CommaLocale comma;
+        write_vtu(folder / "comma.vtu", snapshot);
+    }
+    EXPECT_EQ(read_file(folder / "plain.vtu"), read_file(folder / "comma.vtu"));
+}
+
+TEST(Vtu, ANameThatXmlWouldMisunderstandIsEscaped) {
+    const TemporaryFolder folder;
+    Snapshot snapshot = sample_snapshot(two_triangles());
+    snapshot.fields[0].name = "a<b & \"c\"";
+    write_vtu(folder / "m.vtu", snapshot);
+    EXPECT_TRUE(ReadVtu(folder / "m.vtu").point_data.contains("a<b & \"c\""));
+}
+
+TEST(Vtu, WhatIsNotFiniteIsAFaultAndNothingIsWritten) {
+    for (const double wrong :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        const TemporaryFolder folder;
+        Snapshot position = sample_snapshot(two_triangles()), field = position, cell = position;
+        position.x.z[2] = wrong;
+        field.fields[0].values[1] = wrong;
+        cell.fields[1].values[0] = wrong;
+        for (const Snapshot& snapshot : {position, field, cell})
+            EXPECT_THROW(write_vtu(folder / "m.vtu", snapshot), InternalError);
+        EXPECT_TRUE(folder.content().empty());
+    }
+}
+
+} // namespace
+} // namespace gaspard
