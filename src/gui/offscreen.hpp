@@ -25,11 +25,14 @@ class OffscreenContext {
 /// `any` tries OSMesa, then EGL. Throws MachineError with one sentence when none works.
 std::unique_ptr<OffscreenContext> make_offscreen_context(OffscreenBackend backend = OffscreenBackend::any);
 
+/// How often a pixel is looked at, for smooth rims of surfaces.
+inline constexpr int picture_samples = 4;
+
 /// A picture to draw into, with depth, and with several samples a pixel (0 for one) where the machine can.
 class RenderTarget {
   public:
     /// Throws MachineError where the machine cannot make one of this size.
-    RenderTarget(const Gl& gl, int width, int height, int samples = 4);
+    RenderTarget(const Gl& gl, int width, int height, int samples = picture_samples);
     void bind() const; ///< drawing goes here; sets the viewport to all of it
     Image read() const;
     int width() const { return width_; }

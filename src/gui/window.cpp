@@ -80,6 +80,7 @@ GlfwWindow open_window(const std::string& title, const Values& remembered) {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_SAMPLES, picture_samples); // as offscreen, so that pictures are the same
     glfwWindowHint(GLFW_MAXIMIZED, remembered.boolean("maximized") ? GLFW_TRUE : GLFW_FALSE);
     const ItemRectangle room = work_area();
     const auto within_screen = [](std::int64_t wanted, float room_there) {
