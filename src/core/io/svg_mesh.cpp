@@ -14,7 +14,7 @@ namespace gaspard {
 namespace {
 
 constexpr const char *dark_ink = "#14171c", *light_ink = "#d4d2de", *tangled_colour = "#e600b8";
-constexpr double margin = 6, legend_width = 56; // points
+constexpr double margin = 6, legend_gap = 10, bar_width = 10; // points
 
 std::string hex(std::array<unsigned char, 3> colour) {
     static constexpr std::string_view digits = "0123456789abcdef";
@@ -41,7 +41,8 @@ class Classes {
         GASPARD_CHECK(classes >= 1);
         if (!colouring) return;
         range_ = colouring->range;
-        const int count = range_.low < range_.high ? classes : 1;
+        int count = range_.low < range_.high ? classes : 1;
+        if (colouring->map->diverging && count % 2 == 0) ++count; // one for the middle
         colours_.clear();
         for (int k = 0; k < count; ++k) colours_.push_back(colour_at(*colouring->map, (k + 0.5) / count));
     }
@@ -239,9 +240,15 @@ std::string svg_block(double x, double y, double width, double height, const std
            "\" height=\"" + svg_number(height) + "\" " + attributes + "/>\n";
 }
 
+double legend_width(const ColourRange& range, const std::string& label, double height) {
+    double width = svg_text_width(label);
+    for (const Tick& tick : ticks_of(range, height))
+        width = std::max(width, bar_width + 5 + svg_text_width(tick.label));
+    return width;
+}
+
 /// A bar of the classes with ticks, its upper left corner at `corner`.
 std::string colour_bar(const Classes& classes, const std::string& name, PagePoint corner, double height) {
-    constexpr double bar_width = 10;
     const double block = height / static_cast<double>(classes.count());
     std::string text = "<g id=\"legend\" fill=\"#222\">\n";
     text += svg_text({corner.x, corner.y + 0.75 * svg_font_size}, Anchor::start, name);
@@ -291,18 +298,20 @@ std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>
                         const MeshSvgOptions& options) {
     const SvgScene scene = svg_scene(snapshot, colouring);
     const Classes classes(scene, colouring, options.classes);
-    const bool legend = colouring.has_value();
     const double width = options.width_mm * points_per_mm;
-    const double free_width = width - 2 * margin - (legend ? legend_width : 0);
+    constexpr double highest_bar = 170;
+    const double beside =
+        colouring ? legend_gap + legend_width(colouring->range, colouring->label, highest_bar) : 0;
+    const double free_width = width - 2 * margin - beside;
     const SvgView view = svg_view(scene, options.from, {margin, margin}, free_width, 1.5 * free_width);
 
     Drawing drawing{scene, view, classes};
     drawing.decimals = decimals_of(drawing);
     std::string content = mesh_content(drawing);
-    const double shown_height = std::max(view.height, legend ? 90.0 : 0.0);
-    if (legend)
-        content += colour_bar(classes, colouring->label, {width - margin - legend_width + 10, margin},
-                              std::min(shown_height - 1.5 * svg_font_size, 170.0));
+    const double shown_height = std::max(view.height, colouring ? 90.0 : 0.0);
+    if (colouring)
+        content += colour_bar(classes, colouring->label, {width - margin - beside + legend_gap, margin},
+                              std::min(shown_height - 1.5 * svg_font_size, highest_bar));
     double height = shown_height + 2 * margin;
     const std::string note = tangled_note(scene, {margin, height + 0.75 * svg_font_size});
     if (!note.empty()) content += note, height += 1.5 * svg_font_size;

@@ -284,6 +284,21 @@ TEST(MeshSvg, ALogarithmicLegendHasDecades) {
         EXPECT_NEAR(area_of({part}) / area_of(cells), 1.0 / 3, 0.08) << "a decade each";
 }
 
+TEST(MeshSvg, TheLegendHasRoomForItsWords) {
+    Snapshot snapshot = sample_snapshot(unit_square_mesh(4));
+    snapshot.fields.push_back({"mass", "", FieldPlace::cell, snapshot.field("jacobian")->values});
+    const SvgReader svg(svg_of(snapshot, {.width_mm = 80}, {.colouring = "equidistribution"}));
+    const auto* title = svg.all("text")[0];
+    EXPECT_STREQ(title->GetText(), "equidistribution");
+    EXPECT_LE(title->DoubleAttribute("x") + svg_text_width("equidistribution"), 80 * points_per_mm);
+    double right = 0;
+    for (const auto& stroke : strokes_in(svg, "edges"))
+        for (const auto& p : stroke.corners) right = std::max(right, p.x);
+    EXPECT_LT(right, title->DoubleAttribute("x"));
+    // An odd number of classes of a diverging map: the middle one for zero.
+    EXPECT_EQ(svg.all("rect", svg.with_id("legend")).size(), 17u + 1) << "and the bar's outline";
+}
+
 TEST(MeshSvg, ADirectionTurnsAMeshInSpace) {
     Snapshot snapshot = sample_snapshot(two_cubes());
     snapshot.x = snapshot.mesh->nodes;
