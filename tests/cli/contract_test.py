@@ -162,11 +162,14 @@ class Runs(Contract):
         self.assertEqual((piece.get("NumberOfPoints"), piece.get("NumberOfCells")), ("169", "144"))
         for name in with_pictures:
             self.assertTrue(xml.etree.ElementTree.parse(self.path(name)).getroot().tag.endswith("}svg"))
+        self.assertIn(b">monitor<", self.bytes("adapted.svg"))
         with open(self.path("adapted.msh")) as file:
             msh = file.read()
         for part in ('1 2 "left"', '1 5 "top"', "$Periodic"):  # plane-ring is periodic
             self.assertIn(part, msh)
-        self.assertEqual(self.run_quick("--formats", "msh", name="walls-ring").returncode, 0)
+        result = self.run_quick("--formats", "msh,svg", "--set", "view.color=area", name="walls-ring")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn(b">cell area<", self.bytes("adapted.svg"))
         with open(self.path("adapted.msh")) as file:
             self.assertNotIn("$Periodic", file.read())
 

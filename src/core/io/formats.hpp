@@ -3,6 +3,7 @@
 
 #include "core/mesh/space.hpp"
 #include "core/session/snapshot.hpp"
+#include "core/tessellate/colouring.hpp"
 
 #include <filesystem>
 #include <string>
@@ -38,7 +39,8 @@ void write_ply(const std::filesystem::path& file, const Snapshot& snapshot);
 struct RunResult {
     const Snapshot& snapshot;
     const std::vector<StepReport>& history;
-    Space space; ///< of the domain: whether its sides are the same
+    Space space;            ///< of the domain: whether its sides are the same
+    ColourChoice colours{}; ///< of the view
 };
 
 struct Format {

@@ -97,7 +97,7 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
     attempt("summary.json", [&] { write_atomically(folder / "summary.json", summary_json(run)); });
     attempt("state.bin", [&] { write_state(folder / "state.bin", run.state()); });
     const auto snapshot = run.snapshot();
-    const RunResult result{*snapshot, run.history(), run.space()};
+    const RunResult result{*snapshot, run.history(), run.space(), colour_choice(run.scenario().view)};
     for (const auto* format : formats) attempt(format->files.front(), [&] { format->write(folder, result); });
     if (first) std::rethrow_exception(first);
 }

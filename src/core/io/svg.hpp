@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/session/snapshot.hpp"
-#include "core/tessellate/colour_map.hpp"
+#include "core/tessellate/colouring.hpp"
 #include "core/tessellate/plot.hpp"
 
 #include <filesystem>
@@ -28,24 +28,20 @@ struct PlotSvgOptions {
 std::string svg_of_plot(const Plot& plot, const PlotSvgOptions& options = {});
 
 struct MeshSvgOptions {
-    double width_mm = 120;         ///< of the whole picture; its height follows from the mesh
-    std::string field = "monitor"; ///< what fills the cells, of nodes or cells; without it they stay white
-    std::string label{};           ///< over the legend; empty: the field's name
-    std::string colour_map = "viridis";
+    double width_mm = 120;              ///< of the whole picture; its height follows from the mesh
     int classes = 16;                   ///< colours
-    std::optional<ColourRange> range{}; ///< that the colours span; empty: all values
-    bool logarithmic = false;           ///< where the range is positive
     std::optional<SvgDirection> from{}; ///< how a mesh in space is seen; empty: somewhat from above
 };
 
-/// The mesh at x: cells filled in classes of the field, edges as long lines (curved ones as the parabolas
-/// that they are), tangled cells in magenta above all others, a legend. In the plane as it is; in space seen
-/// from a fixed direction, somewhat from above, without what is hidden. An interval is a band, a curve a
-/// line.
-std::string svg_of_mesh(const Snapshot& snapshot, const MeshSvgOptions& options = {});
+/// The mesh at x: cells filled in classes of the colouring (white without one), edges as long lines (curved
+/// ones as the parabolas that they are), tangled cells in magenta above all others, a legend. In the plane as
+/// it is; in space seen from a fixed direction, somewhat from above, without what is hidden. An interval is a
+/// band, a curve a line.
+std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>& colouring,
+                        const MeshSvgOptions& options = {});
 
 void write_svg(const std::filesystem::path& file, const Plot& plot, const PlotSvgOptions& options = {});
 void write_svg(const std::filesystem::path& file, const Snapshot& snapshot,
-               const MeshSvgOptions& options = {});
+               const std::optional<Colouring>& colouring, const MeshSvgOptions& options = {});
 
 } // namespace gaspard

@@ -3,7 +3,6 @@
 #include "core/io/svg.hpp"
 #include "core/io/svg_document.hpp"
 #include "core/io/svg_scene.hpp"
-#include "core/tessellate/colour_map.hpp"
 #include "core/tessellate/ticks.hpp"
 
 #include <algorithm>
@@ -15,7 +14,7 @@ namespace gaspard {
 namespace {
 
 constexpr const char *dark_ink = "#14171c", *light_ink = "#d4d2de", *tangled_colour = "#e600b8";
-constexpr double margin = 6, legend_width = 56; // points
+constexpr double margin = 6, legend_gap = 10, bar_width = 10; // points
 
 std::string hex(std::array<unsigned char, 3> colour) {
     static constexpr std::string_view digits = "0123456789abcdef";
@@ -38,32 +37,23 @@ double luminance(std::array<unsigned char, 3> colour) {
 /// The colours of the cells, a limited number of them.
 class Classes {
   public:
-    Classes(const SvgScene& scene, const MeshSvgOptions& options)
-        : scene_(scene), range_(options.range.value_or(range_of(scene.values))),
-          logarithmic_(options.logarithmic && range_.low > 0) {
-        GASPARD_CHECK(options.classes >= 1);
-        const ColourMap& map = colour_map(options.colour_map);
-        const int count = scene.values.empty() ? 0 : range_.low < range_.high ? options.classes : 1;
-        for (int k = 0; k < count; ++k) colours_.push_back(colour_at(map, (k + 0.5) / count));
-        if (colours_.empty()) colours_.push_back({255, 255, 255});
+    Classes(const SvgScene& scene, const std::optional<Colouring>& colouring, int classes) : scene_(scene) {
+        GASPARD_CHECK(classes >= 1);
+        if (!colouring) return;
+        range_ = colouring->range;
+        int count = range_.low < range_.high ? classes : 1;
+        if (colouring->map->diverging && count % 2 == 0) ++count; // one for the middle
+        colours_.clear();
+        for (int k = 0; k < count; ++k) colours_.push_back(colour_at(*colouring->map, (k + 0.5) / count));
     }
 
     std::size_t count() const { return colours_.size(); }
+    const ColourRange& range() const { return range_; }
     std::string colour(std::size_t k) const { return hex(colours_[k]); }
     std::size_t of(std::size_t face) const {
         if (scene_.values.empty()) return 0;
-        const double place = std::clamp(position(scene_.values[face]), 0.0, 1.0);
+        const double place = std::clamp(range_.position(scene_.values[face]), 0.0, 1.0);
         return std::min(count() - 1, static_cast<std::size_t>(place * static_cast<double>(count())));
-    }
-    /// Where in the range a value lies, from 0 to 1; beyond these outside.
-    double position(double value) const {
-        if (!logarithmic_) return range_.position(value);
-        const ColourRange decades{std::log10(range_.low), std::log10(range_.high)};
-        return decades.position(value > 0 ? std::log10(value) : decades.low);
-    }
-    std::vector<Tick> ticks(int count) const {
-        return logarithmic_ ? log_ticks(range_.low, range_.high, count)
-                            : linear_ticks(range_.low, range_.high, count);
     }
     /// Lines on these classes are seen: against either ink the contrast ratio is at least 3.
     bool wants_light_ink(std::size_t a, std::size_t b) const {
@@ -73,9 +63,14 @@ class Classes {
   private:
     const SvgScene& scene_;
     ColourRange range_;
-    bool logarithmic_;
-    std::vector<std::array<unsigned char, 3>> colours_;
+    std::vector<std::array<unsigned char, 3>> colours_ = {{255, 255, 255}};
 };
+
+std::vector<Tick> ticks_of(const ColourRange& range, double height) {
+    const int count = static_cast<int>(height / 20);
+    return range.logarithmic ? log_ticks(range.low, range.high, count)
+                             : linear_ticks(range.low, range.high, count);
+}
 
 /// Everything the drawing functions share.
 struct Drawing {
@@ -245,9 +240,15 @@ std::string svg_block(double x, double y, double width, double height, const std
            "\" height=\"" + svg_number(height) + "\" " + attributes + "/>\n";
 }
 
+double legend_width(const ColourRange& range, const std::string& label, double height) {
+    double width = svg_text_width(label);
+    for (const Tick& tick : ticks_of(range, height))
+        width = std::max(width, bar_width + 5 + svg_text_width(tick.label));
+    return width;
+}
+
 /// A bar of the classes with ticks, its upper left corner at `corner`.
 std::string colour_bar(const Classes& classes, const std::string& name, PagePoint corner, double height) {
-    constexpr double bar_width = 10;
     const double block = height / static_cast<double>(classes.count());
     std::string text = "<g id=\"legend\" fill=\"#222\">\n";
     text += svg_text({corner.x, corner.y + 0.75 * svg_font_size}, Anchor::start, name);
@@ -258,8 +259,8 @@ std::string colour_bar(const Classes& classes, const std::string& name, PagePoin
                           "fill=\"" + classes.colour(k) + '"');
     text += svg_block(corner.x, top, bar_width, height, "fill=\"none\" stroke=\"#444\" stroke-width=\".35\"");
     SvgPath marks;
-    for (const Tick& tick : classes.ticks(static_cast<int>(height / 20))) {
-        const double y = top + height * (1 - classes.position(tick.value));
+    for (const Tick& tick : ticks_of(classes.range(), height)) {
+        const double y = top + height * (1 - classes.range().position(tick.value));
         if (y < top - 0.01 || y > top + height + 0.01) continue;
         marks.move({corner.x + bar_width, y});
         marks.line({corner.x + bar_width + (tick.major ? 2.5 : 1.5), y});
@@ -293,22 +294,24 @@ std::string mesh_content(const Drawing& drawing) {
 
 } // namespace
 
-std::string svg_of_mesh(const Snapshot& snapshot, const MeshSvgOptions& options) {
-    const SvgScene scene = svg_scene(snapshot, options.field);
-    const Classes classes(scene, options);
-    const bool legend = !scene.values.empty();
+std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>& colouring,
+                        const MeshSvgOptions& options) {
+    const SvgScene scene = svg_scene(snapshot, colouring);
+    const Classes classes(scene, colouring, options.classes);
     const double width = options.width_mm * points_per_mm;
-    const double free_width = width - 2 * margin - (legend ? legend_width : 0);
+    constexpr double highest_bar = 170;
+    const double beside =
+        colouring ? legend_gap + legend_width(colouring->range, colouring->label, highest_bar) : 0;
+    const double free_width = width - 2 * margin - beside;
     const SvgView view = svg_view(scene, options.from, {margin, margin}, free_width, 1.5 * free_width);
 
     Drawing drawing{scene, view, classes};
     drawing.decimals = decimals_of(drawing);
     std::string content = mesh_content(drawing);
-    const double shown_height = std::max(view.height, legend ? 90.0 : 0.0);
-    if (legend)
-        content += colour_bar(classes, options.label.empty() ? options.field : options.label,
-                              {width - margin - legend_width + 10, margin},
-                              std::min(shown_height - 1.5 * svg_font_size, 170.0));
+    const double shown_height = std::max(view.height, colouring ? 90.0 : 0.0);
+    if (colouring)
+        content += colour_bar(classes, colouring->label, {width - margin - beside + legend_gap, margin},
+                              std::min(shown_height - 1.5 * svg_font_size, highest_bar));
     double height = shown_height + 2 * margin;
     const std::string note = tangled_note(scene, {margin, height + 0.75 * svg_font_size});
     if (!note.empty()) content += note, height += 1.5 * svg_font_size;
@@ -316,8 +319,9 @@ std::string svg_of_mesh(const Snapshot& snapshot, const MeshSvgOptions& options)
                         "Mesh after " + std::to_string(snapshot.report.iteration) + " iterations", content);
 }
 
-void write_svg(const std::filesystem::path& file, const Snapshot& snapshot, const MeshSvgOptions& options) {
-    write_atomically(file, svg_of_mesh(snapshot, options));
+void write_svg(const std::filesystem::path& file, const Snapshot& snapshot,
+               const std::optional<Colouring>& colouring, const MeshSvgOptions& options) {
+    write_atomically(file, svg_of_mesh(snapshot, colouring, options));
 }
 
 } // namespace gaspard

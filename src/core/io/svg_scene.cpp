@@ -24,7 +24,7 @@ void for_each_part(const SvgScene& scene, const Mesh& mesh, const Use& use) {
     }
 }
 
-void add_values(SvgScene& scene, const Mesh& mesh, const Field& field) {
+void add_values(SvgScene& scene, const Mesh& mesh, const Colouring& field) {
     const std::size_t nodes = mesh.node_count(); // a band has every node twice
     for_each_part(scene, mesh, [&](std::uint32_t cell, std::span<const std::int32_t> corners) {
         double value = 0;
@@ -36,9 +36,9 @@ void add_values(SvgScene& scene, const Mesh& mesh, const Field& field) {
     });
 }
 
-void add_tangled(SvgScene& scene, const Mesh& mesh, const Field* jacobian) {
+void add_tangled(SvgScene& scene, const Mesh& mesh, const std::vector<std::uint32_t>& cells) {
     for_each_part(scene, mesh, [&](std::uint32_t cell, std::span<const std::int32_t>) {
-        scene.tangled.push_back(jacobian && !(jacobian->values[cell] > 0));
+        scene.tangled.push_back(std::binary_search(cells.begin(), cells.end(), cell));
     });
 }
 
@@ -89,7 +89,7 @@ SvgDirection somewhat_from_above() {
 
 } // namespace
 
-SvgScene svg_scene(const Snapshot& snapshot, std::string_view field) {
+SvgScene svg_scene(const Snapshot& snapshot, const std::optional<Colouring>& colouring) {
     const Mesh& mesh = *snapshot.mesh;
     GASPARD_CHECK(snapshot.x.size() == mesh.node_count());
     SvgScene scene;
@@ -104,8 +104,8 @@ SvgScene svg_scene(const Snapshot& snapshot, std::string_view field) {
     const auto [low, high] = std::minmax_element(scene.x.z.begin(), scene.x.z.end());
     scene.spatial = mesh.space_dimension == 3 && *low < *high;
     scene.closed = cell_dimension(mesh.kind) == 3 || (scene.spatial && border(mesh).size() == 0);
-    if (const Field* values = snapshot.field(field)) add_values(scene, mesh, *values);
-    add_tangled(scene, mesh, snapshot.field("jacobian"));
+    if (colouring) add_values(scene, mesh, *colouring);
+    add_tangled(scene, mesh, ColouringMaker().tangled(snapshot));
     return scene;
 }
 

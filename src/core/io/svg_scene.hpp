@@ -7,7 +7,6 @@
 #include "core/session/snapshot.hpp"
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace gaspard {
@@ -16,7 +15,7 @@ struct SvgScene {
     Facets faces; ///< cells of a surface, border of a solid, or the band that an interval is drawn as
     std::vector<Side> lines;    ///< the cells of a curve in the plane or in space, which has no faces
     Points x, xi;               ///< where the nodes of both stand; xi tells which edges go straight on
-    std::vector<double> values; ///< of the field, per face or line; empty without the field
+    std::vector<double> values; ///< of the colouring, per face or line; empty without one
     std::vector<bool> tangled;  ///< per face or line
     bool spatial = false;       ///< has depth, so that some of it may hide the rest
     bool closed = false;        ///< no border: what turns away is hidden
@@ -24,7 +23,7 @@ struct SvgScene {
     std::size_t size() const { return lines.empty() ? faces.size() : lines.size(); }
 };
 
-SvgScene svg_scene(const Snapshot& snapshot, std::string_view field);
+SvgScene svg_scene(const Snapshot& snapshot, const std::optional<Colouring>& colouring);
 
 /// An orthographic look at a scene, fitted into a part of the page.
 struct SvgView {

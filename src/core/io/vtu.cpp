@@ -126,6 +126,7 @@ std::string cell_data(const Snapshot& snapshot) {
     Arrays arrays;
     for (const auto& field : snapshot.fields)
         if (field.place == FieldPlace::cell) arrays.reals(field.name, 1, field.values);
+    arrays.reals("measure", 1, ColouringMaker().measures(snapshot));
     return arrays.text();
 }
 

@@ -194,6 +194,12 @@ TEST(PlotSvg, NumbersHaveAPointUnderACommaLocale) {
     EXPECT_EQ(svg_of_plot(falling(2000)), plain);
 }
 
+/// The mesh, coloured.
+std::string svg_of(const Snapshot& snapshot, const MeshSvgOptions& options = {},
+                   const ColourChoice& colours = {}) {
+    return svg_of_mesh(snapshot, make_colouring(snapshot, colours), options);
+}
+
 /// All strokes of the paths within an element, or of a path itself.
 std::vector<SvgStroke> strokes_in(const SvgReader& svg, const std::string& id) {
     const auto* element = svg.with_id(id);
@@ -218,7 +224,7 @@ double area_of(const std::vector<SvgStroke>& strokes) {
 TEST(MeshSvg, FillsTheSquareAndDrawsEveryEdgeOnce) {
     Snapshot snapshot = sample_snapshot(unit_square_mesh(12));
     snapshot.x = snapshot.mesh->nodes;
-    const SvgReader svg(svg_of_mesh(snapshot));
+    const SvgReader svg(svg_of(snapshot));
     EXPECT_STREQ(svg.root().Attribute("width"), "120mm");
     const auto edges = strokes_in(svg, "edges");
     std::size_t segments = 0;
@@ -234,7 +240,7 @@ TEST(MeshSvg, FillsTheSquareAndDrawsEveryEdgeOnce) {
 
 TEST(MeshSvg, StaysInsideThePage) {
     for (const Mesh& mesh : meshes_of_every_kind()) {
-        const SvgReader svg(svg_of_mesh(sample_snapshot(mesh), {.width_mm = 84}));
+        const SvgReader svg(svg_of(sample_snapshot(mesh), {.width_mm = 84}));
         double width = 0, height = 0;
         std::istringstream box(std::string(svg.root().Attribute("viewBox")).substr(4));
         box >> width >> height;
@@ -252,7 +258,7 @@ TEST(MeshSvg, StaysInsideThePage) {
 }
 
 TEST(MeshSvg, CellsHaveTheColoursOfTheirClasses) {
-    const SvgReader svg(svg_of_mesh(sample_snapshot(unit_square_mesh(20)), {.classes = 5}));
+    const SvgReader svg(svg_of(sample_snapshot(unit_square_mesh(20)), {.classes = 5}));
     std::set<std::string> fills;
     for (const auto* path : svg.all("path", svg.with_id("cells"))) fills.insert(path->Attribute("fill"));
     EXPECT_EQ(fills.size(), 5u);
@@ -269,40 +275,53 @@ TEST(MeshSvg, ALogarithmicLegendHasDecades) {
     Snapshot snapshot = sample_snapshot(unit_square_mesh(20));
     for (std::size_t i = 0; i < snapshot.x.size(); ++i)
         snapshot.fields[0].values[i] = std::pow(10.0, 3 * snapshot.mesh->nodes.x[i]);
-    const MeshSvgOptions options{
-        .label = "density", .classes = 3, .range = ColourRange{1, 1000}, .logarithmic = true};
-    const SvgReader svg(svg_of_mesh(snapshot, options));
+    const SvgReader svg(svg_of(snapshot, {.classes = 3}, {.logarithmic = true}));
     const auto texts = svg.texts();
-    EXPECT_EQ(texts, (std::vector<std::string>{"density", "100", "101", "102", "103"})); // raised digits
+    EXPECT_EQ(texts, (std::vector<std::string>{"monitor", "100", "101", "102", "103"})); // raised digits
     const auto cells = strokes_in(svg, "cells");
     ASSERT_EQ(cells.size(), 3u);
     for (const auto& part : cells)
         EXPECT_NEAR(area_of({part}) / area_of(cells), 1.0 / 3, 0.08) << "a decade each";
 }
 
+TEST(MeshSvg, TheLegendHasRoomForItsWords) {
+    Snapshot snapshot = sample_snapshot(unit_square_mesh(4));
+    snapshot.fields.push_back({"mass", "", FieldPlace::cell, snapshot.field("jacobian")->values});
+    const SvgReader svg(svg_of(snapshot, {.width_mm = 80}, {.colouring = "equidistribution"}));
+    const auto* title = svg.all("text")[0];
+    EXPECT_STREQ(title->GetText(), "equidistribution");
+    EXPECT_LE(title->DoubleAttribute("x") + svg_text_width("equidistribution"), 80 * points_per_mm);
+    double right = 0;
+    for (const auto& stroke : strokes_in(svg, "edges"))
+        for (const auto& p : stroke.corners) right = std::max(right, p.x);
+    EXPECT_LT(right, title->DoubleAttribute("x"));
+    // An odd number of classes of a diverging map: the middle one for zero.
+    EXPECT_EQ(svg.all("rect", svg.with_id("legend")).size(), 17u + 1) << "and the bar's outline";
+}
+
 TEST(MeshSvg, ADirectionTurnsAMeshInSpace) {
     Snapshot snapshot = sample_snapshot(two_cubes());
     snapshot.x = snapshot.mesh->nodes;
     const MeshSvgOptions from_above{.from = SvgDirection{{1, 0, 0}, {0, 1, 0}}};
-    EXPECT_EQ(strokes_in(SvgReader(svg_of_mesh(snapshot, from_above)), "cells").size(), 2u);
+    EXPECT_EQ(strokes_in(SvgReader(svg_of(snapshot, from_above)), "cells").size(), 2u);
 }
 
 TEST(MeshSvg, FieldsOfCellsFillTooAndWithoutAFieldNothingDoes) {
     const Snapshot snapshot = sample_snapshot(unit_square_mesh(4));
-    const SvgReader cells(svg_of_mesh(snapshot, {.field = "jacobian"}));
-    EXPECT_EQ(cells.texts()[0], "jacobian");
+    const SvgReader cells(svg_of(snapshot, {}, {.colouring = "jacobian"}));
+    EXPECT_EQ(cells.texts()[0], "Jacobian");
     EXPECT_EQ(cells.all("path", cells.with_id("cells")).size(), 16u) << "one class for each of the 16 values";
-    const SvgReader white(svg_of_mesh(snapshot, {.field = ""}));
+    const SvgReader white(svg_of(snapshot, {}, {.colouring = "none"}));
     EXPECT_TRUE(white.texts().empty());
     EXPECT_EQ(strokes_in(white, "cells").size(), 1u);
 }
 
 TEST(MeshSvg, TangledCellsStandOut) {
     Snapshot snapshot = sample_snapshot(unit_square_mesh(5));
-    EXPECT_EQ(SvgReader(svg_of_mesh(snapshot)).with_id("tangled"), nullptr);
+    EXPECT_EQ(SvgReader(svg_of(snapshot)).with_id("tangled"), nullptr);
     snapshot.fields[1].values[7] = -0.25;
     snapshot.fields[1].values[8] = 0;
-    const SvgReader svg(svg_of_mesh(snapshot));
+    const SvgReader svg(svg_of(snapshot));
     EXPECT_EQ(strokes_in(svg, "tangled").size(), 2u);
     EXPECT_EQ(svg.texts().back(), "2 tangled cells");
     // Above everything else of the mesh.
@@ -322,7 +341,7 @@ TEST(MeshSvg, ACurvedEdgeIsItsParabola) {
     snapshot.x = mesh.nodes;
     for (std::size_t i = 0; i < mesh.node_count(); ++i)
         if (mesh.nodes[i] == Vec3{0.5, 1, 0}) snapshot.x.y[i] = 1.25;
-    const auto strokes = strokes_in(SvgReader(svg_of_mesh(snapshot)), "cells");
+    const auto strokes = strokes_in(SvgReader(svg_of(snapshot)), "cells");
     ASSERT_EQ(strokes.size(), 1u);
     ASSERT_EQ(strokes[0].controls.size(), 1u);
     // Corners at heights 0 and 1, the middle at 1.25: the control point at 1.5.
@@ -334,7 +353,7 @@ TEST(MeshSvg, ACurvedEdgeIsItsParabola) {
 TEST(MeshSvg, OfASolidOnlyTheFrontIsDrawn) {
     Snapshot snapshot = sample_snapshot(two_cubes());
     snapshot.x = snapshot.mesh->nodes;
-    const SvgReader svg(svg_of_mesh(snapshot));
+    const SvgReader svg(svg_of(snapshot));
     EXPECT_EQ(strokes_in(svg, "cells").size(), 5u) << "right, two on top, two at a side";
 }
 
@@ -348,7 +367,7 @@ TEST(MeshSvg, AClosedSurfaceMayFaceInwardAsAWhole) {
         std::swap(inward.cells[4 * f + 1], inward.cells[4 * f + 3]);
     std::vector<std::set<std::pair<double, double>>> seen;
     for (const Mesh& mesh : {box, inward}) {
-        const auto faces_seen = strokes_in(SvgReader(svg_of_mesh(sample_snapshot(mesh))), "cells");
+        const auto faces_seen = strokes_in(SvgReader(svg_of(sample_snapshot(mesh))), "cells");
         EXPECT_EQ(faces_seen.size(), 5u);
         seen.emplace_back();
         for (const auto& stroke : faces_seen)
@@ -359,7 +378,7 @@ TEST(MeshSvg, AClosedSurfaceMayFaceInwardAsAWhole) {
 }
 
 TEST(MeshSvg, AnIntervalIsABand) {
-    const SvgReader svg(svg_of_mesh(sample_snapshot(three_lines())));
+    const SvgReader svg(svg_of(sample_snapshot(three_lines())));
     std::size_t uprights = 0;
     for (const auto& stroke : strokes_in(svg, "edges"))
         for (std::size_t i = 1; i < stroke.corners.size(); ++i)
@@ -371,7 +390,7 @@ TEST(MeshSvg, ACurveInThePlaneIsALine) {
     Mesh mesh = three_lines();
     mesh.space_dimension = 2;
     mesh.nodes.y = {0, 0.5, 0.25, 0.125};
-    const SvgReader svg(svg_of_mesh(sample_snapshot(mesh)));
+    const SvgReader svg(svg_of(sample_snapshot(mesh)));
     EXPECT_EQ(svg.all("circle").size(), 6u);
     EXPECT_EQ(svg.with_id("cells"), nullptr);
 }
@@ -381,24 +400,24 @@ TEST(MeshSvg, AMeshOf120By120CellsIsSmall) {
     for (std::size_t i = 0; i < snapshot.x.size(); ++i) // a bell
         snapshot.fields[0].values[i] =
             1 + 50 * std::exp(-30 * (std::pow(snapshot.x.x[i] - .5, 2) + std::pow(snapshot.x.y[i] - .5, 2)));
-    const std::string text = svg_of_mesh(snapshot);
+    const std::string text = svg_of(snapshot);
     EXPECT_LT(text.size(), 500'000u);
     EXPECT_GT(text.size(), 200'000u) << "is the mesh there?";
 }
 
 TEST(MeshSvg, NumbersHaveAPointUnderACommaLocale) {
     const Snapshot snapshot = sample_snapshot(unit_square_mesh(40));
-    const std::string plain = svg_of_mesh(snapshot);
+    const std::string plain = svg_of(snapshot);
     const CommaLocale comma;
-    EXPECT_EQ(svg_of_mesh(snapshot), plain);
+    EXPECT_EQ(svg_of(snapshot), plain);
 }
 
 TEST(MeshSvg, WhatIsNotFiniteIsAFault) {
     Snapshot position = sample_snapshot(two_triangles()), field = position;
     position.x.x[0] = std::numeric_limits<double>::quiet_NaN();
     field.fields[0].values[1] = std::numeric_limits<double>::infinity();
-    EXPECT_THROW(svg_of_mesh(position), InternalError);
-    EXPECT_THROW(svg_of_mesh(field), InternalError);
+    EXPECT_THROW(svg_of(position), InternalError);
+    EXPECT_THROW(svg_of(field), InternalError);
 }
 
 } // namespace

@@ -130,7 +130,8 @@ TEST_P(VtuTest, HoldsPointsAndFieldsToTheLastBit) {
     EXPECT_EQ(vtu.point_data["displacement"].points(), snapshot_.x - mesh.nodes);
     EXPECT_EQ(vtu.point_data["monitor"].reals(), snapshot_.field("monitor")->values);
     EXPECT_EQ(vtu.point_data["monitor"].components, 1);
-    EXPECT_EQ(vtu.cell_data.size(), 1u);
+    EXPECT_EQ(vtu.cell_data.size(), 2u);
+    EXPECT_EQ(vtu.cell_data["measure"].reals().size(), mesh.cell_count());
     EXPECT_EQ(vtu.cell_data["jacobian"].reals(), snapshot_.field("jacobian")->values);
 }
 
@@ -162,6 +163,18 @@ TEST(Vtu, SaysHowFarTheRunIs) {
     EXPECT_EQ(vtu.field_data["residual"].reals(), std::vector<double>{1.0 / 3});
     EXPECT_EQ(vtu.field_data["tangled_cells"].integers(), std::vector<std::int32_t>{2});
     EXPECT_FALSE(vtu.field_data.contains("equidistribution")) << "it was not measured";
+}
+
+TEST(Vtu, MeasuresItsCells) {
+    const TemporaryFolder folder;
+    Snapshot snapshot = sample_snapshot(unit_square_mesh(4));
+    snapshot.x = snapshot.mesh->nodes;
+    snapshot.x.x[6] += 0.125; // a node inside
+    write_vtu(folder / "m.vtu", snapshot);
+    const auto measures = ReadVtu(folder / "m.vtu").cell_data["measure"].reals();
+    EXPECT_NEAR(measures[0], 0.0625 + 0.125 * 0.25 / 2, 1e-15); // a triangle more
+    EXPECT_NEAR(measures[1], 0.0625 - 0.125 * 0.25 / 2, 1e-15);
+    EXPECT_NEAR(measures[15], 0.0625, 1e-15);
 }
 
 TEST(Vtu, APeriodicSquareIsUnwrapped) {
