@@ -125,9 +125,9 @@ class Stroke {
     std::vector<ImVec2> points_;
 };
 
-void draw_curve(ImDrawList& list, const CurveView& curve, const PlotFrame& frame, ImU32 colour, float scale) {
-    const PixelPath path = pixel_path(curve, frame);
-    Stroke stroke(list, frame.area, colour, (curve.behind ? 1.25F : 1.75F) * scale);
+void draw_curve(ImDrawList& list, const CurveView& curve, const PixelPath& path, ScreenRect area,
+                ImU32 colour, float scale) {
+    Stroke stroke(list, area, colour, (curve.behind ? 1.25F : 1.75F) * scale);
     for (std::size_t i = 0; i < path.x.size(); ++i) {
         stroke.add({path.x[i], path.y[i]});
         if (!curve.markers || std::isnan(path.y[i])) continue;
@@ -179,15 +179,34 @@ const Colour& curve_colour(const Theme& theme, std::size_t colour) {
     return theme.curves[colour % theme.curves.size()];
 }
 
-void draw_curves(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, const Theme& theme,
-                 float scale) {
+std::vector<PixelPath> pixel_paths(const PlotView& plot, const PlotFrame& frame) {
+    std::vector<PixelPath> paths;
+    for (const CurveView& curve : plot.curves) paths.push_back(pixel_path(curve, frame));
+    return paths;
+}
+
+double length_within(const PixelPath& path, ScreenRect rect) {
+    const DPoint low{static_cast<double>(rect.min.x), static_cast<double>(rect.min.y)};
+    const DPoint high{static_cast<double>(rect.max.x), static_cast<double>(rect.max.y)};
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < path.x.size(); ++i) {
+        DPoint a{path.x[i], path.y[i]}, b{path.x[i + 1], path.y[i + 1]};
+        if (std::isnan(a.y) || std::isnan(b.y)) continue;
+        if (std::max(a.x, b.x) < low.x || std::min(a.x, b.x) > high.x) continue;
+        if (clip_line(a, b, low, high)) length += std::hypot(b.x - a.x, b.y - a.y);
+    }
+    return length;
+}
+
+void draw_curves(ImDrawList& list, const PlotView& plot, const std::vector<PixelPath>& paths,
+                 const PlotFrame& frame, const Theme& theme, float scale) {
     const ScreenRect& area = frame.area;
     list.PushClipRect({area.min.x - 4 * scale, area.min.y - 4 * scale},
                       {area.max.x + 4 * scale, area.max.y + 4 * scale}, true);
     for (const bool behind : {true, false})
-        for (const CurveView& curve : plot.curves)
-            if (curve.behind == behind)
-                draw_curve(list, curve, frame, packed(curve_colour(theme, curve.colour)), scale);
+        for (std::size_t i = 0; i < plot.curves.size(); ++i)
+            if (const CurveView& curve = plot.curves[i]; curve.behind == behind)
+                draw_curve(list, curve, paths[i], area, packed(curve_colour(theme, curve.colour)), scale);
     list.PopClipRect();
 }
 

@@ -83,6 +83,7 @@ void PlotPane::draw_header(const std::string& name, Shown& plot, const FrameCont
 std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, Shown& plot,
                                             const FrameContext& context) {
     if (!ImGui::BeginPopup(menu_id)) return std::nullopt;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
     std::optional<PlotWish> wish;
     const auto entry = [&](const char* label, const std::string& key, bool checked = false,
                            bool possible = true) {
