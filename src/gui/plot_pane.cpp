@@ -96,6 +96,7 @@ std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, Shown& plot
     };
     offer("Copy as CSV", "csv", PlotWish::Kind::copy_csv);
     offer("Save as PNG", "png", PlotWish::Kind::save_png);
+    offer("Save as SVG", "svg", PlotWish::Kind::save_svg);
     ImGui::Separator();
     if (entry("Show everything", "everything", false, plot.zoom != PlotZoom{})) plot.zoom = {};
     ImGui::Separator();

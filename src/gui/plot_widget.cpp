@@ -126,12 +126,6 @@ bool steer(const PlotView& plot, const PlotFrame& frame, PlotZoom& zoom, float s
     return std::hypot(io.MousePos.x - from.x, io.MousePos.y - from.y) < click_slack * scale;
 }
 
-std::optional<AxisRange> asked_range(const Axis& axis) {
-    if (!axis.low || !axis.high) return std::nullopt;
-    const AxisRange range{to_axis(axis, *axis.low), to_axis(axis, *axis.high)};
-    return range.low < range.high ? std::optional(range) : std::nullopt;
-}
-
 void draw(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, ScreenRect rect, const Theme& theme,
           float scale) {
     draw_frame(list, plot, frame, rect, theme, scale);
@@ -145,7 +139,8 @@ void draw(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, Screen
 
 void draw_plot(ImDrawList& list, const Plot& plot, ScreenRect rect, const Theme& theme, float scale) {
     const PlotView view = view_of(plot);
-    const PlotFrame frame = make_frame(view, rect, {asked_range(plot.x), asked_range(plot.y)}, scale);
+    const PlotFrame frame =
+        make_frame(view, rect, {shown_range(plot, false), shown_range(plot, true)}, scale);
     if (frame.drawable()) draw(list, view, frame, rect, theme, scale);
 }
 
