@@ -1,5 +1,5 @@
 // Draws the curves of a plot, at a cost that depends on the pixels rather than on the number of points: where
-// many points share a column of pixels, the first, the lowest, the highest and the last of them are drawn.
+// many points share a column of pixels, the lowest and the highest of them are drawn.
 #pragma once
 
 #include "gui/plot_axes.hpp"
