@@ -176,7 +176,7 @@ PixelPath pixel_path(const CurveView& curve, const PlotFrame& frame) {
             maker.column(i, next);
         i = next;
     }
-    maker.points(i, end);
+    maker.points(std::min(i, end - 1), end); // the last one in any case: it is where the curve stands now
     return maker.take();
 }
 
