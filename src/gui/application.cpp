@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/run_files.hpp"
+#include "core/io/svg.hpp"
 #include "core/scenario/toml.hpp"
 #include "gui/runs_csv.hpp"
 
@@ -291,6 +292,14 @@ void Application::fulfil(const PlotWish& wish) {
         plot_picture_ = plot_of_runs(document_.runs(), wish.choice, wish.zoom);
         plot_name_ = name_of(wish.choice.quantity);
         return;
+    case PlotWish::Kind::save_svg:
+        return writer_.run([folder = output_folder(), name = std::string(name_of(wish.choice.quantity)),
+                            plot = plot_of_runs(document_.runs(), wish.choice, wish.zoom)] {
+            check_writable(folder);
+            const auto file = free_name(folder, name, ".svg");
+            write_svg(file, plot);
+            return "Saved " + file.string();
+        });
     }
 }
 

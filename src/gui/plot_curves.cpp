@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gaspard {
 
@@ -16,6 +17,12 @@ struct DPoint {
     double x = 0, y = 0;
 };
 
+/// The first of x[begin, end), which are in order, that is larger than `value`; `end` if there is none.
+std::size_t first_above(std::span<const double> x, std::size_t begin, std::size_t end, double value) {
+    const auto at = [&x](std::size_t i) { return x.begin() + static_cast<std::ptrdiff_t>(i); };
+    return static_cast<std::size_t>(std::upper_bound(at(begin), at(end), value) - x.begin());
+}
+
 /// What is drawn of a curve, gathered from left to right.
 class PathMaker {
   public:
@@ -25,17 +32,17 @@ class PathMaker {
     void points(std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) point(i);
     }
-    /// Many points that share a column of pixels.
+    /// Many points that share a column of pixels: the lowest and the highest, the nearer one first.
     void column(std::size_t begin, std::size_t end) {
         const Extent extent = curve_.extremes->of(curve_.y, begin, end);
-        const double low = frame_.pixel_y(frame_.y.logarithmic ? extent.min_positive : extent.min);
-        const double high = frame_.pixel_y(extent.max);
+        double low = frame_.pixel_y(frame_.y.logarithmic ? extent.min_positive : extent.min);
+        double high = frame_.pixel_y(extent.max);
         const double x = frame_.pixel_x(curve_.x[begin]);
         if (std::isnan(low) || std::isnan(high)) return add(x, nothing);
-        join(begin);
+        const double before = path_.y.empty() ? nothing : path_.y.back();
+        if (std::abs(high - before) < std::abs(low - before)) std::swap(low, high);
         add(x, low);
-        add(x, high);
-        join(end - 1);
+        if (high != low) add(x, high);
     }
     PixelPath take() { return std::move(path_); }
 
@@ -44,11 +51,6 @@ class PathMaker {
         path_.x.push_back(x);
         path_.y.push_back(std::isnan(x) ? nothing : y);
     }
-    /// The first and the last point of a column lead to its neighbours, unless they cannot be shown.
-    void join(std::size_t i) {
-        if (!std::isnan(frame_.pixel_y(curve_.y[i]))) point(i);
-    }
-
     const CurveView& curve_;
     const PlotFrame& frame_;
     PixelPath path_;
@@ -125,9 +127,9 @@ class Stroke {
     std::vector<ImVec2> points_;
 };
 
-void draw_curve(ImDrawList& list, const CurveView& curve, const PlotFrame& frame, ImU32 colour, float scale) {
-    const PixelPath path = pixel_path(curve, frame);
-    Stroke stroke(list, frame.area, colour, (curve.behind ? 1.25F : 1.75F) * scale);
+void draw_curve(ImDrawList& list, const CurveView& curve, const PixelPath& path, ScreenRect area,
+                ImU32 colour, float scale) {
+    Stroke stroke(list, area, colour, (curve.behind ? 1.25F : 1.75F) * scale);
     for (std::size_t i = 0; i < path.x.size(); ++i) {
         stroke.add({path.x[i], path.y[i]});
         if (!curve.markers || std::isnan(path.y[i])) continue;
@@ -147,10 +149,7 @@ PixelPath pixel_path(const CurveView& curve, const PlotFrame& frame) {
         return maker.take();
     }
     const auto first_beyond = [&](std::size_t from, double position) { // in axis units
-        const double value = from_axis(frame.x, position);
-        return static_cast<std::size_t>(
-            std::upper_bound(curve.x.begin() + static_cast<std::ptrdiff_t>(from), curve.x.end(), value) -
-            curve.x.begin());
+        return first_above(curve.x, from, count, from_axis(frame.x, position));
     };
     // One point more on either side, for the lines that lead out of the area.
     const std::size_t inside = first_beyond(0, frame.x_range.low);
@@ -161,17 +160,23 @@ PixelPath pixel_path(const CurveView& curve, const PlotFrame& frame) {
         maker.points(i, end);
         return maker.take();
     }
+    const std::size_t typical = (end - i) / columns;
     for (std::size_t column = 0; column <= columns && i < end; ++column) {
         const double right = frame.x_range.low + frame.x_range.span() * static_cast<double>(column) /
                                                      static_cast<double>(columns);
-        const std::size_t next = std::min(end, first_beyond(i, right));
+        // Most columns have about as many points as the others.
+        const double beyond = from_axis(frame.x, right);
+        const std::size_t guess = std::min(end, i + 2 * typical);
+        const std::size_t next = guess < end && curve.x[guess] > beyond
+                                     ? first_above(curve.x, i, guess, beyond)
+                                     : first_above(curve.x, i, end, beyond);
         if (next - i <= few)
             maker.points(i, next);
         else
             maker.column(i, next);
         i = next;
     }
-    maker.points(i, end);
+    maker.points(std::min(i, end - 1), end); // the last one in any case: it is where the curve stands now
     return maker.take();
 }
 
@@ -179,15 +184,34 @@ const Colour& curve_colour(const Theme& theme, std::size_t colour) {
     return theme.curves[colour % theme.curves.size()];
 }
 
-void draw_curves(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, const Theme& theme,
-                 float scale) {
+std::vector<PixelPath> pixel_paths(const PlotView& plot, const PlotFrame& frame) {
+    std::vector<PixelPath> paths;
+    for (const CurveView& curve : plot.curves) paths.push_back(pixel_path(curve, frame));
+    return paths;
+}
+
+double length_within(const PixelPath& path, ScreenRect rect) {
+    const DPoint low{static_cast<double>(rect.min.x), static_cast<double>(rect.min.y)};
+    const DPoint high{static_cast<double>(rect.max.x), static_cast<double>(rect.max.y)};
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < path.x.size(); ++i) {
+        DPoint a{path.x[i], path.y[i]}, b{path.x[i + 1], path.y[i + 1]};
+        if (std::isnan(a.y) || std::isnan(b.y)) continue;
+        if (std::max(a.x, b.x) < low.x || std::min(a.x, b.x) > high.x) continue;
+        if (clip_line(a, b, low, high)) length += std::hypot(b.x - a.x, b.y - a.y);
+    }
+    return length;
+}
+
+void draw_curves(ImDrawList& list, const PlotView& plot, const std::vector<PixelPath>& paths,
+                 const PlotFrame& frame, const Theme& theme, float scale) {
     const ScreenRect& area = frame.area;
     list.PushClipRect({area.min.x - 4 * scale, area.min.y - 4 * scale},
                       {area.max.x + 4 * scale, area.max.y + 4 * scale}, true);
     for (const bool behind : {true, false})
-        for (const CurveView& curve : plot.curves)
-            if (curve.behind == behind)
-                draw_curve(list, curve, frame, packed(curve_colour(theme, curve.colour)), scale);
+        for (std::size_t i = 0; i < plot.curves.size(); ++i)
+            if (const CurveView& curve = plot.curves[i]; curve.behind == behind)
+                draw_curve(list, curve, paths[i], area, packed(curve_colour(theme, curve.colour)), scale);
     list.PopClipRect();
 }
 

@@ -83,6 +83,7 @@ void PlotPane::draw_header(const std::string& name, Shown& plot, const FrameCont
 std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, Shown& plot,
                                             const FrameContext& context) {
     if (!ImGui::BeginPopup(menu_id)) return std::nullopt;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
     std::optional<PlotWish> wish;
     const auto entry = [&](const char* label, const std::string& key, bool checked = false,
                            bool possible = true) {
@@ -95,6 +96,7 @@ std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, Shown& plot
     };
     offer("Copy as CSV", "csv", PlotWish::Kind::copy_csv);
     offer("Save as PNG", "png", PlotWish::Kind::save_png);
+    offer("Save as SVG", "svg", PlotWish::Kind::save_svg);
     ImGui::Separator();
     if (entry("Show everything", "everything", false, plot.zoom != PlotZoom{})) plot.zoom = {};
     ImGui::Separator();

@@ -2,7 +2,7 @@
 
 #include "gui/actions.hpp"
 #include "gui/plot_curves.hpp"
-#include "gui/plot_widget.hpp"
+#include "gui/plot_text.hpp"
 
 #include <algorithm>
 #include <array>

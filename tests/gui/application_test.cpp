@@ -231,6 +231,20 @@ TEST_F(ApplicationTest, APlotIsSavedAsAPicture) {
     EXPECT_EQ(application.message().text, "no picture today");
 }
 
+TEST_F(ApplicationTest, APlotIsSavedAsVectorGraphics) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    ui.click(application.items().find("plot.first.menu")->second, drawing());
+    frame();
+    ui.click(application.items().find("plot.first.menu.svg")->second, drawing());
+    const auto file = folder / "plane-ring" / "residual.svg";
+    ASSERT_TRUE(wait_until([&] { return application.message().text == "Saved " + file.string(); }))
+        << application.message().text;
+    std::ifstream stream(file);
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    EXPECT_NE(text.find("<svg"), std::string::npos);
+    EXPECT_NE(text.find("Residual"), std::string::npos);
+}
+
 TEST_F(ApplicationTest, WhatThePlotsShowIsRemembered) {
     frame(), frame();
     ui.click(application.items().find("plot.first.log")->second, drawing());

@@ -79,8 +79,9 @@ TEST_F(PlotPaneTest, AnotherAxisForgetsItsZoomOnly) {
 
 TEST_F(PlotPaneTest, TheMenuWishesForFiles) {
     frame(), frame();
-    for (const auto& [key, kind] :
-         {std::pair{"csv", PlotWish::Kind::copy_csv}, {"png", PlotWish::Kind::save_png}}) {
+    for (const auto& [key, kind] : {std::pair{"csv", PlotWish::Kind::copy_csv},
+                                    {"png", PlotWish::Kind::save_png},
+                                    {"svg", PlotWish::Kind::save_svg}}) {
         wish.reset();
         click("plot.second.menu");
         click("plot.second.menu." + std::string(key));

@@ -1,3 +1,6 @@
+#include "gui/plot_legend.hpp"
+#include "gui/plot_read_out.hpp"
+#include "gui/plot_text.hpp"
 #include "gui/plot_widget.hpp"
 #include "headless_ui.hpp"
 
@@ -94,6 +97,23 @@ TEST(PlotWidget, HasALegendForSeveralCurves) {
     Plot plot = plot_of({0, 1}, {1, 2});
     plot.curves.push_back({"a long name to be written", {}, {}, false});
     EXPECT_GT(drawn_vertices(plot), drawn_vertices(plot_of({0, 1}, {1, 2})) + 40);
+}
+
+TEST(Legend, StandsWhereItHidesLeast) {
+    const ScreenRect area{{0, 0}, {400, 300}};
+    const auto place = [&](const std::vector<PixelPath>& paths) {
+        const ScreenRect box = legend_place(paths, area, {100, 60}, 8);
+        EXPECT_EQ(box.width(), 100);
+        EXPECT_EQ(box.height(), 60);
+        return std::string(box.min.y < 150 ? "upper " : "lower ") + (box.min.x < 150 ? "left" : "right");
+    };
+    EXPECT_EQ(place({}), "upper right");
+    const PixelPath falling{{0, 400}, {0, 300}}, along_the_top{{0, 400}, {20, 20}};
+    const PixelPath gap{{0, 200, 400}, {20, nan, 20}};
+    EXPECT_EQ(place({falling}), "upper right");
+    EXPECT_EQ(place({along_the_top}), "lower left");
+    EXPECT_EQ(place({along_the_top, PixelPath{{0, 150}, {250, 250}}}), "lower right");
+    EXPECT_EQ(place({gap}), "upper right") << "nothing is drawn across a gap";
 }
 
 /// A plot with mouse and zoom, in a window of its own.
@@ -220,7 +240,7 @@ TEST_F(PlotSteering, NeverLeavesWhatNumbersCanShow) {
 }
 
 TEST_F(PlotSteering, PointsAtAreTheNearestOfEveryCurveThatIsThere) {
-    plot.curves.push_back({"short", {0, 10, 20, 30}, {5, 4, nan, 2}});
+    plot.curves.push_back({"short", {0, 10, 20, 30, 30}, {5, 4, nan, 2, 2}}); // its end twice
     const auto at = [&](double x) {
         return points_at(view_of(plot), shown, static_cast<float>(shown.pixel_x(x)));
     };

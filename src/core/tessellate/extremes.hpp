@@ -31,7 +31,7 @@ class Extremes {
     Extent of(std::span<const double> values, std::size_t begin, std::size_t end) const;
 
   private:
-    static constexpr std::size_t block = 64;
+    static constexpr std::size_t block = 16;
     std::vector<Extent> blocks_; ///< of `block` values each, the last one perhaps of fewer
     Extent all_;
     std::size_t size_ = 0;
