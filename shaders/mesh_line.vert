@@ -13,13 +13,14 @@ uniform vec2 half_viewport; // half its size in pixels
 uniform float half_width;   // of the line, in pixels
 uniform vec2 fade;          // lines closer together than .x pixels vanish, beyond .y they are whole
 uniform float haze;         // how strongly an even tint, as dense as the lines, takes the place of vanished ones
+uniform float pieces;       // of an edge: how many segments it is drawn with
 uniform float pull;         // towards the viewer, in clip coordinates, so that faces do not hide their own edges
 
 noperspective out vec2 place; // in pixels from the first point: along the line, across it
 noperspective out float value; // where it lies in the range of colours
 flat out float line_length;
 flat out float strength;
-flat out float softness; // half the width of the line's smooth rim: close lines are softer, so that none beat
+flat out float softness; // 0 to 1: close lines are softer, so that none beat
 flat out vec3 tint; // half the width of the band it fills, its amount; at a border: on which side (1 or -1)
 
 vec4 row(sampler2D table, uint i) { return texelFetch(table, ivec2(int(i & 2047u), int(i >> 11)), 0); }
@@ -41,19 +42,24 @@ void main() {
     vec2 across = vec2(-along.y, along.x);
 
     strength = 1.0;
-    softness = 0.5;
+    softness = 0.0;
     tint = vec3(0.0);
     if (ends.z != ends.x) {
         float first = dot(clip_point(ends.z).xy * half_viewport - from, across);
         float second = dot(clip_point(ends.w).xy * half_viewport - from, across);
         float spacing = min(abs(first), abs(second));
         strength = smoothstep(fade.x, fade.y, spacing);
-        softness = mix(0.8, 0.5, smoothstep(fade.y, 1.5 * fade.y, spacing));
-        float amount = haze * (1.0 - strength) * min(1.0, 2.0 * half_width / max(spacing, 1e-3));
-        tint = vec3(0.5 * min(spacing, fade.y) + 0.75, amount, ends.z == ends.w ? sign(first) : 0.0);
+        softness = 1.0 - smoothstep(1.5 * fade.y, 3.0 * fade.y, spacing);
+        // The lines that cross here stand about as close as this edge is long. What has vanished of both lines tints the
+        // cells; the tint grows with the lines' density, but never so far that denser ones could not be told.
+        float crossing = line_length * pieces;
+        float vanished = 2.0 * half_width * ((1.0 - strength) / max(spacing, 1e-3) +
+                                             (1.0 - smoothstep(fade.x, fade.y, crossing)) / max(crossing, 1e-3));
+        tint = vec3(0.6 * min(spacing, fade.y) + 0.1, haze * vanished / (1.0 + vanished),
+                    ends.z == ends.w ? sign(first) : 0.0);
     }
 
-    float reach = 1.0 + max(half_width, strength < 1.0 ? tint.x : 0.0);
+    float reach = 1.0 + max(half_width, tint.y > 0.0 ? tint.x : 0.0);
     place = vec2(mix(-reach, line_length + reach, side.x), mix(-reach, reach, side.y));
     vec2 spot = from + along * place.x + across * place.y;
     float t = line_length > 0.0 ? clamp(place.x / line_length, 0.0, 1.0) : 0.0;

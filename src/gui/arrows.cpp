@@ -1,26 +1,40 @@
 #include "gui/arrows.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <tuple>
+#include <unordered_map>
 
 namespace gaspard {
 
 namespace {
 
+/// The best point of a square so far.
 struct Candidate {
-    std::array<std::int32_t, 3> square; ///< across, up, towards the viewer
-    float from_middle;                  ///< squared distance from the square's middle
-    std::uint32_t point;
-    friend bool operator<(const Candidate& a, const Candidate& b) {
-        return std::tie(a.square, a.from_middle, a.point) < std::tie(b.square, b.from_middle, b.point);
-    }
+    float away = 0; ///< from the square's middle
+    std::uint32_t point = 0;
 };
 
 /// Whether a shown point is a node of the mesh, and not a point on a curved edge or face.
 bool is_node(const Tessellation& t, std::uint32_t p) {
     return t.starts.empty() || t.starts[p + 1] - t.starts[p] == 1;
+}
+
+/// Squares in the plane, in world units: a whole number of cells wide where cells are about squares of one
+/// size, with a node in the middle, so that arrows stand in rows.
+struct Squares {
+    double side = 1;
+    Vec3 origin;
+};
+Squares squares_of(const MeshPicture& picture, double side) {
+    const Vec3 extent = picture.box.high - picture.box.low;
+    const auto& cells = picture.tessellation->triangle_cells;
+    if (!picture.planar() || cells.empty()) return {side, picture.box.low};
+    const double cell =
+        std::sqrt(extent.x * extent.y / (*std::max_element(cells.begin(), cells.end()) + 1.0));
+    if (!(cell > 0)) return {side, picture.box.low};
+    const double many = std::max(1.0, std::round(side / cell));
+    const double shift = std::fmod(many, 2) == 1 ? 0.5 * cell : 0;
+    return {many * cell, picture.box.low - Vec3{shift, shift, 0}};
 }
 
 /// Nodes on lines that are drawn: of solids those at the surface.
@@ -37,10 +51,9 @@ std::vector<std::uint32_t> points_with_arrows(const MeshPicture& picture, const 
                                               double spacing) {
     const Points& xi = *picture.computational;
     const std::vector<char> shown = shown_nodes(*picture.tessellation);
-    const double side = spacing * camera.scale;
+    const Squares squares = squares_of(picture, spacing * camera.scale);
     const Vec3 axes[] = {camera.right, camera.up, towards_viewer(camera)};
-    const Vec3 origin = picture.box.low; // squares begin there, wherever the camera is
-    std::vector<Candidate> candidates;
+    std::unordered_map<std::uint64_t, Candidate> best; ///< by square
     for (std::uint32_t p = 0; p < shown.size(); ++p) {
         if (shown[p] == 0) continue;
         const Pixel pixel = to_pixel(camera, size, xi[p]);
@@ -48,18 +61,20 @@ std::vector<std::uint32_t> points_with_arrows(const MeshPicture& picture, const 
         if (!(pixel.x > -margin && pixel.x < size.width + margin && pixel.y > -margin &&
               pixel.y < size.height + margin))
             continue;
-        Candidate candidate{{0, 0, 0}, 0, p};
+        Candidate candidate{0, p};
+        std::uint64_t square = 0;
         for (std::size_t k = 0; k < (picture.planar() ? 2U : 3U); ++k) {
-            const double place = dot(axes[k], xi[p] - origin) / side, square = std::floor(place);
-            candidate.square[k] = static_cast<std::int32_t>(std::clamp(square, -1e9, 1e9));
-            candidate.from_middle += static_cast<float>((place - square - 0.5) * (place - square - 0.5));
+            const double place = dot(axes[k], xi[p] - squares.origin) / squares.side, low = std::floor(place);
+            square = square << 21 | (static_cast<std::uint64_t>(static_cast<std::int64_t>(low)) & 0x1fffff);
+            // Rounded, lest the last digits choose among points that are equally far.
+            candidate.away += std::round(1024 * static_cast<float>(std::abs(place - low - 0.5)));
         }
-        candidates.push_back(candidate);
+        const auto [entry, fresh] = best.try_emplace(square, candidate);
+        if (!fresh && candidate.away < entry->second.away) entry->second = candidate;
     }
-    std::sort(candidates.begin(), candidates.end());
     std::vector<std::uint32_t> points;
-    for (std::size_t i = 0; i < candidates.size(); ++i)
-        if (i == 0 || candidates[i].square != candidates[i - 1].square) points.push_back(candidates[i].point);
+    for (const auto& [square, candidate] : best) points.push_back(candidate.point);
+    std::sort(points.begin(), points.end());
     return points;
 }
 

@@ -18,7 +18,7 @@ constexpr int computational_unit = 0, physical_unit = 1, colours_unit = 2, segme
               cell_values_unit = 5;
 
 // In pixels at scale 1.
-constexpr float line_cell_width = 5, disc_width = 7, rimmed_disc_width = 10;
+constexpr float line_cell_width = 9, disc_width = 4.5F, rimmed_disc_width = 7;
 // A tangled cell, however small, is a magenta dot in a ring of the text's colour in a ring of the
 // background's: some two of the three stand out from any colour map.
 constexpr float tangled_width = 5, tangled_ring_width = 8, tangled_rim_width = 11;
@@ -29,7 +29,7 @@ constexpr float arrow_pull = 0.06F; // of half the view's depth
 struct Fading {
     float begin, end, haze;
 };
-constexpr Fading plain_fading{1.5F, 3.8F, 1}, coloured_fading{1.6F, 5.5F, 0.1F};
+constexpr Fading plain_fading{1.5F, 3.8F, 1}, coloured_fading{1.6F, 5.5F, 0.015F};
 constexpr float pull_pixels = 2;
 
 void set_colour(const Gl& gl, GLint where, Colour c) { gl.Uniform4f(where, c.r, c.g, c.b, c.a); }
@@ -72,9 +72,9 @@ MeshRenderer::MeshRenderer(const Gl& gl)
     const auto arrow = [&](const char* name) { return uniform(gl, arrow_program_, name); };
     fill_ = {fill("clip"),    fill("blend"),     fill("clip_to_pixels"),
              fill("surface"), fill("logarithm"), fill("flat_cells")};
-    line_ = {line("clip"),     line("blend"),     line("half_viewport"), line("half_width"),
-             line("fade"),     line("haze"),      line("pull"),          line("surface"),
-             line("flat_ink"), line("logarithm"), line("by_map"),        line("flat_cells")};
+    line_ = {line("clip"),      line("blend"),  line("half_viewport"), line("half_width"), line("fade"),
+             line("haze"),      line("pieces"), line("pull"),          line("surface"),    line("flat_ink"),
+             line("logarithm"), line("by_map"), line("flat_cells")};
     arrow_ = {arrow("clip"),      arrow("half_viewport"), arrow("head_width"), arrow("shaft_width"),
               arrow("rim_width"), arrow("pull"),          arrow("ink"),        arrow("rim")};
     for (const GlProgram* program : {&fill_program_, &line_program_, &arrow_program_}) {
@@ -286,6 +286,7 @@ void MeshRenderer::draw_lines(const Frame& frame, const LineSet& set, const Line
     gl_.Uniform1f(line_.half_width, style.width / 2);
     gl_.Uniform2f(line_.fade, style.fade_begin, style.fade_end);
     gl_.Uniform1f(line_.haze, style.haze);
+    gl_.Uniform1f(line_.pieces, static_cast<float>(shown_.tessellation->cuts));
     gl_.Uniform1f(line_.pull, style.pull);
     set_colour(gl_, line_.surface, style.surface);
     set_colour(gl_, line_.flat_ink, style.flat_ink);

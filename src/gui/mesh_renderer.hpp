@@ -74,8 +74,8 @@ class MeshRenderer {
         GLint clip, blend, clip_to_pixels, surface, logarithm, flat_cells;
     };
     struct LineUniforms {
-        GLint clip, blend, half_viewport, half_width, fade, haze, pull, surface, flat_ink, logarithm, by_map,
-            flat_cells;
+        GLint clip, blend, half_viewport, half_width, fade, haze, pieces, pull, surface, flat_ink, logarithm,
+            by_map, flat_cells;
     };
     struct ArrowUniforms {
         GLint clip, half_viewport, head_width, shaft_width, rim_width, pull, ink, rim;

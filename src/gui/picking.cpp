@@ -279,11 +279,18 @@ std::vector<std::pair<Pixel, Pixel>> outline_of(const MeshPicture& picture, cons
     return lines;
 }
 
-std::optional<Pixel> pixel_of_node(const MeshPicture& picture, const Camera& camera, Size size,
-                                   std::uint32_t node) {
-    const std::uint32_t point = point_of_node(*picture.tessellation, node);
-    if (point == no_point) return std::nullopt;
-    return to_pixel(camera, size, shown(picture, point));
+std::optional<Pixel> middle_of(const Pick& pick, const MeshPicture& picture, const Camera& camera,
+                               Size size) {
+    if (pick.kind == Pick::Kind::node) {
+        const std::uint32_t point = point_of_node(*picture.tessellation, pick.index);
+        if (point == no_point) return std::nullopt;
+        return to_pixel(camera, size, shown(picture, point));
+    }
+    Pixel sum;
+    const auto sides = outline_of(picture, camera, size, pick.index);
+    for (const auto& [from, to] : sides) sum.x += (from.x + to.x) / 2, sum.y += (from.y + to.y) / 2;
+    if (sides.empty()) return std::nullopt;
+    return Pixel{sum.x / static_cast<double>(sides.size()), sum.y / static_cast<double>(sides.size())};
 }
 
 PickFacts facts_of(const Pick& pick, const Snapshot& snapshot, ColouringMaker& cells) {

@@ -38,13 +38,11 @@ struct PickHit {
 std::optional<PickHit> pick_at(const MeshPicture& picture, const Camera& camera, Size size, Pixel pointer,
                                double reach);
 
-/// The lines around a cell in pixels, two points each; for a node the lines to its neighbours: none, as it is
-/// marked by a ring. Follows picture.blend.
+/// The lines around a cell in pixels, two points each. Follows picture.blend.
 std::vector<std::pair<Pixel, Pixel>> outline_of(const MeshPicture& picture, const Camera& camera, Size size,
                                                 std::uint32_t cell);
-/// Where a node is seen; nothing if it is inside a solid.
-std::optional<Pixel> pixel_of_node(const MeshPicture& picture, const Camera& camera, Size size,
-                                   std::uint32_t node);
+/// Where a node is seen, or the middle of a cell's outline; nothing if it is inside a solid.
+std::optional<Pixel> middle_of(const Pick& pick, const MeshPicture& picture, const Camera& camera, Size size);
 
 /// What a card says: pairs of a name and a value, the first one a title without a name.
 using PickFacts = std::vector<std::pair<std::string, std::string>>;

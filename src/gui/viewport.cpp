@@ -124,7 +124,7 @@ void draw_mark(ImDrawList& list, const PlannedPicture& shown, const Pick& pick, 
     const std::pair<float, Colour> strokes[] = {{5.0F, theme.background}, {2.2F, theme.accent}};
     list.PushClipRect(shown.rect.min, shown.rect.max, true);
     if (pick.kind == Pick::Kind::node) {
-        if (const auto at = pixel_of_node(shown.picture, shown.camera, shown.size(), pick.index))
+        if (const auto at = middle_of(pick, shown.picture, shown.camera, shown.size()))
             for (const auto& [width, colour] : strokes)
                 list.AddCircle(on_screen(*at), 7 * scale, packed(colour), 32, width * scale);
         list.PopClipRect();
@@ -149,21 +149,38 @@ void draw_mark(ImDrawList& list, const PlannedPicture& shown, const Pick& pick, 
     list.PopClipRect();
 }
 
-void draw_card(ImDrawList& list, const PickFacts& facts, ScreenRect room, const Theme& theme, float scale) {
+/// The corner of the room where the card hides least of what it speaks of.
+ImVec2 card_corner(const ViewportPlan& plan, ImVec2 size, ScreenRect room, float scale) {
+    const float away = margin * scale;
+    const ImVec2 first{room.min.x + away, room.min.y + away};
+    for (const ImVec2 corner : {first, ImVec2{first.x, room.max.y - away - size.y}}) {
+        const bool hides = std::any_of(plan.pictures.begin(), plan.pictures.end(), [&](const auto& shown) {
+            const auto at = middle_of(*plan.pick, shown.picture, shown.camera, shown.size());
+            if (!at) return false;
+            const float x = shown.rect.min.x + static_cast<float>(at->x) - corner.x,
+                        y = shown.rect.min.y + static_cast<float>(at->y) - corner.y;
+            return x > -away && y > -away && x < size.x + away && y < size.y + away;
+        });
+        if (!hides) return corner;
+    }
+    return first;
+}
+
+void draw_card(ImDrawList& list, const ViewportPlan& plan, ScreenRect room, const Theme& theme, float scale) {
     float names = 0, values = 0;
-    for (const auto& [name, value] : facts) {
+    for (const auto& [name, value] : plan.facts) {
         const float width = ImGui::CalcTextSize(value.c_str()).x;
         if (!name.empty()) names = std::max(names, ImGui::CalcTextSize(name.c_str()).x);
         values = std::max(values, width);
     }
     const float pad = 10 * scale, line = line_height(), between = 10 * scale;
-    const ImVec2 low{room.min.x + margin * scale, room.min.y + margin * scale};
-    const ImVec2 high{low.x + names + between + values + 2 * pad,
-                      low.y + line * static_cast<float>(facts.size()) + 2 * pad - line / 4};
+    const ImVec2 size{names + between + values + 2 * pad,
+                      line * static_cast<float>(plan.facts.size()) + 2 * pad - line / 4};
+    const ImVec2 low = card_corner(plan, size, room, scale), high{low.x + size.x, low.y + size.y};
     list.AddRectFilled(low, high, packed(theme.panel, 0.94F), 6 * scale);
     list.AddRect(low, high, packed(theme.border), 6 * scale, 0, scale);
     float y = low.y + pad;
-    for (const auto& [name, value] : facts) {
+    for (const auto& [name, value] : plan.facts) {
         const bool title = name.empty();
         if (!title) list.AddText({low.x + pad, y}, packed(theme.faint_text), name.c_str());
         list.AddText({low.x + pad + (title ? 0 : names + between), y},
@@ -320,7 +337,7 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
         draw_legend(list, *colouring, plan.histogram, legend, theme, scale);
     }
     if (plan.text.caption) draw_caption(list, plan, theme, scale);
-    if (!plan.facts.empty()) draw_card(list, plan.facts, room, theme, scale);
+    if (!plan.facts.empty()) draw_card(list, plan, room, theme, scale);
     if (!plan.complaint.empty()) draw_complaint(list, plan.complaint, room, theme, scale);
     list.PopClipRect();
 }

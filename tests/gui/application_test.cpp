@@ -336,6 +336,65 @@ TEST_F(ApplicationTest, TheMouseSteersTheCamera) {
     EXPECT_EQ(application.document().viewports()[0].view.text("pick"), "") << "and picks nothing";
 }
 
+TEST_F(ApplicationTest, TheCameraIsCopiedAndPastedAsText) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
+    application.press_key("H");
+    frame();
+    const Camera home = application.pictures().front().camera;
+    EXPECT_TRUE(application.press_key("Ctrl+C"));
+    const std::string copied = ImGui::GetClipboardText();
+    ui.drag(application.items().find("viewport")->second, 0.5F, 0.6F, drawing());
+    EXPECT_NE(application.pictures().front().camera, home);
+    EXPECT_TRUE(application.press_key("Ctrl+V"));
+    frame();
+    EXPECT_EQ(application.pictures().front().camera.centre, home.centre);
+    EXPECT_EQ(application.document().viewports()[0].view.text("camera"), copied);
+    ImGui::SetClipboardText("milk, bread");
+    EXPECT_TRUE(application.press_key("Ctrl+V"));
+    EXPECT_NE(application.message().text.find("the camera 'milk, bread'"), std::string::npos);
+    EXPECT_EQ(application.document().viewports()[0].view.text("camera"), copied) << "nothing is lost";
+}
+
+TEST_F(ApplicationTest, EscapeEndsThePickAndNotTheSolving) {
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3 && !application.pictures().empty(); }));
+    ui.click(application.items().find("viewport")->second, drawing());
+    const Values& values = application.document().viewports()[0].view;
+    EXPECT_NE(values.text("pick"), "");
+    EXPECT_TRUE(application.press_key("Escape"));
+    EXPECT_EQ(values.text("pick"), "");
+}
+
+TEST_F(ApplicationTest, TheViewIsSwitchedByKeys) {
+    ASSERT_TRUE(wait_until([&] { return !application.pictures().empty(); }));
+    const Values& values = application.document().viewports()[0].view;
+    EXPECT_TRUE(application.press_key("B"));
+    frame();
+    EXPECT_EQ(application.pictures().size(), 2U);
+    EXPECT_TRUE(application.press_key("B"));
+    EXPECT_TRUE(application.press_key("L"));
+    EXPECT_TRUE(application.press_key("A"));
+    frame();
+    EXPECT_EQ(application.pictures().size(), 1U);
+    EXPECT_FALSE(application.pictures()[0].picture.lines);
+    EXPECT_NE(application.pictures()[0].picture.arrows, nullptr);
+    EXPECT_FALSE(application.press_key("3")) << "a plane has one side";
+    EXPECT_EQ(values.text("direction"), "home");
+}
+
+TEST_F(ApplicationTest, AFixedRangeBeginsAsWhatIsSeen) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
+    const ColourRange seen = application.pictures()[0].picture.colouring->range;
+    ui.click(application.items().find("view.range")->second, drawing());
+    frame();
+    ui.click(application.items().find("view.range=fixed")->second, drawing());
+    frame();
+    const Values& values = application.document().viewports()[0].view;
+    EXPECT_EQ(values.text("range"), "fixed");
+    EXPECT_EQ(values.real("low"), seen.low);
+    EXPECT_EQ(values.real("high"), seen.high);
+    EXPECT_EQ(application.pictures()[0].picture.colouring->range, seen);
+}
+
 TEST_F(ApplicationTest, BlendShowsTheComputationalMeshAndSolvesNothing) {
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     const auto rows = run().history.size();

@@ -1,4 +1,6 @@
+#include "core/base/error.hpp"
 #include "gui/camera.hpp"
+#include "support/messages.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -156,6 +158,123 @@ TEST(Camera, FarFromTheOriginDigitsSurvive) {
     const glm::vec4 clip = clip_matrix(camera, size, origin, 1) *
                            glm::vec4(static_cast<float>(local.x), static_cast<float>(local.y), 0.0F, 1.0F);
     EXPECT_NEAR(static_cast<double>(clip.y), 0.92, 1e-5);
+}
+
+TEST(Camera, DirectionsLookAlongTheAxes) {
+    struct Row {
+        const char* name;
+        Vec3 towards_viewer, up;
+    };
+    for (const Row& row : {Row{"front", {0, -1, 0}, {0, 0, 1}}, Row{"back", {0, 1, 0}, {0, 0, 1}},
+                           Row{"left", {-1, 0, 0}, {0, 0, 1}}, Row{"right", {1, 0, 0}, {0, 0, 1}},
+                           Row{"top", {0, 0, 1}, {0, 1, 0}}, Row{"bottom", {0, 0, -1}, {0, -1, 0}}}) {
+        const Camera camera = home(unit_cube, size, {}, row.name);
+        EXPECT_EQ(towards_viewer(camera), row.towards_viewer) << row.name;
+        EXPECT_EQ(camera.up, row.up) << row.name;
+        const Extent e = extent(camera, unit_cube);
+        EXPECT_NEAR(e.bottom - e.top, 600 * 0.92, 1e-9) << row.name;
+    }
+    EXPECT_EQ(home(unit_square, size, {}, "left"), planar_home(unit_square, size)) << "a plane has one side";
+}
+
+TEST(Camera, FitsWhatItSeesOfPointsRatherThanTheirBox) {
+    Points ball(2000);
+    for (std::size_t i = 0; i < ball.size(); ++i) { // a spiral on the unit sphere
+        const double z = 1 - 2 * (static_cast<double>(i) + 0.5) / 2000, r = std::sqrt(1 - z * z);
+        ball.set(i,
+                 {r * std::cos(2.4 * static_cast<double>(i)), r * std::sin(2.4 * static_cast<double>(i)), z});
+    }
+    Camera camera = home(bounding_box(ball), size);
+    const double loose = camera.scale;
+    fit_points(camera, {&ball}, size, {});
+    EXPECT_LT(camera.scale, 0.8 * loose);
+    EXPECT_NEAR(2 / camera.scale, 600 * 0.92, 2);
+    const Camera before = camera;
+    Points nothing(1);
+    nothing.x[0] = std::numeric_limits<double>::quiet_NaN();
+    fit_points(camera, {&nothing}, size, {});
+    EXPECT_EQ(camera, before);
+}
+
+TEST(Camera, TextReadsBackToTheSameTextAndTheSameView) {
+    for (const Box& box : {unit_square, unit_cube}) {
+        Camera camera = home(box, size, {.right = 77});
+        zoom(camera, size, {100, 200}, 1e5 / 3, box);
+        rotate(camera, size, {31, -17}, box.centre());
+        const std::string text = format_camera(camera, size);
+        EXPECT_EQ(text.find('\n'), std::string::npos);
+        const Camera back = parse_camera(text, size);
+        EXPECT_EQ(format_camera(back, size), text);
+        EXPECT_EQ(back.centre, camera.centre);
+        EXPECT_EQ(back.right, camera.right);
+        EXPECT_EQ(back.up, camera.up);
+        EXPECT_NEAR(back.scale / camera.scale, 1, 1e-11);
+    }
+    EXPECT_EQ(format_camera({{0.5, 0.25, 0}, 0.002}, size), "centre 0.5 0.25 0 height 1.2");
+}
+
+TEST(Camera, TextMeansTheSameInAPictureOfAnotherSize) {
+    const std::string text = "centre 0.5 0.5 height 1.2";
+    const Size larger{1600, 1200};
+    const Camera small = parse_camera(text, size), large = parse_camera(text, larger);
+    const Pixel in_small = to_pixel(small, size, {0.2, 0.9, 0}),
+                in_large = to_pixel(large, larger, {0.2, 0.9, 0});
+    EXPECT_NEAR(in_large.x, 2 * in_small.x, 1e-9);
+    EXPECT_NEAR(in_large.y, 2 * in_small.y, 1e-9);
+}
+
+TEST(Camera, TextMayBeTypedByHand) {
+    const Camera camera = parse_camera("  center 1,2,3\theight 2 up 0 0 5 right 3 0 1e-3 ", {100, 100});
+    EXPECT_EQ(camera.centre, (Vec3{1, 2, 3}));
+    EXPECT_EQ(camera.scale, 0.02);
+    EXPECT_NEAR(norm(camera.right), 1, 1e-15);
+    EXPECT_NEAR(norm(camera.up), 1, 1e-15);
+    EXPECT_NEAR(dot(camera.right, camera.up), 0, 1e-15);
+    EXPECT_GT(camera.up.z, 0.99);
+}
+
+TEST(Camera, TextThatIsNoneIsRefusedInASentence) {
+    const auto refused = [](const char* text) {
+        return message_of<InputError>([&] { parse_camera(text, size); });
+    };
+    for (const auto& [text, why] : {std::pair{"", "'centre'"},
+                                    {"centre 1", "3 numbers after 'centre'"},
+                                    {"centre 1 2", "1 number after 'height'"},
+                                    {"centre 1 2 height 0", "above 0"},
+                                    {"centre 1 2 height -3", "above 0"},
+                                    {"centre 1 2 height nan", "the word 'nan'"},
+                                    {"centre 1 2 height 1 2", "1 number after 'height'"},
+                                    {"centre 1 2 3 4 height 1", "3 numbers after 'centre'"},
+                                    {"middle 1 2 height 1", "the word 'middle'"},
+                                    {"centre 1 2 height 1 centre 1 2", "'centre' twice"},
+                                    {"centre 1 2 height 1 up 0 1", "3 numbers after 'up'"},
+                                    {"centre 1 2 height 1 right 1 0 0 up 2 0 0", "different directions"},
+                                    {"centre 1 2 height 1 right 0 0 0", "different directions"},
+                                    {"7", "the word '7'"}}) {
+        EXPECT_NE(refused(text).find(why), std::string::npos) << text << ": " << refused(text);
+        EXPECT_NE(refused(text).find("a camera reads 'centre 0.5 0.5 0 height"), std::string::npos) << text;
+    }
+}
+
+TEST(Camera, ABallTurnsUnderThePointer) {
+    Camera camera = home({{-1, -1, -1}, {1, 1, 1}}, size);
+    const Vec3 front = towards_viewer(camera); // of the unit ball
+    const double before = to_pixel(camera, size, front).x;
+    rotate(camera, size, {10, 0}, {0, 0, 0});
+    EXPECT_GT(to_pixel(camera, size, front).x, before) << "what is in front goes with the pointer";
+    EXPECT_NEAR(to_pixel(camera, size, front).y, 300, 1e-9);
+    rotate(camera, size, {0, 25}, {0, 0, 0});
+    EXPECT_GT(to_pixel(camera, size, front).y, 300);
+    rotate(camera, size, {0, 0}, {0, 0, 0});
+    for (int i = 0; i < 2000; ++i) rotate(camera, size, {static_cast<double>(i % 7 - 3), 2.5}, {0.3, 0, 1});
+    EXPECT_NEAR(norm(camera.right), 1, 1e-14);
+    EXPECT_NEAR(norm(camera.up), 1, 1e-14);
+    EXPECT_NEAR(dot(camera.right, camera.up), 0, 1e-14);
+    Camera half = home(unit_cube, size);
+    const Camera start = half;
+    rotate(half, size, {600, 0}, unit_cube.centre()); // across the smaller side
+    expect_near(half.right, -1 * start.right, 1e-12);
+    expect_near(half.centre, start.centre, 1e-12);
 }
 
 TEST(BoundingBox, LeavesOutWhatIsNotFinite) {

@@ -89,7 +89,17 @@ TEST_F(Renderer, SendsOnlyWhatChanged) {
     EXPECT_EQ(sent_for(maker_.make(snapshot, view("monitor", 1))), 0U);
     EXPECT_EQ(sent_for(maker_.make(snapshot, view("monitor", 0.3))), 0U) << "blending is done on the card";
     ++snapshot.version;
-    EXPECT_EQ(sent_for(maker_.make(snapshot, view("monitor", 1))), points) << "positions and scalars";
+    EXPECT_EQ(sent_for(maker_.make(snapshot, view("monitor", 1))), points) << "positions and values";
+    const std::size_t cells = snapshot.mesh->cell_count() * 4;
+    EXPECT_EQ(sent_for(maker_.make(snapshot, view("area", 1))), points + cells) << "one number per cell";
+    EXPECT_EQ(sent_for(maker_.make(snapshot, view("area", 0.5))), 0U);
+    Values other = view("area", 1);
+    other.set("map", std::string("grey"));
+    EXPECT_GT(sent_for(maker_.make(snapshot, other)), 0U);
+    MeshPicture arrows = maker_.make(snapshot, other);
+    arrows.arrows = std::make_shared<const std::vector<std::uint32_t>>(7, 3U);
+    EXPECT_EQ(sent_for(arrows), 7U * 4);
+    EXPECT_EQ(sent_for(arrows), 0U);
 }
 
 TEST_F(Renderer, DrawsIntoItsAreaOnly) {
@@ -135,15 +145,20 @@ TEST_F(Renderer, LinesAreAsWideAsTheThemeSaysAtAnyZoom) {
         target_.bind();
         renderer_.draw(picture, camera, {0, 0, 320, 240}, 240, theme, 4);
         const Image image = target_.read();
-        // The vertical line through the middle, summed over a row: how much brighter than the cells around
-        // it.
-        double ink = 0;
+        // The vertical line through the middle, summed over a row: how much of the way from the cells around
+        // it to the line's full colour the pixels have gone. Pixels that it covers whole have gone all of it.
+        const double full = static_cast<double>(
+            theme.surface.r + theme.line_on_dark.a * (theme.line_on_dark.r - theme.surface.r));
+        double ink = 0, most = 0;
         for (int x = 140; x < 190; ++x) {
             const auto at = static_cast<std::size_t>(60 * 320 + x) * 4;
-            ink += (image.rgba[at] / 255.0 - static_cast<double>(theme.surface.r)) /
-                   static_cast<double>(theme.line_on_dark.r - theme.surface.r);
+            const double share = (image.rgba[at] / 255.0 - static_cast<double>(theme.surface.r)) /
+                                 (full - static_cast<double>(theme.surface.r));
+            ink += std::pow(std::max(0.0, share), 1 / 0.62); // as line_layer.frag has it: light adds up
+            most = std::max(most, share);
         }
-        EXPECT_NEAR(ink, static_cast<double>(theme.line_on_dark.a) * 0.7 * 4, 0.05) << closer;
+        EXPECT_NEAR(ink, 0.7 * 4, 0.07) << closer;
+        EXPECT_NEAR(most, 1, 0.01) << closer;
     }
 }
 

@@ -1,5 +1,6 @@
 // Pictures compared with stored ones, and wrong pictures that must be found different.
 #include "core/scenario/view_rows.hpp"
+#include "core/tessellate/colouring.hpp"
 #include "gui/picture.hpp"
 #include "gui/theme.hpp"
 #include "scenes.hpp"
@@ -47,6 +48,56 @@ TEST(WrongPicture, IsFoundDifferent) {
     EXPECT_NE(difference(golden("ring-plain"), right), "") << "no colours";
     EXPECT_NE(difference(golden("tangled"), right), "") << "one tangled cell";
     EXPECT_NE(difference(Image{400, 300, std::vector<std::uint8_t>(400 * 300 * 4, 0)}, right), "") << "black";
+}
+
+/// What a view with other settings shows of the same mesh.
+Image drawn(const Snapshot& snapshot, const std::vector<std::pair<std::string, std::string>>& settings) {
+    Values values("view", view_rows());
+    for (const auto& [key, text] : settings) values.parse(key, text);
+    return render_view(snapshot, values, 400, 300, "plane, ring");
+}
+
+TEST(WrongPicture, OfAnyOtherViewIsFoundDifferent) {
+    const Snapshot snapshot = ring_snapshot(16);
+    const Image right = drawn(snapshot, {});
+    const std::pair<std::string, std::string> settings[] = {{"color", "area"},
+                                                            {"color", "jacobian"},
+                                                            {"color", "displacement"},
+                                                            {"color", "none"},
+                                                            {"map", "plasma"},
+                                                            {"map", "ember"},
+                                                            {"map", "grey"},
+                                                            {"map", "blue-yellow"},
+                                                            {"map", "blue-red"},
+                                                            {"log", "true"},
+                                                            {"range", "fixed"},
+                                                            {"histogram", "false"},
+                                                            {"lines", "false"},
+                                                            {"arrows", "true"},
+                                                            {"blend", "0.5"},
+                                                            {"layout", "side-by-side"},
+                                                            {"pick", "cell 200"},
+                                                            {"theme", "light"},
+                                                            {"camera", "centre 0.5 0.5 height 1"}};
+    std::vector<Image> pictures = {right};
+    for (const auto& [key, text] : settings) {
+        pictures.push_back(drawn(snapshot, {{key, text}}));
+        for (std::size_t i = 0; i + 1 < pictures.size(); ++i)
+            EXPECT_NE(difference(pictures.back(), pictures[i]), "")
+                << key << "=" << text << " and picture " << i;
+    }
+    EXPECT_EQ(difference(drawn(snapshot, {{"map", "viridis"}}), right), "") << "which is the automatic one";
+    EXPECT_EQ(difference(drawn(snapshot, {{"direction", "left"}}), right), "") << "a plane has one side";
+}
+
+TEST(WrongPicture, OfAnotherDirectionIsFoundDifferent) {
+    const Snapshot snapshot = cube_snapshot(4);
+    std::vector<Image> pictures;
+    for (const char* direction : {"home", "front", "left", "top"}) {
+        pictures.push_back(drawn(snapshot, {{"direction", direction}}));
+        for (std::size_t i = 0; i + 1 < pictures.size(); ++i)
+            EXPECT_NE(difference(pictures.back(), pictures[i]), "") << direction;
+    }
 }
 
 TEST(WrongPicture, OfAnotherMonitorIsFoundDifferent) {
@@ -106,13 +157,76 @@ TEST(Picture, IsOpaqueAndOfTheSizeAskedFor) {
     }
 }
 
-TEST(Picture, TangledCellsShowInMagentaEvenWhereCellsAreTiny) {
-    for (const int n : {16, 240}) {
-        const Image image = ring(tangled_snapshot(n));
-        int magenta = 0;
+TEST(Picture, TangledCellsShowInEveryMapAndThemeEvenWhereCellsAreTiny) {
+    const auto magenta = [](const Image& image) {
+        int found = 0;
         for (std::size_t i = 0; i < image.rgba.size(); i += 4)
-            magenta += image.rgba[i] > 220 && image.rgba[i + 1] < 80 && image.rgba[i + 2] > 180;
-        EXPECT_GE(magenta, 9) << "n = " << n;
+            found += image.rgba[i] > 220 && image.rgba[i + 1] < 80 && image.rgba[i + 2] > 180;
+        return found;
+    };
+    for (const int n : {16, 240})
+        for (const char* theme : {"dark", "light"})
+            for (const ColourMap& map : colour_maps()) {
+                const std::vector<std::pair<std::string, std::string>> settings = {
+                    {"theme", theme}, {"map", std::string(map.name)}};
+                const Image with = drawn(tangled_snapshot(n), settings),
+                            without = drawn(ring_snapshot(n), settings);
+                EXPECT_GE(magenta(with) - magenta(without), 9)
+                    << "n = " << n << ", " << theme << ", " << map.name;
+                // Where it is, one also sees rings of both the text's and the background's colour.
+                int dark = 0, light = 0;
+                for (std::size_t i = 0; i < with.rgba.size() - 4 * 400 * 40; i += 4) { // above the caption
+                    if (std::equal(&with.rgba[i], &with.rgba[i] + 3, &without.rgba[i])) continue;
+                    const int sum = with.rgba[i] + with.rgba[i + 1] + with.rgba[i + 2];
+                    dark += sum<150, light += sum> 600;
+                }
+                EXPECT_GE(dark, 8) << "n = " << n << ", " << theme << ", " << map.name;
+                EXPECT_GE(light, 8) << "n = " << n << ", " << theme << ", " << map.name;
+            }
+}
+
+TEST(Picture, LegendAndMeshHaveTheSameColours) {
+    // Cells of one colour each: the middle of a cell has the colour of its value, whatever the scale.
+    const Snapshot snapshot = ring_snapshot(8);
+    for (const char* log : {"false", "true"}) {
+        const Image image =
+            drawn(snapshot, {{"color", "area"}, {"log", log}, {"camera", "centre 0.5 0.5 height 1"}});
+        const auto colouring =
+            make_colouring(snapshot, {.colouring = "area", .logarithmic = std::string(log) == "true"});
+        ASSERT_TRUE(colouring);
+        const auto corners = snapshot.mesh->cell(27);
+        Vec3 middle;
+        for (const auto node : corners) middle = middle + 0.25 * snapshot.x[static_cast<std::size_t>(node)];
+        const int x = static_cast<int>(200 + (middle.x - 0.5) * 300),
+                  y = static_cast<int>(150 - (middle.y - 0.5) * 300);
+        const auto expected = colouring->colour(27);
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(image.rgba[static_cast<std::size_t>(y * 400 + x) * 4 + c], expected[c], 3) << log;
+    }
+}
+
+TEST(Picture, DenseLinesAreEven) {
+    // A uniform mesh so dense that its lines beat with the pixels: blocks of pixels look alike all over it.
+    for (const int n : {150, 190, 240, 480}) {
+        Snapshot snapshot = ring_snapshot(n);
+        snapshot.x = snapshot.mesh->nodes;
+        for (const char* theme : {"dark", "light"}) {
+            const Image image = drawn(
+                snapshot, {{"color", "none"}, {"theme", theme}, {"camera", "centre 0.5 0.5 height 0.53"}});
+            double low = 255, high = 0;
+            for (int top = 40; top < 220; top += 12)
+                for (int left = 80; left < 320; left += 12) {
+                    double sum = 0;
+                    for (int y = top; y < top + 12; ++y)
+                        for (int x = left; x < left + 12; ++x) {
+                            const double v = image.rgba[static_cast<std::size_t>(y * 400 + x) * 4] / 255.0;
+                            sum += std::pow(v, 2.2); // light adds up
+                        }
+                    const double even = 255 * std::pow(sum / 144, 1 / 2.2);
+                    low = std::min(low, even), high = std::max(high, even);
+                }
+            EXPECT_LT(high - low, 14) << "n = " << n << ", " << theme;
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 #include "scenes.hpp"
 
 #include "core/scenario/view_rows.hpp"
+#include "core/tessellate/cell_geometry.hpp"
 #include "gui/picture.hpp"
 
 #include <array>
@@ -32,6 +33,30 @@ Image draw(const Snapshot& snapshot, OffscreenBackend backend, const char* colou
            double blend = 1) {
     return render_view(snapshot, view(colour, blend), 400, 300, "plane, ring",
                        {.light = false, .backend = backend});
+}
+
+/// With settings as on a command line.
+Image draw_with(const Snapshot& snapshot, OffscreenBackend backend,
+                const std::vector<std::pair<std::string, std::string>>& settings) {
+    Values values("view", view_rows());
+    for (const auto& [key, text] : settings) values.parse(key, text);
+    return render_view(snapshot, values, 400, 300, "plane, ring", {.light = false, .backend = backend});
+}
+
+/// Measured, as a run does it: the mean of the monitor at the corners stands for its integral.
+Snapshot measured(Snapshot snapshot) {
+    const Mesh& mesh = *snapshot.mesh;
+    const CellGeometry geometry(snapshot.mesh);
+    const std::vector<double> area = geometry.measures(snapshot.x), before = geometry.measures(mesh.nodes);
+    Field mass{"mass", "", FieldPlace::cell, std::vector<double>(mesh.cell_count(), 0.0)};
+    const auto corners = static_cast<std::size_t>(corners_per_cell(mesh.kind));
+    for (std::size_t i = 0; i < mesh.cell_count(); ++i) {
+        for (std::size_t k = 0; k < corners; ++k)
+            mass.values[i] += snapshot.fields[0].values[static_cast<std::size_t>(mesh.cell(i)[k])];
+        mass.values[i] *= area[i] / (before[i] * static_cast<double>(corners));
+    }
+    snapshot.fields.push_back(std::move(mass));
+    return snapshot;
 }
 
 Plot convergence() {
@@ -176,6 +201,55 @@ const std::vector<Scene>& scenes() {
         {"sphere", [](OffscreenBackend backend) { return draw(sphere_snapshot(6), backend); }},
         {"cube", [](OffscreenBackend backend) { return draw(cube_snapshot(5), backend); }},
         {"interval", [](OffscreenBackend backend) { return draw(interval_snapshot(20), backend, "none"); }},
+        {"interval-colours",
+         [](OffscreenBackend backend) {
+             return draw_with(interval_snapshot(20), backend,
+                              {{"color", "area"}, {"map", "plasma"}, {"log", "true"}});
+         }},
+        {"area-ember-light",
+         [](OffscreenBackend backend) {
+             return draw_with(
+                 ring_snapshot(16), backend,
+                 {{"color", "area"}, {"map", "ember"}, {"theme", "light"}, {"histogram", "false"}});
+         }},
+        {"jacobian-yellow-log",
+         [](OffscreenBackend backend) {
+             return draw_with(
+                 ring_snapshot(16), backend,
+                 {{"color", "jacobian"}, {"map", "blue-yellow"}, {"log", "true"}, {"lines", "false"}});
+         }},
+        {"equidistribution",
+         [](OffscreenBackend backend) {
+             return draw_with(measured(ring_snapshot(16)), backend, {{"color", "equidistribution"}});
+         }},
+        {"displacement-grey-fixed",
+         [](OffscreenBackend backend) {
+             return draw_with(ring_snapshot(16), backend,
+                              {{"color", "displacement"},
+                               {"map", "grey"},
+                               {"range", "fixed"},
+                               {"low", "0.01"},
+                               {"high", "0.04"},
+                               {"arrows", "true"}});
+         }},
+        {"side-by-side",
+         [](OffscreenBackend backend) {
+             return draw_with(measured(ring_snapshot(16)), backend,
+                              {{"layout", "side-by-side"},
+                               {"theme", "light"},
+                               {"pick", "cell 74"},
+                               {"camera", "centre 0.4 0.45 height 0.9"}});
+         }},
+        {"tangled-240",
+         [](OffscreenBackend backend) {
+             return draw_with(tangled_snapshot(240), backend, {{"map", "plasma"}});
+         }},
+        {"sphere-top",
+         [](OffscreenBackend backend) {
+             return draw_with(
+                 sphere_snapshot(6), backend,
+                 {{"color", "area"}, {"direction", "top"}, {"pick", "cell 150"}, {"theme", "light"}});
+         }},
         {"plot",
          [](OffscreenBackend backend) {
              return render_plot(convergence(), 400, 300, {.light = true, .backend = backend});

@@ -69,6 +69,8 @@ const ColourMap& map_of(const ColourChoice& choice, const Kind& kind) {
 }
 
 void count(Colouring& colouring) {
+    const double parts = 2 * std::sqrt(static_cast<double>(colouring.values.size()));
+    colouring.histogram.assign(static_cast<std::size_t>(std::clamp(parts, 8.0, 64.0)), 0);
     const ColourRange& range = colouring.range;
     const auto bins = static_cast<float>(colouring.histogram.size());
     const auto put = [&](float place) { // NaN is in none
@@ -132,6 +134,7 @@ void ColouringMaker::see(const Snapshot& snapshot) {
     }
     if (!new_mesh && seen_version_ == snapshot.version) return;
     seen_version_ = snapshot.version;
+    jacobian_.clear();
     if (const Field* mass = snapshot.field("mass")) mass_ = mass->values;
 }
 
@@ -140,21 +143,18 @@ std::vector<double> ColouringMaker::measures(const Snapshot& snapshot) {
     return geometry_->measures(snapshot.x);
 }
 
-std::vector<double> ColouringMaker::jacobians(const Snapshot& snapshot) {
+const std::vector<double>& ColouringMaker::jacobians(const Snapshot& snapshot) {
     see(snapshot);
-    const Field* measured = snapshot.field("jacobian");
-    return measured != nullptr ? measured->values : geometry_->jacobians(snapshot.x);
+    if (const Field* measured = snapshot.field("jacobian")) return measured->values;
+    if (jacobian_.empty()) jacobian_ = geometry_->jacobians(snapshot.x);
+    return jacobian_;
 }
 
 std::vector<std::uint32_t> ColouringMaker::tangled(const Snapshot& snapshot) {
-    see(snapshot);
-    const Field* measured = snapshot.field("jacobian");
-    const std::vector<double> computed =
-        measured != nullptr ? std::vector<double>{} : geometry_->jacobians(snapshot.x);
-    const std::vector<double>& jacobians = measured != nullptr ? measured->values : computed;
+    const std::vector<double>& found = jacobians(snapshot);
     std::vector<std::uint32_t> cells;
-    for (std::size_t i = 0; i < jacobians.size(); ++i)
-        if (!(jacobians[i] > 0)) cells.push_back(static_cast<std::uint32_t>(i));
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (!(found[i] > 0)) cells.push_back(static_cast<std::uint32_t>(i));
     return cells;
 }
 

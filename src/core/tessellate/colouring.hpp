@@ -41,8 +41,9 @@ struct Colouring {
     std::vector<double> values{}; ///< of the mesh's nodes or cells
     const ColourMap* map = nullptr;
     ColourRange range{};
-    /// How many values lie in each part of the range, from low to high; what is outside counts for neither.
-    std::array<std::uint32_t, 64> histogram{};
+    /// How many values lie in each part of the range, from low to high, in more parts where there are more
+    /// values; what is outside counts for none.
+    std::vector<std::uint32_t> histogram{};
     bool below = false, above = false; ///< some values lie outside
 
     std::array<unsigned char, 3> colour(std::size_t i) const {
@@ -64,8 +65,8 @@ class ColouringMaker {
 
     /// Of every cell.
     std::vector<double> measures(const Snapshot& snapshot);
-    std::vector<double> jacobians(const Snapshot& snapshot);
-    const std::vector<double>& masses() const { return mass_; } ///< M_i as last measured; empty before
+    const std::vector<double>& jacobians(const Snapshot& snapshot); ///< valid until the next snapshot
+    const std::vector<double>& masses() const { return mass_; }     ///< M_i as last measured; empty before
 
   private:
     bool fill(const Snapshot& snapshot, Colouring& colouring);
@@ -73,6 +74,7 @@ class ColouringMaker {
     std::shared_ptr<const Mesh> mesh_;
     std::optional<CellGeometry> geometry_;
     std::vector<double> mass_;
+    std::vector<double> jacobian_; ///< at the nodes, of the snapshot seen last; empty where not needed yet
     std::uint64_t seen_version_ = 0;
 };
 

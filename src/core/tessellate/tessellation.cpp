@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <unordered_map>
 
 namespace gaspard {
 
@@ -21,19 +21,27 @@ struct Face {
 
 /// Boundary faces of a solid: those that only one cell has.
 std::vector<Face> boundary_faces(const Mesh& mesh) {
-    std::map<std::vector<Corner>, std::pair<Face, int>> seen;
+    struct Candidate {
+        std::array<Corner, 4> corners; ///< sorted; -1 where there are but three
+        Face face;
+    };
+    std::vector<Candidate> candidates;
     for (std::size_t c = 0; c < mesh.cell_count(); ++c)
         for (const auto& corners : cell_faces(mesh.kind)) {
-            std::vector<Corner> key;
-            for (const int corner : corners) key.push_back(mesh.cell(c)[static_cast<std::size_t>(corner)]);
-            std::sort(key.begin(), key.end());
-            auto& entry = seen[key];
-            entry.first = {static_cast<std::uint32_t>(c), corners};
-            ++entry.second;
+            Candidate candidate{{-1, -1, -1, -1}, {static_cast<std::uint32_t>(c), corners}};
+            for (std::size_t k = 0; k < corners.size(); ++k)
+                candidate.corners[k] = mesh.cell(c)[static_cast<std::size_t>(corners[k])];
+            std::sort(candidate.corners.begin(), candidate.corners.end());
+            candidates.push_back(candidate);
         }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.corners < b.corners; });
+    const auto same = [&](std::size_t i, std::size_t j) {
+        return j < candidates.size() && candidates[i].corners == candidates[j].corners;
+    };
     std::vector<Face> faces;
-    for (const auto& [key, entry] : seen)
-        if (entry.second == 1) faces.push_back(entry.first);
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+        if (!same(i, i + 1) && (i == 0 || !same(i, i - 1))) faces.push_back(candidates[i].face);
     return faces;
 }
 
@@ -79,12 +87,14 @@ class PointMaker {
         if (step == 0) return corner(cell, a);
         if (step == cuts_) return corner(cell, b);
         if (node(cell, a) > node(cell, b)) return on_edge(cell, b, a, cuts_ - step);
-        const std::array<std::uint32_t, 3> key = {node(cell, a), node(cell, b),
-                                                  static_cast<std::uint32_t>(step)};
-        const auto [entry, fresh] = edge_points_.try_emplace(key, unmade);
+        const std::uint64_t key = std::uint64_t{node(cell, a)} << 32 | node(cell, b);
+        const auto inside = static_cast<std::size_t>(cuts_ - 1);
+        const auto [entry, fresh] = edges_.try_emplace(key, edge_points_.size());
+        if (fresh) edge_points_.resize(edge_points_.size() + inside, unmade);
+        std::uint32_t& point = edge_points_[entry->second + static_cast<std::size_t>(step - 1)];
         const double t = static_cast<double>(step) / cuts_;
-        if (fresh) entry->second = make(cell, (1 - t) * reference(a) + t * reference(b));
-        return entry->second;
+        if (point == unmade) point = make(cell, (1 - t) * reference(a) + t * reference(b));
+        return point;
     }
 
     std::uint32_t make(std::uint32_t cell, Vec3 where) {
@@ -105,7 +115,8 @@ class PointMaker {
     int cuts_;
     Tessellation& out_;
     std::vector<std::uint32_t> corner_points_;
-    std::map<std::array<std::uint32_t, 3>, std::uint32_t> edge_points_;
+    std::unordered_map<std::uint64_t, std::size_t> edges_; ///< by their corners: where their points begin
+    std::vector<std::uint32_t> edge_points_;               ///< those between the corners
     std::vector<double> values_;
     std::vector<Vec3> gradients_;
 };
@@ -166,10 +177,27 @@ void collect_edges(const Face& face, PointMaker& points, std::vector<Edge>& edge
     }
 }
 
+/// By their corners; equal ones stay in their order.
+std::vector<Edge> sorted_edges(const std::vector<Edge>& edges, std::size_t node_count) {
+    // First into one drawer per smaller corner: edges are many, those at one corner few.
+    std::vector<std::size_t> ends(node_count + 1, 0);
+    for (const Edge& edge : edges) ++ends[edge.corners.first + 1];
+    for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
+    std::vector<Edge> sorted(edges.size());
+    for (const Edge& edge : edges) sorted[ends[edge.corners.first]++] = edge;
+    std::size_t begin = 0;
+    for (std::size_t node = 0; node < node_count; ++node) {
+        for (std::size_t i = begin + 1; i < ends[node]; ++i)
+            for (std::size_t j = i; j > begin && sorted[j].corners.second < sorted[j - 1].corners.second; --j)
+                std::swap(sorted[j], sorted[j - 1]);
+        begin = ends[node];
+    }
+    return sorted;
+}
+
 /// Each edge once, with what lies at both sides of it.
-void merge_edges(std::vector<Edge>& edges) {
-    std::stable_sort(edges.begin(), edges.end(),
-                     [](const Edge& a, const Edge& b) { return a.corners < b.corners; });
+void merge_edges(std::vector<Edge>& edges, std::size_t node_count) {
+    edges = sorted_edges(edges, node_count);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         if (kept > 0 && edges[kept - 1].corners == edges[i].corners)
@@ -205,13 +233,14 @@ Tessellation tessellate(const Mesh& mesh, int cuts) {
     GASPARD_CHECK(cuts >= 1);
     if (mesh.kind.order == 1) cuts = 1;
     Tessellation out;
+    out.cuts = cuts;
     PointMaker points(mesh, cuts, out);
     std::vector<Edge> edges;
     for (const Face& face : shown_faces(mesh)) {
         fill_face(face, cuts, points, out);
         collect_edges(face, points, edges);
     }
-    merge_edges(edges);
+    merge_edges(edges, mesh.node_count());
     for (const Edge& edge : edges) draw_edge(edge, cuts, points, out);
     if (cell_dimension(mesh.kind) == 1) draw_line_cells(mesh, cuts, points, out);
     return out;

@@ -16,6 +16,7 @@ namespace gaspard {
 
 struct Tessellation {
     std::size_t point_count = 0;
+    int cuts = 1; ///< segments per edge
     // Row p of the weights: entries starts[p] .. starts[p + 1] of nodes and weights. All empty: p = node p.
     std::vector<std::uint32_t> starts, nodes;
     std::vector<double> weights;

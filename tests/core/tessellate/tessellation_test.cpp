@@ -164,6 +164,16 @@ TEST(Tessellation, OfLinesDrawsThemAndNothingElse) {
     EXPECT_TRUE(t.triangles.empty());
     EXPECT_EQ(t.segments, (std::vector<std::uint32_t>{0, 2, 2, 3, 3, 1}));
     EXPECT_EQ(t.segment_sides, (std::vector<std::uint32_t>{0, 0, 2, 2, 3, 3})); // nothing beside
+    EXPECT_EQ(t.segment_cells, (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(point_means(t, std::vector<double>{1, 3, 9}), (std::vector<double>{1, 9, 2, 6}));
+}
+
+TEST(Tessellation, MeansAtPointsAreThoseOfTheTrianglesAround) {
+    const Tessellation t = tessellate(two_triangles());
+    EXPECT_EQ(point_means(t, std::vector<double>{2, 6}), (std::vector<double>{4, 2, 4, 6}));
+    EXPECT_TRUE(t.segment_cells.empty());
+    EXPECT_EQ(t.cuts, 1);
+    EXPECT_EQ(tessellate(curved_square(), 5).cuts, 5);
 }
 
 TEST(Tessellation, FollowsMovedNodes) {
