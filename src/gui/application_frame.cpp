@@ -161,10 +161,10 @@ void Application::draw_sidebar() {
             changed |= panel_.draw_section(kind, context, scenario);
         ImGui::Spacing();
     }
-    if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) draw_view(context);
-    ImGui::Spacing();
     if (ImGui::CollapsingHeader("Runs", ImGuiTreeNodeFlags_DefaultOpen))
         if (run_list_.draw(document_, {theme_, scale_, items_})) perform(ActionId::keep);
+    ImGui::Spacing();
+    if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) draw_view(context);
     scenario.view = viewport().view;
     if (changed) {
         document_.change(0, scenario); // once per frame; of those that wait, the solver takes the newest

@@ -69,6 +69,30 @@ std::optional<bool> logarithmic_of(std::string_view name) {
     return name == axis_name(true);
 }
 
+PlotView make_view(const std::vector<DocumentRun>& runs, const PlotChoice& choice, bool mark_live) {
+    const bool by_iteration = choice.abscissa == Abscissa::iterations;
+    PlotView view;
+    view.x = {by_iteration ? "iteration" : "seconds", choice.log_x};
+    view.y = {"", choice.log_y};
+    for (const DocumentRun& run : runs) {
+        if (run.hidden) continue;
+        const std::string label = run.live() && mark_live ? run.name + " (now)" : run.name;
+        for (const QuantityRow::Part& part : row_of(choice.quantity).parts) {
+            const Trace& trace = run.curves.*part.trace;
+            view.curves.push_back({.label = label,
+                                   .part = part.name,
+                                   .x = by_iteration ? trace.iterations : trace.seconds,
+                                   .y = trace.values,
+                                   .extremes = &trace.extremes,
+                                   .colour = run.colour,
+                                   .behind = !run.live()});
+        }
+        for (const ChangeMark& mark : run.marks)
+            view.marks.push_back({by_iteration ? mark.iteration : mark.seconds, mark.text, run.colour});
+    }
+    return view;
+}
+
 /// The points of a curve as many as a picture `columns` pixels wide can show.
 Curve thinned(const CurveView& view, const PlotView& plot, const PlotZoom& zoom) {
     constexpr float columns = 2000;
@@ -140,42 +164,18 @@ std::optional<PlotChoice> parse_choice(std::string_view text) {
 }
 
 PlotView view_of_runs(const std::vector<DocumentRun>& runs, const PlotChoice& choice) {
-    const bool by_iteration = choice.abscissa == Abscissa::iterations;
-    PlotView view;
-    view.x = {by_iteration ? "iteration" : "seconds", choice.log_x};
-    view.y = {"", choice.log_y};
-    for (const DocumentRun& run : runs) {
-        if (run.hidden) continue;
-        // Only where there are others does it matter which one still moves.
-        const std::string label = run.live() && runs.size() > 1 ? run.name + " (now)" : run.name;
-        for (const QuantityRow::Part& part : row_of(choice.quantity).parts) {
-            const Trace& trace = run.curves.*part.trace;
-            view.curves.push_back({.label = label,
-                                   .part = part.name,
-                                   .x = by_iteration ? trace.iterations : trace.seconds,
-                                   .y = trace.values,
-                                   .extremes = &trace.extremes,
-                                   .colour = run.colour,
-                                   .behind = !run.live()});
-        }
-        for (const ChangeMark& mark : run.marks)
-            view.marks.push_back({by_iteration ? mark.iteration : mark.seconds, mark.text, run.colour});
-    }
-    return view;
+    return make_view(runs, choice, runs.size() > 1); // only among others does it matter which one still moves
 }
 
 Plot plot_of_runs(const std::vector<DocumentRun>& runs, const PlotChoice& choice, const PlotZoom& zoom) {
-    const PlotView view = view_of_runs(runs, choice);
+    const PlotView view = make_view(runs, choice, false); // in a file there is no now
     Plot plot{.title = std::string(label_of(choice.quantity)), .x = view.x, .y = view.y, .curves = {}};
     ask_for(plot.x, zoom.x);
     ask_for(plot.y, zoom.y);
-    const CurveView* before = nullptr;
+    const std::string_view first = row_of(choice.quantity).parts.front().name;
     for (const CurveView& curve : view.curves) {
         plot.curves.push_back(thinned(curve, view, zoom));
-        // The second of a run's curves has no entry of its own in the legend.
-        if (before && before->colour == curve.colour && before->label == curve.label && !curve.part.empty())
-            plot.curves.back().label.clear();
-        before = &curve;
+        if (curve.part != first) plot.curves.back().label.clear(); // one entry in the legend per run
     }
     for (const MarkView& mark : view.marks) plot.marks.push_back({mark.x, std::string(mark.label)});
     return plot;

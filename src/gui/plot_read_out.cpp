@@ -139,7 +139,7 @@ void draw_read_out(ImDrawList& list, const PlotView& plot, const PlotFrame& fram
         list.AddCircle(at, 4.5F * scale, packed(theme.panel), 20, scale);
     }
     list.PopClipRect();
-    const auto lines = read_out(plot, frame, points, x, pixel_x, scale, 0.5F * frame.area.width());
+    const auto lines = read_out(plot, frame, points, x, pixel_x, scale, 0.4F * frame.area.width());
     draw_box(list, lines, {pixel_x, pointer.y}, frame.area, theme, scale);
 }
 
