@@ -73,8 +73,10 @@ CellHit cell_under(const MeshPicture& picture, const std::vector<Seen>& seen, Pi
         const double u = (b.x - at.x) * (c.y - at.y) - (b.y - at.y) * (c.x - at.x);
         const double v = (c.x - at.x) * (a.y - at.y) - (c.y - at.y) * (a.x - at.x);
         const double w = (a.x - at.x) * (b.y - at.y) - (a.y - at.y) * (b.x - at.x);
-        const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
         const double sum = u + v + w;
+        const double slack =
+            1e-9 * std::abs(sum); // a point on an edge belongs to a triangle, however it rounds
+        const bool inside = sum > 0 ? std::min({u, v, w}) >= -slack : std::max({u, v, w}) <= slack;
         if (!inside || !(std::abs(sum) > 0)) continue;
         const double near = (u * a.near + v * b.near + w * c.near) / sum;
         if (near >= hit.near) hit = {t.triangle_cells[i], near, true};
