@@ -7,12 +7,14 @@ gaspard=${1:-$here/build/gaspard}
 drawn=$(mktemp -d)
 trap 'rm -rf "$drawn"' EXIT
 
-picture() { # name, scenario, options of run ...
+picture() { # name, then what `gaspard run` is given
   local name=$1; shift
   "$gaspard" run "$@" --quiet --formats obj --out "$drawn/$name"
   mv "$drawn/$name/view.png" "$here/docs/$name.png"
   echo "docs/$name.png"
 }
 
-picture plane-ring plane-ring
 picture window plane-bell --whole-window --size 1400x900
+picture plane-ring plane-ring
+picture side-by-side plane-ring --size 1400x640 --set view.layout=side-by-side --set view.color=equidistribution \
+  --set view.theme=light --set domain.cells=40

@@ -176,10 +176,9 @@ void Application::draw_sidebar() {
 void Application::draw_view(const PanelContext& context) {
     Values& view = viewport().view;
     const bool was_fixed = view.text("range") == "fixed";
-    std::vector<std::string> keys = {"color", "map", "log", "range"};
+    std::vector<std::string> keys = {"blend", "color", "map", "log", "range"};
     if (was_fixed) keys.insert(keys.end(), {"low", "high"});
-    for (const char* key : {"histogram", "lines", "arrows", "blend", "layout", "camera"})
-        keys.emplace_back(key);
+    for (const char* key : {"histogram", "lines", "arrows", "layout", "camera"}) keys.emplace_back(key);
     if (run().snapshot && run().snapshot->mesh->space_dimension == 3) keys.emplace_back("direction");
     panel_.draw_rows(context, run().opened.view, view, keys);
     if (!was_fixed && view.text("range") == "fixed") viewport_pane_.fix_range(viewport());
