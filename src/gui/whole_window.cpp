@@ -9,9 +9,9 @@ namespace gaspard {
 
 namespace {
 
-/// A window of the usual size in usual size; larger ones for denser displays.
+/// As on a usual display; what is larger than the usual window is taken for a picture of higher density.
 float window_zoom(int width, int height) {
-    return std::clamp(std::min(static_cast<float>(width) / 1400, static_cast<float>(height) / 900), 0.75F,
+    return std::clamp(std::min(static_cast<float>(width) / 1400, static_cast<float>(height) / 900), 1.0F,
                       6.0F);
 }
 

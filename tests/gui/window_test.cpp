@@ -105,6 +105,13 @@ class WindowTest : public testing::Test {
         set_value(catalogue, scenario, "method.max_iterations", std::int64_t{1000000});
         std::ofstream(folder / "slow.toml") << to_toml(scenario);
     }
+    /// One that has converged soon.
+    void write_quick_ring() const {
+        const Catalogue catalogue = builtin_catalogue();
+        Scenario scenario = find_scenario(catalogue, "plane-ring");
+        set_value(catalogue, scenario, "domain.cells", std::int64_t{24});
+        std::ofstream(folder / "quick.toml") << to_toml(scenario);
+    }
     std::filesystem::path out(const std::string& scenario) const { return folder / "gaspard-out" / scenario; }
     nlohmann::json exported() {
         const auto file = out("slow") / "summary.json";
@@ -162,6 +169,45 @@ TEST_F(WindowTest, AResizedWindowDrawsItsPictureAtTheNewSize) {
         std::filesystem::remove(file);
     }
     ASSERT_TRUE(program->running());
+}
+
+TEST_F(WindowTest, ItDrawsWhatIsDrawnOffscreen) {
+    write_quick_ring();
+    start("quick.toml", 1000, 700);
+    move(5, 5);
+    ASSERT_TRUE(eventually([&] {
+        std::filesystem::remove_all(out("quick"));
+        press("e");
+        std::this_thread::sleep_for(300ms);
+        return text_of(out("quick") / "summary.json").find("\"converged\"") != std::string::npos;
+    }));
+    press("p");
+    ASSERT_TRUE(eventually([&] { return std::filesystem::exists(out("quick") / "view.png"); }));
+    const Image window_picture = read_image(out("quick") / "view.png");
+
+    ChildProcess::Setup setup;
+    setup.command = {GASPARD_PROGRAM, "run",     "quick.toml", "--whole-window", "--size",
+                     "1000x700",      "--quiet", "--out",      "offscreen"};
+    setup.folder = folder;
+    setup.output = folder / "offscreen-log";
+    ASSERT_EQ(ChildProcess(setup).wait(60s), 0) << text_of(folder / "offscreen-log");
+    const Image whole = read_image(folder / "offscreen" / "view.png");
+    const ItemRectangle area = layout_of(1000, 700).find("viewport")->second;
+    int different = 0, largest = 0;
+    for (int y = 0; y < window_picture.height; ++y)
+        for (int x = 0; x < 4 * window_picture.width; ++x) {
+            const auto at = [x](const Image& image, int row, int left) {
+                return image.rgba[static_cast<std::size_t>(4 * (row * image.width + left) + x)];
+            };
+            const int difference =
+                std::abs(at(window_picture, y, 0) -
+                         at(whole, y + static_cast<int>(area.top), static_cast<int>(area.left)));
+            largest = std::max(largest, difference);
+            if (difference > 0) ++different;
+        }
+    // A window's rows are drawn from below, a picture's from above, which rounds otherwise.
+    EXPECT_LE(largest, 12);
+    EXPECT_LT(different, window_picture.width * window_picture.height / 50);
 }
 
 TEST_F(WindowTest, ClosingWhileSolvingEndsQuickly) {
