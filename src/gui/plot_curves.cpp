@@ -1,9 +1,9 @@
 #include "gui/plot_curves.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace gaspard {

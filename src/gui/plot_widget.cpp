@@ -7,7 +7,6 @@
 #include <cfloat>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 namespace gaspard {
 
