@@ -37,11 +37,16 @@ void SolverThread::update(const std::function<void(SolverStatus&)>& change) {
     if (options_.notify) options_.notify();
 }
 
-void SolverThread::say(std::string message) {
+void SolverThread::say(std::string message, bool error) {
     update([&](SolverStatus& status) {
-        status.message = std::move(message);
+        messages_.push_back({std::move(message), error});
         ++status.messages;
     });
+}
+
+std::vector<SolverMessage> SolverThread::take_messages() {
+    std::lock_guard lock(mutex_);
+    return std::exchange(messages_, {});
 }
 
 Progress SolverThread::progress() {
@@ -90,33 +95,52 @@ bool SolverThread::cancellable(std::stop_token stop, const std::function<void(co
     return finished;
 }
 
+std::deque<Command> SolverThread::take_commands() {
+    std::lock_guard lock(mutex_);
+    return std::exchange(commands_, {});
+}
+
+/// There is no run any more, until better values come or it is started again.
+void SolverThread::fail(const std::string& message) {
+    run_.reset();
+    running_ = false;
+    update([](SolverStatus& status) { status.run = RunStatus::failed, status.activity.clear(); });
+    say(message, true);
+}
+
+/// Our own faults and the machine's end the run, not the thread: whoever posts commands is still heard.
+void SolverThread::attempt(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const std::exception& error) {
+        fail(error.what());
+    }
+}
+
 void SolverThread::work(std::stop_token stop) {
     try {
-        prepare(stop);
+        attempt([&] { prepare(stop); });
         while (!stop.stop_requested()) {
-            for (auto& command : wait_for_commands(stop)) execute(std::move(command), stop);
+            for (auto& command : wait_for_commands(stop)) attempt([&] { execute(std::move(command), stop); });
             if (stop.stop_requested() || !run_) continue;
-            if (running_ && run_->status() == RunStatus::running) run_->step(stop);
-            publish(stop);
+            attempt([&] {
+                if (running_ && run_->status() == RunStatus::running) run_->step(stop);
+                publish(stop);
+            });
         }
-    } catch (const Interrupted&) {
-        return; // asked to stop in the middle of preparing
-    } catch (const std::exception& error) {
-        const std::string message = error.what();
-        update([&](SolverStatus& status) {
-            status.run = RunStatus::failed;
-            status.activity.clear();
-            status.message = message;
-            ++status.messages;
-        });
+    } catch (const Interrupted&) { // asked to stop in the middle of preparing
     }
+    for (auto& command : take_commands()) // an export that was asked for is not lost
+        if (const auto* task = std::get_if<InspectCommand>(&command); task && run_) inspect(*task);
 }
 
 /// Makes the run; false if there is none, until better values come.
 bool SolverThread::prepare(std::stop_token stop) {
-    const auto fail = [this](RunStatus status, const std::string& message) {
+    const auto give_up = [this](RunStatus status, const std::string& message, bool error) {
         update([&](SolverStatus& now) { now.run = status, now.activity.clear(); });
-        say(message);
+        say(message, error);
         return false;
     };
     update([](SolverStatus& status) { status.run = RunStatus::preparing; });
@@ -126,10 +150,14 @@ bool SolverThread::prepare(std::stop_token stop) {
                 std::make_unique<Run>(catalogue_, scenario_, options_.run, activity.progress, activity.stop);
         });
         if (!finished)
-            return fail(RunStatus::interrupted, "The preparation was cancelled; Run begins it again.");
+            return give_up(RunStatus::interrupted, "The preparation was cancelled; Run begins it again.",
+                           false);
     } catch (const InputError& error) {
-        return fail(RunStatus::failed, error.what());
+        return give_up(RunStatus::failed, error.what(), true);
     }
+    update([this](SolverStatus& status) {
+        status.scenario = std::make_shared<const Scenario>(run_->scenario());
+    });
     publish(stop);
     return true;
 }
@@ -179,41 +207,61 @@ void SolverThread::execute(Command command, std::stop_token stop) {
 
 void SolverThread::start(std::stop_token stop) {
     running_ = true;
-    if (!run_ && status().run == RunStatus::interrupted) prepare(stop);
+    if (!run_) prepare(stop);
 }
 
 void SolverThread::inspect(const InspectCommand& command) {
-    if (!run_) return say("There is nothing to save yet.");
-    const bool finished = cancellable({}, [&](const Activity& activity) { command.task(*run_, activity); });
+    if (!run_) return say("There is nothing to save yet.", true);
+    bool finished = true;
+    try {
+        finished = cancellable({}, [&](const Activity& activity) { command.task(*run_, activity); });
+    } catch (const std::exception& error) {
+        say(error.what(), true);
+    }
     update([](SolverStatus& status) { status.activity.clear(); });
     if (!finished) say("Cancelled.");
 }
 
 void SolverThread::change(ChangeCommand command, std::stop_token stop) {
-    if (!run_) {
-        scenario_ = command.scenario;
-        return answer(command, !prepare(stop));
-    }
     bool refused = false;
     try {
-        refused = !cancellable(stop, [&](const Activity& activity) {
-            const std::string message = run_->change(command.scenario, activity.progress, activity.stop);
-            if (!message.empty()) say(message);
-        });
-        if (refused) say("Cancelled; the values are as they were before.");
+        if (!run_) {
+            scenario_ = command.scenario;
+            running_ = running_ || command.anew;
+            refused = !prepare(stop);
+        } else {
+            refused = !cancellable(stop, [&](const Activity& activity) {
+                const std::string message = run_->change(command.scenario, activity.progress, activity.stop);
+                if (!message.empty()) say(message);
+            });
+            if (refused) say("Cancelled; the values are as they were before.");
+        }
+        if (!refused && command.anew) begin_anew(stop);
     } catch (const InputError& error) { // the run goes on with its old values
         refused = true;
-        say(error.what());
+        say(error.what(), true);
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const std::exception& error) { // what the run is now, nobody knows
+        refused = true;
+        fail(error.what());
     }
-    answer(command, refused);
+    if (!refused) scenario_ = std::move(command.scenario);
+    answer(command.number, refused);
 }
 
-void SolverThread::answer(const ChangeCommand& command, bool refused) {
+void SolverThread::begin_anew(std::stop_token stop) {
+    publish(stop); // what the old history has gained
+    run_->reset();
+    running_ = true;
+}
+
+void SolverThread::answer(std::uint64_t number, bool refused) {
     auto scenario = run_ ? std::make_shared<const Scenario>(run_->scenario()) : nullptr;
     update([&](SolverStatus& status) {
-        status.answered = command.number;
+        status.answered = number;
         status.refused = refused;
-        status.scenario = std::move(scenario);
+        if (scenario) status.scenario = std::move(scenario);
         status.activity.clear();
     });
 }

@@ -21,10 +21,12 @@ struct PauseCommand {};
 struct StepCommand {};  ///< one iteration, then pause
 struct ResetCommand {}; ///< back to the identity map, paused or running as before
 /// Other values, from the present map where possible; a run that had ended goes on. `number` tells one such
-/// command from another in SolverStatus.
+/// command from another in SolverStatus. `anew`: from the identity map, with a new history, and running.
+/// Values that are refused, or cancelled, leave the run as it was.
 struct ChangeCommand {
     Scenario scenario;
     std::uint64_t number = 0;
+    bool anew = false;
 };
 /// What long work is given: where to say how far it is, and when to give up.
 struct Activity {
@@ -32,7 +34,7 @@ struct Activity {
     std::stop_token stop;
 };
 /// Done between two steps on the solver thread, which owns the run: exports, tests. A task that is cancelled
-/// may throw Interrupted; what else it throws ends the thread as failed, so it reports its own errors.
+/// may throw Interrupted; what else it throws is said as an error.
 struct InspectCommand {
     std::function<void(Run&, const Activity&)> task;
 };
@@ -45,15 +47,19 @@ struct SolverEvent {
     StepReport report;
 };
 
+/// A sentence for the user.
+struct SolverMessage {
+    std::string text;
+    bool error = false; ///< something did not work, as against a remark
+};
+
 /// How the thread stands, for a status line.
 struct SolverStatus {
     RunStatus run = RunStatus::preparing;
     bool paused = true;
-    double progress = 0;  ///< of the preparation, 0 to 1
-    std::string activity; ///< what is being prepared
-    std::string
-        message; ///< the last sentence for the user: an input error, a map that could not be kept, a fault
-    std::uint64_t messages = 0; ///< how many sentences so far, so that the same one twice is seen twice
+    double progress = 0;        ///< of the preparation, 0 to 1
+    std::string activity;       ///< what is being prepared
+    std::uint64_t messages = 0; ///< how many sentences so far
     std::uint64_t answered = 0; ///< the number of the last ChangeCommand that was dealt with ...
     bool refused = false; ///< ... and whether it changed nothing: its values were wrong, or it was cancelled
     std::shared_ptr<const Scenario>
@@ -82,6 +88,8 @@ class SolverThread {
     std::shared_ptr<const Snapshot> latest() const { return latest_.get(); }
     /// Every report since the last call, in order, none left out.
     std::vector<SolverEvent> drain() { return reports_.drain(); }
+    /// Every sentence since the last call, in order.
+    std::vector<SolverMessage> take_messages();
     SolverStatus status() const;
 
   private:
@@ -92,11 +100,15 @@ class SolverThread {
     void start(std::stop_token stop);
     void inspect(const InspectCommand& command);
     void change(ChangeCommand command, std::stop_token stop);
-    void answer(const ChangeCommand& command, bool refused);
+    void begin_anew(std::stop_token stop);
+    void answer(std::uint64_t number, bool refused);
     void publish(std::stop_token stop);
-    void say(std::string message);
+    void say(std::string message, bool error = false);
+    void attempt(const std::function<void()>& work);
+    void fail(const std::string& message);
     void update(const std::function<void(SolverStatus&)>& change);
     Progress progress();
+    std::deque<Command> take_commands();
     std::deque<Command> wait_for_commands(std::stop_token stop);
 
     std::shared_ptr<const Catalogue> catalogue_;
@@ -109,9 +121,10 @@ class SolverThread {
 
     Latest<Snapshot> latest_;
     Channel<SolverEvent> reports_;
-    mutable std::mutex mutex_; ///< commands_, status_ and activity_
+    mutable std::mutex mutex_; ///< commands_, messages_, status_ and activity_
     std::condition_variable_any wake_;
     std::deque<Command> commands_;
+    std::vector<SolverMessage> messages_;
     SolverStatus status_;
     std::optional<std::stop_source> activity_; ///< of what cancel() would end
     std::jthread thread_;                      ///< last, so that it ends before what it uses

@@ -160,7 +160,11 @@ TEST_F(SolverThreadTest, AnInputErrorIsASentenceAndTheRunGoesOn) {
     broken.method.type = "magic";
     thread.post(ChangeCommand{broken});
     ASSERT_TRUE(eventually([&] { return thread.status().messages == 1; }));
-    EXPECT_NE(thread.status().message.find("magic"), std::string::npos);
+    const auto messages = thread.take_messages();
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_NE(messages[0].text.find("magic"), std::string::npos);
+    EXPECT_TRUE(messages[0].error);
+    EXPECT_TRUE(thread.take_messages().empty());
     thread.post(StartCommand{});
     EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
 }
@@ -247,6 +251,74 @@ TEST_F(SolverThreadTest, ATaskIsCancelledOnItsOwnAndTheRunGoesOn) {
     thread.cancel(); // nothing is under way: no harm
     thread.post(StartCommand{});
     EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+}
+
+TEST_F(SolverThreadTest, AFaultEndsTheRunButNotTheThread) {
+    auto broken = std::make_shared<Catalogue>(*catalogue);
+    auto& prepare = broken->capabilities.front().prepare;
+    prepare = [quick = prepare](const Values& values, const Progress& progress, std::stop_token stop) {
+        if (values.integer("cells") == 20) throw std::bad_alloc();
+        return quick(values, progress, stop);
+    };
+    SolverThread thread(broken, scenario(), {});
+    ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+    thread.post(ChangeCommand{scenario({"domain.cells=20"}), 1});
+    ASSERT_TRUE(eventually([&] { return thread.status().answered == 1; }));
+    EXPECT_TRUE(thread.status().refused);
+    EXPECT_EQ(thread.status().run, RunStatus::failed);
+    EXPECT_TRUE(thread.take_messages().back().error);
+    thread.post(StartCommand{}); // with the values that worked
+    EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+    thread.post(ChangeCommand{scenario({"domain.cells=20"}), 2});
+    thread.post(ChangeCommand{scenario({"domain.cells=14"}), 3, true});
+    EXPECT_TRUE(eventually([&] { return thread.status().answered == 3; }));
+    EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+}
+
+TEST_F(SolverThreadTest, AnOpeningThatIsCancelledOrRefusedLeavesTheRunAsItWas) {
+    std::atomic<bool> slow = false;
+    SolverThread thread(slow_catalogue(slow), scenario(), {});
+    ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+    const std::size_t rows = thread.drain().size();
+    slow = true;
+    thread.post(ChangeCommand{scenario({"domain.cells=20"}), 1, true});
+    ASSERT_TRUE(eventually([&] { return thread.status().activity == "waiting"; }));
+    thread.cancel();
+    ASSERT_TRUE(eventually([&] { return thread.status().answered == 1; }));
+    EXPECT_FALSE(thread.take_messages().back().error) << "the user's own wish is no error";
+    Scenario broken = scenario();
+    broken.method.type = "magic";
+    thread.post(ChangeCommand{broken, 2, true});
+    ASSERT_TRUE(eventually([&] { return thread.status().answered == 2; }));
+    std::size_t history = 0;
+    std::promise<void> done;
+    thread.post(InspectCommand{[&](gaspard::Run& run, const Activity&) {
+        history = run.history().size();
+        done.set_value();
+    }});
+    done.get_future().wait();
+    EXPECT_EQ(history, rows);
+    slow = false;
+    thread.post(ChangeCommand{scenario({"domain.cells=16"}), 3, true});
+    ASSERT_TRUE(eventually([&] {
+        const auto snapshot = thread.latest();
+        return snapshot->mesh->cell_count() == 256 && thread.status().run == RunStatus::converged;
+    }));
+    const auto events = thread.drain();
+    EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const SolverEvent& e) { return e.restarted; }));
+}
+
+TEST_F(SolverThreadTest, ATaskThatWaitsWhenTheThreadEndsIsStillDone) {
+    for (int i = 0; i < 20; ++i) {
+        std::atomic<bool> done = false;
+        {
+            SolverThread thread(catalogue, scenario({"method.tolerance=1e-14", "method.step_size=0.001"}),
+                                {});
+            ASSERT_TRUE(eventually([&] { return thread.latest() != nullptr; }));
+            thread.post(InspectCommand{[&](gaspard::Run&, const Activity&) { done = true; }});
+        }
+        EXPECT_TRUE(done);
+    }
 }
 
 } // namespace
