@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 #include "core/base/error.hpp"
 #include "core/scenario/toml.hpp"
+#include "gui/viewport.hpp"
 #include "gui/window.hpp"
 
 #include <exception>
@@ -25,7 +26,7 @@ void look_as_before(const Catalogue& catalogue, Scenario& scenario, const Values
     if (!is_default(scenario.view, "camera") || remembered.text("camera_scenario") != scenario.name) return;
     try {
         set_value(catalogue, scenario, "view.camera", remembered.at("camera"));
-        check(catalogue, scenario);
+        check_view(scenario.view);
     } catch (const InputError&) { // edited by hand: home will do
         scenario.view.set("camera", std::string());
     }
@@ -42,6 +43,7 @@ int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string
     look_as_before(*catalogue, scenario, options.settings.window);
     apply_settings(*catalogue, scenario, settings);
     check(*catalogue, scenario);
+    check_view(scenario.view);
     if (size) {
         apply_size(scenario, *size);
         for (const char* key : {"width", "height"}) options.settings.window.set(key, scenario.view.at(key));

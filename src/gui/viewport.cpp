@@ -337,7 +337,11 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
         draw_legend(list, *colouring, plan.histogram, legend, theme, scale);
     }
     if (plan.text.caption) draw_caption(list, plan, theme, scale);
-    if (!plan.facts.empty()) draw_card(list, plan, room, theme, scale);
+    if (!plan.facts.empty()) {
+        ScreenRect below_title = room;
+        below_title.min.y += title_height(plan.pictures.front().title, scale) / 2;
+        draw_card(list, plan, below_title, theme, scale);
+    }
     if (!plan.complaint.empty()) draw_complaint(list, plan.complaint, room, theme, scale);
     list.PopClipRect();
 }

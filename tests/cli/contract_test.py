@@ -195,6 +195,11 @@ class BadInput(Contract):
         self.refused(self.run_quick("--max-iterations", "-1"), "method.max_iterations")
         self.refused(self.run_quick("--threads", "0"), "--threads")
         self.refused(self.run_quick("--size", "10x10"), "view.width")
+        self.refused(self.run_quick("--set", "view.camera=from afar"), "the camera 'from afar' has the word 'from'")
+        self.refused(self.run_quick("--set", "view.pick=edge 3"), "neither a cell nor a node")
+        self.refused(self.run_quick("--set", "view.pick=cell 144"), "the mesh has 144 cells")
+        self.refused(self.run_quick("--set", "view.range=fixed", "--set", "view.low=2"), "below view.high = 1")
+        self.refused(gaspard("plane-ring", "--set", "view.camera=from afar"), "the camera 'from afar'")
         self.refused(self.run_quick("--size", "big"), "--size wants")
 
     def test_unknown_names_get_the_nearest(self):

@@ -55,8 +55,18 @@ ColourRange logarithmic(ColourRange range, std::span<const double> values, const
     return range;
 }
 
+/// What differs by rounding alone is the same; colours would make a pattern of it.
+bool constant(const ColourRange& range, const Kind& kind) {
+    const double size = kind.is_signed ? 1 : std::max(std::abs(range.low), std::abs(range.high));
+    return range.high - range.low <= 1e-12 * size;
+}
+
 ColourRange automatic_range(std::span<const double> values, const Kind& kind, bool log, bool diverging) {
     ColourRange range = range_of(values);
+    if (constant(range, kind)) {
+        const double middle = kind.is_signed ? *kind.centre : range.low + (range.high - range.low) / 2;
+        return {middle, middle};
+    }
     if (log && !kind.is_signed) return logarithmic(range, values, kind, diverging);
     if (!diverging || !kind.centre) return range;
     const double half = std::max(range.high - *kind.centre, *kind.centre - range.low);
@@ -80,8 +90,7 @@ void count(Colouring& colouring) {
             ++colouring.histogram[static_cast<std::size_t>(std::min(place * bins, bins - 1))];
     };
     if (!(range.high > range.low)) {
-        for (const double value : colouring.values)
-            put(value < range.low ? -1.0F : value > range.high ? 2.0F : 0.5F);
+        for (const double value : colouring.values) put(std::isfinite(value) ? 0.5F : std::nanf(""));
     } else if (range.logarithmic) {
         const double factor = 1 / range.low;
         const float scale = 1 / std::log2(static_cast<float>(range.high / range.low));

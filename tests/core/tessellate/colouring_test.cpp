@@ -193,11 +193,27 @@ TEST(Colouring, LogarithmicRangesStartAtTheSmallestPositiveValue) {
     EXPECT_DOUBLE_EQ(made(snapshot, log).range.low, 1e-4) << "six decades at most";
     snapshot.fields[0].values = {-2, -1, 0, -3};
     EXPECT_FALSE(made(snapshot, log).range.logarithmic);
-    Snapshot jacobian = snapshot_of(unit_square_mesh(1), 0);
-    add_field(jacobian, "jacobian", {0.25});
+    Snapshot jacobian = snapshot_of(unit_square_mesh(2), 0);
+    add_field(jacobian, "jacobian", {0.25, 1, 1, 2});
     EXPECT_EQ(made(jacobian, {.colouring = "jacobian", .map = "blue-red", .logarithmic = true}).range,
               (ColourRange{0.25, 4, true}))
         << "the Jacobian 1 is in the middle";
+}
+
+TEST(Colouring, RoundingIsNoPattern) {
+    Snapshot snapshot = snapshot_of(unit_square_mesh(1));
+    snapshot.fields[0].values = {3, 3 + 1e-15, 3 - 1e-15, 3};
+    for (const bool log : {false, true}) {
+        const Colouring same = made(snapshot, {.logarithmic = log});
+        EXPECT_EQ(same.range.low, same.range.high);
+        EXPECT_EQ(same.colour(1), same.colour(2));
+        EXPECT_FALSE(same.below || same.above);
+        EXPECT_EQ(std::accumulate(same.histogram.begin(), same.histogram.end(), 0U), 4U);
+    }
+    snapshot.fields[0].values[1] = 3 + 1e-9;
+    EXPECT_NE(made(snapshot, {}).colour(1), made(snapshot, {}).colour(2));
+    add_field(snapshot, "mass", {1});
+    EXPECT_EQ(made(snapshot, {.colouring = "equidistribution"}).range, (ColourRange{0, 0}));
 }
 
 TEST(Colouring, AFixedRangeStaysAndTellsWhatLiesOutside) {
