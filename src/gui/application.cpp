@@ -15,6 +15,13 @@ namespace gaspard {
 
 namespace {
 
+bool needs_solver(ActionId id) {
+    using enum ActionId;
+    for (const ActionId one : {run_pause, step, reset, export_files, cancel, keep})
+        if (id == one) return true;
+    return false;
+}
+
 constexpr double projector_size = 1.7, text_step = 1.1;
 
 } // namespace
@@ -52,10 +59,9 @@ void Application::say(Notice notice) {
 bool Application::collect() {
     bool news = document_.collect();
     for (Notice& notice : board_->take()) say(std::move(notice)), news = true;
-    const SolverStatus& status = run().status;
-    if (status.messages != messages_seen_)
-        say({status.message, status.refused || status.run == RunStatus::failed});
-    messages_seen_ = status.messages;
+    for (SolverMessage& message : std::exchange(run().messages, {}))
+        say({std::move(message.text), message.error});
+    if (run().openings != openings_seen_) take_opening();
     std::optional<Arrivals::Arrival> arrival;
     {
         std::lock_guard lock(arrivals_->mutex);
@@ -63,7 +69,7 @@ bool Application::collect() {
     }
     if (arrival) {
         open_scenario(arrival->scenario);
-        remember_recent(settings_, arrival->file);
+        opening_file_ = arrival->file;
         news = true;
     }
     return news;
@@ -73,11 +79,15 @@ bool Application::press_key(std::string_view key) {
     if (ImGui::GetIO().WantTextInput) return false;
     const Action* row = action_for_key(key);
     if (!row || !possible(row->id)) return false;
+    const bool dialog = error_.open() || open_dialog_.open(); // it comes first
+    if (dialog && row->id != ActionId::cancel) return false;
     perform(row->id);
     return true;
 }
 
-bool Application::working() { return !run().status.activity.empty(); }
+bool Application::working() {
+    return !run().status.activity.empty() || run().status.run == RunStatus::preparing;
+}
 
 bool Application::possible(ActionId id) {
     switch (id) {
@@ -101,6 +111,7 @@ bool Application::possible(ActionId id) {
 }
 
 void Application::perform(ActionId id) {
+    if (!run().live() && needs_solver(id)) return; // a run to be looked at
     message_ = {};
     switch (id) {
     case ActionId::run_pause:
@@ -245,15 +256,32 @@ void Application::cancel() {
         open_dialog_.close();
     else if (help_)
         help_ = false;
-    else if (!viewport().view.text("pick").empty())
-        viewport().view.set("pick", std::string());
-    else
+    else if (working())
         run().solver->cancel();
+    else
+        viewport().view.set("pick", std::string());
 }
 
 std::filesystem::path Application::output_folder() { return output_ / run().scenario.name; }
 
+/// At least one format stays.
+void Application::toggle_format(const std::string& name) {
+    std::string names;
+    for (const Format& format : formats()) {
+        const bool chosen = exports(run().scenario, format.name) != (format.name == name);
+        if (chosen) names += (names.empty() ? "" : ",") + format.name;
+    }
+    if (names.empty()) return;
+    Scenario scenario = run().scenario;
+    scenario.output.set("formats", names);
+    document_.change(0, scenario);
+}
+
 void Application::export_files() {
+    // The files are coloured as the viewport is.
+    Scenario scenario = run().scenario;
+    scenario.view = viewport().view;
+    if (scenario != run().scenario) document_.change(0, scenario);
     // The board is shared, for the task may come to its turn when the window is already closing.
     run().solver->post(InspectCommand{
         [board = board_, folder = output_folder(),
@@ -331,19 +359,28 @@ void Application::open_file(const std::filesystem::path& file) {
             throw InputError(absolute.string() + " is no scenario: its name does not end in .toml");
         Scenario scenario = load_scenario(*catalogue, absolute);
         check(*catalogue, scenario);
+        check_view(scenario.view);
         std::lock_guard lock(arrivals->mutex);
         arrivals->newest = {std::move(scenario), absolute};
-        return "Opened " + absolute.string();
+        return "Opening " + absolute.string();
     });
 }
 
 void Application::open_scenario(const Scenario& scenario) {
-    const std::string theme = viewed_theme();
+    opening_file_.clear();
     document_.replace(0, scenario);
-    if (is_default(viewport().view, "theme"))
-        viewport().view.set("theme", theme); // it has no wish of its own
+}
+
+/// A scenario has been found good and is there.
+void Application::take_opening() {
+    openings_seen_ = run().openings;
+    if (is_default(viewport().view, "theme")) // it has no wish of its own
+        viewport().view.set("theme", theme_name());
     follow_theme();
     viewport_pane_.forget_home();
+    if (opening_file_.empty()) return;
+    remember_recent(settings_, opening_file_);
+    say({"Opened " + opening_file_.string(), false});
 }
 
 void Application::open_builtin(const std::string& name) {

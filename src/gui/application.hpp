@@ -138,6 +138,9 @@ class Application {
     void export_files();
     void save_scenario();
     void open_scenario(const Scenario& scenario);
+    void take_opening();
+    void toggle_format(const std::string& name);
+    void draw_formats();
     void open_builtin(const std::string& name);
     std::filesystem::path output_folder();
 
@@ -150,7 +153,8 @@ class Application {
     Log log_;
     ErrorDialog error_;
     OpenDialog open_dialog_;
-    std::uint64_t messages_seen_ = 0;
+    std::uint64_t openings_seen_ = 0;
+    std::filesystem::path opening_file_; ///< of the scenario on its way; empty: a built-in one
     ParameterPanel panel_;
     ItemRectangles items_;
     Layout layout_;

@@ -1,4 +1,5 @@
 // How the application is drawn; what it does is in application.cpp.
+#include "core/io/formats.hpp"
 #include "core/scenario/toml.hpp"
 #include "gui/application.hpp"
 #include "gui/icons.hpp"
@@ -81,6 +82,7 @@ void Application::draw_menus() {
                 perform(row.id);
             remember_item(items_, "menu." + std::string(row.name));
             if (row.id == ActionId::open) draw_recent();
+            if (row.id == ActionId::export_files) draw_formats();
         }
         ImGui::EndMenu();
     }
@@ -93,6 +95,17 @@ void Application::draw_recent() {
         const std::string file = settings_.recent[i];
         if (ImGui::MenuItem(file.c_str())) open_file(file);
         remember_item(items_, "recent." + std::to_string(i));
+    }
+    ImGui::EndMenu();
+}
+
+void Application::draw_formats() {
+    if (!ImGui::BeginMenu("Export as", run().live())) return;
+    for (const Format& format : formats()) {
+        if (ImGui::MenuItem(format.name.c_str(), nullptr, exports(run().scenario, format.name)))
+            toggle_format(format.name);
+        remember_item(items_, "format." + format.name);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", format.help.c_str());
     }
     ImGui::EndMenu();
 }
@@ -240,13 +253,15 @@ void Application::draw_log() {
 
 void Application::draw_dialogs() {
     const SolverStatus& status = run().status;
-    if (working() || status.run == RunStatus::preparing)
-        if (draw_progress(working() ? status.activity : "preparing", status.progress, layout_.viewport,
-                          items_))
+    if (working())
+        if (draw_progress(status.activity.empty() ? "preparing" : status.activity, status.progress,
+                          layout_.viewport, items_))
             run().solver->cancel();
     draw_help(help_, theme_);
-    if (const auto path = open_dialog_.draw(settings_.recent, items_)) open_file(*path);
-    error_.draw(items_);
+    if (error_.open()) // two at once would close each other
+        error_.draw(items_);
+    else if (const auto path = open_dialog_.draw(settings_.recent, items_))
+        open_file(*path);
 }
 
 } // namespace gaspard

@@ -60,7 +60,11 @@ void BackgroundWriter::work(std::stop_token stop) {
         const auto task = std::move(tasks_.front());
         tasks_.pop_front();
         lock.unlock();
-        report_outcome(*board_, task);
+        try {
+            report_outcome(*board_, task);
+        } catch (const Interrupted&) {
+            board_->add({"Cancelled.", false});
+        }
     }
 }
 

@@ -114,14 +114,35 @@ void Document::change(std::size_t run, const Scenario& scenario) {
 
 void Document::replace(std::size_t run, const Scenario& scenario) {
     DocumentRun& entry = runs_[run];
-    entry.opened = scenario;
-    entry.title = title_of(scenario);
+    GASPARD_CHECK(entry.live());
+    entry.opening = {++entry.asked, scenario};
+    entry.solver->post(ChangeCommand{scenario, entry.asked, true});
+}
+
+/// What was opened is there.
+void Document::finish_opening(DocumentRun& run) {
+    const Scenario& scenario = run.opening->scenario;
+    run.opened = run.scenario = scenario;
+    run.title = title_of(scenario);
+    run.name = describe_scenario(*catalogue_, scenario, scenario);
+    run.wants_to_run = true;
+    ++run.openings;
     for (DocumentViewport& viewport : viewports_)
-        if (viewport.run == run) viewport.view = scenario.view;
-    change(run, scenario);
-    entry.solver->post(ResetCommand{});
-    entry.solver->post(StartCommand{});
-    entry.wants_to_run = true;
+        if (&runs_[viewport.run] == &run) viewport.view = scenario.view;
+}
+
+void Document::take_answer(DocumentRun& run) {
+    run.answered = run.status.answered;
+    if (run.opening && run.opening->number <= run.answered) {
+        const bool there = run.opening->number == run.answered && !run.status.refused;
+        if (there) finish_opening(run);
+        run.opening.reset();
+    }
+    // What was refused, or cancelled, is no longer shown as if it were so.
+    if (run.answered == run.asked && run.status.refused && run.status.scenario) {
+        run.scenario = *run.status.scenario;
+        run.name = describe_scenario(*catalogue_, run.opened, run.scenario);
+    }
 }
 
 void Document::start(std::size_t run) {
@@ -161,12 +182,8 @@ bool Document::collect(DocumentRun& run) {
     const bool news_of_change = status.answered != run.answered;
     run.snapshot = std::move(snapshot);
     run.status = std::move(status);
-    run.answered = run.status.answered;
-    // What was refused, or cancelled, is no longer shown as if it were so.
-    if (news_of_change && run.answered == run.asked && run.status.refused && run.status.scenario) {
-        run.scenario = *run.status.scenario;
-        run.name = describe_scenario(*catalogue_, run.opened, run.scenario);
-    }
+    if (news_of_change) take_answer(run);
+    for (SolverMessage& message : run.solver->take_messages()) run.messages.push_back(std::move(message));
     for (const SolverEvent& event : events) append(run, event);
     if (run.history.size() <= 1 || !run.marked) // nothing has been solved with other values yet
         run.marked = run.status.scenario ? run.status.scenario : std::make_shared<const Scenario>(run.opened);

@@ -36,8 +36,16 @@ struct DocumentRun {
     SolverStatus status;
     std::uint64_t asked = 0, answered = 0; ///< numbers of the last change of values: sent, dealt with
     bool wants_to_run = true;              ///< what the user last asked for; the status follows within a step
-    std::size_t colour = 0;                ///< which of the theme's curve colours
-    bool hidden = false;                   ///< its curves are not shown
+    /// Another scenario on its way to take this one's place; once it is there, it has been counted.
+    struct Opening {
+        std::uint64_t number = 0;
+        Scenario scenario;
+    };
+    std::optional<Opening> opening{};
+    std::uint64_t openings = 0;
+    std::vector<SolverMessage> messages{};    ///< not yet taken by whoever shows them
+    std::size_t colour = 0;                   ///< which of the theme's curve colours
+    bool hidden = false;                      ///< its curves are not shown
     std::shared_ptr<const Scenario> marked{}; ///< the values that the history goes on with
     std::unique_ptr<SolverThread> solver{};   ///< null: kept
 
@@ -78,7 +86,7 @@ class Document {
     // Of live runs only:
     /// Lets a run go on with other values, from the map it has.
     void change(std::size_t run, const Scenario& scenario);
-    /// Another scenario in the place of a run's, from its own start.
+    /// Another scenario in the place of a run's, from its own start, once it has been found good.
     void replace(std::size_t run, const Scenario& scenario);
     void start(std::size_t run); ///< a run that has ended starts over
     void pause(std::size_t run);
@@ -99,6 +107,8 @@ class Document {
   private:
     DocumentRun& add(const Scenario& scenario);
     bool collect(DocumentRun& run);
+    void take_answer(DocumentRun& run);
+    void finish_opening(DocumentRun& run);
     std::string free_name(const DocumentRun& run) const;
     std::size_t free_colour() const;
 

@@ -103,15 +103,16 @@ bool RunList::draw(Document& document, const FrameContext& context) {
     for (std::size_t i = 0; i < document.runs().size(); ++i) {
         DocumentRun& run = document.runs()[i];
         const std::string key = "runs." + std::to_string(i);
+        const bool removable = i > 0 && !run.live(); // the first is the one that the window is about
         ImGui::PushID(static_cast<int>(run.number));
         draw_swatch(run, context.theme);
         ImGui::SameLine(0, gap);
         if (draw_eye("##eye", run.hidden, context.theme)) run.hidden = !run.hidden;
         remember_item(context.items, key + ".eye");
         ImGui::SameLine(0, gap);
-        const float room = ImGui::GetContentRegionAvail().x - (run.live() ? 0 : 1.3F * em + gap);
+        const float room = ImGui::GetContentRegionAvail().x - (removable ? 1.3F * em + gap : 0);
         draw_name(run, key + ".name", std::max(room, 1.0F), context);
-        if (!run.live()) {
+        if (removable) {
             ImGui::SameLine(0, gap);
             if (draw_cross("##remove", context.theme)) removed = i;
             remember_item(context.items, key + ".remove");

@@ -49,6 +49,7 @@ ImVec4 tone_colour(const Theme& theme, Tone tone) {
 } // namespace
 
 StatusCell describe_state(const SolverStatus& status, bool wants_to_run) {
+    if (status.activity.starts_with("writing")) return {"State", "Writing", Tone::busy};
     if (!status.activity.empty()) return {"State", "Preparing", Tone::busy};
     switch (status.run) {
     case RunStatus::preparing:

@@ -59,6 +59,15 @@ ItemRectangle work_area() {
             static_cast<float>(y + height)};
 }
 
+void keep_within_screen(GLFWwindow* window) {
+    const ItemRectangle room = work_area();
+    int width = 0, height = 0;
+    glfwGetWindowSize(window, &width, &height);
+    const int widest = static_cast<int>(room.width()), highest = static_cast<int>(room.height());
+    if (widest > 0 && highest > 0 && (width > widest || height > highest))
+        glfwSetWindowSize(window, std::min(width, widest), std::min(height, highest));
+}
+
 /// Where the window was last, if a screen still reaches there.
 void place_window(GLFWwindow* window, const Values& remembered) {
     if (!remembered.boolean("placed")) return;
@@ -82,17 +91,14 @@ GlfwWindow open_window(const std::string& title, const Values& remembered) {
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_SAMPLES, picture_samples); // as offscreen, so that pictures are the same
     glfwWindowHint(GLFW_MAXIMIZED, remembered.boolean("maximized") ? GLFW_TRUE : GLFW_FALSE);
-    const ItemRectangle room = work_area();
-    const auto within_screen = [](std::int64_t wanted, float room_there) {
-        const int size = static_cast<int>(wanted), most = static_cast<int>(room_there);
-        return most > 0 ? std::min(size, most) : size;
-    };
-    GlfwWindow window(glfwCreateWindow(within_screen(remembered.integer("width"), room.width()),
-                                       within_screen(remembered.integer("height"), room.height()),
-                                       title.c_str(), nullptr, nullptr));
+    // Of a display of scale 1; GLFW_SCALE_TO_MONITOR makes it larger on others.
+    GlfwWindow window(glfwCreateWindow(static_cast<int>(remembered.integer("width")),
+                                       static_cast<int>(remembered.integer("height")), title.c_str(), nullptr,
+                                       nullptr));
     if (!window)
         throw MachineError("No OpenGL 3.3 for a window here (" + last_glfw_error() +
                            "); use `gaspard run`, which draws without one");
+    keep_within_screen(window.get());
     place_window(window.get(), remembered);
     glfwMakeContextCurrent(window.get());
     glfwSwapInterval(1);
@@ -101,6 +107,7 @@ GlfwWindow open_window(const std::string& title, const Values& remembered) {
 
 /// A key as the table of actions writes it: "Space", "Ctrl+Q". Letters by what is printed on the key.
 std::string key_name(int key, int scancode, int modifiers) {
+    if (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) return {}; // the desktop's own
     const std::string prefix = (modifiers & GLFW_MOD_CONTROL) ? "Ctrl+" : "";
     if (key == GLFW_KEY_SPACE) return prefix + "Space";
     if (key == GLFW_KEY_RIGHT) return prefix + "Right";
@@ -240,8 +247,7 @@ class Window {
         friend bool operator==(const Look&, const Look&) = default;
     };
     Look wanted_look() const {
-        return {scales_of(window_.get()), application_->text_size(),
-                application_->theme_name()};
+        return {scales_of(window_.get()), application_->text_size(), application_->theme_name()};
     }
     /// Units of the window per unit of the theme.
     float zoom() const { return look_.scales.zoom * look_.text_size; }
@@ -303,10 +309,14 @@ class Window {
         if (maximized) return;
         const Place now = full ? before_ : place_of(window_.get());
         place_["placed"] = true;
-        place_["left"] = std::int64_t{now.x};
-        place_["top"] = std::int64_t{now.y};
-        place_["width"] = std::int64_t{now.width};
-        place_["height"] = std::int64_t{now.height};
+        const auto remember = [this](const char* key, float value) {
+            place_[key] = std::int64_t{
+                std::lround(within(application_->settings().window, key, static_cast<double>(value)))};
+        };
+        remember("left", static_cast<float>(now.x));
+        remember("top", static_cast<float>(now.y));
+        remember("width", static_cast<float>(now.width) / look_.scales.zoom);
+        remember("height", static_cast<float>(now.height) / look_.scales.zoom);
     }
 
     void draw() {

@@ -412,6 +412,7 @@ TEST_F(ApplicationTest, AnotherScenarioStartsFromItsOwnBeginning) {
     frame();
     ASSERT_TRUE(application.items().count("scenario=plane-bell"));
     ui.click(application.items().find("scenario=plane-bell")->second, drawing());
+    ASSERT_TRUE(wait_until([&] { return run().scenario.name != "plane-ring"; }));
     EXPECT_EQ(run().scenario.name, "plane-bell");
     EXPECT_EQ(solved_scenario().monitor.type, "bell");
     ASSERT_TRUE(wait_until([&] { return run().snapshot && run().snapshot->mesh->cell_count() == 3600; }));
@@ -450,6 +451,52 @@ TEST_F(ApplicationTest, AFileThatIsNoScenarioIsOneSentenceAndLosesNothing) {
     }
     EXPECT_TRUE(application.settings().recent.empty());
     EXPECT_EQ(solved_scenario(), small_ring());
+}
+
+TEST_F(ApplicationTest, AnErrorComesBeforeTheOpenDialog) {
+    application.perform(ActionId::open);
+    frame();
+    frame();
+    application.open_file(folder / "missing.toml");
+    ASSERT_TRUE(wait_until([&] { return application.items().count("error.ok") == 1; }));
+    frame();
+    EXPECT_FALSE(application.press_key("Space")) << "a dialog comes first";
+    ui.click(application.items().find("error.ok")->second, drawing());
+    EXPECT_FALSE(application.error().open());
+    for (int i = 0; i < 3; ++i) frame();
+    ui.click(application.items().find("open.cancel")->second, drawing());
+    frame();
+    EXPECT_EQ(application.items().count("open.path"), 0U);
+}
+
+TEST_F(ApplicationTest, AScenarioThatTheSolverRefusesLeavesEverythingAsItWas) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const std::size_t rows = run().history.size();
+    Scenario wrong = small_ring();
+    wrong.title = "Wrong";
+    wrong.method.type = "magic";
+    application.document().replace(0, wrong);
+    ASSERT_TRUE(wait_until([&] { return application.error().open(); }));
+    EXPECT_EQ(application.title(), small_ring().title);
+    EXPECT_EQ(run().opened, small_ring());
+    EXPECT_EQ(run().history.size(), rows);
+    EXPECT_TRUE(run().ended());
+}
+
+TEST_F(ApplicationTest, ExportWritesTheChosenFormatsColouredAsTheViewIs) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    ui.click(application.items().find("menu.File")->second, drawing());
+    ASSERT_TRUE(application.items().count("menu.export"));
+    auto output = run().scenario;
+    output.output.set("formats", std::string("svg"));
+    application.document().change(0, output);
+    application.document().viewports().front().view.set("color", std::string("area"));
+    application.perform(ActionId::export_files);
+    ASSERT_TRUE(wait_until([&] { return application.message().text.starts_with("Exported to "); }));
+    std::ifstream file(folder / "plane-ring" / "adapted.svg");
+    const std::string svg((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_NE(svg.find("cell area"), std::string::npos) << svg.substr(0, 1000);
+    EXPECT_FALSE(std::filesystem::exists(folder / "plane-ring" / "adapted.obj"));
 }
 
 TEST_F(ApplicationTest, TheOpenDialogTakesAPath) {
@@ -570,7 +617,7 @@ TEST_F(ApplicationTest, RandomInputBreaksNothing) {
                 ASSERT_NO_THROW(copy.set(row.key, values->at(row.key)));
             }
     }
-    EXPECT_NE(run().status.run, RunStatus::failed) << run().status.message;
+    EXPECT_NE(run().status.run, RunStatus::failed) << application.message().text;
     EXPECT_NE(application.document().runs().front().scenario, small_ring()) << "the input reached nothing";
 }
 

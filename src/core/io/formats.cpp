@@ -106,6 +106,16 @@ const std::vector<Format>& formats() {
     return table;
 }
 
+bool exports(const Scenario& scenario, std::string_view format) {
+    std::string_view list = scenario.output.text("formats");
+    while (!list.empty()) {
+        const auto comma = std::min(list.find(','), list.size());
+        if (list.substr(0, comma) == format) return true;
+        list.remove_prefix(std::min(comma + 1, list.size()));
+    }
+    return false;
+}
+
 std::vector<const Format*> parse_formats(std::string_view list) {
     std::vector<const Format*> chosen;
     while (true) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/mesh/space.hpp"
+#include "core/scenario/scenario.hpp"
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/colouring.hpp"
 
@@ -51,6 +52,8 @@ struct Format {
 };
 
 const std::vector<Format>& formats();
+/// Whether a scenario's output section names a format.
+bool exports(const Scenario& scenario, std::string_view format);
 /// Parses "obj,glb". Throws InputError for an unknown name, with the nearest.
 std::vector<const Format*> parse_formats(std::string_view list);
 

@@ -81,6 +81,7 @@ std::string summary_json(Run& run) {
 
 void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats,
                      const Progress& progress, std::stop_token stop) {
+    run.complete();
     std::exception_ptr first;
     const double all = 3 + static_cast<double>(formats.size());
     double done = 0;

@@ -146,6 +146,8 @@ void Run::measure(StepReport& report) {
     if (quality.tangled_cells == 0) last_untangled_ = state_;
 }
 
+void Run::complete() { measure(history_.back()); }
+
 void Run::interrupt() {
     GASPARD_CHECK(status() == RunStatus::running);
     measure(history_.back());

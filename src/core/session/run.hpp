@@ -27,6 +27,8 @@ class Run {
 
     /// One iteration; says in its report how the run stands. To be called only while status() is running.
     const StepReport& step(std::stop_token stop = {});
+    /// Completes the diagnostics of the present iterate, where they were left out.
+    void complete();
     /// Ends the run here as interrupted, with full diagnostics of the present iterate.
     void interrupt();
 
