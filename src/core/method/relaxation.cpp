@@ -41,7 +41,7 @@ class Relaxation final : public Method {
         plane_->positions(phi, positions_, room_);
         monitor.values(positions_, monitor_);
         plane_->hessian(phi, sigma_, room_);
-        const auto [theta, normalised] = plane_->residual(monitor_, sigma_, residual_);
+        const auto [theta, normalised] = plane_->residual(monitor_, sigma_, residual_, room_);
         return {.residual = normalised, .theta = theta, .step_size = 0};
     }
 
@@ -125,7 +125,7 @@ std::vector<ParameterRow> common_method_rows() {
          .minimum = 1,
          .maximum = 1000,
          .scale = ParameterScale::logarithmic,
-         .default_value = std::int64_t{1},
+         .default_value = std::int64_t{10},
          .help = "iterations between two measurements of equidistribution and cells; always for the last"}};
 }
 

@@ -196,6 +196,7 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
 }
 
 std::shared_ptr<const Snapshot> Run::snapshot() {
+    measure(history_.back());
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->mesh = discretisation_->mesh();
     snapshot->x = method_->positions();

@@ -98,7 +98,7 @@ TEST_P(Relaxation, MakesTheStepOfThePaper) {
     EXPECT_EQ(x, run.x());
     run.monitor->values(x, m);
     plane.hessian(phi, sigma, room);
-    const auto [theta, normalised] = plane.residual(m, sigma, r);
+    const auto [theta, normalised] = plane.residual(m, sigma, r, room);
     EXPECT_EQ(theta, run.history.back().theta);
     EXPECT_EQ(normalised, run.history.back().residual);
     plane.poisson(r, r, room);
@@ -227,7 +227,7 @@ TEST(Walls, AreAQuarterOfATorusOfTwiceTheSize) {
         std::vector<double> m(run.x().size()), r(run.plane->unknowns());
         run.monitor->values(run.x(), m);
         run.plane->hessian(run.state.arrays[0].values, sigma, room);
-        run.plane->residual(m, sigma, r);
+        run.plane->residual(m, sigma, r, room);
         return r;
     };
     for (int iteration = 0; iteration <= 60; ++iteration) {
