@@ -53,6 +53,10 @@ class Method {
     virtual const Points& positions() const = 0;
     /// New values of the method's own parameters; the state stays.
     virtual void configure(const Values& values) = 0;
+    /// At most so many, the caller's own included; results do not depend on it.
+    virtual void use_threads(int) {}
+    /// CPU time that threads other than the caller's have spent for this method so far.
+    virtual double other_cpu_seconds() const { return 0; }
 };
 
 /// A kind of method as the user sees it.

@@ -21,6 +21,9 @@ class Relaxation final : public Method {
 
     void configure(const Values& values) override { step_size_ = values.real("step_size"); }
 
+    void use_threads(int threads) override { room_ = plane_->make_room(threads); }
+    double other_cpu_seconds() const override { return room_.team->other_cpu_seconds(); }
+
     State initial_state() const override {
         return {layout(plane_->grid()), {{"phi", std::vector<double>(plane_->unknowns(), 0.0)}}};
     }
