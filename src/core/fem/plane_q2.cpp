@@ -143,9 +143,15 @@ void PlaneQ2::apply_mass(const double* f, double* b) const {
 }
 
 std::vector<double> PlaneQ2::transfer(const LineGrid& from, std::span<const double> phi, Room& room) const {
-    GASPARD_CHECK(from.periodic == grid_.periodic);
     const PlaneQ2 coarse(from);
     Room coarse_room = coarse.make_room();
+    return transfer(coarse, phi, coarse_room, room);
+}
+
+std::vector<double> PlaneQ2::transfer(const PlaneQ2& coarse, std::span<const double> phi, Room& coarse_room,
+                                      Room& room) const {
+    const LineGrid& from = coarse.grid();
+    GASPARD_CHECK(from.periodic == grid_.periodic);
     WeakHessian sigma;
     coarse.hessian(phi, sigma, coarse_room);
 

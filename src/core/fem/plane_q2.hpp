@@ -68,6 +68,8 @@ class PlaneQ2 final : public Discretisation {
 
     /// A potential for this grid whose Laplacian is that of `phi` of another grid with the same boundary: the
     /// start on a finer or coarser mesh. (Interpolating phi itself would leave kinks that the Hessian sees.)
+    std::vector<double> transfer(const PlaneQ2& from, std::span<const double> phi, Room& from_room,
+                                 Room& room) const;
     std::vector<double> transfer(const LineGrid& from, std::span<const double> phi, Room& room) const;
 
   private:
