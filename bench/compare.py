@@ -8,14 +8,15 @@ peers/mcrae_plane_fenics.py in its fastest variant: operators assembled once, Ch
 made once, P2 on triangles. Both run on one thread; times are CPU seconds of the iteration, the least of R runs,
 taken in turn. Set-up is printed beside. Gaspard measures its mesh as often as it does by default.
 """
-import argparse, datetime, json, os, platform, subprocess, sys, tempfile
+import argparse, datetime, json, os, platform, subprocess, tempfile
 
+PYTHON = "/usr/bin/python3"  # Debian's, for which its FEniCS is built
 HERE = os.path.dirname(os.path.abspath(__file__))
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
 
 
 def peer(monitor, n, tolerance):
-    command = [sys.executable, os.path.join(HERE, "peers", "mcrae_plane_fenics.py"), str(n), "--monitor", monitor,
+    command = [PYTHON, os.path.join(HERE, "peers", "mcrae_plane_fenics.py"), str(n), "--monitor", monitor,
                "--tol", str(tolerance), "--poisson", "petsc", "--mrtol", "1e-1"]
     done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, check=True)
     out = json.loads(done.stdout.strip().splitlines()[-1])
@@ -48,7 +49,7 @@ def first_line(command):
 def describe(program):
     cpu = next((line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")), "?")
     dolfin = first_line(["dpkg-query", "-W", "-f", "${Version}", "python3-dolfin"])
-    petsc = first_line([sys.executable, "-c", "import petsc4py.PETSc as p; print('.'.join(map(str, p.Sys.getVersion())))"])
+    petsc = first_line([PYTHON, "-c", "import petsc4py.PETSc as p; print('.'.join(map(str, p.Sys.getVersion())))"])
     print("Measured on %s: %s, %d cores, Linux %s; %s (%s); FEniCS %s, PETSc %s." % (
         datetime.date.today().isoformat(), cpu, os.cpu_count(), platform.release(),
         first_line([program, "--version"]), first_line(["c++", "--version"]), dolfin, petsc))

@@ -42,10 +42,10 @@ class Team {
     void call_all(const std::function<void(std::size_t)>& work);
     void work_until_stopped(std::size_t worker);
 
-    std::vector<Other> others_;
     const std::function<void(std::size_t)>* work_ = nullptr; ///< none: the workers are to end
     std::atomic<unsigned> round_ = 0;                        ///< grows when there is work
     std::atomic<std::size_t> busy_ = 0; ///< other workers that have not finished the round
+    std::vector<Other> others_;         ///< the last member: its threads end before the others go
 };
 
 } // namespace gaspard
