@@ -178,6 +178,24 @@ TEST_F(RunTest, AMeshThatIsTangledOnTheWayIsNoPlaceToGoBackTo) {
     EXPECT_EQ(*run.history().back().tangled_cells, 0u);
 }
 
+TEST_F(RunTest, TheAcceleratedMethodCanBeChangedToAndFromOnItsWay) {
+    gaspard::Run run = make({"domain.cells=60", "method.type=accelerated"});
+    for (int i = 0; i < 5; ++i) run.step();
+    ASSERT_NE(run.state().layout, "plane periodic Q2 n=60"); // on a coarser plane
+    EXPECT_EQ(run.snapshot()->x.size(), 61u * 61u);
+    EXPECT_EQ(run.change(scenario({"domain.cells=60", "method.type=relaxation"})), "");
+    EXPECT_EQ(run.state().layout, "plane periodic Q2 n=60");
+    const double residual = run.history().back().residual;
+    EXPECT_LT(residual, run.history().front().residual);
+    run.step();
+    EXPECT_EQ(run.change(scenario({"domain.cells=60", "method.type=accelerated"})), "");
+    EXPECT_EQ(run.epoch(), 0);
+    finish(run);
+    EXPECT_EQ(run.status(), RunStatus::converged);
+    EXPECT_EQ(run.state().layout, "plane periodic Q2 n=60");
+    EXPECT_EQ(*run.history().back().tangled_cells, 0u);
+}
+
 TEST_F(RunTest, AChangedResolutionKeepsTheMapToo) {
     gaspard::Run run = make({"monitor.sharpness=50"});
     finish(run);
