@@ -80,13 +80,25 @@ void DeterminantLoad::integrate_rows(std::size_t begin, std::size_t end, const F
 
 void DeterminantLoad::along_x(const double* nodes, double* values) const {
     const std::size_t n = grid_.cells;
-    for (std::size_t p = 0; p < gauss; ++p) {
-        const Point at = points_[p];
-        double* __restrict to = values + p * n;
-        for (std::size_t c = 0; c + 1 < n; ++c)
-            to[c] = at.left * nodes[2 * c] + at.middle * nodes[2 * c + 1] + at.right * nodes[2 * c + 2];
-        to[n - 1] = at.left * nodes[2 * n - 2] + at.middle * nodes[2 * n - 1] +
-                    at.right * nodes[2 * n % grid_.size(2)];
+    interpolate_cells(nodes, values, values + n, values + 2 * n, values + 3 * n);
+    for (std::size_t p = 0; p < gauss; ++p) // of the last cell, which a ring closes
+        values[p * n + n - 1] = points_[p].left * nodes[2 * n - 2] + points_[p].middle * nodes[2 * n - 1] +
+                                points_[p].right * nodes[2 * n % grid_.size(2)];
+}
+
+// All cells but the last, at the four points: every node is read once.
+void DeterminantLoad::interpolate_cells(const double* nodes, double* __restrict v0, double* __restrict v1,
+                                        double* __restrict v2, double* __restrict v3) const {
+    const double l0 = points_[0].left, m0 = points_[0].middle, r0 = points_[0].right;
+    const double l1 = points_[1].left, m1 = points_[1].middle, r1 = points_[1].right;
+    const double l2 = points_[2].left, m2 = points_[2].middle, r2 = points_[2].right;
+    const double l3 = points_[3].left, m3 = points_[3].middle, r3 = points_[3].right;
+    for (std::size_t c = 0; c + 1 < grid_.cells; ++c) {
+        const double left = nodes[2 * c], middle = nodes[2 * c + 1], right = nodes[2 * c + 2];
+        v0[c] = l0 * left + m0 * middle + r0 * right;
+        v1[c] = l1 * left + m1 * middle + r1 * right;
+        v2[c] = l2 * left + m2 * middle + r2 * right;
+        v3[c] = l3 * left + m3 * middle + r3 * right;
     }
 }
 

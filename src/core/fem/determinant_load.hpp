@@ -46,6 +46,7 @@ class DeterminantLoad {
     void integrate_rows(std::size_t begin, std::size_t end, const Fields& fields, std::span<double> r,
                         Room& room) const;
     void along_x(const double* nodes, double* values) const;
+    void interpolate_cells(const double* nodes, double* v0, double* v1, double* v2, double* v3) const;
     void density_along_x(const double* monitor, double* density) const;
     void add_point(const Point& at, const Rows& rows, double* t0, double* t1, double* t2) const;
     void test_along_y(std::size_t p, const std::array<double*, 3>& rows,
