@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
-# Installs Debian's packages that are missing. Usage: install-packages.sh build|test ...
+# Installs Debian's packages that are missing. Usage: install-packages.sh build|test|bench ...
 set -euo pipefail
 build="build-essential cmake ninja-build pkg-config libglfw3-dev libimgui-dev libglm-dev libeigen3-dev
   libtinygltf-dev libosmesa6-dev libegl-dev libgl-dev libcli11-dev libtomlplusplus-dev
-  nlohmann-json3-dev libstb-dev libkissfft-dev libgl1-mesa-dri"
+  nlohmann-json3-dev libstb-dev libgl1-mesa-dri"
 test="libgtest-dev libopenmesh-dev libassimp-dev libtinyxml2-dev libpng-dev xvfb xdotool python3"
+bench="libbenchmark-dev python3 python3-dolfin python3-numpy python3-petsc4py"
 wanted=
 for group in "$@"; do
   case $group in
     build) wanted="$wanted $build" ;;
     test) wanted="$wanted $test" ;;
-    *) echo "install-packages.sh: unknown group '$group' (build, test)" >&2; exit 2 ;;
+    bench) wanted="$wanted $bench" ;;
+    *) echo "install-packages.sh: unknown group '$group' (build, test, bench)" >&2; exit 2 ;;
   esac
 done
 missing=

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <imgui.h>
 #include <imgui_stdlib.h>
+#include <optional>
 #include <utility>
 
 namespace gaspard {
@@ -282,6 +283,9 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
         if (draw_number(context, row, key, number)) set_number(values, row, number);
         break;
     }
+    case ParameterKind::real_or_auto:
+        draw_number_or_auto(context, row, key, values);
+        break;
     case ParameterKind::boolean: {
         bool on = values.boolean(row.key);
         if (ImGui::Checkbox("##on", &on)) values.set(row.key, on);
@@ -323,6 +327,28 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
     }
     ImGui::PopID();
     return values.at(row.key) != before;
+}
+
+// A box before the slider hands the choice to the program; without a tick there is the slider.
+void ParameterPanel::draw_number_or_auto(const PanelContext& context, const ParameterRow& row,
+                                         const std::string& key, Values& values) {
+    const Columns c = columns();
+    const std::optional<double> number = values.real_or_auto(row.key);
+    bool automatic = !number;
+    ImGui::SameLine(c.control - ImGui::GetFrameHeight() - 0.3F * ImGui::GetFontSize());
+    const bool switched = ImGui::Checkbox("##auto", &automatic);
+    remember_item(context.items, key + ".auto");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("chosen by the program");
+    ImGui::SameLine(c.control);
+    if (!number) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("auto");
+        if (switched) values.set(row.key, rounded(row, value_at(row, 0.5)));
+        return;
+    }
+    double typed = *number;
+    if (draw_number(context, row, key, typed)) values.set(row.key, typed);
+    if (switched) values.set(row.key, std::string("auto"));
 }
 
 bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,

@@ -42,6 +42,8 @@ class ParameterPanel {
   private:
     bool draw_row(const PanelContext& context, const ParameterRow& row, const Values* opened, Values& values,
                   const Scenario* scenario);
+    void draw_number_or_auto(const PanelContext& context, const ParameterRow& row, const std::string& key,
+                             Values& values);
     bool draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,
                      double& value);
     bool draw_typed(const PanelContext& context, const ParameterRow& row, const std::string& key,

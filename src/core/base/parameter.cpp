@@ -30,6 +30,8 @@ std::string kind_name(ParameterKind kind) {
     switch (kind) {
     case ParameterKind::real:
         return "a number";
+    case ParameterKind::real_or_auto:
+        return "a number or \"auto\"";
     case ParameterKind::integer:
         return "a whole number";
     case ParameterKind::boolean:
@@ -92,7 +94,8 @@ std::string describe_range(const ParameterRow& row) {
         return row.kind == ParameterKind::integer ? std::to_string(static_cast<std::int64_t>(value))
                                                   : format_number(value);
     };
-    return bound(row.minimum) + " to " + bound(row.maximum);
+    const std::string range = bound(row.minimum) + " to " + bound(row.maximum);
+    return row.kind == ParameterKind::real_or_auto ? range + ", or auto" : range;
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
@@ -142,6 +145,11 @@ double Values::real(std::string_view key) const {
     return *value;
 }
 
+std::optional<double> Values::real_or_auto(std::string_view key) const {
+    if (std::holds_alternative<std::string>(at(key))) return std::nullopt;
+    return real(key);
+}
+
 std::int64_t Values::integer(std::string_view key) const {
     const auto* value = std::get_if<std::int64_t>(&at(key));
     GASPARD_CHECK(value != nullptr);
@@ -170,7 +178,9 @@ void Values::set(std::string_view key, const Value& value) {
         throw InputError(name + " wants " + kind_name(row.kind) + ", not '" + written_value(value) + "'");
     };
     switch (row.kind) {
+    case ParameterKind::real_or_auto:
     case ParameterKind::real: {
+        if (row.kind == ParameterKind::real_or_auto && value == Value(std::string("auto"))) break;
         double real = 0;
         if (const auto* given = std::get_if<double>(&value))
             real = *given;
@@ -208,7 +218,7 @@ void Values::set(std::string_view key, const Value& value) {
 
 void Values::parse(std::string_view key, std::string_view text) {
     const ParameterRow& row = rows_[index(key)];
-    if (row.kind == ParameterKind::real) {
+    if (row.kind == ParameterKind::real || row.kind == ParameterKind::real_or_auto) {
         if (double real = 0; read_all(text, real)) return set(key, real);
     } else if (row.kind == ParameterKind::integer) {
         if (std::int64_t whole = 0; read_all(text, whole)) return set(key, whole);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -11,7 +12,8 @@
 
 namespace gaspard {
 
-enum class ParameterKind { real, integer, boolean, choice, text };
+/// real_or_auto: a number, or the text "auto", which leaves the choice to the program.
+enum class ParameterKind { real, real_or_auto, integer, boolean, choice, text };
 enum class ParameterScale { linear, logarithmic };
 
 using Value = std::variant<double, std::int64_t, bool, std::string>;
@@ -42,6 +44,8 @@ class Values {
     bool has(std::string_view key) const;
 
     double real(std::string_view key) const;
+    /// Nothing for "auto".
+    std::optional<double> real_or_auto(std::string_view key) const;
     std::int64_t integer(std::string_view key) const;
     bool boolean(std::string_view key) const;
     const std::string& text(std::string_view key) const; ///< of kinds choice and text

@@ -27,6 +27,7 @@ double larger(double a, double b) { return std::isnan(b) || b > a ? b : a; }
 
 QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int points)
     : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)), workers_(checked(threads)) {
+    if (FlatSquares::fits(*mesh_)) flat_.emplace(points);
     for (const auto& [point, weight] : cell_quadrature(mesh_->kind.shape, points)) add_sample(point, weight);
     quadrature_points_ = samples_.size();
     for (const Vec3 node : reference_nodes(mesh_->kind)) add_sample(node, 0);
@@ -89,13 +90,13 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
     for (std::size_t i = begin; i < end; ++i) {
         gather(i, x, worker.nodes);
         gather(i, mesh_->nodes, worker.reference_nodes);
-        double smallest = std::numeric_limits<double>::infinity();
+        double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
         for (std::size_t s = 0; s < samples_.size(); ++s) {
             const Tangents reference = tangents(worker.reference_nodes, samples_[s]);
             const double physical = signed_measure(tangents(worker.nodes, samples_[s]), reference);
             const double jacobian = physical / signed_measure(reference, reference);
             smallest = smaller(smallest, jacobian);
-            worker.max_jacobian = larger(worker.max_jacobian, jacobian);
+            largest = larger(largest, jacobian);
             if (s >= quadrature_points_) continue;
             Vec3 point;
             for (std::size_t k = 0; k < worker.nodes.size(); ++k)
@@ -103,9 +104,7 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
             worker.points.set(at, point);
             worker.factor[at++] = samples_[s].weight * physical;
         }
-        quality_.cell_jacobian[i] = smallest;
-        worker.min_jacobian = smaller(worker.min_jacobian, smallest);
-        if (!(smallest > 0)) ++worker.tangled_cells;
+        note_cell(i, smallest, largest, worker);
     }
     worker.monitor.resize(at);
     monitor.values(worker.points, worker.monitor);
@@ -118,11 +117,31 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
     }
 }
 
+void QualityMeter::measure_flat_cells(std::size_t begin, std::size_t end, const Points& x,
+                                      const Monitor& monitor, Worker& worker) {
+    for (; begin < end; begin += FlatSquares::batch) {
+        const std::size_t stop = std::min(end, begin + FlatSquares::batch);
+        const auto measured = flat_->measure(*mesh_, begin, stop, x, monitor, worker.flat);
+        for (std::size_t i = begin; i < stop; ++i) {
+            note_cell(i, measured.smallest[i - begin], measured.largest[i - begin], worker);
+            quality_.cell_mass[i] = measured.mass[i - begin] / cell_measure_[i];
+        }
+    }
+}
+
+void QualityMeter::note_cell(std::size_t cell, double smallest, double largest, Worker& worker) {
+    quality_.cell_jacobian[cell] = smallest;
+    worker.min_jacobian = smaller(worker.min_jacobian, smallest);
+    worker.max_jacobian = larger(worker.max_jacobian, largest);
+    if (!(smallest > 0)) ++worker.tangled_cells;
+}
+
 void QualityMeter::measure_cells(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
                                  Worker& worker) {
     worker.min_jacobian = std::numeric_limits<double>::infinity();
     worker.max_jacobian = -std::numeric_limits<double>::infinity();
     worker.tangled_cells = 0;
+    if (flat_) return measure_flat_cells(begin, end, x, monitor, worker);
     for (; begin < end; begin += batch)
         measure_batch(begin, std::min(end, begin + batch), x, monitor, worker);
 }

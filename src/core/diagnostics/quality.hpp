@@ -6,11 +6,13 @@
 //   A cell is tangled if its Jacobian is <= 0, or not a number, at any sampled point.
 #pragma once
 
+#include "core/diagnostics/flat_squares.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/monitor/monitor.hpp"
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -58,16 +60,21 @@ class QualityMeter {
         std::vector<Vec3> nodes, reference_nodes; ///< of one cell: x and xi
         Points points;                            ///< quadrature points of a batch of cells
         std::vector<double> factor, monitor;
+        FlatSquares::Room flat;
         double min_jacobian = 0, max_jacobian = 0;
         std::size_t tangled_cells = 0;
     };
     void measure_cells(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
                        Worker& worker);
+    void measure_flat_cells(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
+                            Worker& worker);
+    void note_cell(std::size_t cell, double smallest, double largest, Worker& worker);
     void measure_batch(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
                        Worker& worker);
 
     std::shared_ptr<const Mesh> mesh_;
     int dimension_;
+    std::optional<FlatSquares> flat_; ///< where all cells are such
     std::vector<Sample> samples_;
     std::size_t quadrature_points_ = 0; ///< the first samples are those of the quadrature
     std::vector<double> cell_measure_;  ///< of the computational cells

@@ -29,7 +29,7 @@ double local_entry(int test_degree, int test, int trial, LineForm form, double h
         const double v =
             form.derive_test ? local_slope(test_degree, test, s) / h : local_value(test_degree, test, s);
         const double u = form.derive_trial ? local_slope(2, trial, s) / h : local_value(2, trial, s);
-        sum += rule.weights[q] * h * v * u;
+        sum += form.factor * rule.weights[q] * h * v * u;
     }
     return sum;
 }
@@ -37,7 +37,7 @@ double local_entry(int test_degree, int test, int trial, LineForm form, double h
 } // namespace
 
 LineMap::LineMap(LineGrid grid, int target_degree, Symmetry target_symmetry, LineForm form)
-    : grid_(grid), degree_(target_degree), matrix_(grid.size(target_degree)) {
+    : grid_(grid), degree_(target_degree), rows_(grid.size(target_degree)) {
     GASPARD_CHECK(grid.cells >= 4 && (degree_ == 1 || degree_ == 2));
     const std::size_t n = grid.cells, vertices = grid.vertices();
     const double h = grid.h();
@@ -51,7 +51,7 @@ LineMap::LineMap(LineGrid grid, int target_degree, Symmetry target_symmetry, Lin
     for (std::size_t cell = 0; cell < n; ++cell)
         for (int i = 0; i < locals; ++i)
             for (int j = 0; j < 3; ++j)
-                add(global(degree_, cell, i), global(2, cell, j), local_entry(degree_, i, j, form, h));
+                rows_[global(degree_, cell, i)].add(global(2, cell, j), local_entry(degree_, i, j, form, h));
 
     // Mass of the vertices. Degree 2: per cell (h/30) [4 2 -1; 2 16 2; -1 2 4], the middle eliminated
     // exactly.
@@ -62,57 +62,63 @@ LineMap::LineMap(LineGrid grid, int target_degree, Symmetry target_symmetry, Lin
     if (clamped) {
         diagonal.front() = diagonal.back() = 1;
         off.front() = off.back() = 0;
-        matrix_.front().count = matrix_.back().count = 0; // the equations of the ends read: value = 0
+        rows_.front() = rows_.back() = {}; // the equations of the ends read: value = 0
     }
+    if (degree_ == 2) eliminate_middles(h, clamped);
     mass_ = TridiagonalSolver(std::move(diagonal), std::move(off), grid.periodic);
 }
 
-void LineMap::add(std::size_t row, std::size_t column, double weight) {
-    Row& r = matrix_[row];
-    for (int k = 0; k < r.count; ++k)
-        if (r.index[static_cast<std::size_t>(k)] == column) {
-            r.weight[static_cast<std::size_t>(k)] += weight;
+void LineMap::Row::add(std::size_t column, double by) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+        if (index[k] == column) {
+            weight[k] += by;
             return;
         }
-    GASPARD_CHECK(r.count < 5);
-    r.index[static_cast<std::size_t>(r.count)] = column;
-    r.weight[static_cast<std::size_t>(r.count++)] = weight;
+    GASPARD_CHECK(count < 5);
+    index[static_cast<std::size_t>(count)] = column;
+    weight[static_cast<std::size_t>(count++)] = by;
 }
 
-void LineMap::apply(const double* in, double* out, std::size_t columns) const {
-    for (std::size_t i = 0; i < matrix_.size(); ++i) {
-        const Row& row = matrix_[i];
-        double* to = out + i * columns;
-        std::fill(to, to + columns, 0.0);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(row.count); ++k) {
-            const double* from = in + row.index[k] * columns;
-            const double weight = row.weight[k];
-            for (std::size_t c = 0; c < columns; ++c) to[c] += weight * from[c];
+// A middle's equation: own m + coupling (left + right) = b. Vertices get the equations without middles,
+// middles what their own equation makes of b.
+void LineMap::eliminate_middles(double h, bool clamped) {
+    const double own = 16 * h / 30, coupling = 2 * h / 30;
+    neighbours_ = coupling / own;
+    for (std::size_t middle = 1; middle < rows_.size(); middle += 2) {
+        Row& row = rows_[middle];
+        for (double& weight : row.weight) weight /= own;
+        for (const std::size_t vertex : {middle - 1, (middle + 1) % rows_.size()}) {
+            if (clamped && (vertex == 0 || vertex + 1 == rows_.size())) continue;
+            for (std::size_t k = 0; k < static_cast<std::size_t>(row.count); ++k)
+                rows_[vertex].add(row.index[k], -coupling * row.weight[k]);
         }
     }
-    solve_mass(out, columns);
 }
 
-void LineMap::solve_mass(double* b, std::size_t columns) const {
-    if (degree_ == 1) return mass_.solve(b, columns, columns);
-    const std::size_t size = grid_.size(2);
-    const double h = grid_.h(), own = 16 * h / 30, coupling = 2 * h / 30;
-    const bool clamped = matrix_.front().count == 0;
-    const auto vertex_row = [&](std::size_t i) { return b + (i % size) * columns; };
-    for (std::size_t middle = 1; middle < size; middle += 2) {
-        const double* from = b + middle * columns;
-        for (const std::size_t vertex : {middle - 1, middle + 1}) {
-            if (clamped && (vertex == 0 || vertex == size - 1)) continue;
-            double* to = vertex_row(vertex);
-            for (std::size_t c = 0; c < columns; ++c) to[c] -= coupling / own * from[c];
-        }
+void LineMap::apply(const double* in, std::size_t in_stride, double* out, std::size_t out_stride,
+                    std::size_t columns) const {
+    const auto input = [&](const Row& row, std::size_t k) { return in + row.index[k] * in_stride; };
+    const std::size_t step = degree_ == 2 ? 2 : 1;
+    for (std::size_t i = 0; i < rows_.size(); i += step) {
+        const Row& row = rows_[i];
+        const auto& w = row.weight;
+        const double *a = input(row, 0), *b = input(row, 1), *c = input(row, 2), *d = input(row, 3),
+                     *e = input(row, 4);
+        double* __restrict to = out + i * out_stride;
+        for (std::size_t l = 0; l < columns; ++l)
+            to[l] = w[0] * a[l] + w[1] * b[l] + w[2] * c[l] + w[3] * d[l] + w[4] * e[l];
     }
-    mass_.solve(b, columns, 2 * columns);
-    for (std::size_t middle = 1; middle < size; middle += 2) {
-        double* to = b + middle * columns;
-        const double* left = vertex_row(middle - 1);
-        const double* right = vertex_row(middle + 1);
-        for (std::size_t c = 0; c < columns; ++c) to[c] = (to[c] - coupling * (left[c] + right[c])) / own;
+    mass_.solve(out, columns, step * out_stride);
+    if (degree_ == 1) return;
+    for (std::size_t i = 1; i < rows_.size(); i += 2) {
+        const Row& row = rows_[i];
+        const auto& w = row.weight;
+        const double *a = input(row, 0), *b = input(row, 1), *c = input(row, 2);
+        const double* left = out + (i - 1) * out_stride;
+        const double* right = out + (i + 1) % rows_.size() * out_stride;
+        double* __restrict to = out + i * out_stride;
+        for (std::size_t l = 0; l < columns; ++l)
+            to[l] = w[0] * a[l] + w[1] * b[l] + w[2] * c[l] - neighbours_ * (left[l] + right[l]);
     }
 }
 

@@ -35,6 +35,7 @@ enum class Symmetry { even, odd };
 struct LineForm {
     bool derive_test = false;
     bool derive_trial = false;
+    double factor = 1;
 };
 
 class LineMap {
@@ -43,22 +44,25 @@ class LineMap {
     /// see).
     LineMap(LineGrid grid, int target_degree, Symmetry target_symmetry, LineForm form);
 
-    std::size_t rows() const { return matrix_.size(); }
-    /// Along the first index of row-major arrays: in is (degree-2 size) x columns, out is rows() x columns.
-    void apply(const double* in, double* out, std::size_t columns) const;
+    std::size_t rows() const { return rows_.size(); }
+    /// Along the first index of row-major arrays: in is (degree-2 size) x columns, out is rows() x columns,
+    /// with rows `in_stride` and `out_stride` apart.
+    void apply(const double* in, std::size_t in_stride, double* out, std::size_t out_stride,
+               std::size_t columns) const;
 
   private:
-    struct Row {
+    struct Row { ///< a combination of the input's rows; terms without weight fill it up
         int count = 0;
         std::array<std::size_t, 5> index{};
         std::array<double, 5> weight{};
+        void add(std::size_t column, double by);
     };
-    void add(std::size_t row, std::size_t column, double weight);
-    void solve_mass(double* b, std::size_t columns) const;
+    void eliminate_middles(double h, bool clamped);
 
     LineGrid grid_;
     int degree_;
-    std::vector<Row> matrix_;
+    std::vector<Row> rows_;  ///< M^-1 B but for what follows: of vertices, the right-hand side of mass_
+    double neighbours_ = 0;  ///< of degree 2: what a middle gets from the vertices beside it
     TridiagonalSolver mass_; ///< of the vertices; for degree 2 with the middles eliminated
 };
 

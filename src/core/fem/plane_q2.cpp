@@ -1,7 +1,7 @@
 #include "core/fem/plane_q2.hpp"
 
 #include "core/base/check.hpp"
-#include "core/fem/gauss.hpp"
+#include "core/linear/reduce.hpp"
 #include "core/linear/transpose.hpp"
 
 #include <algorithm>
@@ -9,19 +9,17 @@
 
 namespace gaspard {
 
+namespace {
+
+constexpr std::size_t strip = 32; ///< lines that an operator takes at once: they stay in cache
+
+} // namespace
+
 PlaneQ2::PlaneQ2(LineGrid grid)
     : grid_(grid), mesh_(std::make_shared<Mesh>(unit_square_mesh(static_cast<int>(grid.cells)))),
-      second_(grid, 2, Symmetry::even, {true, true}), first_(grid, 2, Symmetry::odd, {false, true}),
+      second_(grid, 2, Symmetry::even, {true, true, -1}), first_(grid, 2, Symmetry::odd, {false, true}),
       slope_q1_(grid, 1, Symmetry::odd, {false, true}), value_q1_(grid, 1, Symmetry::even, {false, false}),
-      poisson_(LineSpectrum(grid.cells, grid.periodic)), weights_(line_weights()) {
-    const LineQuadrature rule = gauss_legendre(static_cast<int>(gauss));
-    for (std::size_t q = 0; q < gauss; ++q) {
-        const double s = rule.points[q];
-        q2_[q] = {(1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1)};
-        q1_[q] = {1 - s, s};
-        gauss_weights_[q] = rule.weights[q] * grid.h();
-    }
-}
+      load_(grid), poisson_(LineSpectrum(grid.cells, grid.periodic)), weights_(line_weights()) {}
 
 std::vector<double> PlaneQ2::line_weights() const {
     std::vector<double> weights(size(), 0.0);
@@ -33,24 +31,58 @@ std::vector<double> PlaneQ2::line_weights() const {
     return weights;
 }
 
-PlaneQ2::Room PlaneQ2::make_room() const {
-    const std::size_t n = unknowns();
-    return {poisson_.make_room(), std::vector<double>(n), std::vector<double>(n)};
+PlaneQ2::Room PlaneQ2::make_room(int threads) const {
+    // A thread that is woken for less than this many rows of cells costs more than it brings.
+    constexpr std::size_t rows_per_thread = 120;
+    const std::size_t most = std::max<std::size_t>(1, grid_.cells / rows_per_thread);
+    const std::size_t workers =
+        std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, threads)), 1, most);
+    const std::vector<double> strip_values(strip * size()), plane(unknowns());
+    return {.team = std::make_shared<Team>(workers),
+            .workers = std::vector<Room::Worker>(workers, {strip_values, strip_values}),
+            .load = std::vector<DeterminantLoad::Room>(workers, load_.make_room()),
+            .poisson = poisson_.make_room(workers),
+            .a = plane,
+            .b = plane,
+            .rows = std::vector<double>(size())};
+}
+
+void PlaneQ2::along_y(const LineMap& map, const double* in, double* out, std::size_t lines,
+                      Room& room) const {
+    room.team->share((lines + strip - 1) / strip, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t x = begin * strip; x < std::min(lines, end * strip); x += strip)
+            map.apply(in + x, lines, out + x, lines, std::min(strip, lines - x));
+    });
+}
+
+void PlaneQ2::along_x(const LineMap& map, const double* in, double* out, std::size_t lines,
+                      Room& room) const {
+    const std::size_t n = size(), rows = map.rows();
+    room.team->share((lines + strip - 1) / strip,
+                     [&](std::size_t worker, std::size_t begin, std::size_t end) {
+                         auto& turned = room.workers[worker];
+                         for (std::size_t y = begin * strip; y < std::min(lines, end * strip); y += strip) {
+                             const std::size_t width = std::min(strip, lines - y);
+                             transpose(in + y * n, n, turned.in.data(), strip, width, n);
+                             map.apply(turned.in.data(), strip, turned.out.data(), strip, width);
+                             transpose(turned.out.data(), strip, out + y * rows, rows, rows, width);
+                         }
+                     });
 }
 
 void PlaneQ2::positions(std::span<const double> phi, Points& x, Room& room) const {
     GASPARD_CHECK(phi.size() == unknowns());
-    const std::size_t n = size(), v = grid_.vertices(), side = grid_.cells + 1;
+    const std::size_t v = grid_.vertices(), side = grid_.cells + 1;
     x.resize(mesh_->node_count());
-    // One derivative per coordinate: along y, then (transposed) along x, then back.
-    const auto project = [&](const LineMap& along_x, const LineMap& along_y, const std::vector<double>& xi,
+    const auto project = [&](const LineMap& to_x, const LineMap& to_y, const std::vector<double>& xi,
                              std::vector<double>& coordinate) {
-        along_y.apply(phi.data(), room.a.data(), n);
-        transpose(room.a.data(), room.b.data(), v, n);
-        along_x.apply(room.b.data(), room.a.data(), v);
-        for (std::size_t j = 0; j < side; ++j)
-            for (std::size_t i = 0; i < side; ++i)
-                coordinate[j * side + i] = xi[j * side + i] + room.a[(i % v) * v + j % v];
+        along_y(to_y, phi.data(), room.a.data(), size(), room);
+        along_x(to_x, room.a.data(), room.b.data(), v, room);
+        for (std::size_t j = 0; j < side; ++j) {
+            const double* shift = room.b.data() + j % v * v;
+            for (std::size_t i = 0; i < v; ++i) coordinate[j * side + i] = xi[j * side + i] + shift[i];
+            if (v < side) coordinate[j * side + v] = xi[j * side + v] + shift[0];
+        }
     };
     project(slope_q1_, value_q1_, mesh_->nodes.x, x.x);
     project(value_q1_, slope_q1_, mesh_->nodes.y, x.y);
@@ -61,88 +93,38 @@ void PlaneQ2::hessian(std::span<const double> phi, WeakHessian& sigma, Room& roo
     GASPARD_CHECK(phi.size() == unknowns());
     const std::size_t n = size();
     for (auto* component : {&sigma.xx, &sigma.yy, &sigma.xy}) component->resize(unknowns());
-    second_.apply(phi.data(), sigma.yy.data(), n);
-    transpose(phi.data(), room.a.data(), n, n);
-    second_.apply(room.a.data(), room.b.data(), n);
-    transpose(room.b.data(), sigma.xx.data(), n, n);
-    first_.apply(room.a.data(), room.b.data(), n);
-    transpose(room.b.data(), room.a.data(), n, n);
-    first_.apply(room.a.data(), sigma.xy.data(), n);
-    for (std::size_t i = 0; i < unknowns(); ++i) sigma.xx[i] = -sigma.xx[i], sigma.yy[i] = -sigma.yy[i];
-}
-
-void PlaneQ2::add_cell(std::size_t i, std::size_t j, std::span<const double> monitor,
-                       const WeakHessian& sigma, std::span<double> r) const {
-    const std::size_t n = size(), side = grid_.cells + 1;
-    const std::size_t column[3] = {2 * i, 2 * i + 1, (2 * i + 2) % n};
-    const std::size_t row[3] = {2 * j * n, (2 * j + 1) * n, ((2 * j + 2) % n) * n};
-
-    // Values at the Gauss points [y][x], one direction after the other (sum factorisation).
-    using Grid = double[gauss][gauss];
-    const auto at_gauss = [&](const std::vector<double>& f, Grid& values) {
-        double half[3][gauss];
-        for (std::size_t b = 0; b < 3; ++b) {
-            const double f0 = f[row[b] + column[0]], f1 = f[row[b] + column[1]], f2 = f[row[b] + column[2]];
-            for (std::size_t p = 0; p < gauss; ++p)
-                half[b][p] = q2_[p][0] * f0 + q2_[p][1] * f1 + q2_[p][2] * f2;
-        }
-        for (std::size_t q = 0; q < gauss; ++q)
-            for (std::size_t p = 0; p < gauss; ++p)
-                values[q][p] = q2_[q][0] * half[0][p] + q2_[q][1] * half[1][p] + q2_[q][2] * half[2][p];
-    };
-    Grid xx, yy, xy, f;
-    at_gauss(sigma.xx, xx);
-    at_gauss(sigma.yy, yy);
-    at_gauss(sigma.xy, xy);
-    const double* m = monitor.data() + j * side + i;
-    for (std::size_t q = 0; q < gauss; ++q) {
-        const double left = q1_[q][0] * m[0] + q1_[q][1] * m[side];
-        const double right = q1_[q][0] * m[1] + q1_[q][1] * m[side + 1];
-        for (std::size_t p = 0; p < gauss; ++p) {
-            const double density = q1_[p][0] * left + q1_[p][1] * right;
-            const double determinant = (1 + xx[q][p]) * (1 + yy[q][p]) - xy[q][p] * xy[q][p];
-            f[q][p] = gauss_weights_[q] * gauss_weights_[p] * density * determinant;
-        }
-    }
-    for (std::size_t a = 0; a < 3; ++a) {
-        double half[gauss];
-        for (std::size_t q = 0; q < gauss; ++q) {
-            half[q] = 0;
-            for (std::size_t p = 0; p < gauss; ++p) half[q] += q2_[p][a] * f[q][p];
-        }
-        for (std::size_t b = 0; b < 3; ++b) {
-            double sum = 0;
-            for (std::size_t q = 0; q < gauss; ++q) sum += q2_[q][b] * half[q];
-            r[row[b] + column[a]] += sum;
-        }
-    }
+    along_y(second_, phi.data(), sigma.yy.data(), n, room);
+    along_x(second_, phi.data(), sigma.xx.data(), n, room);
+    along_y(first_, phi.data(), room.a.data(), n, room);
+    along_x(first_, room.a.data(), sigma.xy.data(), n, room);
 }
 
 PlaneQ2::Residual PlaneQ2::residual(std::span<const double> monitor, const WeakHessian& sigma,
-                                    std::span<double> r) const {
+                                    std::span<double> r, Room& room) const {
     GASPARD_CHECK(monitor.size() == mesh_->node_count() && r.size() == unknowns());
-    std::fill(r.begin(), r.end(), 0.0);
-    for (std::size_t j = 0; j < grid_.cells; ++j)
-        for (std::size_t i = 0; i < grid_.cells; ++i) add_cell(i, j, monitor, sigma, r);
-
-    double theta = 0; // the functions v add up to 1 and the area is 1
-    for (const double value : r) theta += value;
-    double norm = 0, scale = 0;
-    const std::size_t n = size();
-    for (std::size_t j = 0; j < n; ++j)
-        for (std::size_t i = 0; i < n; ++i) {
-            const double weight = weights_[j] * weights_[i];
-            double& entry = r[j * n + i];
-            entry -= theta * weight;
-            norm += entry * entry;
-            scale += theta * weight * theta * weight;
-        }
-    return {theta, std::sqrt(norm / scale)};
+    load_.integrate(monitor, sigma, r, room.load, *room.team);
+    const auto row = [&](std::size_t j) { return r.subspan(j * size(), size()); };
+    const auto sum_rows = [&](const auto& sum_row) { // in an order that does not depend on the workers
+        room.team->share(size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t j = begin; j < end; ++j) room.rows[j] = sum_row(j);
+        });
+        return sum(room.rows);
+    };
+    // The functions v add up to 1, and the area is 1.
+    const double theta = sum_rows([&](std::size_t j) { return sum(row(j)); });
+    const double norm = sum_rows([&](std::size_t j) {
+        double* __restrict values = row(j).data();
+        const double factor = theta * weights_[j];
+        for (std::size_t i = 0; i < size(); ++i) values[i] -= factor * weights_[i];
+        return dot(row(j), row(j));
+    });
+    const double scale = std::abs(theta) * dot(weights_, weights_);
+    return {theta, std::sqrt(norm) / scale};
 }
 
 void PlaneQ2::poisson(std::span<const double> r, std::span<double> u, Room& room) const {
     GASPARD_CHECK(r.size() == unknowns() && u.size() == unknowns());
-    poisson_.solve(r.data(), u.data(), room.poisson);
+    poisson_.solve(r.data(), u.data(), room.poisson, *room.team);
 }
 
 void PlaneQ2::apply_mass(const double* f, double* b) const {
@@ -161,9 +143,15 @@ void PlaneQ2::apply_mass(const double* f, double* b) const {
 }
 
 std::vector<double> PlaneQ2::transfer(const LineGrid& from, std::span<const double> phi, Room& room) const {
-    GASPARD_CHECK(from.periodic == grid_.periodic);
     const PlaneQ2 coarse(from);
     Room coarse_room = coarse.make_room();
+    return transfer(coarse, phi, coarse_room, room);
+}
+
+std::vector<double> PlaneQ2::transfer(const PlaneQ2& coarse, std::span<const double> phi, Room& coarse_room,
+                                      Room& room) const {
+    const LineGrid& from = coarse.grid();
+    GASPARD_CHECK(from.periodic == grid_.periodic);
     WeakHessian sigma;
     coarse.hessian(phi, sigma, coarse_room);
 
@@ -196,7 +184,7 @@ std::vector<double> PlaneQ2::transfer(const LineGrid& from, std::span<const doub
     }
     for (int direction = 0; direction < 2; ++direction) {
         apply_mass(values.data(), load.data());
-        transpose(load.data(), values.data(), n, n);
+        transpose(load.data(), n, values.data(), n, n, n);
     }
     std::vector<double> result(unknowns());
     poisson(values, result, room);

@@ -15,20 +15,17 @@
 // the middle of cell c. Nodes are those of unit_square_mesh(n), also where the domain is periodic.
 #pragma once
 
+#include "core/base/team.hpp"
+#include "core/fem/determinant_load.hpp"
 #include "core/fem/line_map.hpp"
 #include "core/linear/tensor_poisson.hpp"
 #include "core/mesh/discretisation.hpp"
 
-#include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace gaspard {
-
-/// sigma, the weak Hessian of phi: three Q2 functions.
-struct WeakHessian {
-    std::vector<double> xx, yy, xy;
-};
 
 class PlaneQ2 final : public Discretisation {
   public:
@@ -39,12 +36,20 @@ class PlaneQ2 final : public Discretisation {
     const LineGrid& grid() const { return grid_; }
     std::size_t size() const { return grid_.size(2); } ///< unknowns per direction
 
-    /// Buffers for one caller; operators allocate nothing.
+    /// Threads and buffers for one caller; with one thread, operators allocate nothing.
     struct Room {
+        struct Worker {
+            std::vector<double> in, out; ///< a strip of the plane, turned
+        };
+        std::shared_ptr<Team> team;
+        std::vector<Worker> workers;
+        std::vector<DeterminantLoad::Room> load;
         TensorPoisson::Room poisson;
         std::vector<double> a, b;
+        std::vector<double> rows; ///< one number per row of nodes
     };
-    Room make_room() const;
+    /// At most so many threads; fewer where there is not enough to do. Results do not depend on it.
+    Room make_room(int threads = 1) const;
 
     /// (3.5): x at the mesh's nodes.
     void positions(std::span<const double> phi, Points& x, Room& room) const;
@@ -56,34 +61,34 @@ class PlaneQ2 final : public Discretisation {
         double normalised = 0; ///< l2 norm of r / l2 norm of <v, theta>
     };
     /// (3.6) and (5.1) for the monitor's values at the mesh's nodes; fills r.
-    Residual residual(std::span<const double> monitor, const WeakHessian& sigma, std::span<double> r) const;
+    Residual residual(std::span<const double> monitor, const WeakHessian& sigma, std::span<double> r,
+                      Room& room) const;
     /// (3.7): u = (stiffness)^-1 r with mean 0. May be in place.
     void poisson(std::span<const double> r, std::span<double> u, Room& room) const;
 
     /// A potential for this grid whose Laplacian is that of `phi` of another grid with the same boundary: the
     /// start on a finer or coarser mesh. (Interpolating phi itself would leave kinks that the Hessian sees.)
+    std::vector<double> transfer(const PlaneQ2& from, std::span<const double> phi, Room& from_room,
+                                 Room& room) const;
     std::vector<double> transfer(const LineGrid& from, std::span<const double> phi, Room& room) const;
 
   private:
-    void add_cell(std::size_t i, std::size_t j, std::span<const double> monitor, const WeakHessian& sigma,
-                  std::span<double> r) const;
+    /// A map along y or along x, of `lines` lines.
+    void along_y(const LineMap& map, const double* in, double* out, std::size_t lines, Room& room) const;
+    void along_x(const LineMap& map, const double* in, double* out, std::size_t lines, Room& room) const;
     std::vector<double> line_weights() const;
     /// <v, f> along the first index.
     void apply_mass(const double* f, double* b) const;
 
     LineGrid grid_;
     std::shared_ptr<const Mesh> mesh_;
-    LineMap second_;   ///< M^-1 <v', u'>: minus the second derivative
+    LineMap second_;   ///< -M^-1 <v', u'>: the second derivative
     LineMap first_;    ///< M^-1 <v, u'>, into odd functions
     LineMap slope_q1_; ///< projection of u' to degree 1, odd
     LineMap value_q1_; ///< projection of u to degree 1, even
+    DeterminantLoad load_;
     TensorPoisson poisson_;
     std::vector<double> weights_; ///< <v, 1> per line
-    // Values of the local functions at the Gauss points.
-    static constexpr std::size_t gauss = 4;
-    std::array<std::array<double, 3>, gauss> q2_{};
-    std::array<std::array<double, 2>, gauss> q1_{};
-    std::array<double, gauss> gauss_weights_{};
 };
 
 } // namespace gaspard

@@ -5,17 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <kissfft/kissfft.hh>
 #include <numbers>
 
 namespace gaspard {
-
-// A plan of kissfft has scratch of its own (for radices above 5), which is why it belongs to the caller's
-// room.
-struct LineSpectrum::Room::Plans {
-    explicit Plans(std::size_t n) : forward(n, false), backward(n, true) {}
-    kissfft<double> forward, backward;
-};
 
 namespace {
 
@@ -55,7 +47,7 @@ std::array<Branch, 2> solve(const Pencil& p) {
 } // namespace
 
 LineSpectrum::LineSpectrum(std::size_t cells, bool periodic)
-    : cells_(cells), ring_(periodic ? cells : 2 * cells), periodic_(periodic) {
+    : cells_(cells), ring_(periodic ? cells : 2 * cells), periodic_(periodic), fft_(ring_) {
     GASPARD_CHECK(cells >= 2);
     const double h = 1.0 / static_cast<double>(cells);
     const double count = static_cast<double>(ring_);
@@ -65,18 +57,21 @@ LineSpectrum::LineSpectrum(std::size_t cells, bool periodic)
             k == 0 || 2 * k == ring_; // no sine partner: the mode fills the ring with mass P, not P/2
         // The even functions live on half of the ring, with half of its mass.
         const double scale = std::sqrt((alone ? 1.0 : 2.0) / count * (periodic ? 1.0 : 2.0));
-        Mode mode{{0, 0}, {0, 0}, std::polar(1.0, phase / 2)};
+        Mode mode{};
         if (2 * k == ring_) { // vertices and middles part: (-1)^c on the ones, zero on the others
             const Pencil p = symbols(h, phase);
             mode.vertex[0] = scale / std::sqrt(p.m11);
-            mode.middle[1] = scale / std::sqrt(p.m22);
+            mode.middle_cosine[1] = scale / std::sqrt(p.m22);
             eigenvalues_.push_back(p.k11 / p.m11);
             if (periodic) eigenvalues_.push_back(p.k22 / p.m22);
         } else {
             const auto branches = solve(symbols(h, phase));
             for (std::size_t j = 0; j < 2; ++j) {
-                mode.vertex[j] = scale * branches[j].vertex;
-                mode.middle[j] = scale * branches[j].middle;
+                // The two frequencies k and P - k share what is not alone.
+                const double share = alone ? scale : 0.5 * scale;
+                mode.vertex[j] = share * branches[j].vertex;
+                mode.middle_cosine[j] = share * branches[j].middle * std::cos(phase / 2);
+                mode.middle_sine[j] = share * branches[j].middle * std::sin(phase / 2);
                 const double lambda = k == 0 && j == 0 ? 0.0 : branches[j].eigenvalue;
                 eigenvalues_.insert(eigenvalues_.end(), periodic && !alone ? 2 : 1, lambda);
             }
@@ -87,69 +82,109 @@ LineSpectrum::LineSpectrum(std::size_t cells, bool periodic)
 }
 
 LineSpectrum::Room LineSpectrum::make_room() const {
-    using Sequence = std::vector<std::complex<double>>;
-    return {std::make_shared<Room::Plans>(ring_), Sequence(ring_), Sequence(ring_)};
+    const std::vector<double> batch(2 * lanes * ring_);
+    return {batch, batch};
 }
 
-void LineSpectrum::analyse(const double* b, double* c, Room& room) const {
-    using Complex = std::complex<double>;
-    auto& time = room.time;
-    for (std::size_t i = 0; i < cells_; ++i) time[i] = {b[2 * i], b[2 * i + 1]};
+void LineSpectrum::analyse(const double* b, std::size_t stride, double* c, Room& room) const {
+    double* time = room.time.data();
+    const auto take = [&](std::size_t to, std::size_t from, double factor) {
+        for (std::size_t l = 0; l < lanes; ++l) time[to * lanes + l] = factor * b[from * stride + l];
+    };
+    for (std::size_t i = 0; i < 2 * cells_; ++i) take(i, i, 1);
     if (!periodic_) { // even continuation; the ends stand once in the line and count twice in half a ring
-        for (std::size_t i = 0; i < cells_; ++i) time[ring_ - 1 - i] = {b[2 * (i + 1)], b[2 * i + 1]};
-        time[0].real(2 * b[0]);
-        time[cells_].real(2 * b[2 * cells_]);
+        for (std::size_t i = 0; i < cells_; ++i) {
+            take(2 * (ring_ - 1 - i), 2 * (i + 1), 1);
+            take(2 * (ring_ - 1 - i) + 1, 2 * i + 1, 1);
+        }
+        take(0, 0, 2);
+        take(2 * cells_, 2 * cells_, 2);
     }
-    room.plans->forward.transform(time.data(), room.frequency.data());
-    const double half = periodic_ ? 1.0 : 0.5;
+    split(fft_.forward(time, room.frequency.data()), c, periodic_ ? 1.0 : 0.5);
+}
+
+// The coefficients of what came out of the transform, z: z_k and the conjugate of z_(P-k) are sum and
+// difference of the vertices' and (times i) the middles' transforms.
+void LineSpectrum::split(const double* frequency, double* __restrict c, double half) const {
     for (std::size_t k = 0; 2 * k <= ring_; ++k) {
-        const Mode& mode = modes_[k];
-        const Complex z = room.frequency[k], mirror = std::conj(room.frequency[k == 0 ? 0 : ring_ - k]);
-        const Complex vertex = half * 0.5 * (z + mirror);
-        const Complex middle = half * Complex(0, -0.5) * (z - mirror) * std::conj(mode.half_shift);
         const bool alone = k == 0 || 2 * k == ring_;
+        const double* z = frequency + 2 * lanes * k;
+        const double* mirror = frequency + 2 * lanes * (ring_ - k);
+        const auto weigh = [&](double vertex, double middle) { // of a frequency that is alone
+            for (std::size_t l = 0; l < lanes; ++l) c[l] = half * (vertex * z[l] + middle * z[lanes + l]);
+            c += lanes;
+        };
+        const Mode& mode = modes_[k];
         if (2 * k == ring_) {
-            *c++ = mode.vertex[0] * vertex.real();
-            if (periodic_) *c++ = -mode.middle[1] * middle.imag();
+            weigh(mode.vertex[0], 0);
+            if (periodic_) weigh(0, mode.middle_cosine[1]);
             continue;
         }
-        for (int j = 0; j < 2; ++j) {
-            const Complex coefficient = mode.vertex[j] * vertex + mode.middle[j] * middle;
-            *c++ = coefficient.real();
-            if (periodic_ && !alone) *c++ = -coefficient.imag();
+        for (std::size_t j = 0; j < 2; ++j) {
+            const double vertex = mode.vertex[j] * half, cosine = mode.middle_cosine[j] * half,
+                         sine = mode.middle_sine[j] * half;
+            if (alone) {
+                weigh(mode.vertex[j], mode.middle_cosine[j]);
+                continue;
+            }
+            const std::size_t im = lanes;
+            for (std::size_t l = 0; l < lanes; ++l)
+                c[l] = vertex * (z[l] + mirror[l]) + cosine * (z[im + l] + mirror[im + l]) -
+                       sine * (z[l] - mirror[l]);
+            c += lanes;
+            if (!periodic_) continue;
+            for (std::size_t l = 0; l < lanes; ++l)
+                c[l] = vertex * (mirror[im + l] - z[im + l]) + cosine * (z[l] - mirror[l]) +
+                       sine * (z[im + l] + mirror[im + l]);
+            c += lanes;
         }
     }
 }
 
-void LineSpectrum::synthesise(const double* c, double* u, Room& room) const {
-    using Complex = std::complex<double>;
+void LineSpectrum::merge(const double* c, double* frequency) const {
     for (std::size_t k = 0; 2 * k <= ring_; ++k) {
         const Mode& mode = modes_[k];
-        const bool alone = k == 0 || 2 * k == ring_;
-        Complex vertex = 0, middle = 0;
+        double* __restrict z = frequency + 2 * lanes * k;
+        double* __restrict mirror = frequency + 2 * lanes * (ring_ - k);
+        const std::size_t im = lanes;
         if (2 * k == ring_) {
-            vertex = mode.vertex[0] * *c++;
-            if (periodic_) middle = mode.middle[1] * *c++;
-        } else {
-            for (int j = 0; j < 2; ++j) {
-                const double cosine = *c++;
-                const Complex coefficient(cosine, periodic_ && !alone ? -*c++ : 0.0);
-                vertex += mode.vertex[j] * coefficient;
-                middle += mode.middle[j] * coefficient;
+            for (std::size_t l = 0; l < lanes; ++l) {
+                z[l] = mode.vertex[0] * c[l];
+                z[im + l] = periodic_ ? mode.middle_cosine[1] * c[lanes + l] : 0.0;
             }
-            middle *= mode.half_shift;
-            if (!alone) vertex *= 0.5, middle *= 0.5;
+        } else if (k == 0) {
+            for (std::size_t l = 0; l < lanes; ++l) {
+                z[l] = mode.vertex[0] * c[l] + mode.vertex[1] * c[lanes + l];
+                z[im + l] = mode.middle_cosine[0] * c[l] + mode.middle_cosine[1] * c[lanes + l];
+            }
+            c += 2 * lanes;
+        } else {
+            const double *cosine0 = c, *cosine1 = c + (periodic_ ? 2 : 1) * lanes;
+            const double *sine0 = c + lanes, *sine1 = c + 3 * lanes; // of rings only
+            for (std::size_t l = 0; l < lanes; ++l) {
+                const double a = cosine0[l], b = cosine1[l];
+                const double s = periodic_ ? sine0[l] : 0.0, t = periodic_ ? sine1[l] : 0.0;
+                const double vr = mode.vertex[0] * a + mode.vertex[1] * b;
+                const double vi = -mode.vertex[0] * s - mode.vertex[1] * t;
+                const double mr = mode.middle_cosine[0] * a + mode.middle_cosine[1] * b +
+                                  mode.middle_sine[0] * s + mode.middle_sine[1] * t;
+                const double mi = mode.middle_sine[0] * a + mode.middle_sine[1] * b -
+                                  mode.middle_cosine[0] * s - mode.middle_cosine[1] * t;
+                z[l] = vr - mi;
+                z[im + l] = vi + mr;
+                mirror[l] = vr + mi;
+                mirror[im + l] = mr - vi;
+            }
+            c += (periodic_ ? 4 : 2) * lanes;
         }
-        const Complex i(0, 1);
-        room.frequency[k] = vertex + i * middle;
-        if (!alone) room.frequency[ring_ - k] = std::conj(vertex) + i * std::conj(middle);
     }
-    room.plans->backward.transform(room.frequency.data(), room.time.data());
-    for (std::size_t i = 0; i < cells_; ++i) {
-        u[2 * i] = room.time[i].real();
-        u[2 * i + 1] = room.time[i].imag();
-    }
-    if (!periodic_) u[2 * cells_] = room.time[cells_].real();
+}
+
+void LineSpectrum::synthesise(const double* c, double* u, std::size_t stride, Room& room) const {
+    merge(c, room.frequency.data());
+    const double* time = fft_.backward(room.frequency.data(), room.time.data());
+    for (std::size_t i = 0; i < 2 * cells_ + (periodic_ ? 0 : 1); ++i)
+        for (std::size_t l = 0; l < lanes; ++l) u[i * stride + l] = time[i * lanes + l];
 }
 
 } // namespace gaspard

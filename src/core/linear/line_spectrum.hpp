@@ -9,41 +9,48 @@
 // complex sequence.
 #pragma once
 
-#include <complex>
+#include "core/linear/batch_fft.hpp"
+
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace gaspard {
 
 class LineSpectrum {
   public:
+    /// Lines are transformed in batches of eight, side by side.
+    static constexpr std::size_t lanes = BatchFft::lanes;
+
     LineSpectrum(std::size_t cells, bool periodic);
 
+    std::size_t cells() const { return cells_; }
+    bool periodic() const { return periodic_; }
     std::size_t size() const { return eigenvalues_.size(); }
     /// lambda, in the order of the coefficients; the first is 0, its eigenvector constant.
     const std::vector<double>& eigenvalues() const { return eigenvalues_; }
 
-    /// One caller's plans and buffers, so that transforms allocate nothing; not to be shared by threads.
+    /// One caller's buffers, so that transforms allocate nothing; not to be shared by threads.
     struct Room {
-        struct Plans;
-        std::shared_ptr<Plans> plans;
-        std::vector<std::complex<double>> time, frequency;
+        std::vector<double> time, frequency;
     };
     Room make_room() const;
-    /// c = S^T b for one line of size() contiguous values; in place is allowed.
-    void analyse(const double* b, double* c, Room& room) const;
-    /// u = S c.
-    void synthesise(const double* c, double* u, Room& room) const;
+    /// c = S^T b. Row i of b (its unknown i) has eight values, one a line; rows are `stride` apart. c has
+    /// rows of eight without gaps. In place is allowed.
+    void analyse(const double* b, std::size_t stride, double* c, Room& room) const;
+    /// u = S c, with the rows of u `stride` apart.
+    void synthesise(const double* c, double* u, std::size_t stride, Room& room) const;
 
   private:
     struct Mode { ///< the two branches of one frequency, scaled to unit mass
-        double vertex[2], middle[2];
-        std::complex<double> half_shift; ///< exp(i pi k / P)
+        double vertex[2];
+        double middle_cosine[2], middle_sine[2]; ///< times exp(i pi k / P): half a cell further on
     };
+    void split(const double* frequency, double* c, double half) const;
+    void merge(const double* c, double* frequency) const;
 
     std::size_t cells_, ring_; ///< n, and P
     bool periodic_;
+    BatchFft fft_;
     std::vector<Mode> modes_; ///< frequencies 0 .. floor(P / 2)
     std::vector<double> eigenvalues_;
 };

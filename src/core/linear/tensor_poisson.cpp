@@ -1,31 +1,72 @@
 #include "core/linear/tensor_poisson.hpp"
 
+#include "core/base/check.hpp"
 #include "core/linear/transpose.hpp"
+
+#include <algorithm>
 
 namespace gaspard {
 
-TensorPoisson::TensorPoisson(LineSpectrum line) : line_(std::move(line)) {}
+namespace {
 
-TensorPoisson::Room TensorPoisson::make_room() const {
-    const std::size_t n = line_.size() * line_.size();
-    return {line_.make_room(), std::vector<double>(n), std::vector<double>(n)};
+constexpr std::size_t lanes = LineSpectrum::lanes;
+
+/// Calls work(worker, line) for the first of every eight of `lines` lines. The last eight may overlap those
+/// before them; the same worker takes both.
+template <class Work>
+void for_each_batch(Team& team, std::size_t lines, const Work& work) {
+    const std::size_t whole = lines / lanes;
+    team.share(whole, [&](std::size_t worker, std::size_t begin, std::size_t end) {
+        for (std::size_t batch = begin; batch < end; ++batch) work(worker, batch * lanes);
+        if (end == whole && begin < end && lines % lanes != 0) work(worker, lines - lanes);
+    });
 }
 
-void TensorPoisson::solve(const double* b, double* u, Room& room) const {
+} // namespace
+
+TensorPoisson::TensorPoisson(LineSpectrum line)
+    : line_(std::move(line)), modal_(line_.cells(), line_.periodic(), line_.eigenvalues()) {
+    GASPARD_CHECK(line_.size() >= lanes);
+}
+
+TensorPoisson::Room TensorPoisson::make_room(std::size_t workers) const {
+    const Room::Worker worker{line_.make_room(), ModalLines::make_room(),
+                              std::vector<double>(lanes * line_.size())};
+    return {std::vector<Room::Worker>(workers, worker), std::vector<double>(line_.size() * line_.size())};
+}
+
+// The mode that does not change along y: (K + 0 M) u = b along x, mean of u = 0. It ends as the first column.
+void TensorPoisson::solve_constant_mode(Room& room) const {
     const std::size_t n = line_.size();
-    const auto& lambda = line_.eigenvalues();
-    double* first = room.first.data();
-    double* second = room.second.data();
-    for (std::size_t r = 0; r < n; ++r) line_.analyse(b + r * n, first + r * n, room.line);
-    transpose(first, second, n, n);
-    for (std::size_t r = 0; r < n; ++r) {
-        double* row = second + r * n;
-        line_.analyse(row, row, room.line);
-        for (std::size_t c = 0; c < n; ++c) row[c] = r + c == 0 ? 0.0 : row[c] / (lambda[r] + lambda[c]);
-        line_.synthesise(row, row, room.line);
-    }
-    transpose(second, first, n, n);
-    for (std::size_t r = 0; r < n; ++r) line_.synthesise(first + r * n, u + r * n, room.line);
+    auto& [line, modal, batch] = room.workers.front();
+    std::fill(batch.begin(), batch.end(), 0.0);
+    for (std::size_t i = 0; i < n; ++i) batch[i * lanes] = room.modes[i * n];
+    line_.analyse(batch.data(), lanes, batch.data(), line);
+    batch[0] = 0;
+    for (std::size_t i = 1; i < n; ++i) batch[i * lanes] /= line_.eigenvalues()[i];
+    line_.synthesise(batch.data(), batch.data(), lanes, line);
+    for (std::size_t i = 0; i < n; ++i) room.modes[i * n] = batch[i * lanes];
+}
+
+void TensorPoisson::solve(const double* b, double* u, Room& room, Team& team) const {
+    GASPARD_CHECK(room.workers.size() >= team.workers());
+    const std::size_t n = line_.size();
+    double* modes = room.modes.data();
+    for_each_batch(team, n, [&](std::size_t worker, std::size_t x) {
+        auto& [line, modal, batch] = room.workers[worker];
+        line_.analyse(b + x, n, batch.data(), line);
+        transpose(batch.data(), lanes, modes + x * n, n, n, lanes);
+    });
+    team.share((n - 1 + lanes - 1) / lanes, [&](std::size_t worker, std::size_t begin, std::size_t end) {
+        modal_.solve(modes, n, std::min(n, 1 + begin * lanes), std::min(n, 1 + end * lanes),
+                     room.workers[worker].modal);
+    });
+    solve_constant_mode(room);
+    for_each_batch(team, n, [&](std::size_t worker, std::size_t x) {
+        auto& [line, modal, batch] = room.workers[worker];
+        transpose(modes + x * n, n, batch.data(), lanes, lanes, n);
+        line_.synthesise(batch.data(), u + x, n, line);
+    });
 }
 
 } // namespace gaspard

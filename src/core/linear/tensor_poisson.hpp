@@ -1,11 +1,15 @@
-// The Poisson problem of tensor-product quadratic elements on the unit square, by fast diagonalisation:
+// The Poisson problem of tensor-product quadratic elements on the unit square, by fast diagonalisation in one
+// direction and elimination in the other:
 //
-//   (K (x) M + M (x) K) u = b  <=>  u = (S (x) S) (lambda_i + lambda_j)^-1 (S (x) S)^T b,   mean of u = 0
+//   (K (x) M + M (x) K) u = b,   b^ = S^T b along y:   (K + lambda M) u^ = b^ along x, for every lambda,
+//   u = S u^,   mean of u = 0
 //
 // The constant is the kernel: the mean of b (against the function 1) is left out.
 #pragma once
 
+#include "core/base/team.hpp"
 #include "core/linear/line_spectrum.hpp"
+#include "core/linear/modal_lines.hpp"
 
 #include <vector>
 
@@ -17,16 +21,25 @@ class TensorPoisson {
     explicit TensorPoisson(LineSpectrum line);
 
     struct Room {
-        LineSpectrum::Room line;
-        std::vector<double> first, second;
+        struct Worker {
+            LineSpectrum::Room line;
+            ModalLines::Room modal;
+            std::vector<double> batch; ///< of eight lines
+        };
+        std::vector<Worker> workers;
+        std::vector<double> modes; ///< b^, then u^: lines along x as rows, modes as columns
     };
-    Room make_room() const;
+    Room make_room(std::size_t workers = 1) const;
 
-    /// b and u: size x size values, x running fastest. May be the same array.
-    void solve(const double* b, double* u, Room& room) const;
+    /// b and u: size x size values, x running fastest. May be the same array. The room is for as many workers
+    /// as the team has, or more; the result does not depend on how many.
+    void solve(const double* b, double* u, Room& room, Team& team) const;
 
   private:
+    void solve_constant_mode(Room& room) const;
+
     LineSpectrum line_;
+    ModalLines modal_;
 };
 
 } // namespace gaspard

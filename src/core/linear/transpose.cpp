@@ -4,13 +4,31 @@
 
 namespace gaspard {
 
-void transpose(const double* in, double* out, std::size_t rows, std::size_t columns) {
-    constexpr std::size_t tile = 16; // two cache lines of doubles on either side
-    for (std::size_t r0 = 0; r0 < rows; r0 += tile)
-        for (std::size_t c0 = 0; c0 < columns; c0 += tile) {
-            const std::size_t r1 = std::min(rows, r0 + tile), c1 = std::min(columns, c0 + tile);
-            for (std::size_t r = r0; r < r1; ++r)
-                for (std::size_t c = c0; c < c1; ++c) out[c * rows + r] = in[r * columns + c];
+namespace {
+
+constexpr std::size_t tile = 8; // a cache line of doubles on either side
+
+void transpose_tile(const double* __restrict in, std::size_t in_stride, double* __restrict out,
+                    std::size_t out_stride) {
+    for (std::size_t c = 0; c < tile; ++c)
+        for (std::size_t r = 0; r < tile; ++r) out[c * out_stride + r] = in[r * in_stride + c];
+}
+
+} // namespace
+
+void transpose(const double* in, std::size_t in_stride, double* out, std::size_t out_stride, std::size_t rows,
+               std::size_t columns) {
+    for (std::size_t r = 0; r < rows; r += tile)
+        for (std::size_t c = 0; c < columns; c += tile) {
+            const double* from = in + r * in_stride + c;
+            double* to = out + c * out_stride + r;
+            if (r + tile <= rows && c + tile <= columns) {
+                transpose_tile(from, in_stride, to, out_stride);
+                continue;
+            }
+            for (std::size_t i = 0; i < std::min(tile, columns - c); ++i)
+                for (std::size_t j = 0; j < std::min(tile, rows - r); ++j)
+                    to[i * out_stride + j] = from[j * in_stride + i];
         }
 }
 

@@ -5,7 +5,8 @@
 
 namespace gaspard {
 
-/// out (columns x rows) = in (rows x columns)^T, both row-major and dense.
-void transpose(const double* in, double* out, std::size_t rows, std::size_t columns);
+/// out (columns x rows) = in (rows x columns)^T, both row-major, rows `in_stride` and `out_stride` apart.
+void transpose(const double* in, std::size_t in_stride, double* out, std::size_t out_stride, std::size_t rows,
+               std::size_t columns);
 
 } // namespace gaspard

@@ -2,11 +2,13 @@
 
 #include "core/base/check.hpp"
 
+#include <cmath>
+
 namespace gaspard {
 
 namespace {
 
-void subtract(double* to, const double* from, double factor, std::size_t columns) {
+void subtract(double* __restrict to, const double* from, double factor, std::size_t columns) {
     for (std::size_t c = 0; c < columns; ++c) to[c] -= factor * from[c];
 }
 
@@ -34,6 +36,10 @@ TridiagonalSolver::TridiagonalSolver(std::vector<double> diagonal, std::vector<d
     std::vector<double> column = border_;
     solve(column.data(), 1, 1);
     border_ = column;
+    // Far from the border its answer is nothing beside the rounding of what it would be added to.
+    constexpr double nothing = 1e-19;
+    while (front_ < open && std::abs(border_[front_]) > nothing) ++front_;
+    for (back_ = open; back_ > front_ && std::abs(border_[back_ - 1]) > nothing;) --back_;
     n_ = open + 1;
     const double pivot = diagonal.back() - first_ * border_.front() - last_ * border_.back();
     GASPARD_CHECK(pivot > 0);
@@ -44,9 +50,13 @@ void TridiagonalSolver::solve(double* b, std::size_t columns, std::size_t stride
     for (std::size_t i = 1; i < open_; ++i)
         subtract(b + i * stride, b + (i - 1) * stride, lower_[i], columns);
     for (std::size_t i = open_; i-- > 0;) {
-        double* row = b + i * stride;
-        if (i + 1 < open_) subtract(row, row + stride, off_[i], columns);
-        for (std::size_t c = 0; c < columns; ++c) row[c] *= inverse_pivot_[i];
+        double* __restrict row = b + i * stride;
+        const double* next = b + (i + 1) * stride;
+        const double own = inverse_pivot_[i], other = i + 1 < open_ ? off_[i] * own : 0.0;
+        if (i + 1 < open_)
+            for (std::size_t c = 0; c < columns; ++c) row[c] = own * row[c] - other * next[c];
+        else
+            for (std::size_t c = 0; c < columns; ++c) row[c] *= own;
     }
     if (n_ == open_) return;
     double* bordered = b + open_ * stride;
@@ -54,7 +64,8 @@ void TridiagonalSolver::solve(double* b, std::size_t columns, std::size_t stride
     const double* back = b + (open_ - 1) * stride;
     for (std::size_t c = 0; c < columns; ++c)
         bordered[c] = (bordered[c] - first_ * front[c] - last_ * back[c]) * border_pivot_;
-    for (std::size_t i = 0; i < open_; ++i) subtract(b + i * stride, bordered, border_[i], columns);
+    for (std::size_t i = 0; i < front_; ++i) subtract(b + i * stride, bordered, border_[i], columns);
+    for (std::size_t i = back_; i < open_; ++i) subtract(b + i * stride, bordered, border_[i], columns);
 }
 
 } // namespace gaspard

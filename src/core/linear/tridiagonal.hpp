@@ -25,7 +25,8 @@ class TridiagonalSolver {
     std::size_t open_ = 0; ///< n, or n - 1 when closed: the last unknown is bordered
     std::vector<double> inverse_pivot_, lower_;
     std::vector<double> off_;
-    std::vector<double> border_; ///< closed: what the open part answers to the last unknown's column
+    std::vector<double> border_;       ///< closed: what the open part answers to the last unknown's column
+    std::size_t front_ = 0, back_ = 0; ///< between the two there is nothing of it
     double border_pivot_ = 0, first_ = 0, last_ = 0;
 };
 

@@ -50,9 +50,13 @@ class Method {
     /// diverged).
     virtual Evaluation step(const Monitor& monitor, State& state, std::stop_token stop) = 0;
     /// Where the mesh's nodes stand for the state last evaluated, in physical coordinates.
-    virtual const Points& positions() const = 0;
+    virtual const Points& positions() = 0;
     /// New values of the method's own parameters; the state stays.
     virtual void configure(const Values& values) = 0;
+    /// At most so many, the caller's own included; results do not depend on it.
+    virtual void use_threads(int) {}
+    /// CPU time that threads other than the caller's have spent for this method so far.
+    virtual double other_cpu_seconds() const { return 0; }
 };
 
 /// A kind of method as the user sees it.
@@ -68,5 +72,6 @@ struct MethodType {
 std::vector<ParameterRow> common_method_rows();
 
 MethodType relaxation_method();
+MethodType accelerated_method();
 
 } // namespace gaspard

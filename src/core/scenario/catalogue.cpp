@@ -44,7 +44,7 @@ Capability plane_capability() {
     return {.domain = "plane",
             .boundaries = {"periodic", "walls"},
             .monitors = std::move(monitors),
-            .methods = {"relaxation"},
+            .methods = {"relaxation", "accelerated"},
             .prepare = [](const Values& domain, const Progress& progress,
                           std::stop_token) -> std::shared_ptr<const Discretisation> {
                 if (progress) progress(0, "preparing the operators of the plane");
@@ -68,7 +68,7 @@ const MethodType& Catalogue::method(std::string_view name) const {
 Catalogue builtin_catalogue() {
     return {.domains = {plane_domain()},
             .monitors = monitor_types(),
-            .methods = {relaxation_method()},
+            .methods = {relaxation_method(), accelerated_method()},
             .capabilities = {plane_capability()},
             .view_rows = view_rows(),
             .output_rows = output_rows()};

@@ -37,6 +37,7 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
     discretisation_ = prepare(problem_, progress, stop);
     method_ = catalogue_->method(problem_.scenario.method.type)
                   .make(discretisation_, problem_.scenario.method.values);
+    method_->use_threads(options_.threads);
     meter_.emplace(discretisation_->mesh(), options_.threads);
     State state = method_->initial_state();
     if (options_.start) {
@@ -75,13 +76,15 @@ void Run::reset() {
 const StepReport& Run::step(std::stop_token stop) {
     GASPARD_CHECK(status() == RunStatus::running);
     const Stopwatch watch;
+    const double others_before = method_->other_cpu_seconds();
     last_finite_ = state_;
     Evaluation evaluation = method_->step(*problem_.monitor, state_, stop);
     std::string note;
     if (!std::isfinite(evaluation.residual)) take_back(evaluation, note);
     record(evaluation, history_.back().iteration + 1, std::move(note));
     seconds_ += watch.seconds();
-    cpu_seconds_ += watch.cpu_seconds() + (measured_ ? meter_->other_cpu_seconds() : 0);
+    cpu_seconds_ += watch.cpu_seconds() + method_->other_cpu_seconds() - others_before +
+                    (measured_ ? meter_->other_cpu_seconds() : 0);
     history_.back().seconds = seconds_;
     history_.back().cpu_seconds = cpu_seconds_;
     return history_.back();
@@ -173,6 +176,7 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         auto discretisation = new_domain ? prepare(problem, progress, stop) : discretisation_;
         auto method = catalogue_->method(problem.scenario.method.type)
                           .make(discretisation, problem.scenario.method.values);
+        method->use_threads(options_.threads);
         state = method->adopt(*state);
         untangled = method->adopt(last_untangled_);
         if (new_domain) meter_.emplace(discretisation->mesh(), options_.threads);
@@ -194,21 +198,21 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     restart_judging();
     record(evaluation, history_.back().iteration,
            back ? "values changed; back at the last mesh without tangled cells" : "values changed");
+    measure(history_.back());
     return {};
 }
 
 std::shared_ptr<const Snapshot> Run::snapshot() {
+    measure(history_.back());
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->mesh = discretisation_->mesh();
     snapshot->x = method_->positions();
     Field monitor{"monitor", "", FieldPlace::node, std::vector<double>(snapshot->x.size())};
     problem_.monitor->values(snapshot->x, monitor.values);
     snapshot->fields.push_back(std::move(monitor));
-    if (measured_) {
-        const MeshQuality& quality = meter_->quality();
-        snapshot->fields.push_back({"mass", "", FieldPlace::cell, quality.cell_mass});
-        snapshot->fields.push_back({"jacobian", "", FieldPlace::cell, quality.cell_jacobian});
-    }
+    const MeshQuality& quality = meter_->quality();
+    snapshot->fields.push_back({"mass", "", FieldPlace::cell, quality.cell_mass});
+    snapshot->fields.push_back({"jacobian", "", FieldPlace::cell, quality.cell_jacobian});
     snapshot->report = history_.back();
     snapshot->version = version_;
     return snapshot;

@@ -52,7 +52,8 @@ class Run {
         return catalogue_->domain(problem_.scenario.domain.type).space(problem_.scenario.domain.values);
     }
     double setup_seconds() const { return setup_seconds_; }
-    /// The present iterate as a value; cheap beside a step.
+    /// The present iterate as a value, measured for those who look at it even where the history leaves that
+    /// out.
     std::shared_ptr<const Snapshot> snapshot();
 
   private:

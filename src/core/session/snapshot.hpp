@@ -48,8 +48,7 @@ struct StepReport {
 enum class FieldPlace { node, cell };
 
 struct Field {
-    std::string
-        name; ///< "monitor" (of nodes); "mass" (M_i) and "jacobian" (of cells, the smallest) where measured
+    std::string name; ///< "monitor" (of nodes); "mass" (M_i) and "jacobian" (of cells, the smallest)
     std::string unit; ///< may be empty
     FieldPlace place = FieldPlace::node;
     std::vector<double> values;

@@ -50,6 +50,30 @@ TEST(Values, ParseEveryKindFromText) {
     EXPECT_FALSE(values.boolean("on"));
 }
 
+TEST(Values, TakeANumberOrAuto) {
+    Values values("method", {{.key = "step_size",
+                              .kind = ParameterKind::real_or_auto,
+                              .minimum = 0.01,
+                              .maximum = 10,
+                              .default_value = std::string("auto")}});
+    EXPECT_FALSE(values.real_or_auto("step_size").has_value());
+    values.parse("step_size", "0.25");
+    EXPECT_EQ(values.real_or_auto("step_size"), 0.25);
+    EXPECT_EQ(values.real("step_size"), 0.25);
+    values.set("step_size", std::int64_t{2});
+    EXPECT_EQ(values.real_or_auto("step_size"), 2.0);
+    values.parse("step_size", "auto");
+    EXPECT_FALSE(values.real_or_auto("step_size").has_value());
+    EXPECT_EQ(format_value(values.at("step_size")), "auto");
+    EXPECT_EQ(describe_range(values.rows()[0]), "0.01 to 10, or auto");
+    for (const char* text : {"automatic", "Auto", "", "true"})
+        EXPECT_NE(message_of([&] { values.parse("step_size", text); }).find("a number or \"auto\""),
+                  std::string::npos)
+            << text;
+    EXPECT_NE(message_of([&] { values.parse("step_size", "20"); }).find("or auto"), std::string::npos);
+    EXPECT_FALSE(values.real_or_auto("step_size").has_value()) << "the old value is kept";
+}
+
 TEST(Values, RefuseWhatIsOutOfRangeAndKeepTheOldValue) {
     Values values = sample();
     EXPECT_NE(message_of([&] { values.parse("cells", "0"); }).find("4 to 480"), std::string::npos);

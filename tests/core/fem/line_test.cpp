@@ -80,7 +80,8 @@ TEST_P(Maps, AgreeWithDenseMatrices) {
         // The identity in, its own matrix out: with as many columns as unknowns.
         const RowMajor in = RowMajor::Identity(expected.cols(), expected.cols());
         RowMajor out = RowMajor::Constant(expected.rows(), expected.cols(), 7.0);
-        map.apply(in.data(), out.data(), static_cast<std::size_t>(expected.cols()));
+        const auto columns = static_cast<std::size_t>(expected.cols());
+        map.apply(in.data(), columns, out.data(), columns, columns);
         EXPECT_LT(slow::largest(out - expected), 1e-13 * slow::largest(expected));
     }
 }
@@ -92,7 +93,7 @@ TEST_P(Maps, KeepTheEndsOfOddFunctionsAtZero) {
         const LineMap map({static_cast<std::size_t>(n), false}, degree, Symmetry::odd, {false, true});
         std::vector<double> in(static_cast<std::size_t>(2 * n + 1)), out(map.rows());
         for (std::size_t i = 0; i < in.size(); ++i) in[i] = std::exp(0.1 * static_cast<double>(i));
-        map.apply(in.data(), out.data(), 1);
+        map.apply(in.data(), 1, out.data(), 1, 1);
         EXPECT_EQ(out.front(), 0);
         EXPECT_EQ(out.back(), 0);
     }

@@ -88,7 +88,7 @@ TEST_P(Operators, EvaluatesTheResidualExactly) {
     for (auto* part : {&sigma.xx, &sigma.yy, &sigma.xy})
         *part = slow::random_values(plane.unknowns(), -1, 2, static_cast<unsigned>(part - &sigma.xx) + 11);
     std::vector<double> r(plane.unknowns(), 5.0);
-    const auto [theta, normalised] = plane.residual(monitor, sigma, r);
+    const auto [theta, normalised] = plane.residual(monitor, sigma, r, room);
 
     // m in Q1 on the unwrapped mesh, sigma in Q2.
     const Vector xx = vector_of(sigma.xx), yy = vector_of(sigma.yy), xy = vector_of(sigma.xy);
@@ -157,7 +157,7 @@ TEST_P(Operators, RefuseArraysOfTheWrongSize) {
     EXPECT_THROW(plane.positions(few, x, room), InternalError);
     EXPECT_THROW(plane.hessian(few, sigma, room), InternalError);
     EXPECT_THROW(plane.poisson(few, out, room), InternalError);
-    EXPECT_THROW(plane.residual(few, sigma, out), InternalError);
+    EXPECT_THROW(plane.residual(few, sigma, out, room), InternalError);
 }
 
 // A smooth potential that suits both boundaries: periodic and even about 0, 1/2 and 1.

@@ -26,16 +26,20 @@ INSTANTIATE_TEST_SUITE_P(Lines, Spectrum,
                                     (std::get<1>(run.param) ? "periodic" : "walls");
                          });
 
-// The matrix of what a member function does to a vector.
+constexpr auto lanes = static_cast<Eigen::Index>(LineSpectrum::lanes);
+using Batch = Eigen::Matrix<double, Eigen::Dynamic, lanes, Eigen::RowMajor>; ///< eight lines side by side
+
+// The matrix of what a member function does to vectors, eight at a time.
 template <class Apply>
 MatrixXd matrix_of(std::size_t size, const Apply& apply) {
     const auto n = static_cast<Eigen::Index>(size);
     MatrixXd matrix(n, n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const VectorXd unit = VectorXd::Unit(n, i);
-        VectorXd result = VectorXd::Constant(n, 7.0);
+    for (Eigen::Index i = 0; i < n; i += lanes) {
+        const Eigen::Index count = std::min(lanes, n - i);
+        Batch unit = Batch::Zero(n, lanes), result = Batch::Constant(n, lanes, 7.0);
+        for (Eigen::Index l = 0; l < count; ++l) unit(i + l, l) = 1;
         apply(unit.data(), result.data());
-        matrix.col(i) = result;
+        matrix.middleCols(i, count) = result.leftCols(count);
     }
     return matrix;
 }
@@ -44,8 +48,8 @@ TEST_P(Spectrum, DiagonalisesMassAndStiffness) {
     const LineSpectrum s = spectrum();
     ASSERT_EQ(static_cast<int>(s.size()), line().unknowns(2));
     auto room = s.make_room();
-    const MatrixXd vectors =
-        matrix_of(s.size(), [&](const double* c, double* u) { s.synthesise(c, u, room); });
+    const MatrixXd vectors = matrix_of(
+        s.size(), [&](const double* c, double* u) { s.synthesise(c, u, LineSpectrum::lanes, room); });
     const VectorXd lambda = VectorXd::Map(s.eigenvalues().data(), vectors.cols());
     const MatrixXd m = slow::mass(line(), 2), k = slow::stiffness(line(), 2);
     const MatrixXd one = MatrixXd::Identity(vectors.cols(), vectors.cols());
@@ -58,10 +62,10 @@ TEST_P(Spectrum, DiagonalisesMassAndStiffness) {
 TEST_P(Spectrum, AnalysesByTheTransposeOfWhatItSynthesises) {
     const LineSpectrum s = spectrum();
     auto room = s.make_room();
-    const MatrixXd vectors =
-        matrix_of(s.size(), [&](const double* c, double* u) { s.synthesise(c, u, room); });
+    const MatrixXd vectors = matrix_of(
+        s.size(), [&](const double* c, double* u) { s.synthesise(c, u, LineSpectrum::lanes, room); });
     const MatrixXd transposed =
-        matrix_of(s.size(), [&](const double* b, double* c) { s.analyse(b, c, room); });
+        matrix_of(s.size(), [&](const double* b, double* c) { s.analyse(b, LineSpectrum::lanes, c, room); });
     EXPECT_LT(largest(transposed - vectors.transpose()), 1e-13 * largest(vectors));
     const MatrixXd inverse = slow::mass(line(), 2).inverse();
     EXPECT_LT(largest(vectors * transposed - inverse), 1e-13 * largest(inverse));
@@ -81,25 +85,30 @@ TEST_P(Spectrum, HasTheEigenvaluesOfTheDensePencil) {
 TEST_P(Spectrum, PutsTheConstantFirst) {
     const LineSpectrum s = spectrum();
     auto room = s.make_room();
-    std::vector<double> c(s.size(), 0.0), u(s.size());
-    c[0] = 1;
-    s.synthesise(c.data(), u.data(), room);
-    for (const double value : u) EXPECT_NEAR(std::abs(value), 1, 1e-14); // unit mass on [0,1]
-    for (const double value : u) EXPECT_NEAR(value, u[0], 1e-14);
+    Batch c = Batch::Zero(static_cast<Eigen::Index>(s.size()), lanes), u = c;
+    c.row(0).setOnes();
+    s.synthesise(c.data(), u.data(), LineSpectrum::lanes, room);
+    EXPECT_LT(largest(u.cwiseAbs() - Batch::Ones(u.rows(), lanes)), 1e-14); // unit mass on [0,1]
+    EXPECT_LT(largest(u - Batch::Constant(u.rows(), lanes, u(0, 0))), 1e-14);
 }
 
-TEST_P(Spectrum, WorksInPlace) {
+TEST_P(Spectrum, WorksInPlaceAndInAWiderArray) {
     const LineSpectrum s = spectrum();
     auto room = s.make_room();
-    const VectorXd start = VectorXd::Random(static_cast<Eigen::Index>(s.size()));
-    VectorXd apart(start.size()), same = start;
-    s.analyse(start.data(), apart.data(), room);
-    s.analyse(same.data(), same.data(), room);
+    const Batch start = Batch::Random(static_cast<Eigen::Index>(s.size()), lanes);
+    Batch apart(start.rows(), lanes), same = start;
+    s.analyse(start.data(), LineSpectrum::lanes, apart.data(), room);
+    s.analyse(same.data(), LineSpectrum::lanes, same.data(), room);
     EXPECT_EQ(same, apart);
-    s.synthesise(apart.data(), apart.data(), room);
-    VectorXd back(start.size());
-    s.synthesise(same.data(), back.data(), room);
-    EXPECT_EQ(apart, back);
+    using Wide = Eigen::Matrix<double, Eigen::Dynamic, lanes + 3, Eigen::RowMajor>;
+    Wide wide = Wide::Constant(start.rows(), lanes + 3, 5.0);
+    wide.middleCols(2, lanes) = start;
+    s.analyse(wide.data() + 2, lanes + 3, apart.data(), room);
+    EXPECT_EQ(same, apart);
+    s.synthesise(apart.data(), apart.data(), LineSpectrum::lanes, room);
+    s.synthesise(same.data(), wide.data() + 2, lanes + 3, room);
+    EXPECT_EQ(apart, Batch(wide.middleCols(2, lanes)));
+    EXPECT_TRUE((wide.leftCols(2).array() == 5).all() && (wide.rightCols(1).array() == 5).all());
 }
 
 TEST(LineSpectrum, InvertsTheMassOfTheLongestLinesToo) {
@@ -108,10 +117,10 @@ TEST(LineSpectrum, InvertsTheMassOfTheLongestLinesToo) {
             const LineSpectrum s(static_cast<std::size_t>(n), periodic);
             auto room = s.make_room();
             srand(6);
-            const VectorXd u = VectorXd::Random(static_cast<Eigen::Index>(s.size()));
-            VectorXd b = slow::mass({n, periodic}, 2) * u;
-            s.analyse(b.data(), b.data(), room);
-            s.synthesise(b.data(), b.data(), room);
+            const Batch u = Batch::Random(static_cast<Eigen::Index>(s.size()), lanes);
+            Batch b = slow::mass({n, periodic}, 2) * u;
+            s.analyse(b.data(), LineSpectrum::lanes, b.data(), room);
+            s.synthesise(b.data(), b.data(), LineSpectrum::lanes, room);
             EXPECT_LT(largest(b - u), 1e-12) << n;
         }
 }
@@ -149,13 +158,14 @@ INSTANTIATE_TEST_SUITE_P(Squares, Poisson, testing::Combine(testing::Values(4, 5
 TEST_P(Poisson, AgreesWithSparseEliminationForAnyMean) {
     const TensorPoisson poisson(spectrum());
     auto room = poisson.make_room();
+    Team alone;
     const Eigen::Index all = line().unknowns(2) * line().unknowns(2);
     srand(5);
     for (const double mean : {0.0, 3.0}) {
         VectorXd b = VectorXd::Random(all);
         b.array() += mean - b.mean();
         VectorXd u = VectorXd::Constant(all, 9.0);
-        poisson.solve(b.data(), u.data(), room);
+        poisson.solve(b.data(), u.data(), room, alone);
         const VectorXd expected = solve_sparse(line(), b);
         EXPECT_LT(largest(u - expected), 1e-12 * largest(expected)) << "mean of b " << mean;
     }
@@ -164,10 +174,51 @@ TEST_P(Poisson, AgreesWithSparseEliminationForAnyMean) {
 TEST_P(Poisson, SolvesInPlace) {
     const TensorPoisson poisson(spectrum());
     auto room = poisson.make_room();
+    Team alone;
     VectorXd b = VectorXd::Random(line().unknowns(2) * line().unknowns(2)), u(b.size());
-    poisson.solve(b.data(), u.data(), room);
-    poisson.solve(b.data(), b.data(), room);
+    poisson.solve(b.data(), u.data(), room, alone);
+    poisson.solve(b.data(), b.data(), room, alone);
     EXPECT_EQ(b, u);
+}
+
+TEST_P(Poisson, IsTheSameForAnyNumberOfThreads) {
+    const TensorPoisson poisson(spectrum());
+    const VectorXd b = VectorXd::Random(line().unknowns(2) * line().unknowns(2));
+    VectorXd first(b.size()), u(b.size());
+    for (const std::size_t workers : {1, 2, 3, 7}) {
+        auto room = poisson.make_room(workers);
+        Team team(workers);
+        poisson.solve(b.data(), u.data(), room, team);
+        if (workers == 1) first = u;
+        EXPECT_EQ(u, first) << workers;
+    }
+}
+
+// (K + lambda M) u = b for every lambda, far apart and on both sides of where the recurrence changes sign.
+TEST(ModalLines, AgreeWithDenseElimination) {
+    std::vector<double> lambdas;
+    for (double lambda = 3; lambda < 1e7; lambda *= 1.2) lambdas.push_back(lambda);
+    const auto columns = static_cast<Eigen::Index>(lambdas.size());
+    ASSERT_GT(columns, 64); // more than go through together
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    for (const bool periodic : {true, false})
+        for (const int n : {2, 3, 4, 9, 60}) {
+            const slow::Line line{n, periodic};
+            if (periodic && n == 2) continue; // both neighbours of a vertex are the same
+            const ModalLines lines(static_cast<std::size_t>(n), periodic, lambdas);
+            const RowMajor b = RowMajor::Random(line.unknowns(2), columns + 2);
+            RowMajor u = b;
+            auto room = ModalLines::make_room();
+            lines.solve(u.data(), static_cast<std::size_t>(columns + 2), 0, 20, room);
+            lines.solve(u.data(), static_cast<std::size_t>(columns + 2), 20, lambdas.size(), room);
+            EXPECT_EQ(u.rightCols(2), b.rightCols(2));
+            for (Eigen::Index c = 0; c < columns; ++c) {
+                const MatrixXd matrix =
+                    slow::stiffness(line, 2) + lambdas[static_cast<std::size_t>(c)] * slow::mass(line, 2);
+                const VectorXd expected = matrix.partialPivLu().solve(b.col(c));
+                EXPECT_LT(largest(u.col(c) - expected), 1e-10 * largest(expected)) << n << ", column " << c;
+            }
+        }
 }
 
 } // namespace

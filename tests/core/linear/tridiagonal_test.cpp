@@ -70,7 +70,7 @@ TEST(Transpose, SwapsRowsAndColumns) {
          {std::pair<std::size_t, std::size_t>{1, 1}, {1, 7}, {16, 16}, {17, 33}}) {
         std::vector<double> in(rows * columns), out(rows * columns, -1);
         for (std::size_t i = 0; i < in.size(); ++i) in[i] = static_cast<double>(i);
-        transpose(in.data(), out.data(), rows, columns);
+        transpose(in.data(), columns, out.data(), rows, rows, columns);
         for (std::size_t r = 0; r < rows; ++r)
             for (std::size_t c = 0; c < columns; ++c)
                 ASSERT_EQ(out[c * rows + r], in[r * columns + c]) << rows << " x " << columns;

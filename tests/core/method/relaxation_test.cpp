@@ -1,4 +1,5 @@
 #include "core/base/error.hpp"
+#include "core/fem/ellipticity.hpp"
 #include "core/method/relax.hpp"
 
 #include <gtest/gtest.h>
@@ -98,7 +99,7 @@ TEST_P(Relaxation, MakesTheStepOfThePaper) {
     EXPECT_EQ(x, run.x());
     run.monitor->values(x, m);
     plane.hessian(phi, sigma, room);
-    const auto [theta, normalised] = plane.residual(m, sigma, r);
+    const auto [theta, normalised] = plane.residual(m, sigma, r, room);
     EXPECT_EQ(theta, run.history.back().theta);
     EXPECT_EQ(normalised, run.history.back().residual);
     plane.poisson(r, r, room);
@@ -127,6 +128,35 @@ TEST_P(Relaxation, TakesANewStepSize) {
     other.step();
     for (std::size_t i = 0; i < run.plane->unknowns(); ++i) // from zero: half the step, half the potential
         EXPECT_DOUBLE_EQ(2 * run.state.arrays[0].values[i], other.state.arrays[0].values[i]);
+}
+
+TEST_P(Relaxation, ChoosesTheStepThatTheMapAllows) {
+    Relaxing run = off_centre(16, 5);
+    Values values("method", relaxation_method().rows); // auto by default
+    run.method->configure(values);
+    const PlaneQ2& plane = *run.plane;
+    auto room = plane.make_room();
+    WeakHessian sigma;
+    std::vector<double> m(run.x().size());
+    run.monitor->values(run.x(), m);
+    plane.hessian(run.state.arrays[0].values, sigma, room);
+    const Ellipticity e = ellipticity(plane.grid(), m, sigma);
+    ASSERT_GT(e.slowest, 0);
+    EXPECT_DOUBLE_EQ(run.step().step_size, 1.96 / (e.slowest + e.fastest));
+    EXPECT_NE(run.step().step_size, run.history[run.history.size() - 2].step_size);
+}
+
+TEST_P(Relaxation, RecoversByItselfFromAStepThatIsTooLong) {
+    Relaxing run = off_centre(24, 40);
+    Values values("method", relaxation_method().rows);
+    values.set("step_size", 1.0);
+    run.method->configure(values);
+    while (run.history.back().residual < 0.5) run.step(); // on its way out
+    values.set("step_size", std::string("auto"));
+    run.method->configure(values);
+    run.solve();
+    EXPECT_LT(run.history.back().residual, 1e-8);
+    EXPECT_EQ(run.quality().tangled_cells, 0u);
 }
 
 TEST_P(Relaxation, GoesOnFromOtherMeshes) {
@@ -227,7 +257,7 @@ TEST(Walls, AreAQuarterOfATorusOfTwiceTheSize) {
         std::vector<double> m(run.x().size()), r(run.plane->unknowns());
         run.monitor->values(run.x(), m);
         run.plane->hessian(run.state.arrays[0].values, sigma, room);
-        run.plane->residual(m, sigma, r);
+        run.plane->residual(m, sigma, r, room);
         return r;
     };
     for (int iteration = 0; iteration <= 60; ++iteration) {

@@ -26,7 +26,7 @@ class RunTest : public testing::Test {
 };
 
 TEST_F(RunTest, HistoryHasOneRowPerIterationFromTheStart) {
-    gaspard::Run run = make();
+    gaspard::Run run = make({"method.diagnostics_every=1"});
     EXPECT_EQ(run.history().size(), 1u);
     EXPECT_EQ(run.status(), RunStatus::running);
     finish(run);
@@ -167,14 +167,32 @@ TEST_F(RunTest, AfterABlowUpAChangeGoesOnFromTheLastUntangledMesh) {
 }
 
 TEST_F(RunTest, AMeshThatIsTangledOnTheWayIsNoPlaceToGoBackTo) {
-    gaspard::Run run = make();
+    gaspard::Run run = make({"method.diagnostics_every=1"});
     for (int i = 0; i < 20; ++i) run.step();
-    run.change(scenario({"method.step_size=1"}));
+    run.change(scenario({"method.step_size=1", "method.diagnostics_every=1"}));
     while (run.status() == RunStatus::running && *run.history().back().tangled_cells == 0) run.step();
     ASSERT_EQ(run.status(), RunStatus::running) << "tangled, but not yet out of bounds";
-    run.change(scenario({"method.step_size=3"})); // in the middle of it
+    run.change(scenario({"method.step_size=3", "method.diagnostics_every=1"})); // in the middle of it
     finish(run);
     run.change(scenario({"method.step_size=0.05"}));
+    EXPECT_EQ(*run.history().back().tangled_cells, 0u);
+}
+
+TEST_F(RunTest, TheAcceleratedMethodCanBeChangedToAndFromOnItsWay) {
+    gaspard::Run run = make({"domain.cells=60", "method.type=accelerated"});
+    for (int i = 0; i < 5; ++i) run.step();
+    ASSERT_NE(run.state().layout, "plane periodic Q2 n=60"); // on a coarser plane
+    EXPECT_EQ(run.snapshot()->x.size(), 61u * 61u);
+    EXPECT_EQ(run.change(scenario({"domain.cells=60", "method.type=relaxation"})), "");
+    EXPECT_EQ(run.state().layout, "plane periodic Q2 n=60");
+    const double residual = run.history().back().residual;
+    EXPECT_LT(residual, run.history().front().residual);
+    run.step();
+    EXPECT_EQ(run.change(scenario({"domain.cells=60", "method.type=accelerated"})), "");
+    EXPECT_EQ(run.epoch(), 0);
+    finish(run);
+    EXPECT_EQ(run.status(), RunStatus::converged);
+    EXPECT_EQ(run.state().layout, "plane periodic Q2 n=60");
     EXPECT_EQ(*run.history().back().tangled_cells, 0u);
 }
 

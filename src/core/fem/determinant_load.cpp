@@ -1,0 +1,170 @@
+#include "core/fem/determinant_load.hpp"
+
+#include "core/base/check.hpp"
+#include "core/fem/gauss.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace gaspard {
+
+struct DeterminantLoad::Fields {
+    const double* monitor;
+    std::array<const double*, 3> sigma; ///< xx, yy, xy
+};
+
+DeterminantLoad::DeterminantLoad(LineGrid grid) : grid_(grid) {
+    const LineQuadrature rule = gauss_legendre(static_cast<int>(gauss));
+    for (std::size_t q = 0; q < gauss; ++q) {
+        const double s = rule.points[q], weight = rule.weights[q] * grid.h();
+        const double left = (1 - s) * (1 - 2 * s), middle = 4 * s * (1 - s), right = s * (2 * s - 1);
+        points_[q] = {left, middle, right, 1 - s, s, weight * left, weight * middle, weight * right};
+    }
+}
+
+// Layouts: values [row of nodes][component][p][cell], density [row][p][cell], tested [b][p][cell].
+DeterminantLoad::Room DeterminantLoad::make_room() const {
+    const std::size_t n = grid_.cells, size = grid_.size(2);
+    return {std::vector<double>(3 * 3 * gauss * n), std::vector<double>(2 * gauss * n),
+            std::vector<double>(3 * gauss * n), std::vector<double>(size + 1), std::vector<double>(size)};
+}
+
+void DeterminantLoad::integrate(std::span<const double> monitor, const WeakHessian& sigma,
+                                std::span<double> r, std::span<Room> rooms, Team& team) const {
+    const std::size_t size = grid_.size(2), side = grid_.cells + 1;
+    GASPARD_CHECK(monitor.size() == side * side && r.size() == size * size);
+    for (const auto* part : {&sigma.xx, &sigma.yy, &sigma.xy}) GASPARD_CHECK(part->size() == size * size);
+    GASPARD_CHECK(rooms.size() >= team.workers());
+    const Fields fields{monitor.data(), {sigma.xx.data(), sigma.yy.data(), sigma.xy.data()}};
+    const std::size_t workers = team.workers(), n = grid_.cells;
+    team.share(n, [&](std::size_t worker, std::size_t begin, std::size_t end) {
+        if (begin < end) integrate_rows(begin, end, fields, r, rooms[worker]);
+    });
+    // Where two workers meet, each has integrated its side of a row of nodes.
+    for (std::size_t worker = 0; worker < workers; ++worker) {
+        const std::size_t begin = n * worker / workers, end = n * (worker + 1) / workers;
+        if (begin == end) continue;
+        double* row = r.data() + 2 * end % size * size;
+        const bool wall = 2 * end % size == 2 * n;
+        for (std::size_t i = 0; i < size; ++i) row[i] = (wall ? 0.0 : row[i]) + rooms[worker].top[i];
+    }
+}
+
+void DeterminantLoad::integrate_rows(std::size_t begin, std::size_t end, const Fields& fields,
+                                     std::span<double> r, Room& room) const {
+    const std::size_t n = grid_.cells, size = grid_.size(2), slot = gauss * n;
+    std::array<double*, 3> rows; // of nodes: the cells' bottom, middle and top
+    for (std::size_t b = 0; b < 3; ++b) rows[b] = room.values.data() + b * 3 * slot;
+    std::array<double*, 2> density{room.density.data(), room.density.data() + slot};
+    const auto load = [&](std::size_t row, double* values) {
+        for (std::size_t part = 0; part < 3; ++part)
+            along_x(fields.sigma[part] + row % size * size, values + part * slot);
+    };
+    load(2 * begin, rows[0]);
+    density_along_x(fields.monitor + begin * (n + 1), density[0]);
+    for (std::size_t j = begin; j < end; ++j) {
+        load(2 * j + 1, rows[1]);
+        load(2 * j + 2, rows[2]);
+        density_along_x(fields.monitor + (j + 1) * (n + 1), density[1]);
+        for (std::size_t p = 0; p < gauss; ++p) test_along_y(p, rows, density, room.tested.data());
+        for (std::size_t b = 0; b < 3; ++b) {
+            test_along_x(room.tested.data() + b * slot, room.row.data());
+            double* to = b == 2 && j + 1 == end ? room.top.data() : r.data() + (2 * j + b) * size;
+            const bool begun = b == 0 && j > begin; // by the cells below
+            for (std::size_t i = 0; i < size; ++i) to[i] = (begun ? to[i] : 0.0) + room.row[i];
+        }
+        std::swap(rows[0], rows[2]);
+        std::swap(density[0], density[1]);
+    }
+}
+
+void DeterminantLoad::along_x(const double* nodes, double* values) const {
+    const std::size_t n = grid_.cells;
+    interpolate_cells(nodes, values, values + n, values + 2 * n, values + 3 * n);
+    for (std::size_t p = 0; p < gauss; ++p) // of the last cell, which a ring closes
+        values[p * n + n - 1] = points_[p].left * nodes[2 * n - 2] + points_[p].middle * nodes[2 * n - 1] +
+                                points_[p].right * nodes[2 * n % grid_.size(2)];
+}
+
+// All cells but the last, at the four points: every node is read once.
+void DeterminantLoad::interpolate_cells(const double* nodes, double* __restrict v0, double* __restrict v1,
+                                        double* __restrict v2, double* __restrict v3) const {
+    const double l0 = points_[0].left, m0 = points_[0].middle, r0 = points_[0].right;
+    const double l1 = points_[1].left, m1 = points_[1].middle, r1 = points_[1].right;
+    const double l2 = points_[2].left, m2 = points_[2].middle, r2 = points_[2].right;
+    const double l3 = points_[3].left, m3 = points_[3].middle, r3 = points_[3].right;
+    for (std::size_t c = 0; c + 1 < grid_.cells; ++c) {
+        const double left = nodes[2 * c], middle = nodes[2 * c + 1], right = nodes[2 * c + 2];
+        v0[c] = l0 * left + m0 * middle + r0 * right;
+        v1[c] = l1 * left + m1 * middle + r1 * right;
+        v2[c] = l2 * left + m2 * middle + r2 * right;
+        v3[c] = l3 * left + m3 * middle + r3 * right;
+    }
+}
+
+void DeterminantLoad::density_along_x(const double* monitor, double* density) const {
+    const std::size_t n = grid_.cells;
+    for (std::size_t p = 0; p < gauss; ++p) {
+        const Point at = points_[p];
+        double* __restrict to = density + p * n;
+        for (std::size_t c = 0; c < n; ++c) to[c] = at.q1_left * monitor[c] + at.q1_right * monitor[c + 1];
+    }
+}
+
+// Of one Gauss point along y: the values there from those on three rows of nodes (two of the density), then
+// m det(I + sigma), then its part of three integrals.
+void DeterminantLoad::add_point(const Point& at, const Rows& rows, double* __restrict t0,
+                                double* __restrict t1, double* __restrict t2) const {
+    const auto [left, middle, right, q1_left, q1_right, test_left, test_middle, test_right] = at;
+    const auto [x0, x1, x2] = rows.xx;
+    const auto [y0, y1, y2] = rows.yy;
+    const auto [z0, z1, z2] = rows.xy;
+    const auto [m0, m1] = rows.density;
+    for (std::size_t c = 0; c < grid_.cells; ++c) {
+        const double xx = 1 + left * x0[c] + middle * x1[c] + right * x2[c];
+        const double yy = 1 + left * y0[c] + middle * y1[c] + right * y2[c];
+        const double xy = left * z0[c] + middle * z1[c] + right * z2[c];
+        const double f = (q1_left * m0[c] + q1_right * m1[c]) * (xx * yy - xy * xy);
+        t0[c] += test_left * f;
+        t1[c] += test_middle * f;
+        t2[c] += test_right * f;
+    }
+}
+
+// At the p-th points along x.
+void DeterminantLoad::test_along_y(std::size_t p, const std::array<double*, 3>& rows,
+                                   const std::array<double*, 2>& density, double* tested) const {
+    const std::size_t n = grid_.cells, slot = gauss * n;
+    const auto part = [&](std::size_t component) {
+        const std::size_t at = component * slot + p * n;
+        return std::array<const double*, 3>{rows[0] + at, rows[1] + at, rows[2] + at};
+    };
+    const Rows lines{part(0), part(1), part(2), {density[0] + p * n, density[1] + p * n}};
+    double *t0 = tested + p * n, *t1 = t0 + slot, *t2 = t1 + slot;
+    for (double* sum : {t0, t1, t2}) std::fill(sum, sum + n, 0.0);
+    for (const Point& at : points_) add_point(at, lines, t0, t1, t2);
+}
+
+void DeterminantLoad::test_along_x(const double* tested, double* row) const {
+    const std::size_t n = grid_.cells;
+    const double *f0 = tested, *f1 = f0 + n, *f2 = f1 + n, *f3 = f2 + n;
+    const Point p0 = points_[0], p1 = points_[1], p2 = points_[2], p3 = points_[3];
+    const auto left = [&](std::size_t c) {
+        return p0.test_left * f0[c] + p1.test_left * f1[c] + p2.test_left * f2[c] + p3.test_left * f3[c];
+    };
+    const auto middle = [&](std::size_t c) {
+        return p0.test_middle * f0[c] + p1.test_middle * f1[c] + p2.test_middle * f2[c] +
+               p3.test_middle * f3[c];
+    };
+    const auto right = [&](std::size_t c) {
+        return p0.test_right * f0[c] + p1.test_right * f1[c] + p2.test_right * f2[c] + p3.test_right * f3[c];
+    };
+    double* __restrict to = row;
+    for (std::size_t c = 1; c < n; ++c) to[2 * c] = left(c) + right(c - 1);
+    for (std::size_t c = 0; c < n; ++c) to[2 * c + 1] = middle(c);
+    const double first = left(0), last = right(n - 1);
+    to[0] = grid_.periodic ? first + last : first;
+    to[2 * n] = last; // of the wall; the ring has no such node, the room has
+}
+
+} // namespace gaspard

@@ -1,0 +1,54 @@
+// The quick way for straight squares in the plane against the general one, which a mesh takes that says it is
+// in space.
+#include "core/diagnostics/quality.hpp"
+#include "core/fem/slow_plane.hpp"
+#include "support/built_in.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+// Computational cells that are no parallelograms, physical ones of which some are turned over.
+Mesh irregular(int n, double by, unsigned seed) {
+    Mesh mesh = unit_square_mesh(n);
+    const auto shift = slow::random_values(2 * mesh.node_count(), -by, by, seed);
+    for (std::size_t i = 0; i < mesh.node_count(); ++i)
+        mesh.nodes.set(i, mesh.nodes[i] + Vec3{shift[2 * i], shift[2 * i + 1], 0});
+    return mesh;
+}
+
+TEST(FlatSquares, AgreeWithTheGeneralMeasure) {
+    for (const int n : {1, 3, 7, 20}) { // short batches, whole ones
+        const auto flat = std::make_shared<Mesh>(irregular(n, 0.2 / n, 1));
+        const auto general = std::make_shared<Mesh>(*flat);
+        general->space_dimension = 3;
+        ASSERT_TRUE(FlatSquares::fits(*flat));
+        ASSERT_FALSE(FlatSquares::fits(*general));
+        const Points x = irregular(n, 0.5 / n, 2).nodes;
+        const auto monitor = make_monitor("ring", {}, {{"sharpness", 50}});
+        const MeshQuality ours = QualityMeter(flat).measure(x, *monitor);
+        const MeshQuality expected = QualityMeter(general).measure(x, *monitor);
+        EXPECT_EQ(ours.tangled_cells, expected.tangled_cells);
+        EXPECT_TRUE(n < 20 || ours.tangled_cells > 0);
+        EXPECT_NEAR(ours.min_jacobian, expected.min_jacobian, 1e-12);
+        EXPECT_NEAR(ours.max_jacobian, expected.max_jacobian, 1e-12);
+        EXPECT_NEAR(ours.equidistribution, expected.equidistribution, 1e-12);
+        for (std::size_t c = 0; c < flat->cell_count(); ++c) {
+            EXPECT_NEAR(ours.cell_mass[c], expected.cell_mass[c], 1e-12);
+            EXPECT_NEAR(ours.cell_jacobian[c], expected.cell_jacobian[c], 1e-12);
+        }
+    }
+}
+
+TEST(FlatSquares, AreNotCurvedOnesNorTrianglesNorInSpace) {
+    Mesh mesh = unit_square_mesh(2);
+    EXPECT_TRUE(FlatSquares::fits(mesh));
+    mesh.kind.order = 2;
+    EXPECT_FALSE(FlatSquares::fits(mesh));
+    mesh.kind = {CellShape::triangle, 1};
+    EXPECT_FALSE(FlatSquares::fits(mesh));
+}
+
+} // namespace
+} // namespace gaspard

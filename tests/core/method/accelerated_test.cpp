@@ -1,0 +1,172 @@
+#include "core/base/error.hpp"
+#include "core/method/relax.hpp"
+
+#include <functional>
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+/// A method on a plane, driven by hand.
+struct Driven {
+    Driven(const MethodType& type, std::size_t cells, bool periodic)
+        : plane(std::make_shared<PlaneQ2>(LineGrid{cells, periodic})),
+          method(type.make(plane, Values("method", type.rows))), state(method->initial_state()) {}
+
+    void begin(std::shared_ptr<const Monitor> of) {
+        monitor = std::move(of);
+        history = {method->evaluate(*monitor, state, {})};
+    }
+    /// Until the residual is below; returns the iterations.
+    int solve(double tolerance = 1e-8) {
+        while (history.back().residual >= tolerance && history.size() <= 1000) {
+            history.push_back(method->step(*monitor, state, {}));
+            if (each) each();
+        }
+        EXPECT_LT(history.back().residual, tolerance);
+        return static_cast<int>(history.size()) - 1;
+    }
+    MeshQuality quality() { return QualityMeter(plane->mesh()).measure(method->positions(), *monitor); }
+    std::string layout(std::size_t cells) const {
+        return std::string(plane->grid().periodic ? "plane periodic" : "plane walls") +
+               " Q2 n=" + std::to_string(cells);
+    }
+
+    std::shared_ptr<const PlaneQ2> plane;
+    std::unique_ptr<Method> method;
+    State state;
+    std::shared_ptr<const Monitor> monitor;
+    std::vector<Evaluation> history;
+    std::function<void()> each;
+};
+
+std::shared_ptr<const Monitor> monitor_of(const std::string& type, bool periodic,
+                                          const Settings& values = {}) {
+    return make_monitor(type, periodic ? Space{SpaceKind::periodic_square} : Space{}, values);
+}
+
+double largest_distance(const Points& a, const Points& b) {
+    double distance = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) distance = std::max(distance, norm(a[i] - b[i]));
+    return distance;
+}
+
+TEST(Accelerated, FindsTheMapOfTheRelaxationInFewerIterations) {
+    struct Case {
+        const char* monitor;
+        bool periodic;
+        int most; ///< iterations on all planes
+    };
+    for (const auto& [type, periodic, most] :
+         {Case{"ring", true, 60}, {"bell", true, 100}, {"ring", false, 60}, {"bell", false, 100}}) {
+        SCOPED_TRACE(std::string(type) + (periodic ? ", periodic" : ", walls"));
+        const auto monitor = monitor_of(type, periodic);
+        Driven accelerated(accelerated_method(), 60, periodic), relaxed(relaxation_method(), 60, periodic);
+        accelerated.begin(monitor);
+        relaxed.begin(monitor);
+        const int iterations = accelerated.solve();
+        EXPECT_LE(iterations, most);
+        EXPECT_LT(2 * iterations, relaxed.solve());
+        EXPECT_LT(largest_distance(accelerated.method->positions(), relaxed.method->positions()), 1e-8);
+        EXPECT_NEAR(accelerated.history.back().theta, relaxed.history.back().theta, 1e-8);
+        EXPECT_EQ(accelerated.state.layout, accelerated.layout(60));
+        EXPECT_EQ(accelerated.quality().tangled_cells, 0u);
+    }
+}
+
+TEST(Accelerated, GoesOverCoarserPlanesAndShowsTheFinestMesh) {
+    Driven run(accelerated_method(), 120, true);
+    run.begin(monitor_of("ring", true));
+    std::vector<std::string> layouts;
+    run.each = [&] {
+        if (layouts.empty() || layouts.back() != run.state.layout) layouts.push_back(run.state.layout);
+        ASSERT_EQ(run.method->positions().size(), 121u * 121u);
+        EXPECT_EQ(run.quality().tangled_cells, 0u) << run.history.size();
+        EXPECT_GT(run.history.back().step_size, 0);
+    };
+    run.solve();
+    EXPECT_EQ(layouts, (std::vector{run.layout(30), run.layout(60), run.layout(120)}));
+}
+
+TEST(Accelerated, DoesNotCallACoarserPlanesResidualItsOwn) {
+    // Whatever tolerance a run has, an iterate below it is one of the plane that was asked for.
+    for (const double tolerance : {0.5, 0.1, 1e-2}) {
+        Driven run(accelerated_method(), 120, true);
+        Values values("method", common_method_rows());
+        values.set("tolerance", tolerance);
+        run.method->configure(values);
+        run.begin(monitor_of("ring", true));
+        run.solve(tolerance);
+        EXPECT_EQ(run.state.layout, run.layout(120)) << tolerance;
+    }
+}
+
+TEST(Accelerated, FollowsAMonitorThatMovesALittleWhereItIs) {
+    Driven run(accelerated_method(), 60, true);
+    run.begin(monitor_of("ring", true));
+    const int from_nothing = run.solve();
+    run.begin(monitor_of("ring", true, {{"center_x", 0.505}}));
+    run.each = [&] { EXPECT_EQ(run.state.layout, run.layout(60)); };
+    EXPECT_LT(run.solve(), from_nothing);
+}
+
+TEST(Accelerated, ConvergesWhereCoarserPlanesAreOfNoUse) {
+    // A ring that 30 x 30 cells cannot resolve.
+    Driven run(accelerated_method(), 60, true);
+    run.begin(monitor_of("ring", true, {{"amplitude", 50}, {"sharpness", 400}}));
+    run.solve();
+    EXPECT_EQ(run.quality().tangled_cells, 0u);
+}
+
+TEST(Accelerated, GoesOnFromTheMiddleOfTheWay) {
+    Driven run(accelerated_method(), 60, true);
+    run.begin(monitor_of("ring", true));
+    for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
+    ASSERT_EQ(run.state.layout, run.layout(30));
+    Driven other(accelerated_method(), 60, true);
+    other.state = *other.method->adopt(run.state);
+    EXPECT_EQ(other.state.layout, run.layout(30));
+    other.begin(run.monitor);
+    auto plane = PlaneQ2({60, true}); // its residual is that of the finest plane
+    PlaneQ2 from({30, true});
+    auto room = plane.make_room(), from_room = from.make_room();
+    const auto phi = plane.transfer(from, run.state.arrays[0].values, from_room, room);
+    const auto relaxation = make_relaxation(other.plane, 0.1);
+    const Evaluation fine = relaxation->evaluate(*run.monitor, State{other.layout(60), {{"phi", phi}}}, {});
+    EXPECT_NEAR(other.history[0].residual, fine.residual, 1e-12);
+    EXPECT_LT(largest_distance(other.method->positions(), relaxation->positions()), 1e-14);
+    other.solve();
+    EXPECT_EQ(other.state.layout, run.layout(60));
+}
+
+TEST(Accelerated, AdoptsWhatTheRelaxationHasFound) {
+    Driven coarse(relaxation_method(), 40, true), fine(accelerated_method(), 60, true);
+    coarse.begin(monitor_of("ring", true));
+    coarse.solve();
+    fine.state = *fine.method->adopt(coarse.state);
+    EXPECT_EQ(fine.state.layout, fine.layout(60));
+    fine.begin(coarse.monitor);
+    EXPECT_LT(fine.history[0].residual, 0.3);
+    fine.each = [&] { EXPECT_EQ(fine.state.layout, fine.layout(60)); };
+    fine.solve();
+    EXPECT_FALSE(fine.method->adopt({"sphere", {}}).has_value());
+    EXPECT_FALSE(fine.method->adopt({fine.layout(30), {{"phi", {1, 2}}}}).has_value());
+}
+
+TEST(Accelerated, MovesNothingForAConstantMonitor) {
+    Driven run(accelerated_method(), 60, false);
+    run.begin(monitor_of("constant", false));
+    for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
+    EXPECT_LT(largest_distance(run.method->positions(), run.plane->mesh()->nodes), 1e-13);
+}
+
+TEST(Accelerated, ChecksThatStatesAreItsOwn) {
+    Driven run(accelerated_method(), 60, true);
+    run.begin(monitor_of("ring", true));
+    State other = Driven(relaxation_method(), 16, true).state;
+    EXPECT_THROW(run.method->evaluate(*run.monitor, other, {}), InternalError);
+    EXPECT_THROW(run.method->step(*run.monitor, other, {}), InternalError);
+}
+
+} // namespace
+} // namespace gaspard

@@ -1,0 +1,54 @@
+// That a step of the relaxation asks for no memory.
+#include "core/method/relax.hpp"
+
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <new>
+
+namespace {
+
+thread_local std::size_t allocations = 0;
+
+void* counted(std::size_t size) {
+    ++allocations;
+    void* memory = std::malloc(size > 0 ? size : 1);
+    if (!memory) throw std::bad_alloc();
+    return memory;
+}
+
+} // namespace
+
+// The whole program's, which count for the thread that calls.
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace gaspard {
+namespace {
+
+TEST(Allocation, IsSeen) {
+    const std::size_t before = allocations;
+    const std::vector<double> some(3);
+    EXPECT_EQ(allocations, before + 1);
+}
+
+TEST(Allocation, DoesNotHappenInAStepOfTheRelaxation) {
+    for (const bool periodic : {true, false})
+        for (const int cells : {20, 49}) {
+            Relaxing run(cells, periodic, make_monitor("ring", {}), 0.1);
+            run.step(); // the first may still make room
+            std::size_t before = allocations;
+            for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
+            EXPECT_EQ(allocations, before);
+            run.method->configure(Values("method", relaxation_method().rows)); // auto
+            before = allocations;
+            for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
+            EXPECT_EQ(allocations, before);
+        }
+}
+
+} // namespace
+} // namespace gaspard
