@@ -6,9 +6,11 @@
 #include "core/io/svg.hpp"
 #include "core/scenario/toml.hpp"
 #include "gui/runs_csv.hpp"
+#include "gui/status_bar.hpp"
 
 #include <algorithm>
 #include <imgui.h>
+#include <imgui_internal.h> // ClosePopupToLevel
 #include <utility>
 
 namespace gaspard {
@@ -22,6 +24,7 @@ bool needs_solver(ActionId id) {
     return false;
 }
 
+constexpr ImGuiPopupFlags any_popup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
 constexpr double projector_size = 1.7, text_step = 1.1;
 
 } // namespace
@@ -62,6 +65,9 @@ bool Application::collect() {
     for (SolverMessage& message : std::exchange(run().messages, {}))
         say({std::move(message.text), message.error});
     if (run().openings != openings_seen_) take_opening();
+    const std::string note = closing_note(run());
+    if (note != closing_note_ && !note.empty()) log_.add({note, false});
+    closing_note_ = note;
     std::optional<Arrivals::Arrival> arrival;
     {
         std::lock_guard lock(arrivals_->mutex);
@@ -92,8 +98,8 @@ bool Application::working() {
 bool Application::possible(ActionId id) {
     switch (id) {
     case ActionId::cancel:
-        return error_.open() || open_dialog_.open() || help_ || working() ||
-               !viewport().view.text("pick").empty();
+        return ImGui::IsPopupOpen("", any_popup) || error_.open() || open_dialog_.open() || help_ ||
+               working() || !viewport().view.text("pick").empty();
     case ActionId::front:
     case ActionId::back:
     case ActionId::left:
@@ -250,7 +256,9 @@ void Application::set_text_size(double size) {
 
 /// What lies on top goes first.
 void Application::cancel() {
-    if (error_.open())
+    if (ImGui::IsPopupOpen("", any_popup) && !error_.open() && !open_dialog_.open())
+        ImGui::ClosePopupToLevel(0, true); // a menu or a list
+    else if (error_.open())
         error_.close();
     else if (open_dialog_.open())
         open_dialog_.close();
@@ -384,7 +392,7 @@ void Application::take_opening() {
 }
 
 void Application::open_builtin(const std::string& name) {
-    open_scenario(find_scenario(*catalogue_, name));
+    open_scenario(for_window(find_scenario(*catalogue_, name)));
     message_ = {};
 }
 

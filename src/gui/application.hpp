@@ -153,6 +153,7 @@ class Application {
     Log log_;
     ErrorDialog error_;
     OpenDialog open_dialog_;
+    std::string closing_note_; ///< of the last end, which is in the log
     std::uint64_t openings_seen_ = 0;
     std::filesystem::path opening_file_; ///< of the scenario on its way; empty: a built-in one
     ParameterPanel panel_;

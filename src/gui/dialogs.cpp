@@ -12,11 +12,27 @@ namespace {
 constexpr ImGuiWindowFlags dialog_flags =
     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
 
+/// What sets a dialog off from the parts below it, while it begins.
+struct Frame {
+    Frame() {
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2);
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.5F * ImGui::GetFontSize());
+        ImGui::PushStyleColor(ImGuiCol_Border, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    }
+    ~Frame() {
+        ImGui::PopStyleColor();
+        ImGui::PopStyleVar(2);
+    }
+    Frame(const Frame&) = delete;
+    Frame& operator=(const Frame&) = delete;
+};
+
 /// Opens a modal popup where it is not, in the middle of the window.
 bool begin_modal(const char* title) {
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    const Frame frame;
     return ImGui::BeginPopupModal(title, nullptr, dialog_flags);
 }
 
@@ -84,6 +100,7 @@ void draw_help(bool& open, const Theme& theme) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Appearing, {0.5F, 0.5F});
     ImGui::SetNextWindowSizeConstraints({10 * em, 5 * em}, {0.95F * size.x, 0.9F * size.y});
+    const Frame frame;
     if (ImGui::Begin("Keys and mouse", &open,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
                          ImGuiWindowFlags_NoSavedSettings)) {

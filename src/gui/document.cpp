@@ -72,6 +72,12 @@ std::optional<double> iteration_rate(const std::vector<StepReport>& history) {
     return (last.iteration - first->iteration) / seconds;
 }
 
+Scenario for_window(Scenario scenario) {
+    Values& method = scenario.method.values;
+    if (method.has("step_size")) method.set("step_size", std::string("auto"));
+    return scenario;
+}
+
 Document::Document(std::shared_ptr<const Catalogue> catalogue, std::function<void()> notify)
     : catalogue_(std::move(catalogue)), notify_(std::move(notify)) {}
 

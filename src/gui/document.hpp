@@ -67,6 +67,9 @@ struct DocumentViewport {
     Values view;         ///< colours, camera, what is picked: as in a scenario's view section
 };
 
+/// A shipped scenario as the window opens it: a pinned step gives way to one that chooses itself.
+Scenario for_window(Scenario scenario);
+
 /// Iterations per second over the last second of solving; nothing before the first iteration.
 std::optional<double> iteration_rate(const std::vector<StepReport>& history);
 

@@ -50,7 +50,7 @@ Layout compute_layout(float width, float height, float em, float top, const Layo
     }
     float side = 0;
     if (choice.sidebar) {
-        side = std::round(std::min(std::max(choice.sidebar_width, 14.0F) * em, 0.48F * width));
+        side = std::round(std::min(std::max(choice.sidebar_width, 14.0F) * em, 0.4F * width));
         layout.sidebar = {0, layout.toolbar.bottom, side, bottom};
         layout.sidebar_edge = {side - std::round(0.4F * em), layout.toolbar.bottom, side, bottom};
     }

@@ -9,7 +9,7 @@ namespace gaspard {
 /// What the user has chosen to see, and how much room it gets.
 struct LayoutChoice {
     bool sidebar = true, plots = true, log = false;
-    float sidebar_width = 27;  ///< in widths of the font; never more than about half of the window
+    float sidebar_width = 27;  ///< in widths of the font; never more than two fifths of the window
     float plots_share = 0.33F; ///< of the room beside the sidebar: of its width, or height
 };
 

@@ -15,7 +15,10 @@ void PictureMaker::take_mesh(const Snapshot& snapshot) {
 
 void PictureMaker::take_positions(const Snapshot& snapshot) {
     last_.physical = std::make_shared<const Points>(shown_points(*last_.tessellation, snapshot.x));
-    last_.box = merge(computational_box_, bounding_box(*last_.physical));
+    const Box physical = bounding_box(*last_.physical);
+    last_.box = merge(computational_box_, physical);
+    last_.burst = physical.size() > 1.5 * computational_box_.size();
+    last_.home_box = last_.burst ? computational_box_ : last_.box;
     last_version_ = snapshot.version;
     std::vector<std::uint32_t> tangled = colouring_maker_.tangled(snapshot);
     if (tangled.empty())

@@ -28,8 +28,10 @@ struct MeshPicture {
     std::shared_ptr<const std::vector<double>> point_values;
     std::shared_ptr<const std::vector<std::uint32_t>> tangled; ///< cells; null: none
     std::shared_ptr<const std::vector<std::uint32_t>>
-        arrows;        ///< shown points with an arrow from xi to x; null: none
-    Box box;           ///< around both meshes
+        arrows;         ///< shown points with an arrow from xi to x; null: none
+    Box box;            ///< around both meshes
+    bool burst = false; ///< the physical mesh is far larger than the computational one: it has blown up
+    Box home_box;      ///< what one wants to see: both meshes, or the computational one where the other burst
     double blend = 1;  ///< 0 shows xi, 1 shows x
     bool lines = true; ///< the cells' edges
 

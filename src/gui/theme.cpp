@@ -42,7 +42,7 @@ void set_sizes(ImGuiStyle& style) {
     style.GrabRounding = 5;
     style.ScrollbarRounding = 6;
     style.TabRounding = 5;
-    style.WindowBorderSize = 0;
+    style.WindowBorderSize = 0; // of parts; what comes up has a border
     style.ChildBorderSize = 0;
     style.PopupBorderSize = 1;
     style.FrameBorderSize = 0;

@@ -222,6 +222,23 @@ std::vector<std::string> caption_parts(const ViewportText& text) {
     return parts;
 }
 
+/// What the colour of tangled cells means, in the lower right corner.
+static void draw_tangled_note(ImDrawList& list, const ViewportPlan& plan, ScreenRect room, const Theme& theme,
+                              float scale) {
+    const auto& tangled = plan.pictures.front().picture.tangled;
+    if (tangled == nullptr) return;
+    const std::string text =
+        std::to_string(tangled->size()) + (tangled->size() == 1 ? " tangled cell" : " tangled cells");
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float pad = 7 * scale, swatch = size.y * 0.8F;
+    const ImVec2 high{room.max.x - pad, room.max.y - pad};
+    const ImVec2 low{high.x - size.x - swatch - 3 * pad, high.y - size.y - 2 * pad};
+    list.AddRectFilled(low, high, packed(theme.panel, 0.92F), 4 * scale);
+    const float top = (low.y + high.y - swatch) / 2;
+    list.AddRectFilled({low.x + pad, top}, {low.x + pad + swatch, top + swatch}, packed(theme.tangled));
+    list.AddText({low.x + 2 * pad + swatch, low.y + pad}, packed(theme.text), text.c_str());
+}
+
 Camera ViewportPlanner::camera_of(const MeshPicture& picture, const Values& view, Size size, Insets insets,
                                   std::string& complaint) {
     try {
@@ -233,10 +250,12 @@ Camera ViewportPlanner::camera_of(const MeshPicture& picture, const Values& view
     if (home_.of == picture.tessellation && home_.size == size && home_.insets == insets &&
         home_.direction == direction)
         return home_.camera;
-    home_ = {picture.tessellation, size, insets, direction, home(picture.box, size, insets, direction)};
+    home_ = {picture.tessellation, size, insets, direction, home(picture.home_box, size, insets, direction)};
     if (!picture.planar()) {
-        home_.camera.centre = picture.box.centre();
-        fit_points(home_.camera, {picture.computational.get(), picture.physical.get()}, size, insets);
+        home_.camera.centre = picture.home_box.centre();
+        std::vector<const Points*> points{picture.computational.get()};
+        if (!picture.burst) points.push_back(picture.physical.get());
+        fit_points(home_.camera, points, size, insets);
     }
     return home_.camera;
 }
@@ -336,6 +355,7 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
         legend.min.y += title_height(plan.text.title, scale);
         draw_legend(list, *colouring, plan.histogram, legend, theme, scale);
     }
+    draw_tangled_note(list, plan, room, theme, scale);
     if (plan.text.caption) draw_caption(list, plan, theme, scale);
     if (!plan.facts.empty()) {
         ScreenRect below_title = room;
