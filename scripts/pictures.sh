@@ -15,6 +15,5 @@ picture() { # name, then what `gaspard run` is given
 }
 
 picture window plane-bell --whole-window --size 1400x900
-picture plane-ring plane-ring
 picture side-by-side plane-ring --size 1400x640 --set view.layout=side-by-side --set view.color=equidistribution \
   --set view.theme=light --set domain.cells=40
