@@ -14,8 +14,9 @@ void place_plots(Layout& layout, const ItemRectangle& rest, float em, float shar
     };
     const float column = part(rest.width(), 14 * em, 0.7F * rest.width());
     const float row = part(rest.height(), 10 * em, 0.7F * rest.height());
-    const float beside = std::min(rest.width() - column, rest.height());
-    const float above = std::min(rest.width(), rest.height() - row);
+    const float legend = 8 * em; // beside the picture in any case
+    const float beside = std::min(rest.width() - column - legend, rest.height());
+    const float above = std::min(rest.width() - legend, rest.height() - row);
     const float grip = std::round(0.4F * em);
     layout.plots_beside = beside >= above;
     if (layout.plots_beside) {
