@@ -7,6 +7,7 @@
 #include "gui/idle_gl.hpp"
 #include "gui/imgui_renderer.hpp"
 #include "gui/mesh_renderer.hpp"
+#include "scenes.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -68,6 +69,31 @@ TEST(FrameCost, SixtyFramesASecondAreLeftOverAtAnyResolution) {
             cost.median, cost.high, cost.snapshots, frames);
         EXPECT_GT(cost.snapshots, 5) << "nothing was solved";
         EXPECT_LT(cost.high, 1000.0 / 60) << "n = " << cells;
+    }
+}
+
+TEST(FrameCost, ANewSnapshotLeavesTimeForTheRestOfTheFrame) {
+    const Gl gl = idle_gl(); // what remains is our own cost
+    for (const int n : {60, 480}) {
+        Snapshot snapshot = ring_snapshot(n); // without a measurement, which costs most
+        for (const char* colour : {"monitor", "area", "jacobian", "displacement", "none"}) {
+            Values values = view(colour);
+            values.set("log", true);
+            PictureMaker maker;
+            MeshRenderer renderer(gl);
+            std::vector<double> milliseconds;
+            for (int i = 0; i < 12; ++i) {
+                ++snapshot.version;
+                const Stopwatch watch;
+                const MeshPicture picture = maker.make(snapshot, values);
+                renderer.draw(picture, home(picture.box, {800, 800}), {0, 0, 800, 800}, 800, dark_theme(), 1);
+                milliseconds.push_back(1000 * watch.cpu_seconds());
+            }
+            milliseconds.erase(milliseconds.begin()); // a new mesh, once
+            std::sort(milliseconds.begin(), milliseconds.end());
+            std::printf("n = %d, %s: %.2f ms of CPU a snapshot\n", n, colour, milliseconds[5]);
+            EXPECT_LT(milliseconds[5], 16) << "n = " << n << ", " << colour;
+        }
     }
 }
 

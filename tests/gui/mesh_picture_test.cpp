@@ -1,12 +1,8 @@
-#include "core/base/stopwatch.hpp"
-#include "gui/idle_gl.hpp"
 #include "gui/mesh_picture.hpp"
-#include "gui/mesh_renderer.hpp"
 #include "scenes.hpp"
 #include "support/small_meshes.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <gtest/gtest.h>
 
 namespace gaspard {
@@ -72,31 +68,6 @@ TEST(MeshPicture, BoxHoldsBothMeshes) {
     EXPECT_EQ(box.high.x, 3);
     EXPECT_TRUE(PictureMaker().make(snapshot, view("none", 1)).planar());
     EXPECT_FALSE(PictureMaker().make(sphere_snapshot(2), view("none", 1)).planar());
-}
-
-TEST(MeshPicture, ANewSnapshotLeavesTimeForTheRestOfTheFrame) {
-    const Gl gl = idle_gl(); // what remains is our own cost
-    for (const int n : {60, 480}) {
-        Snapshot snapshot = ring_snapshot(n); // without a measurement, which costs most
-        for (const char* colour : {"monitor", "area", "jacobian", "displacement", "none"}) {
-            Values values = view(colour);
-            values.set("log", true);
-            PictureMaker maker;
-            MeshRenderer renderer(gl);
-            std::vector<double> milliseconds;
-            for (int i = 0; i < 12; ++i) {
-                ++snapshot.version;
-                const Stopwatch watch;
-                const MeshPicture picture = maker.make(snapshot, values);
-                renderer.draw(picture, home(picture.box, {800, 800}), {0, 0, 800, 800}, 800, dark_theme(), 1);
-                milliseconds.push_back(1000 * watch.cpu_seconds());
-            }
-            milliseconds.erase(milliseconds.begin()); // a new mesh, once
-            std::sort(milliseconds.begin(), milliseconds.end());
-            std::printf("n = %d, %s: %.2f ms of CPU a snapshot\n", n, colour, milliseconds[5]);
-            EXPECT_LT(milliseconds[5], 16) << "n = " << n << ", " << colour;
-        }
-    }
 }
 
 } // namespace
