@@ -32,7 +32,8 @@ constexpr double projector_size = 1.7, text_step = 1.1;
 Application::Application(std::shared_ptr<const Catalogue> catalogue, ApplicationOptions options)
     : catalogue_(catalogue), output_(std::move(options.output)), settings_(std::move(options.settings)),
       board_(std::make_shared<NoticeBoard>(options.wake)), theme_(dark_theme()), writer_(board_),
-      document_(std::move(catalogue), std::move(options.wake)) {
+      document_(std::move(catalogue), std::move(options.wake),
+                [cache = tessellations_](const Snapshot& snapshot) { cache->get(snapshot.mesh); }) {
     if (const auto choice = parse_choice(settings_.window.text("first_plot"))) plot_pane_.choose(0, *choice);
     if (const auto choice = parse_choice(settings_.window.text("second_plot"))) plot_pane_.choose(1, *choice);
     for (std::string& complaint : options.complaints) log_.add({std::move(complaint), true});

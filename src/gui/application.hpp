@@ -161,7 +161,8 @@ class Application {
     Layout layout_;
     Theme theme_;
     float scale_ = 1;
-    ViewportPane viewport_pane_;
+    std::shared_ptr<TessellationCache> tessellations_ = std::make_shared<TessellationCache>();
+    ViewportPane viewport_pane_{tessellations_};
     PlotPane plot_pane_;
     RunList run_list_;
     std::optional<Plot> plot_picture_;

@@ -78,8 +78,10 @@ Scenario for_window(Scenario scenario) {
     return scenario;
 }
 
-Document::Document(std::shared_ptr<const Catalogue> catalogue, std::function<void()> notify)
-    : catalogue_(std::move(catalogue)), notify_(std::move(notify)) {}
+Document::Document(std::shared_ptr<const Catalogue> catalogue, std::function<void()> notify,
+                   std::function<void(const Snapshot&)> before_publishing)
+    : catalogue_(std::move(catalogue)), notify_(std::move(notify)),
+      before_publishing_(std::move(before_publishing)) {}
 
 DocumentRun& Document::add(const Scenario& scenario) {
     DocumentRun run;
@@ -95,6 +97,7 @@ DocumentRun& Document::add(const Scenario& scenario) {
 void Document::open(const Scenario& scenario) {
     SolverThread::Options options;
     options.notify = notify_;
+    options.before_publishing = before_publishing_;
     const unsigned cores = std::thread::hardware_concurrency(); // one of them is left to the window
     options.run.threads = cores > 2 ? static_cast<int>(cores) - 1 : 1;
     add(scenario).solver = std::make_unique<SolverThread>(catalogue_, scenario, std::move(options));

@@ -76,7 +76,9 @@ std::optional<double> iteration_rate(const std::vector<StepReport>& history);
 class Document {
   public:
     /// `notify` is called on a solver thread whenever there is something to collect; it must be quick.
-    Document(std::shared_ptr<const Catalogue> catalogue, std::function<void()> notify);
+    /// `before_publishing` as in SolverThread::Options.
+    Document(std::shared_ptr<const Catalogue> catalogue, std::function<void()> notify,
+             std::function<void(const Snapshot&)> before_publishing = {});
 
     /// Adds a run, which begins to solve at once, and a viewport that looks at it.
     void open(const Scenario& scenario);
@@ -117,6 +119,7 @@ class Document {
 
     std::shared_ptr<const Catalogue> catalogue_;
     std::function<void()> notify_;
+    std::function<void(const Snapshot&)> before_publishing_;
     std::vector<DocumentViewport> viewports_;
     std::uint64_t last_number_ = 0;
     std::vector<DocumentRun> runs_;

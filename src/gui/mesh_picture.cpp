@@ -7,7 +7,7 @@ namespace gaspard {
 void PictureMaker::take_mesh(const Snapshot& snapshot) {
     mesh_ = snapshot.mesh;
     last_ = {};
-    last_.tessellation = std::make_shared<const Tessellation>(tessellate(*mesh_));
+    last_.tessellation = cache_->get(mesh_);
     last_.computational = std::make_shared<const Points>(shown_points(*last_.tessellation, mesh_->nodes));
     last_.cell_dimension = cell_dimension(mesh_->kind);
     computational_box_ = bounding_box(*last_.computational);

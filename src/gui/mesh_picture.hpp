@@ -8,12 +8,13 @@
 #include "core/base/parameter.hpp"
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/colouring.hpp"
-#include "core/tessellate/tessellation.hpp"
+#include "core/tessellate/tessellation_cache.hpp"
 #include "gui/camera.hpp"
 
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace gaspard {
@@ -43,6 +44,8 @@ struct MeshPicture {
 /// Makes pictures of one run's snapshots; keeps what does not change between them.
 class PictureMaker {
   public:
+    explicit PictureMaker(std::shared_ptr<TessellationCache> cache = std::make_shared<TessellationCache>())
+        : cache_(std::move(cache)) {}
     /// `view`: values of view_rows(). Leaves out the arrows, for which one has to know the camera.
     MeshPicture make(const Snapshot& snapshot, const Values& view);
     /// What is known of the cells; of the snapshot last shown.
@@ -53,6 +56,7 @@ class PictureMaker {
     void take_positions(const Snapshot& snapshot);
     void take_colouring(const Snapshot& snapshot, const ColourChoice& choice);
 
+    std::shared_ptr<TessellationCache> cache_;
     std::shared_ptr<const Mesh> mesh_;
     Box computational_box_;
     ColouringMaker colouring_maker_;

@@ -8,8 +8,6 @@ namespace gaspard {
 
 namespace {
 
-constexpr double lowest_decade = -307, highest_decade = 308; // of doubles that have all their digits
-
 struct Hull {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     void add(double position) {

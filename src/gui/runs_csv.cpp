@@ -11,8 +11,6 @@ std::string quoted(const std::string& text) {
     return result + "\"";
 }
 
-std::string cell_of(const std::optional<double>& value) { return value ? format_number(*value) : ""; }
-
 } // namespace
 
 std::string runs_csv(const std::vector<DocumentRun>& runs) {
@@ -23,8 +21,8 @@ std::string runs_csv(const std::vector<DocumentRun>& runs) {
         const std::string name = quoted(run.name);
         for (const StepReport& row : run.history) {
             text += name + ',' + std::to_string(row.iteration) + ',' + format_number(row.seconds) + ',' +
-                    format_number(row.residual) + ',' + cell_of(row.equidistribution) + ',' +
-                    cell_of(row.min_jacobian) + ',' + cell_of(row.max_jacobian) + ',' +
+                    format_number(row.residual) + ',' + format_number(row.equidistribution) + ',' +
+                    format_number(row.min_jacobian) + ',' + format_number(row.max_jacobian) + ',' +
                     format_number(row.step_size) + ',';
             text += row.tangled_cells ? std::to_string(*row.tangled_cells) : "";
             text += '\n';

@@ -1,5 +1,6 @@
 #include "gui/status_bar.hpp"
 
+#include "core/tessellate/ticks.hpp"
 #include "gui/actions.hpp"
 
 #include <algorithm>
@@ -10,18 +11,6 @@
 namespace gaspard {
 
 namespace {
-
-std::string scientific(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3e", value);
-    return text;
-}
-
-std::string short_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
 
 /// The newest report with diagnostics; null before the first.
 const StepReport* last_measured(const std::vector<StepReport>& history) {
@@ -82,7 +71,7 @@ std::vector<StatusCell> status_cells(const DocumentRun& run) {
     const std::string none = "-";
     std::vector<StatusCell> cells{describe_state(run.status, run.wants_to_run)};
     cells.push_back({"Iteration", now ? std::to_string(now->iteration) : none});
-    cells.push_back({"Residual", now ? scientific(now->residual) : none});
+    cells.push_back({"Residual", now ? short_number(now->residual) : none});
     cells.push_back({"Equidistribution", measured ? short_number(*measured->equidistribution) : none});
     cells.push_back(
         {"Min. Jacobian", measured && measured->min_jacobian ? short_number(*measured->min_jacobian) : none});

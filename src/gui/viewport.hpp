@@ -55,6 +55,10 @@ struct ViewportPlan {
 /// Plans one viewport, frame after frame; keeps what does not change between them.
 class ViewportPlanner {
   public:
+    ViewportPlanner() = default;
+    /// With tessellations that may have been made elsewhere.
+    explicit ViewportPlanner(std::shared_ptr<TessellationCache> cache) : maker_(std::move(cache)) {}
+
     /// Needs a current ImGui frame, for the sizes of texts. `view`: values of view_rows(). Texts that cannot
     /// be read are as good as empty, but for a complaint.
     ViewportPlan plan(const Snapshot& snapshot, const Values& view, const ViewportText& text, ScreenRect rect,

@@ -33,6 +33,8 @@ struct FrameContext {
 
 class ViewportPane {
   public:
+    explicit ViewportPane(std::shared_ptr<TessellationCache> cache) : planner_(std::move(cache)) {}
+
     /// Draws all but the meshes into a window of its own that fills `area`.
     void frame(const DocumentRun& run, DocumentViewport& viewport, const ItemRectangle& area,
                const FrameContext& context);

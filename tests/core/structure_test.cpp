@@ -1,8 +1,7 @@
 // The rooms of the house: who may use whom, and how large a file may be.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <map>
 #include <regex>
 #include <set>
@@ -16,7 +15,8 @@ using Rooms = std::set<std::string>;
 const std::map<std::string, Rooms>& allowed() {
     static const std::map<std::string, Rooms> table = [] {
         std::map<std::string, Rooms> t;
-        const auto room = [&t](const std::string& name, const std::vector<std::string>& users_of, Rooms own = {}) {
+        const auto room = [&t](const std::string& name, const std::vector<std::string>& users_of,
+                               Rooms own = {}) {
             Rooms all = {name};
             for (const auto& other : users_of) all.insert(t.at(other).begin(), t.at(other).end());
             all.insert(own.begin(), own.end());
@@ -47,10 +47,11 @@ std::string room_of(const fs::path& file) { // src/core/ROOM/..., src/ROOM/...
     return *part == "core" ? (++part)->string() : part->string();
 }
 
-std::vector<fs::path> sources() {
+std::vector<fs::path> sources(const char* folder) {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(GASPARD_SOURCE_DIR) / "src"))
-        if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp") files.push_back(entry.path());
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(GASPARD_SOURCE_DIR) / folder))
+        if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp")
+            files.push_back(entry.path());
     return files;
 }
 
@@ -58,7 +59,7 @@ TEST(Structure, RoomsUseOnlyTheRoomsBelowThem) {
     const std::regex include(R"re(#include "(?:core/)?(\w+)/[^"]*")re");
     const std::regex graphics(R"re(#include <(GL|GLFW|EGL|imgui|glm|backends)[/.])re");
     std::size_t arrows = 0;
-    for (const auto& file : sources()) {
+    for (const auto& file : sources("src")) {
         const std::string room = room_of(file);
         if (room == "main.cpp") continue;
         ASSERT_TRUE(allowed().contains(room)) << "no rule for the room of " << file;
@@ -79,12 +80,13 @@ TEST(Structure, RoomsUseOnlyTheRoomsBelowThem) {
 }
 
 TEST(Structure, FilesStayReadable) {
-    for (const auto& file : sources()) {
-        std::ifstream in(file);
-        std::size_t lines = 0;
-        for (std::string line; std::getline(in, line);) ++lines;
-        EXPECT_LE(lines, 600u) << file;
-    }
+    for (const char* folder : {"src", "tests"})
+        for (const auto& file : sources(folder)) {
+            std::ifstream in(file);
+            std::size_t lines = 0;
+            for (std::string line; std::getline(in, line);) ++lines;
+            EXPECT_LE(lines, 600u) << file;
+        }
 }
 
 } // namespace

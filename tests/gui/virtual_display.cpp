@@ -115,4 +115,19 @@ std::string VirtualDisplay::xdotool(const std::vector<std::string>& arguments) c
     return done ? text : std::string();
 }
 
+bool VirtualDisplay::set_density(int dots_per_inch) const {
+    ChildProcess::Setup setup;
+    setup.command = {"xprop",
+                     "-root",
+                     "-f",
+                     "RESOURCE_MANAGER",
+                     "8s",
+                     "-set",
+                     "RESOURCE_MANAGER",
+                     "Xft.dpi:\t" + std::to_string(dots_per_inch) + "\n"};
+    setup.environment = {{"DISPLAY", name_}};
+    setup.output = "/dev/null";
+    return ChildProcess(setup).wait(std::chrono::seconds(20)) == 0;
+}
+
 } // namespace gaspard

@@ -43,6 +43,8 @@ class VirtualDisplay {
     const std::string& name() const { return name_; } ///< ":1"
     /// Runs xdotool and returns what it prints, without the last line end; empty where it fails.
     std::string xdotool(const std::vector<std::string>& arguments) const;
+    /// Tells programs that start from now on how dense the screen is; 96 is usual. False where that failed.
+    bool set_density(int dots_per_inch) const;
 
   private:
     std::string name_;

@@ -156,6 +156,10 @@ TEST_F(WindowTest, ASliderDraggedWithTheMouseAndKeysPressedReachTheFiles) {
 
 TEST_F(WindowTest, AResizedWindowDrawsItsPictureAtTheNewSize) {
     start("plane-ring", 1000, 700);
+    press("e");
+    const auto summary = out("plane-ring") / "summary.json";
+    ASSERT_TRUE(eventually([&] { return std::filesystem::exists(summary); }));
+    EXPECT_EQ(nlohmann::json::parse(text_of(summary))["method"]["step_size"], "auto");
     for (const auto& [width, height] : {std::pair{1000, 700}, {1400, 900}, {900, 600}}) {
         display.xdotool({"windowsize", window, std::to_string(width), std::to_string(height)});
         std::this_thread::sleep_for(700ms);
@@ -252,6 +256,23 @@ TEST_F(WindowTest, WhatWasChangedIsThereTheNextTime) {
     const auto file = out("slow") / "view.png";
     ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << text_of(folder / "log");
     EXPECT_EQ(read_image(file).rgba.front(), 255) << "the corner of a light picture";
+}
+
+TEST_F(WindowTest, OnADenseScreenEverythingIsLargerAndTheWindowStaysAsItIs) {
+    ASSERT_TRUE(display.set_density(120));
+    std::string first;
+    for (int time = 0; time < 3; ++time) {
+        window.clear();
+        start("plane-ring", time == 0 ? 900 : 0, 600);
+        const std::string geometry = display.xdotool({"getwindowgeometry", "--shell", window});
+        const std::string size = geometry.substr(geometry.find("WIDTH="));
+        if (time == 0) first = size;
+        EXPECT_EQ(size, first) << "at start " << time;
+        press("ctrl+q");
+        ASSERT_EQ(program->wait(10s), 0) << text_of(folder / "log");
+        program.reset();
+    }
+    EXPECT_NE(first.find("WIDTH=1125"), std::string::npos) << first;
 }
 
 TEST_F(WindowTest, SettingsThatCannotBeReadOrWrittenAreNoReasonToFail) {

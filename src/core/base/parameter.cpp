@@ -75,6 +75,8 @@ std::string format_number(double value) {
     return code == std::errc{} ? std::string(buffer, end) : std::string("nan");
 }
 
+std::string format_number(const std::optional<double>& value) { return value ? format_number(*value) : ""; }
+
 std::string format_value(const Value& value) {
     if (const auto* real = std::get_if<double>(&value)) return format_number(*real);
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);

@@ -73,6 +73,8 @@ class Values {
 bool is_default(const Values& values, std::string_view key);
 /// A number in the C locale that reads back to the same double.
 std::string format_number(double value);
+/// The same, or no text where there is no number: the cell of a table.
+std::string format_number(const std::optional<double>& value);
 std::string format_value(const Value& value);
 /// What a row allows, for people: "1 to 480", "ring, bell".
 std::string describe_range(const ParameterRow& row);

@@ -34,8 +34,6 @@ std::uint64_t peak_memory_bytes() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
 }
 
-std::string cell_of(const std::optional<double>& value) { return value ? format_number(*value) : ""; }
-
 } // namespace
 
 std::string history_csv(const std::vector<StepReport>& history) {
@@ -43,8 +41,8 @@ std::string history_csv(const std::vector<StepReport>& history) {
         "iteration,residual,equidistribution,exact_rms,min_jacobian,tangled_cells,step_size,seconds\n";
     for (const auto& row : history) {
         text += std::to_string(row.iteration) + ',' + format_number(row.residual) + ',';
-        text += cell_of(row.equidistribution) + ',' + cell_of(row.exact_rms) + ',' +
-                cell_of(row.min_jacobian) + ',';
+        text += format_number(row.equidistribution) + ',' + format_number(row.exact_rms) + ',' +
+                format_number(row.min_jacobian) + ',';
         text += row.tangled_cells ? std::to_string(*row.tangled_cells) : "";
         text += ',' + format_number(row.step_size) + ',' + format_number(row.seconds) + '\n';
     }

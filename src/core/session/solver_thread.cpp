@@ -167,7 +167,11 @@ void SolverThread::publish(std::stop_token stop) {
     if (restarted) epoch_ = run_->epoch(), published_ = 0;
     const auto& history = run_->history();
     const bool news = published_ < history.size();
-    if (news) latest_.put(run_->snapshot());
+    if (news) {
+        auto snapshot = run_->snapshot();
+        if (options_.before_publishing) options_.before_publishing(*snapshot);
+        latest_.put(std::move(snapshot));
+    }
     for (; published_ < history.size(); ++published_)
         if (!reports_.push({published_ == 0, history[published_]}, stop)) return;
     const bool paused = !running_;

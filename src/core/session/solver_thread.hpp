@@ -73,6 +73,9 @@ class SolverThread {
         RunOptions run{};
         std::size_t report_capacity = 4096; ///< the run waits when nobody takes its reports
         std::function<void()> notify{};     ///< called on the solver thread after anything new; must be quick
+        /// Called on the solver thread before a snapshot is published: what would take those long who show it
+        /// can be made here.
+        std::function<void(const Snapshot&)> before_publishing{};
     };
 
     SolverThread(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, Options options);

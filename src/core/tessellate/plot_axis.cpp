@@ -6,12 +6,6 @@
 
 namespace gaspard {
 
-namespace {
-
-constexpr double lowest_decade = -307, highest_decade = 308; // of doubles that have all their digits
-
-} // namespace
-
 double to_axis(const Axis& axis, double value) {
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     if (!std::isfinite(value)) return nothing;

@@ -18,6 +18,9 @@ struct AxisRange {
     friend bool operator==(const AxisRange&, const AxisRange&) = default;
 };
 
+/// The decades of doubles that have all their digits.
+inline constexpr double lowest_decade = -307, highest_decade = 308;
+
 /// In axis units; NaN where the axis cannot show the value.
 double to_axis(const Axis& axis, double value);
 /// Back; kept within what a double can be.

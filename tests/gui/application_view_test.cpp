@@ -1,0 +1,124 @@
+#include "gui/application_fixture.hpp"
+
+namespace gaspard {
+namespace {
+
+TEST_F(ApplicationTest, TheMouseSteersTheCamera) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
+    application.press_key("H"); // for the mesh as it now stands
+    frame();
+    const ItemRectangle view = application.items().find("viewport")->second;
+    const Size size{static_cast<double>(view.width()), static_cast<double>(view.height())};
+    const Camera home = application.pictures().front().camera;
+
+    ui.drag(view, 0.5F, 0.6F, drawing());
+    const Pixel moved = to_pixel(application.pictures().front().camera, size, home.centre);
+    EXPECT_NEAR(moved.x, 0.6 * size.width, 2) << "the mesh follows the mouse";
+    EXPECT_NEAR(moved.y, 0.5 * size.height, 2);
+
+    const Pixel pointer{std::floor(0.25 * size.width), std::floor(0.75 * size.height)};
+    ui.move(view.left + static_cast<float>(pointer.x), view.top + static_cast<float>(pointer.y));
+    frame();
+    const Camera before = application.pictures().front().camera;
+    ui.wheel(3);
+    frame();
+    EXPECT_LT(application.pictures().front().camera.scale, before.scale);
+    const Vec3 there = to_world(before, size, pointer),
+               now = to_world(application.pictures().front().camera, size, pointer);
+    EXPECT_NEAR(there.x, now.x, 1e-6) << "what is under the pointer stays there";
+    EXPECT_NEAR(there.y, now.y, 1e-6);
+
+    EXPECT_TRUE(application.press_key("H"));
+    frame();
+    EXPECT_EQ(application.pictures().front().camera, home);
+    ui.drag(view, 0.5F, 0.6F, drawing());
+    EXPECT_NE(application.pictures().front().camera, home);
+    for (int i = 0; i < 30; ++i) frame(); // so that the drag is not the first of two clicks
+    const Camera dragged = application.pictures().front().camera;
+    ItemRectangle corner = view; // clicked at its middle
+    corner.right = view.left + 0.6F * view.width();
+    corner.bottom = view.top + 0.6F * view.height();
+    ui.click(corner, drawing());
+    EXPECT_NE(application.document().viewports()[0].view.text("pick"), "") << "a click picks";
+    EXPECT_EQ(application.pictures().front().camera, dragged);
+    ui.click(corner, drawing());
+    frame();
+    const Vec3 clicked = to_world(dragged, size, {0.3 * size.width, 0.3 * size.height});
+    const Pixel middle = to_pixel(application.pictures().front().camera, size, clicked);
+    EXPECT_NEAR(middle.x, size.width / 2, 1) << "a double click brings a point to the middle";
+    EXPECT_NEAR(middle.y, size.height / 2, 1);
+    EXPECT_EQ(application.document().viewports()[0].view.text("pick"), "") << "and picks nothing";
+}
+
+TEST_F(ApplicationTest, TheCameraIsCopiedAndPastedAsText) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
+    application.press_key("H");
+    frame();
+    const Camera home = application.pictures().front().camera;
+    EXPECT_TRUE(application.press_key("Ctrl+C"));
+    const std::string copied = ImGui::GetClipboardText();
+    ui.drag(application.items().find("viewport")->second, 0.5F, 0.6F, drawing());
+    EXPECT_NE(application.pictures().front().camera, home);
+    EXPECT_TRUE(application.press_key("Ctrl+V"));
+    frame();
+    EXPECT_EQ(application.pictures().front().camera.centre, home.centre);
+    EXPECT_EQ(application.document().viewports()[0].view.text("camera"), copied);
+    ImGui::SetClipboardText("milk, bread");
+    EXPECT_TRUE(application.press_key("Ctrl+V"));
+    EXPECT_NE(application.message().text.find("the camera 'milk, bread'"), std::string::npos);
+    EXPECT_EQ(application.document().viewports()[0].view.text("camera"), copied) << "nothing is lost";
+}
+
+TEST_F(ApplicationTest, EscapeEndsThePickAndNotTheSolving) {
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3 && !application.pictures().empty(); }));
+    ui.click(application.items().find("viewport")->second, drawing());
+    const Values& values = application.document().viewports()[0].view;
+    EXPECT_NE(values.text("pick"), "");
+    EXPECT_TRUE(application.press_key("Escape"));
+    EXPECT_EQ(values.text("pick"), "");
+}
+
+TEST_F(ApplicationTest, TheViewIsSwitchedByKeys) {
+    ASSERT_TRUE(wait_until([&] { return !application.pictures().empty(); }));
+    const Values& values = application.document().viewports()[0].view;
+    EXPECT_TRUE(application.press_key("B"));
+    frame();
+    EXPECT_EQ(application.pictures().size(), 2U);
+    EXPECT_TRUE(application.press_key("B"));
+    EXPECT_TRUE(application.press_key("L"));
+    EXPECT_TRUE(application.press_key("A"));
+    frame();
+    EXPECT_EQ(application.pictures().size(), 1U);
+    EXPECT_FALSE(application.pictures()[0].picture.lines);
+    EXPECT_NE(application.pictures()[0].picture.arrows, nullptr);
+    EXPECT_FALSE(application.press_key("3")) << "a plane has one side";
+    EXPECT_EQ(values.text("direction"), "home");
+}
+
+TEST_F(ApplicationTest, AFixedRangeBeginsAsWhatIsSeen) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
+    const ColourRange seen = application.pictures()[0].picture.colouring->range;
+    ui.click(application.items().find("view.range")->second, drawing());
+    frame();
+    ui.click(application.items().find("view.range=fixed")->second, drawing());
+    frame();
+    const Values& values = application.document().viewports()[0].view;
+    EXPECT_EQ(values.text("range"), "fixed");
+    EXPECT_EQ(values.real("low"), seen.low);
+    EXPECT_EQ(values.real("high"), seen.high);
+    EXPECT_EQ(application.pictures()[0].picture.colouring->range, seen);
+}
+
+TEST_F(ApplicationTest, BlendShowsTheComputationalMeshAndSolvesNothing) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const auto rows = run().history.size();
+    EXPECT_EQ(application.pictures().front().picture.blend, 1);
+    ui.drag(application.items().find("view.blend")->second, 0.9F, -0.5F, drawing());
+    frame();
+    EXPECT_EQ(application.pictures().front().picture.blend, 0);
+    solved_scenario();
+    EXPECT_EQ(run().history.size(), rows);
+}
+
+} // namespace
+} // namespace gaspard
