@@ -11,23 +11,32 @@ esac
 "$here/scripts/install-packages.sh" build test
 jobs=$(nproc)
 
-build_and_test() { # folder, label expression of tests to leave out (empty: none), cmake options ...
-  local folder=$1 leave_out=$2 sanitizer=; shift 2
-  case "$*" in *GASPARD_SANITIZER*) sanitizer=yes ;; esac
+build() { # folder, cmake options; targets come from $targets (empty: all)
+  local folder=$1; shift
   cmake -S "$here" -B "$folder" -G Ninja -DGASPARD_TESTS=ON "$@" >/dev/null
-  cmake --build "$folder" -- -d keeprsp >"$folder/build.log" 2>&1 || { tail -n 60 "$folder/build.log" >&2; exit 1; }
-  # A sanitizer slows everything down: tests of time, known by their names, would say nothing.
-  ctest --test-dir "$folder" --output-on-failure -j "$jobs" \
-    ${leave_out:+-LE "$leave_out" ${sanitizer:+-E 'IsQuick|TakesNoTime'}}
+  # shellcheck disable=SC2086
+  cmake --build "$folder" ${targets:+--target $targets} -- -d keeprsp >"$folder/build.log" 2>&1 \
+    || { tail -n 60 "$folder/build.log" >&2; exit 1; }
+}
+run_tests() { # folder, options of ctest
+  local folder=$1; shift
+  ctest --test-dir "$folder" --output-on-failure -j "$jobs" "$@"
 }
 
 if [ -n "$full" ]; then
-  echo "== ThreadSanitizer (the core and its threads; graphics drivers are not instrumented)"
-  build_and_test "$here/build-thread" 'graphics|display|long|numbers' -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGASPARD_SANITIZER=thread
-  echo "== AddressSanitizer and UndefinedBehaviorSanitizer (likewise: Mesa keeps memory that it never frees)"
-  build_and_test "$here/build-address" 'graphics|display|long|numbers' -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGASPARD_SANITIZER=address
+  # A sanitizer slows everything down: tests of time, known by their names, would say nothing. Graphics drivers are
+  # not instrumented, and Mesa keeps memory that it never frees.
+  slow='graphics|display|long|numbers' of_time='IsQuick|TakesNoTime'
+  echo "== ThreadSanitizer: whatever more than one thread runs through"
+  targets='thread_tests gui_tests' build "$here/build-thread" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGASPARD_SANITIZER=thread
+  run_tests "$here/build-thread" -L threads -LE "$slow" -E "$of_time"
+  echo "== AddressSanitizer and UndefinedBehaviorSanitizer: all but pictures"
+  targets='core_tests thread_tests gui_tests' build "$here/build-address" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGASPARD_SANITIZER=address
+  run_tests "$here/build-address" -LE "$slow" -E "$of_time|NOT_BUILT"
   echo "== Release"
-  build_and_test "$here/build-test" '' -DCMAKE_BUILD_TYPE=Release -DGASPARD_NATIVE=ON
+  targets='' build "$here/build-test" -DCMAKE_BUILD_TYPE=Release -DGASPARD_NATIVE=ON
+  run_tests "$here/build-test"
 else
-  build_and_test "$here/build-test" long -DCMAKE_BUILD_TYPE=Release -DGASPARD_NATIVE=ON
+  targets='' build "$here/build-test" -DCMAKE_BUILD_TYPE=Release -DGASPARD_NATIVE=ON
+  run_tests "$here/build-test" -LE long
 fi

@@ -112,7 +112,6 @@ TEST_F(DocumentTest, AKeptRunStaysWhileTheLiveOneGoesOn) {
 
 TEST_F(DocumentTest, OfARemovedRunNothingRemains) {
     document.open(small_ring(*catalogue));
-    EXPECT_FALSE(document.keep(0)) << "there is nothing yet";
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     document.keep(0), document.keep(0);
     const std::size_t colour = document.runs()[1].colour;
@@ -125,6 +124,15 @@ TEST_F(DocumentTest, OfARemovedRunNothingRemains) {
     EXPECT_EQ(document.viewports()[2].run, 1U) << "the same run as before";
     document.keep(0);
     EXPECT_EQ(document.runs()[2].colour, colour) << "its colour is free again";
+}
+
+TEST_F(DocumentTest, ARunThatHasDoneNothingIsNotKept) {
+    Scenario refused = small_ring(*catalogue);
+    refused.method.type = "magic";
+    document.open(refused);
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    EXPECT_FALSE(document.keep(0));
+    EXPECT_EQ(document.runs().size(), 1U);
 }
 
 TEST_F(DocumentTest, AChangeOfValuesMarksTheHistory) {
