@@ -14,7 +14,7 @@ SIZES = [60, 120, 240, 480]
 
 
 def measure(program):
-    command = [program, "--benchmark_format=json", "--benchmark_min_time=0.05", "--benchmark_repetitions=7"]
+    command = [program, "--benchmark_format=json", "--benchmark_min_time=0.03", "--benchmark_repetitions=3"]
     out = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
     best = {}
     for row in out["benchmarks"]:
