@@ -22,7 +22,7 @@ struct Scene {
         for (const auto& type : monitor_types())
             if (type.name == "ring")
                 monitor = type.make(Values("monitor", type.rows), Space{SpaceKind::periodic_square});
-        for (int i = 0; i < 20; ++i) {
+        for (int i = 0; i < 6; ++i) {
             evaluate();
             plane->poisson(r, u, room);
             for (std::size_t k = 0; k < phi.size(); ++k) phi[k] += 0.1 * u[k];

@@ -1,18 +1,20 @@
 #!/usr/bin/env bash
-# Installs Debian's packages that are missing. Usage: install-packages.sh build|test|bench ...
+# Installs Debian's packages that are missing. Usage: install-packages.sh build|test|bench|package ...
 set -euo pipefail
 build="build-essential cmake ninja-build pkg-config libglfw3-dev libimgui-dev libglm-dev libeigen3-dev
   libtinygltf-dev libosmesa6-dev libegl-dev libgl-dev libcli11-dev libtomlplusplus-dev
   nlohmann-json3-dev libstb-dev libgl1-mesa-dri"
-test="libgtest-dev libopenmesh-dev libassimp-dev libtinyxml2-dev libpng-dev xvfb xdotool x11-utils python3"
+test="libgtest-dev libopenmesh-dev libassimp-dev libtinyxml2-dev libpng-dev xvfb xdotool x11-utils python3 desktop-file-utils"
 bench="libbenchmark-dev python3 python3-dolfin python3-numpy python3-petsc4py"
+package="dpkg-dev file"
 wanted=
 for group in "$@"; do
   case $group in
     build) wanted="$wanted $build" ;;
     test) wanted="$wanted $test" ;;
     bench) wanted="$wanted $bench" ;;
-    *) echo "install-packages.sh: unknown group '$group' (build, test, bench)" >&2; exit 2 ;;
+    package) wanted="$wanted $package" ;;
+    *) echo "install-packages.sh: unknown group '$group' (build, test, bench, package)" >&2; exit 2 ;;
   esac
 done
 missing=

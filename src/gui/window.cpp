@@ -91,6 +91,8 @@ GlfwWindow open_window(const std::string& title, const Values& remembered) {
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_SAMPLES, picture_samples); // as offscreen, so that pictures are the same
     glfwWindowHint(GLFW_MAXIMIZED, remembered.boolean("maximized") ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "gaspard"); // by which a desktop finds the entry with the icon
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "gaspard");
     // Of a display of scale 1; GLFW_SCALE_TO_MONITOR makes it larger on others.
     GlfwWindow window(glfwCreateWindow(static_cast<int>(remembered.integer("width")),
                                        static_cast<int>(remembered.integer("height")), title.c_str(), nullptr,

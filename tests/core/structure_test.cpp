@@ -34,7 +34,8 @@ const std::map<std::string, Rooms>& allowed() {
         room("tessellate", {"session"});
         room("io", {"session", "tessellate"});
         room("published", {"session", "tessellate"});
-        room("gui", {"io"}); // everything but what is published
+        room("gaspard.hpp", {"io"}); // the library's door
+        room("gui", {"io"});         // everything but what is published
         room("cli", {"gui", "published"});
         return t;
     }();

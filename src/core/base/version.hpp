@@ -1,3 +1,4 @@
+// Which Gaspard this is.
 #pragma once
 
 #include <string_view>

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
 #include "core/io/svg.hpp"
+#include "core/tessellate/colouring.hpp"
 
 #include <algorithm>
 

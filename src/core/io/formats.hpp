@@ -1,10 +1,11 @@
-// The table of mesh formats, and each format's writer.
+// The table of mesh formats, and each format's writer. Existing files are replaced when the new one is whole;
+// what cannot be written is a MachineError.
 #pragma once
 
 #include "core/mesh/space.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/session/snapshot.hpp"
-#include "core/tessellate/colouring.hpp"
+#include "core/tessellate/colour_choice.hpp"
 
 #include <filesystem>
 #include <string>

@@ -4,6 +4,7 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/formats.hpp"
 #include "core/tessellate/colour_map.hpp"
+#include "core/tessellate/colouring.hpp"
 #include "core/tessellate/tessellation.hpp"
 
 #include <algorithm>

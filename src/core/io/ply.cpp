@@ -7,6 +7,7 @@
 #include "core/io/formats.hpp"
 #include "core/io/little_endian.hpp"
 #include "core/tessellate/colour_map.hpp"
+#include "core/tessellate/colouring.hpp"
 
 #include <cmath>
 

@@ -10,9 +10,12 @@
 
 namespace gaspard {
 
+/// One row per iterate; what was not measured is empty.
 std::string history_csv(const std::vector<StepReport>& history);
+/// Scenario, status, numbers, times, memory; what was not measured is null.
 std::string summary_json(Run& run);
-/// Writes all of them; what fails does not keep the others from being tried. Throws the first MachineError;
+/// Writes all of them into a folder that is there or can be made, each under a temporary name that is then
+/// renamed; what fails does not keep the others from being tried. Throws the first MachineError;
 /// Interrupted when stopped between two files, each of which is whole.
 void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats,
                      const Progress& progress = {}, std::stop_token stop = {});

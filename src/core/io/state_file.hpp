@@ -11,6 +11,7 @@
 
 namespace gaspard {
 
+/// Throws MachineError where the file cannot be written.
 void write_state(const std::filesystem::path& file, const State& state);
 /// Throws InputError: no such file, not a state, damaged, of a newer version.
 State read_state(const std::filesystem::path& file);

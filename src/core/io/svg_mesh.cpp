@@ -3,6 +3,7 @@
 #include "core/io/svg.hpp"
 #include "core/io/svg_document.hpp"
 #include "core/io/svg_scene.hpp"
+#include "core/tessellate/colouring.hpp"
 #include "core/tessellate/ticks.hpp"
 
 #include <algorithm>

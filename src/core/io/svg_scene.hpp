@@ -5,6 +5,7 @@
 #include "core/io/svg.hpp"
 #include "core/io/svg_path.hpp"
 #include "core/session/snapshot.hpp"
+#include "core/tessellate/colouring.hpp"
 
 #include <optional>
 #include <vector>

@@ -6,6 +6,7 @@
 #include "core/io/formats.hpp"
 #include "core/io/little_endian.hpp"
 #include "core/io/xml.hpp"
+#include "core/tessellate/colouring.hpp"
 
 #include <cmath>
 #include <limits>

@@ -12,7 +12,7 @@
 
 namespace gaspard {
 
-/// Called during long work: a fraction from 0 to 1 and what is being done.
+/// Called during long work, on the thread that works: a fraction from 0 to 1 and what is being done.
 using Progress = std::function<void(double, std::string_view)>;
 
 class Discretisation {

@@ -1,4 +1,9 @@
-// The monitor m(x) > 0: where it is large, the mesh is to be dense.
+// The monitor m(x) > 0: where it is large, the mesh is to be dense. Cells get the area theta / m; only ratios
+// of m count, not its unit.
+//
+// A simulation brings its own: as a function (monitor/function.hpp), or as a class derived from Monitor,
+// which looks up many points at once. On the periodic square points may lie outside of [0, 1]^2, and m has to
+// be periodic. What m does within less than a few cells, the mesh cannot follow.
 #pragma once
 
 #include "core/base/parameter.hpp"
@@ -13,12 +18,14 @@
 
 namespace gaspard {
 
+/// Immutable once a run has it. Calls may come from several threads at once when a run has more than one.
+/// What it throws comes through (see Run::step).
 class Monitor {
   public:
     virtual ~Monitor() = default;
-    /// m at every point (physical coordinates). `values` has x.size() entries.
+    /// m at every point (physical coordinates), positive and finite. `values` has x.size() entries.
     virtual void values(const Points& x, std::span<double> values) const = 0;
-    /// grad m at every point, in the coordinates of space.
+    /// grad m at every point, in the coordinates of space; resizes `gradients` to x.size().
     virtual void gradients(const Points& x, Points& gradients) const = 0;
     /// Throws InputError where m <= 0 or not finite for some point of space, naming the parameter to change.
     virtual void check() const = 0;

@@ -104,12 +104,14 @@ const Capability* find_capability(const Catalogue& catalogue, const Scenario& sc
     for (const auto& row : catalogue.capabilities)
         if (row.domain == scenario.domain.type &&
             (row.boundaries.empty() || contains(row.boundaries, boundary)) &&
-            contains(row.monitors, scenario.monitor.type) && contains(row.methods, scenario.method.type))
+            (scenario.monitor.type == own_monitor || contains(row.monitors, scenario.monitor.type)) &&
+            contains(row.methods, scenario.method.type))
             return &row;
     return nullptr;
 }
 
-Problem check(const Catalogue& catalogue, Scenario scenario) {
+Problem check(const Catalogue& catalogue, Scenario scenario, std::shared_ptr<const Monitor> own) {
+    if (own) scenario.monitor = {std::string(own_monitor), Values("monitor", {})};
     const Capability* capability = find_capability(catalogue, scenario);
     if (!capability) {
         std::string possible;
@@ -122,8 +124,11 @@ Problem check(const Catalogue& catalogue, Scenario scenario) {
                          "' do not go together on domain '" + scenario.domain.type + "'" +
                          (boundary.empty() ? "" : " with boundary '" + boundary + "'") + possible);
     }
-    const Space space = catalogue.domain(scenario.domain.type).space(scenario.domain.values);
-    auto monitor = catalogue.monitor(scenario.monitor.type).make(scenario.monitor.values, space);
+    auto monitor = std::move(own);
+    if (!monitor) {
+        const Space space = catalogue.domain(scenario.domain.type).space(scenario.domain.values);
+        monitor = catalogue.monitor(scenario.monitor.type).make(scenario.monitor.values, space);
+    }
     monitor->check();
     return {std::move(scenario), std::move(monitor), capability};
 }

@@ -69,8 +69,10 @@ struct Problem {
     const Capability* capability = nullptr; ///< in the catalogue that checked it
 };
 
-/// Throws InputError, naming what does not go together and what would.
-Problem check(const Catalogue& catalogue, Scenario scenario);
+/// Throws InputError, naming what does not go together and what would. A monitor that the caller brings takes
+/// the place of the scenario's, whose section then is of type own_monitor and has no values.
+Problem check(const Catalogue& catalogue, Scenario scenario, std::shared_ptr<const Monitor> own = {});
+inline constexpr std::string_view own_monitor = "own";
 
 /// The row for a scenario's domain, boundary, monitor and method, or null.
 const Capability* find_capability(const Catalogue& catalogue, const Scenario& scenario);

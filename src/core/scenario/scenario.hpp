@@ -1,4 +1,6 @@
-// A scenario: what to solve, as plain data. Every value is there, checked against its row.
+// A scenario: what to solve, as plain data. Every value is there, checked against its row. `gaspard list`
+// shows all keys with their ranges; a scenario is made by default_scenario() or find_scenario(), and changed
+// by set_value().
 #pragma once
 
 #include "core/base/parameter.hpp"

@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/stopwatch.hpp"
+#include "core/diagnostics/quality.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,7 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
     method_ = catalogue_->method(problem_.scenario.method.type)
                   .make(discretisation_, problem_.scenario.method.values);
     method_->use_threads(options_.threads);
-    meter_.emplace(discretisation_->mesh(), options_.threads);
+    meter_ = std::make_unique<QualityMeter>(discretisation_->mesh(), options_.threads);
     State state = method_->initial_state();
     if (options_.start) {
         auto adopted = method_->adopt(*options_.start);
@@ -48,17 +49,25 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
         state = std::move(*adopted);
     }
     setup_seconds_ = watch.seconds();
-    begin(std::move(state));
+    const Evaluation evaluation = first_look(problem_, state);
+    begin(std::move(state), evaluation);
 }
 
-void Run::begin(State state) {
+Run::Run(Run&&) noexcept = default;
+Run::~Run() = default;
+
+// A state or a monitor of the caller's may be unfit; one of our own may not.
+Evaluation Run::first_look(const Problem& problem, const State& state) {
+    const Evaluation evaluation = method_->evaluate(*problem.monitor, state, {});
+    if (std::isfinite(evaluation.residual)) return evaluation;
+    GASPARD_CHECK(options_.start || problem.scenario.monitor.type == own_monitor);
+    throw InputError("the start state has no finite residual for this monitor");
+}
+
+void Run::begin(State state, const Evaluation& evaluation) {
     state_ = last_untangled_ = std::move(state);
     history_.clear();
     seconds_ = cpu_seconds_ = 0;
-    const Evaluation evaluation = method_->evaluate(*problem_.monitor, state_, {});
-    if (options_.start && !std::isfinite(evaluation.residual))
-        throw InputError("the start state has no finite residual for this monitor");
-    GASPARD_CHECK(std::isfinite(evaluation.residual));
     restart_judging();
     record(evaluation, 0, {});
 }
@@ -69,8 +78,32 @@ void Run::restart_judging() {
 }
 
 void Run::reset() {
+    State state = method_->initial_state();
+    const Evaluation evaluation = first_look(problem_, state);
     ++epoch_;
-    begin(method_->initial_state());
+    begin(std::move(state), evaluation);
+}
+
+void Run::follow(std::shared_ptr<const Monitor> monitor) {
+    if (!monitor) throw InputError("there is no monitor to follow");
+    Problem problem = check(*catalogue_, problem_.scenario, monitor);
+    const bool back = status() == RunStatus::diverged || status() == RunStatus::tangled;
+    State state = back ? last_untangled_ : state_;
+    const Evaluation evaluation = first_look(problem, state);
+    own_ = std::move(monitor);
+    problem_ = std::move(problem);
+    ++epoch_;
+    begin(std::move(state), evaluation);
+}
+
+const StepReport& Run::solve(std::stop_token stop) {
+    while (status() == RunStatus::running) {
+        if (stop.stop_requested())
+            interrupt();
+        else
+            step(stop);
+    }
+    return history_.back();
 }
 
 const StepReport& Run::step(std::stop_token stop) {
@@ -78,7 +111,13 @@ const StepReport& Run::step(std::stop_token stop) {
     const Stopwatch watch;
     const double others_before = method_->other_cpu_seconds();
     last_finite_ = state_;
-    Evaluation evaluation = method_->step(*problem_.monitor, state_, stop);
+    Evaluation evaluation;
+    try {
+        evaluation = method_->step(*problem_.monitor, state_, stop);
+    } catch (...) { // half a step is none
+        state_ = last_finite_;
+        throw;
+    }
     std::string note;
     if (!std::isfinite(evaluation.residual)) take_back(evaluation, note);
     record(evaluation, history_.back().iteration + 1, std::move(note));
@@ -158,7 +197,7 @@ void Run::interrupt() {
 }
 
 std::string Run::change(const Scenario& scenario, const Progress& progress, std::stop_token stop) {
-    Problem problem = check(*catalogue_, scenario);
+    Problem problem = check(*catalogue_, scenario, own_);
     const Scenario& old = problem_.scenario;
     if (problem.scenario.domain == old.domain && problem.scenario.monitor == old.monitor &&
         problem.scenario.method == old.method) {
@@ -179,7 +218,7 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         method->use_threads(options_.threads);
         state = method->adopt(*state);
         untangled = method->adopt(last_untangled_);
-        if (new_domain) meter_.emplace(discretisation->mesh(), options_.threads);
+        if (new_domain) meter_ = std::make_unique<QualityMeter>(discretisation->mesh(), options_.threads);
         discretisation_ = std::move(discretisation);
         method_ = std::move(method);
         setup_seconds_ = watch.seconds();

@@ -1,7 +1,16 @@
 // One problem being solved, one call at a time, on whatever thread calls.
+//
+//     Run run(catalogue, scenario);                            // prepares; the start is row 0 of the history
+//     while (run.status() == RunStatus::running) run.step();   // or run.solve()
+//     const auto mesh = run.snapshot();                        // x, fields, numbers
+//
+// A mesh that follows a simulation: follow() once per time step with the monitor of the moment, then solve();
+// the map of the last time step is the start (examples/follow_a_feature.cpp).
+//
+// Different runs are independent of each other and may be used on different threads; a single one by one
+// thread at a time. Snapshots are immutable and may go anywhere.
 #pragma once
 
-#include "core/diagnostics/quality.hpp"
 #include "core/scenario/catalogue.hpp"
 #include "core/session/snapshot.hpp"
 
@@ -12,6 +21,8 @@
 #include <vector>
 
 namespace gaspard {
+
+class QualityMeter;
 
 struct RunOptions {
     std::optional<State> start{}; ///< the first iterate; empty: the identity map
@@ -24,9 +35,15 @@ class Run {
     /// when stopped on the way.
     Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptions options = {},
         const Progress& progress = {}, std::stop_token stop = {});
+    Run(Run&&) noexcept;
+    ~Run();
 
     /// One iteration; says in its report how the run stands. To be called only while status() is running.
+    /// What the monitor throws comes through; the run keeps its last iterate, and goes on after follow(),
+    /// change() or reset(). Until then only state() and history() are to be asked.
     const StepReport& step(std::stop_token stop = {});
+    /// Steps until the status is final: interrupted when stopped. Returns the last report.
+    const StepReport& solve(std::stop_token stop = {});
     /// Completes the diagnostics of the present iterate, where they were left out.
     void complete();
     /// Ends the run here as interrupted, with full diagnostics of the present iterate.
@@ -37,6 +54,12 @@ class Run {
     /// more row for the present iterate under the new values. Returns a sentence for the user where the map
     /// could not be kept, else nothing. Throws InputError and Interrupted before anything has changed.
     std::string change(const Scenario& scenario, const Progress& progress = {}, std::stop_token stop = {});
+    /// The same mesh for a monitor of the caller's own, which takes the place of the scenario's from now on
+    /// (whose section then says "own"). The present map is the start (the last one without tangled cells, if
+    /// the run has ended as tangled or diverged) and row 0 of a new history, so that
+    /// history().back().iteration is what this monitor takes. Throws InputError if the monitor is not
+    /// positive and finite, or the map has no finite residual for it; then as after a throw in step().
+    void follow(std::shared_ptr<const Monitor> monitor);
     /// Back to the identity map, with a new history.
     void reset();
 
@@ -57,7 +80,8 @@ class Run {
     std::shared_ptr<const Snapshot> snapshot();
 
   private:
-    void begin(State state);
+    Evaluation first_look(const Problem& problem, const State& state);
+    void begin(State state, const Evaluation& evaluation);
     void restart_judging();
     void record(const Evaluation& evaluation, int iteration, std::string note);
     void measure(StepReport& report);
@@ -67,9 +91,10 @@ class Run {
     std::shared_ptr<const Catalogue> catalogue_;
     RunOptions options_;
     Problem problem_;
+    std::shared_ptr<const Monitor> own_; ///< the caller's monitor; null: the scenario's
     std::shared_ptr<const Discretisation> discretisation_;
     std::unique_ptr<Method> method_;
-    std::optional<QualityMeter> meter_;
+    std::unique_ptr<QualityMeter> meter_;
     State state_, last_finite_;
     State last_untangled_; ///< as far as it was measured
     std::vector<StepReport> history_;

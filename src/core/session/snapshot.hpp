@@ -1,4 +1,12 @@
 // What a run shows of itself: immutable values that the window, the files and the tests read.
+//
+//   theta             integral of m over the physical domain / measure of the computational one
+//   residual          norm of m det(dx/dxi) - theta, in units of theta: 0 when solved (method.hpp)
+//   equidistribution  standard deviation / mean over the cells of M_i, McRae et al. (5.2):
+//                     integral of m over physical cell i / measure of computational cell i
+//   Jacobian          det dx/dxi of a physical cell; a cell is tangled where it is <= 0 anywhere
+//
+// None of them has a unit.
 #pragma once
 
 #include "core/base/points.hpp"
@@ -14,15 +22,15 @@
 namespace gaspard {
 
 enum class RunStatus {
-    preparing, ///< operators are being made
-    running,   ///< may step further
-    converged,
-    iteration_limit,
-    stalled,
-    diverged,
-    tangled,
-    interrupted,
-    failed, ///< an internal fault or the machine's
+    preparing,       ///< operators are being made
+    running,         ///< may step further
+    converged,       ///< the residual is below method.tolerance
+    iteration_limit, ///< method.max_iterations came first
+    stalled,         ///< the residual has not decreased for long
+    diverged,        ///< the iteration has left all bounds, or its numbers were not finite
+    tangled,         ///< the final mesh has tangled cells, whatever its residual
+    interrupted,     ///< somebody asked to stop
+    failed,          ///< an internal fault or the machine's
 };
 
 std::string_view status_name(RunStatus status); ///< "iteration-limit"
@@ -33,10 +41,10 @@ struct StepReport {
     int iteration = 0;
     double residual = 0;
     double theta = 0;
-    double step_size = 0;
+    double step_size = 0; ///< of the update that led here; 0 at the start
     // Empty where diagnostics were left out (method.diagnostics_every).
     std::optional<double> equidistribution{};
-    std::optional<double> exact_rms{}; ///< empty where no exact map is known
+    std::optional<double> exact_rms{}; ///< from the exact map; empty where none is known
     std::optional<double> min_jacobian{}, max_jacobian{};
     std::optional<std::size_t> tangled_cells{};
     double seconds = 0;     ///< cumulative wall time of solving
@@ -47,6 +55,7 @@ struct StepReport {
 
 enum class FieldPlace { node, cell };
 
+/// One number for every node or cell, in the mesh's numbering.
 struct Field {
     std::string name; ///< "monitor" (of nodes); "mass" (M_i) and "jacobian" (of cells, the smallest)
     std::string unit; ///< may be empty
@@ -54,6 +63,7 @@ struct Field {
     std::vector<double> values;
 };
 
+/// An iterate as a value: keep it, and pass it to any thread.
 struct Snapshot {
     std::shared_ptr<const Mesh> mesh; ///< cells and xi; shared by all snapshots of a run
     Points x;                         ///< where the nodes stand, in the mesh's numbering
@@ -61,6 +71,7 @@ struct Snapshot {
     StepReport report;
     std::uint64_t version = 0; ///< grows with every iterate
 
+    /// By its name; null where there is none.
     const Field* field(std::string_view name) const {
         for (const auto& f : fields)
             if (f.name == name) return &f;

@@ -9,9 +9,9 @@
 //   none             no colours
 #pragma once
 
-#include "core/base/parameter.hpp"
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/cell_geometry.hpp"
+#include "core/tessellate/colour_choice.hpp"
 #include "core/tessellate/colour_map.hpp"
 
 #include <array>
@@ -22,17 +22,6 @@
 #include <vector>
 
 namespace gaspard {
-
-struct ColourChoice {
-    std::string colouring = "monitor"; ///< one of the names above
-    std::string map = "automatic";     ///< or a name of colour_maps(): the one that suits the values
-    bool logarithmic = false;          ///< where values may be negative (equidistribution) it stays linear
-    bool fixed = false;                ///< the range is low to high, else it follows the values
-    double low = 0, high = 1;
-    friend bool operator==(const ColourChoice&, const ColourChoice&) = default;
-};
-/// `view`: values of view_rows().
-ColourChoice colour_choice(const Values& view);
 
 struct Colouring {
     std::string name;  ///< as in ColourChoice

@@ -1,0 +1,90 @@
+// What it takes to show a new snapshot, on the window's thread: the picture made of it (values, range,
+// histogram), and its numbers sent to OpenGL. The drawing that would follow is left out: it is the graphics
+// card's.
+#include "core/scenario/toml.hpp"
+#include "core/session/run.hpp"
+#include "gui/mesh_renderer.hpp"
+#include "gui/offscreen.hpp"
+
+#include <array>
+#include <benchmark/benchmark.h>
+
+namespace {
+
+using namespace gaspard;
+
+/// Two iterates of a ring's run, to be shown in turn.
+struct Scene {
+    explicit Scene(std::int64_t cells) {
+        const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+        Scenario scenario = find_scenario(*catalogue, "plane-ring");
+        scenario.domain.values.set("cells", cells);
+        Run run(catalogue, scenario);
+        view = scenario.view;
+        for (auto& snapshot : snapshots) {
+            for (int i = 0; i < 5; ++i) run.step();
+            snapshot = run.snapshot();
+        }
+    }
+    std::array<std::shared_ptr<const Snapshot>, 2> snapshots;
+    Values view;
+};
+
+void count(benchmark::State& state, double bytes_per_node) {
+    const auto side = static_cast<double>(state.range(0));
+    const double iterations = static_cast<double>(state.iterations());
+    state.counters["bytes"] = benchmark::Counter(bytes_per_node * (side + 1) * (side + 1) * iterations,
+                                                 benchmark::Counter::kIsRate);
+    state.counters["cell"] = benchmark::Counter(side * side * iterations,
+                                                benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void picture(benchmark::State& state) {
+    const Scene scene(state.range(0));
+    PictureMaker maker;
+    maker.make(*scene.snapshots[0], scene.view); // triangles and edges, once
+    std::size_t turn = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(maker.make(*scene.snapshots[turn ^= 1], scene.view));
+    // x, y, z and the values are read and kept, and read once more for box, range and histogram.
+    count(state, 3 * 4 * 8);
+}
+
+void upload(benchmark::State& state) {
+    const auto context = make_offscreen_context();
+    Gl gl = context->gl();
+    gl.DrawArrays = [](GLenum, GLint, GLsizei) {};
+    gl.DrawElements = [](GLenum, GLsizei, GLenum, const void*) {};
+    gl.DrawElementsBaseVertex = [](GLenum, GLsizei, GLenum, const void*, GLint) {};
+    const RenderTarget target(gl, 64, 64);
+    target.bind();
+    const Scene scene(state.range(0));
+    PictureMaker maker;
+    const std::array<MeshPicture, 2> pictures = {maker.make(*scene.snapshots[0], scene.view),
+                                                 maker.make(*scene.snapshots[1], scene.view)};
+    MeshRenderer renderer(gl);
+    const auto show = [&](const MeshPicture& one) {
+        renderer.draw(one, home(one.box, {64, 64}), {0, 0, 64, 64}, 64, dark_theme(), 1);
+    };
+    show(pictures[0]); // cells, edges and xi, once
+    std::size_t turn = 0;
+    const std::size_t before = renderer.uploaded_bytes();
+    for (auto _ : state) {
+        show(pictures[turn ^= 1]);
+        gl.Finish();
+    }
+    const auto nodes = static_cast<double>(scene.snapshots[0]->x.size());
+    const double sent = static_cast<double>(renderer.uploaded_bytes() - before) / nodes /
+                        static_cast<double>(state.iterations());
+    if (sent < 16) return state.SkipWithError("nothing was sent");
+    // Four doubles are read, four floats written, which the driver reads and writes.
+    count(state, 4 * 8 + 3 * sent);
+}
+
+void sizes(benchmark::internal::Benchmark* one) {
+    one->ArgName("n")->Unit(benchmark::kMicrosecond);
+    for (const int n : {60, 120, 240, 480}) one->Arg(n);
+}
+BENCHMARK(picture)->Apply(sizes);
+BENCHMARK(upload)->Apply(sizes);
+
+} // namespace

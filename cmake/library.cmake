@@ -1,0 +1,45 @@
+# The core as a shared library for other programs: libgaspard, its headers, find_package(Gaspard) with the target
+# Gaspard::gaspard. What the library is made with (toml++, JSON, TinyGLTF, stb) stays inside of it.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+# What a simulation needs; src/core/gaspard.hpp includes all of them. Nobody promises the others.
+set(public_headers
+  gaspard.hpp base/error.hpp base/parameter.hpp base/points.hpp base/version.hpp
+  mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/space.hpp
+  monitor/function.hpp monitor/monitor.hpp method/method.hpp
+  scenario/catalogue.hpp scenario/scenario.hpp scenario/toml.hpp session/run.hpp session/snapshot.hpp
+  tessellate/colour_choice.hpp io/formats.hpp io/run_files.hpp io/state_file.hpp)
+# Here they are "core/session/run.hpp", for others <gaspard/session/run.hpp>.
+foreach(header IN LISTS public_headers)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS src/core/${header})
+  file(READ src/core/${header} text)
+  string(REPLACE "#include \"core/" "#include \"gaspard/" text "${text}")
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/include/gaspard/${header} CONTENT "${text}" @ONLY)
+endforeach()
+
+add_library(gaspard_library SHARED $<TARGET_OBJECTS:gaspard_core>)
+add_library(Gaspard::gaspard ALIAS gaspard_library)
+set_target_properties(gaspard_library PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME gaspard EXPORT_NAME gaspard
+  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+target_compile_features(gaspard_library INTERFACE cxx_std_20)
+target_include_directories(gaspard_library INTERFACE
+  $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_link_libraries(gaspard_library PUBLIC Threads::Threads
+  PRIVATE $<BUILD_INTERFACE:gaspard_options> $<BUILD_INTERFACE:tomlplusplus::tomlplusplus>
+    $<BUILD_INTERFACE:TinyGLTF::TinyGLTF> $<BUILD_INTERFACE:PkgConfig::STB>)
+if(NOT GASPARD_SANITIZER)
+  target_link_options(gaspard_library PRIVATE LINKER:-z,defs) # complete in itself
+endif()
+
+set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Gaspard)
+configure_package_config_file(cmake/GaspardConfig.cmake.in ${CMAKE_BINARY_DIR}/cmake/GaspardConfig.cmake
+  INSTALL_DESTINATION ${config_folder})
+# While the version begins with 0, a new minor one may change what headers promise.
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/cmake/GaspardConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(TARGETS gaspard_library EXPORT GaspardTargets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
+install(DIRECTORY ${CMAKE_BINARY_DIR}/include/gaspard DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+install(EXPORT GaspardTargets NAMESPACE Gaspard:: DESTINATION ${config_folder} COMPONENT development)
+install(FILES ${CMAKE_BINARY_DIR}/cmake/GaspardConfig.cmake ${CMAKE_BINARY_DIR}/cmake/GaspardConfigVersion.cmake
+  DESTINATION ${config_folder} COMPONENT development)

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Makes Debian packages, for any machine of this architecture, in build-package/: installs what is missing, builds,
+# runs CPack. `apt-get install ./build-package/gaspard_*.deb` installs the program, for all users.
+set -euo pipefail
+here=$(cd "$(dirname "$0")/.." && pwd)
+[ $# -eq 0 ] || { echo "usage: scripts/package.sh" >&2; exit 2; }
+"$here/scripts/install-packages.sh" build package
+folder=$here/build-package
+log=$(mktemp)
+echo "Building in $folder (the first time takes a few minutes) ..."
+{ cmake -S "$here" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGASPARD_NATIVE=OFF -DGASPARD_TESTS=OFF \
+    -DCMAKE_INSTALL_PREFIX=/usr \
+  && cmake --build "$folder" && cd "$folder" && rm -f -- *.deb && cpack; } >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+rm -f "$log"
+ls "$folder"/*.deb

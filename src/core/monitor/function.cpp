@@ -1,0 +1,66 @@
+#include "core/monitor/function.hpp"
+
+#include "core/base/check.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+class FunctionMonitor final : public Monitor {
+  public:
+    FunctionMonitor(std::function<double(Vec3)> function, Space space)
+        : function_(std::move(function)), space_(space) {
+        if (!function_) throw InputError("a monitor needs a function");
+    }
+
+    void values(const Points& x, std::span<double> values) const override {
+        GASPARD_CHECK(values.size() == x.size());
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = at(x[i]);
+    }
+
+    void gradients(const Points& x, Points& gradients) const override {
+        gradients.resize(x.size());
+        const auto slope = [&](Vec3 p, Vec3 step) {
+            return (at(p + step) - at(p - step)) / (2 * difference);
+        };
+        for (std::size_t i = 0; i < x.size(); ++i)
+            gradients.set(i, {slope(x[i], {difference, 0, 0}), slope(x[i], {0, difference, 0}),
+                              flat() ? 0 : slope(x[i], {0, 0, difference})});
+    }
+
+    void check() const override {} // of a function nothing is known before it is asked
+
+  private:
+    static constexpr double difference = 1e-5; // truncation and rounding of alike size, some 1e-10
+
+    bool flat() const { return space_.kind == SpaceKind::periodic_square; }
+
+    static double wrap(double x) {
+        const double rest = x - std::floor(x);
+        return rest < 1 ? rest : 0; // just below 0 the difference rounds to 1
+    }
+
+    double at(Vec3 p) const {
+        if (flat()) p = {wrap(p.x), wrap(p.y), 0};
+        const double value = function_(p);
+        if (!(value > 0) || !std::isfinite(value))
+            throw InputError("the monitor must be positive and finite, and is " + format_number(value) +
+                             " at (" + format_number(p.x) + ", " + format_number(p.y) + ", " +
+                             format_number(p.z) + ")");
+        return value;
+    }
+
+    std::function<double(Vec3)> function_;
+    Space space_;
+};
+
+} // namespace
+
+std::shared_ptr<const Monitor> function_monitor(std::function<double(Vec3)> function, Space space) {
+    return std::make_shared<FunctionMonitor>(std::move(function), space);
+}
+
+} // namespace gaspard

@@ -1,0 +1,22 @@
+// What cells are to be coloured by, in a picture or a file; the names are explained in
+// tessellate/colouring.hpp.
+#pragma once
+
+#include "core/base/parameter.hpp"
+
+#include <string>
+
+namespace gaspard {
+
+struct ColourChoice {
+    std::string colouring = "monitor"; ///< monitor, area, jacobian, equidistribution, displacement, none
+    std::string map = "automatic";     ///< or a name of colour_maps(): the one that suits the values
+    bool logarithmic = false;          ///< where values may be negative (equidistribution) it stays linear
+    bool fixed = false;                ///< the range is low to high, else it follows the values
+    double low = 0, high = 1;
+    friend bool operator==(const ColourChoice&, const ColourChoice&) = default;
+};
+/// `view`: values of view_rows().
+ColourChoice colour_choice(const Values& view);
+
+} // namespace gaspard
