@@ -7,7 +7,7 @@
 
 namespace gaspard {
 
-/// Relative to the mesh's size: of a sphere, a great circle becomes about 160 pieces.
+/// Relative to the mesh's size: of a sphere, a great circle becomes 200 to 400 pieces.
 inline constexpr double default_curve_tolerance = 1e-4;
 
 std::vector<ParameterRow> output_rows();

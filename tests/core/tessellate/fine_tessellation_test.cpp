@@ -2,6 +2,7 @@
 #include "core/base/error.hpp"
 #include "core/tessellate/fine_tessellation.hpp"
 #include "fixtures/fixture_meshes.hpp"
+#include "support/messages.hpp"
 #include "support/small_meshes.hpp"
 
 #include <algorithm>
@@ -104,6 +105,26 @@ TEST_P(FineTessellationTest, HasNoCracks) {
     }
 }
 
+TEST(FineTessellation, OfATangleEndsAndHasNoCracks) {
+    const Mesh mesh = cubed_sphere_mesh(2);
+    Points x = mesh.nodes;
+    for (std::size_t i = 0; i < x.size(); ++i) { // somewhere on the sphere, in no order
+        const double height = std::fmod(0.618 * static_cast<double>(i), 2) - 1,
+                     angle = 2.4 * static_cast<double>(i);
+        const double radius = std::sqrt(1 - height * height);
+        x.set(i, {radius * std::cos(angle), radius * std::sin(angle), height});
+    }
+    EXPECT_EQ(cracks(tessellate_within(mesh, x, 5e-3)), 0U);
+}
+
+TEST(FineTessellation, MoreTrianglesThanAMachineLikesAreRefused) {
+    const Mesh mesh = curved_square();
+    EXPECT_NE(message_of<MachineError>([&] {
+                  tessellate_within(mesh, mesh.nodes, 1e-16);
+              }).find("a larger output.curve_tolerance needs fewer"),
+              std::string::npos);
+}
+
 TEST(FineTessellation, ATestOfCracksSeesOne) {
     const Mesh mesh = cubed_sphere_mesh(2);
     Tessellation t = tessellate_within(mesh, mesh.nodes, 1e-2);
@@ -180,7 +201,7 @@ TEST(FineTessellation, ASaddleOfOrderOneIsCutInside) {
 TEST(FineTessellation, CurvedLinesAreCut) {
     // A parabola of height 1/4 over [0, 1]: of n pieces each is 1 / (4 n^2) away.
     const Mesh arc = mesh_of({CellShape::line, 2}, 2, {{0, 0, 0}, {1, 0, 0}, {.5, .25, 0}}, {0, 1, 2});
-    const Tessellation t = tessellate_within(arc, arc.nodes, 0.25 / 64 / 0.75 * 1.01);
+    const Tessellation t = tessellate_within(arc, arc.nodes, 0.25 / 64 * 1.01);
     EXPECT_EQ(t.segments.size(), 2U * 8);
     EXPECT_EQ(t.segment_cells, std::vector<std::uint32_t>(8, 0));
     EXPECT_TRUE(t.triangles.empty());
