@@ -198,6 +198,7 @@ class BadInput(Contract):
         self.refused(self.run_quick("--max-iterations", "-1"), "method.max_iterations")
         self.refused(self.run_quick("--threads", "0"), "--threads")
         self.refused(self.run_quick("--size", "10x10"), "view.width")
+        self.refused(self.run_quick("--set", "output.curve_tolerance=0"), "output.curve_tolerance = 0", "1e-05 to 0.1")
         self.refused(self.run_quick("--set", "view.camera=from afar"), "the camera 'from afar' has the word 'from'")
         self.refused(self.run_quick("--set", "view.pick=edge 3"), "neither a cell nor a node")
         self.refused(self.run_quick("--set", "view.pick=cell 144"), "the mesh has 144 cells")
@@ -277,6 +278,15 @@ class Machine(Contract):
         self.assertIn("summary.json", result.stderr)
         for name in ("history.csv", "state.bin", "adapted.obj", "adapted.glb"):
             self.assertTrue(os.path.exists(self.path(name)), name)
+
+    def test_netcdf_fails_like_every_other_format(self):
+        os.makedirs(self.path("adapted.ugrid.nc"))
+        result = self.run_quick("--formats", "ugrid,glb-curved")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        self.assertIn("adapted.ugrid.nc", result.stderr)
+        self.assertEqual(set(os.listdir(self.out)), {"history.csv", "state.bin", "summary.json", "adapted.ugrid.nc",
+                                                     "computational.ugrid.nc", "adapted-curved.glb"})
 
     def test_a_standard_output_that_takes_nothing_is_noticed(self):
         with open("/dev/full", "w") as full:
