@@ -45,7 +45,7 @@ void write_msh(const std::filesystem::path& file, const Snapshot& snapshot, cons
 void write_ply(const std::filesystem::path& file, const Snapshot& snapshot);
 
 /// UGRID 1.0 in NetCDF: corners and straight edges at the given positions (xi or x), exact doubles; longitude
-/// and latitude beside x, y, z where all nodes are as far from the origin. With the fields of nodes (at
+/// and latitude beside x, y, z where all nodes xi are as far from the origin. With the fields of nodes (at
 /// corners) and of cells, and each cell's measure.
 void write_ugrid(const std::filesystem::path& file, const Snapshot& snapshot, const Points& positions,
                  const std::string& title);

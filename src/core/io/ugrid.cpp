@@ -23,12 +23,13 @@ namespace {
 /// What UGRID calls cells of a dimension.
 std::string cell_word(int dimension) { return dimension == 1 ? "edge" : dimension == 2 ? "face" : "volume"; }
 
-/// A surface all of whose nodes are as far from the origin, within what rounding leaves.
-bool is_sphere(const Mesh& mesh, const Points& x) {
+/// A surface all of whose computational nodes are as far from the origin, within what rounding leaves. Those
+/// at x may be a little off where an iteration blew up.
+bool is_sphere(const Mesh& mesh) {
     if (cell_dimension(mesh.kind) != 2 || mesh.space_dimension != 3) return false;
-    const double radius = norm(x[0]);
-    for (std::size_t i = 0; i < x.size(); ++i)
-        if (!(std::abs(norm(x[i]) - radius) <= 1e-9 * radius)) return false;
+    const double radius = norm(mesh.nodes[0]);
+    for (std::size_t i = 0; i < mesh.node_count(); ++i)
+        if (!(std::abs(norm(mesh.nodes[i]) - radius) <= 1e-9 * radius)) return false;
     return true;
 }
 
@@ -84,7 +85,7 @@ class UgridMaker {
   public:
     UgridMaker(const Snapshot& snapshot, const Points& x)
         : snapshot_(snapshot), mesh_(*snapshot.mesh), x_(x), word_(cell_word(cell_dimension(mesh_.kind))),
-          sphere_(is_sphere(mesh_, x)), cells_(corners_of_cells(mesh_)),
+          sphere_(is_sphere(mesh_)), cells_(corners_of_cells(mesh_)),
           nodes_(number_anew(cells_, mesh_.node_count())) {}
 
     NetcdfFile make(const std::string& title) {

@@ -10,6 +10,7 @@
 #include "support/sample_snapshot.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 #include <map>
@@ -273,12 +274,25 @@ TEST(Ugrid, PolesAndAxesHaveTheirRoundNumbers) {
 
 TEST(Ugrid, ASurfaceThatIsNoSphereHasThreeCoordinates) {
     const TemporaryFolder folder;
-    Snapshot snapshot = sphere_snapshot(cubed_sphere_mesh(2), 1);
-    snapshot.x.set(3, 1.001 * snapshot.x[3]);
+    Mesh mesh = cubed_sphere_mesh(2);
+    mesh.nodes.set(3, 1.001 * mesh.nodes[3]);
+    const Snapshot snapshot = sphere_snapshot(mesh, 1);
     write_ugrid(folder / "m.nc", snapshot, snapshot.x, "no sphere");
     const ReadNetcdf file(folder / "m.nc");
     EXPECT_EQ(file.text("mesh", "node_coordinates"), "mesh_node_x mesh_node_y mesh_node_z");
     EXPECT_FALSE(file.has("mesh_node_lon"));
+}
+
+TEST(Ugrid, ASphereWhoseNodesStrayIsStillOne) {
+    const TemporaryFolder folder;
+    Snapshot snapshot = sphere_snapshot(round_octahedron(), 1);
+    for (double& z : snapshot.x.z)
+        if (z == 1) z = 1.25; // the north pole
+    write_ugrid(folder / "m.nc", snapshot, snapshot.x, "blown up");
+    const ReadNetcdf file(folder / "m.nc");
+    const auto latitude = file.reals("mesh_node_lat"), z = file.reals("mesh_node_z");
+    EXPECT_EQ(*std::max_element(latitude.begin(), latitude.end()), 90);
+    EXPECT_EQ(*std::max_element(z.begin(), z.end()), 1.25);
 }
 
 TEST(Ugrid, TheComputationalMeshIsAFileLikeTheOther) {
