@@ -8,7 +8,7 @@ set(public_headers
   gaspard.hpp base/error.hpp base/parameter.hpp base/points.hpp base/version.hpp
   mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/space.hpp
   monitor/function.hpp monitor/monitor.hpp method/method.hpp
-  scenario/catalogue.hpp scenario/scenario.hpp scenario/toml.hpp session/run.hpp session/snapshot.hpp
+  scenario/catalogue.hpp scenario/output_rows.hpp scenario/scenario.hpp scenario/toml.hpp session/run.hpp session/snapshot.hpp
   tessellate/colour_choice.hpp io/formats.hpp io/run_files.hpp io/state_file.hpp)
 # Here they are "core/session/run.hpp", for others <gaspard/session/run.hpp>.
 foreach(header IN LISTS public_headers)
@@ -27,7 +27,7 @@ target_include_directories(gaspard_library INTERFACE
   $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(gaspard_library PUBLIC Threads::Threads
   PRIVATE $<BUILD_INTERFACE:gaspard_options> $<BUILD_INTERFACE:tomlplusplus::tomlplusplus>
-    $<BUILD_INTERFACE:TinyGLTF::TinyGLTF> $<BUILD_INTERFACE:PkgConfig::STB>)
+    $<BUILD_INTERFACE:TinyGLTF::TinyGLTF> $<BUILD_INTERFACE:PkgConfig::STB> $<BUILD_INTERFACE:PkgConfig::NETCDF>)
 if(NOT GASPARD_SANITIZER)
   target_link_options(gaspard_library PRIVATE LINKER:-z,defs) # complete in itself
 endif()

@@ -16,6 +16,7 @@ import xml.etree.ElementTree
 PROGRAM = None
 README = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "README.md")
 QUICK = ["--set", "domain.cells=12"]
+ALL_FORMATS = "obj,glb,obj-curved,glb-curved,vtu,msh,ply,ugrid,svg"
 
 
 def gaspard(*arguments, cwd=None, environment=None, limit=None, timeout=120):
@@ -98,8 +99,10 @@ class Runs(Contract):
 
     def test_the_same_input_gives_the_same_bytes(self):
         names = ["computational.obj", "adapted.obj", "adapted.glb", "adapted.vtu", "adapted.msh", "adapted.ply",
-                 "adapted.svg", "residual.svg", "equidistribution.svg", "state.bin", "view.png"]
-        formats = ("--formats", "obj,glb,vtu,msh,ply,svg")
+                 "adapted.svg", "residual.svg", "equidistribution.svg", "state.bin", "view.png",
+                 "computational-curved.obj", "adapted-curved.obj", "adapted-curved.glb", "computational.ugrid.nc",
+                 "adapted.ugrid.nc"]
+        formats = ("--formats", ALL_FORMATS)
         self.run_quick(*formats, render=True)
         first = {name: self.bytes(name) for name in names}
         self.run_quick(*formats, "--threads", "2", render=True)
@@ -195,6 +198,7 @@ class BadInput(Contract):
         self.refused(self.run_quick("--max-iterations", "-1"), "method.max_iterations")
         self.refused(self.run_quick("--threads", "0"), "--threads")
         self.refused(self.run_quick("--size", "10x10"), "view.width")
+        self.refused(self.run_quick("--set", "output.curve_tolerance=0"), "output.curve_tolerance = 0", "1e-05 to 0.1")
         self.refused(self.run_quick("--set", "view.camera=from afar"), "the camera 'from afar' has the word 'from'")
         self.refused(self.run_quick("--set", "view.pick=edge 3"), "neither a cell nor a node")
         self.refused(self.run_quick("--set", "view.pick=cell 144"), "the mesh has 144 cells")
@@ -257,7 +261,7 @@ class BadInput(Contract):
 
 class Machine(Contract):
     def test_a_full_disk_is_one_sentence_and_leaves_nothing_half_written(self):
-        result = self.run_quick("--formats", "obj,glb,vtu,msh,ply,svg", limit=2000)
+        result = self.run_quick("--formats", ALL_FORMATS, limit=2000)
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
         self.assertIn("File too large", result.stderr)
@@ -274,6 +278,15 @@ class Machine(Contract):
         self.assertIn("summary.json", result.stderr)
         for name in ("history.csv", "state.bin", "adapted.obj", "adapted.glb"):
             self.assertTrue(os.path.exists(self.path(name)), name)
+
+    def test_netcdf_fails_like_every_other_format(self):
+        os.makedirs(self.path("adapted.ugrid.nc"))
+        result = self.run_quick("--formats", "ugrid,glb-curved")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        self.assertIn("adapted.ugrid.nc", result.stderr)
+        self.assertEqual(set(os.listdir(self.out)), {"history.csv", "state.bin", "summary.json", "adapted.ugrid.nc",
+                                                     "computational.ugrid.nc", "adapted-curved.glb"})
 
     def test_a_standard_output_that_takes_nothing_is_noticed(self):
         with open("/dev/full", "w") as full:
@@ -309,7 +322,7 @@ class Information(Contract):
     def test_list_names_everything(self):
         text = gaspard("list").stdout
         for word in ("plane-ring", "plane-bell", "walls-ring", "plane", "ring", "bell", "constant", "relaxation", "obj",
-                     "glb", "vtu", "msh", "ply", "svg", "monitor.sharpness", "method.step_size"):
+                     "glb", "vtu", "msh", "ply", "svg", "ugrid", "output.curve_tolerance", "monitor.sharpness", "method.step_size"):
             self.assertIn(word, text)
         self.assertNotIn("relaxation", gaspard("list", "monitors").stdout)
 
@@ -346,8 +359,8 @@ class Information(Contract):
                 self.assertIn(option, readme, "of gaspard " + " ".join(command))
 
     def test_every_format_is_documented(self):
-        names = re.findall(r"^  (\w+) ", gaspard("list", "formats").stdout, re.MULTILINE)
-        self.assertGreaterEqual(len(names), 6)
+        names = re.findall(r"^  ([\w-]+) ", gaspard("list", "formats").stdout, re.MULTILINE)
+        self.assertEqual(",".join(names), ALL_FORMATS)
         for document in (README, os.path.join(os.path.dirname(README), "docs", "formats.md")):
             with open(document) as file:
                 text = file.read()

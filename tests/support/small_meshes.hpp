@@ -93,6 +93,17 @@ inline Mesh of_order_two(const Mesh& straight) {
     return mesh;
 }
 
+/// The unit sphere in eight triangles of order 2, all nodes on the sphere, facing outward.
+inline Mesh round_octahedron() {
+    const Mesh straight = mesh_of({CellShape::triangle, 1}, 3,
+                                  {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+                                  {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5});
+    Mesh mesh = of_order_two(straight);
+    for (std::size_t i = 0; i < mesh.node_count(); ++i)
+        mesh.nodes.set(i, (1 / norm(mesh.nodes[i])) * mesh.nodes[i]);
+    return mesh;
+}
+
 /// Two or more cells of every kind that there is.
 inline std::vector<Mesh> meshes_of_every_kind() {
     Mesh lines = three_lines();

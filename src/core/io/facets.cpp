@@ -144,6 +144,28 @@ Facets shown_faces(const Mesh& mesh) {
     return faces;
 }
 
+std::vector<std::int32_t> corners_of_cells(const Mesh& mesh) {
+    std::vector<std::int32_t> corners;
+    for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
+        const auto of_cell = mesh.cell(c).first(static_cast<std::size_t>(corners_per_cell(mesh.kind)));
+        corners.insert(corners.end(), of_cell.begin(), of_cell.end());
+    }
+    return corners;
+}
+
+std::vector<std::size_t> number_anew(std::vector<std::int32_t>& names, std::size_t node_count) {
+    std::vector<std::int32_t> place(node_count, -1);
+    for (const auto node : names) place[static_cast<std::size_t>(node)] = 0;
+    std::vector<std::size_t> nodes;
+    for (std::size_t i = 0; i < node_count; ++i)
+        if (place[i] == 0) {
+            place[i] = static_cast<std::int32_t>(nodes.size());
+            nodes.push_back(i);
+        }
+    for (auto& name : names) name = place[static_cast<std::size_t>(name)];
+    return nodes;
+}
+
 std::vector<BorderGroup> border_groups(const Mesh& mesh, const Facets& facets) {
     if (facets.size() == 0) return {};
     std::vector<BorderGroup> groups;

@@ -34,6 +34,12 @@ Facets border(const Mesh& mesh);
 /// What is seen of a mesh: the cells of a surface, the border of solids; nothing of lines.
 Facets shown_faces(const Mesh& mesh);
 
+/// The corners of all cells, cell by cell.
+std::vector<std::int32_t> corners_of_cells(const Mesh& mesh);
+
+/// The nodes that are named, each once and in their order; the names become places among them.
+std::vector<std::size_t> number_anew(std::vector<std::int32_t>& names, std::size_t node_count);
+
 struct BorderGroup {
     std::string name;
     std::vector<std::size_t> facets;

@@ -4,6 +4,7 @@
 #include "core/base/parameter.hpp"
 #include "core/io/svg.hpp"
 #include "core/tessellate/colouring.hpp"
+#include "core/tessellate/fine_tessellation.hpp"
 
 #include <algorithm>
 
@@ -21,6 +22,20 @@ void write_glb_file(const std::filesystem::path& folder, const RunResult& result
     write_glb(folder / "adapted.glb", result.snapshot);
 }
 
+Tessellation curved(const RunResult& result) {
+    return tessellate_within(*result.snapshot.mesh, result.snapshot.x, result.curve_tolerance);
+}
+
+void write_curved_obj_files(const std::filesystem::path& folder, const RunResult& result) {
+    const Tessellation shape = curved(result);
+    write_obj(folder / "computational-curved.obj", shape, result.snapshot.mesh->nodes);
+    write_obj(folder / "adapted-curved.obj", shape, result.snapshot.x);
+}
+
+void write_curved_glb_file(const std::filesystem::path& folder, const RunResult& result) {
+    write_glb(folder / "adapted-curved.glb", result.snapshot, curved(result));
+}
+
 void write_vtu_file(const std::filesystem::path& folder, const RunResult& result) {
     write_vtu(folder / "adapted.vtu", result.snapshot);
 }
@@ -31,6 +46,12 @@ void write_msh_file(const std::filesystem::path& folder, const RunResult& result
 
 void write_ply_file(const std::filesystem::path& folder, const RunResult& result) {
     write_ply(folder / "adapted.ply", result.snapshot);
+}
+
+void write_ugrid_files(const std::filesystem::path& folder, const RunResult& result) {
+    const Snapshot& snapshot = result.snapshot;
+    write_ugrid(folder / "computational.ugrid.nc", snapshot, snapshot.mesh->nodes, "computational mesh");
+    write_ugrid(folder / "adapted.ugrid.nc", snapshot, snapshot.x, "adapted mesh");
 }
 
 Plot against_iteration(std::string title, const std::string& y) {
@@ -87,6 +108,14 @@ const std::vector<Format>& formats() {
          "computational mesh",
          {"adapted.glb"},
          &write_glb_file},
+        {"obj-curved",
+         "Wavefront OBJ of curved cells: triangles within output.curve_tolerance, the cells' edges as lines",
+         {"computational-curved.obj", "adapted-curved.obj"},
+         &write_curved_obj_files},
+        {"glb-curved",
+         "as glb, with curved cells cut until they are within output.curve_tolerance",
+         {"adapted-curved.glb"},
+         &write_curved_glb_file},
         {"vtu",
          "VTK's unstructured grid, exact, with all fields: for ParaView, VTK, meshio",
          {"adapted.vtu"},
@@ -99,6 +128,10 @@ const std::vector<Format>& formats() {
          "binary PLY: corner vertices with the monitor and its colour, straight-edged faces",
          {"adapted.ply"},
          &write_ply_file},
+        {"ugrid",
+         "UGRID 1.0 in NetCDF: straight-edged cells with their fields, on spheres by longitude and latitude",
+         {"computational.ugrid.nc", "adapted.ugrid.nc"},
+         &write_ugrid_files},
         {"svg",
          "vector graphics for papers: the adapted mesh, residual and equidistribution",
          {"adapted.svg", "residual.svg", "equidistribution.svg"},

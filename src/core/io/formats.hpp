@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/mesh/space.hpp"
+#include "core/scenario/output_rows.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/colour_choice.hpp"
@@ -14,14 +15,22 @@
 
 namespace gaspard {
 
+struct Tessellation;
+
 /// Corner vertices and straight-edged faces in the cells' order, at the given positions. Coordinates read
 /// back to the same doubles. Surfaces: "f" records. Lines: "l". Solids: every face of every cell, as "f" in
 /// the cells' order.
 void write_obj(const std::filesystem::path& file, const Mesh& mesh, const Points& positions);
 
+/// The triangles of a tessellation as "f" records and the cells' edges as "l" records, for nodes at the given
+/// positions; exact.
+void write_obj(const std::filesystem::path& file, const Tessellation& shape, const Points& positions);
+
 /// Binary glTF 2.0: triangles coloured by the monitor and the cells' edges as lines; POSITION is x, the morph
 /// target is xi - x with default weight 0, and an animation plays from xi to x. Single precision.
 void write_glb(const std::filesystem::path& file, const Snapshot& snapshot);
+/// The same with cells cut in another way.
+void write_glb(const std::filesystem::path& file, const Snapshot& snapshot, const Tessellation& shape);
 
 /// VTK's XML file of an unstructured grid at x, exact doubles, cells of every kind and order as they are.
 /// Point data: the fields of nodes, displacement (x - xi) and xi; cell data: the fields of cells; field data:
@@ -37,12 +46,19 @@ void write_msh(const std::filesystem::path& file, const Snapshot& snapshot, cons
 /// edges. Solids: the border.
 void write_ply(const std::filesystem::path& file, const Snapshot& snapshot);
 
+/// UGRID 1.0 in NetCDF: corners and straight edges at the given positions (xi or x), exact doubles; longitude
+/// and latitude beside x, y, z where all nodes xi are as far from the origin. With the fields of nodes (at
+/// corners) and of cells, and each cell's measure.
+void write_ugrid(const std::filesystem::path& file, const Snapshot& snapshot, const Points& positions,
+                 const std::string& title);
+
 /// What there is to write of a run.
 struct RunResult {
     const Snapshot& snapshot;
     const std::vector<StepReport>& history;
-    Space space;            ///< of the domain: whether its sides are the same
-    ColourChoice colours{}; ///< of the view
+    Space space;                                      ///< of the domain: whether its sides are the same
+    ColourChoice colours{};                           ///< of the view
+    double curve_tolerance = default_curve_tolerance; ///< of tessellated files, relative to the mesh's size
 };
 
 struct Format {

@@ -190,8 +190,7 @@ tinygltf::Primitive primitive(int mode, int indices, int material, int position,
     return result;
 }
 
-tinygltf::Model build_model(const Snapshot& snapshot) {
-    const Tessellation shape = tessellate(*snapshot.mesh);
+tinygltf::Model build_model(const Snapshot& snapshot, const Tessellation& shape) {
     const Points x = shown_points(shape, snapshot.x);
     const Points back = shown_points(shape, snapshot.mesh->nodes) - x;
 
@@ -231,8 +230,12 @@ tinygltf::Model build_model(const Snapshot& snapshot) {
 } // namespace
 
 void write_glb(const std::filesystem::path& file, const Snapshot& snapshot) {
+    write_glb(file, snapshot, tessellate(*snapshot.mesh));
+}
+
+void write_glb(const std::filesystem::path& file, const Snapshot& snapshot, const Tessellation& shape) {
     GASPARD_CHECK(snapshot.mesh && snapshot.x.size() == snapshot.mesh->node_count());
-    const tinygltf::Model model = build_model(snapshot);
+    const tinygltf::Model model = build_model(snapshot, shape);
     write_atomically(file, [&](std::ostream& stream) {
         const bool done = tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, false, true);
         GASPARD_CHECK(done);

@@ -1,25 +1,15 @@
 #include "core/base/check.hpp"
 #include "core/base/parameter.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/facets.hpp"
 #include "core/io/formats.hpp"
+#include "core/tessellate/tessellation.hpp"
 
 #include <cmath>
 
 namespace gaspard {
 
 namespace {
-
-/// For every node its number in the file, from 1; 0 for the nodes that are no cell's corner.
-std::vector<std::int32_t> number_corners(const Mesh& mesh) {
-    const auto corners = static_cast<std::size_t>(corners_per_cell(mesh.kind));
-    std::vector<std::int32_t> number(mesh.node_count(), 0);
-    for (std::size_t c = 0; c < mesh.cell_count(); ++c)
-        for (const auto node : mesh.cell(c).first(corners)) number[static_cast<std::size_t>(node)] = 1;
-    std::int32_t last = 0;
-    for (auto& n : number)
-        if (n != 0) n = ++last;
-    return number;
-}
 
 void append_vertex(std::string& text, Vec3 p) {
     GASPARD_CHECK(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
@@ -41,25 +31,39 @@ std::vector<std::vector<int>> records_of_cell(CellKind kind) {
 
 void write_obj(const std::filesystem::path& file, const Mesh& mesh, const Points& positions) {
     GASPARD_CHECK(positions.size() == mesh.node_count());
-    const auto number = number_corners(mesh);
+    auto corners = corners_of_cells(mesh);
+    const auto vertices = number_anew(corners, mesh.node_count());
     std::string text =
         "# Gaspard: " + std::to_string(mesh.cell_count()) + " cells (" + cell_name(mesh.kind) + ")\n";
-    for (std::size_t i = 0; i < number.size(); ++i)
-        if (number[i] != 0) append_vertex(text, positions[i]);
+    for (const std::size_t node : vertices) append_vertex(text, positions[node]);
 
     const auto records = records_of_cell(mesh.kind);
     const char* keyword = cell_dimension(mesh.kind) == 1 ? "l" : "f";
-    for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
-        const auto cell = mesh.cell(c);
+    const auto each = static_cast<std::size_t>(corners_per_cell(mesh.kind));
+    for (std::size_t first = 0; first < corners.size(); first += each)
         for (const auto& record : records) {
             text += keyword;
-            for (const int corner : record) {
-                const auto node = static_cast<std::size_t>(cell[static_cast<std::size_t>(corner)]);
-                text += ' ' + std::to_string(number[node]);
-            }
+            for (const int corner : record)
+                text += ' ' + std::to_string(corners[first + static_cast<std::size_t>(corner)] + 1);
             text += '\n';
         }
+    write_atomically(file, text);
+}
+
+void write_obj(const std::filesystem::path& file, const Tessellation& shape, const Points& positions) {
+    const Points points = shown_points(shape, positions);
+    std::string text = "# Gaspard: cells cut into triangles, their edges into lines\n";
+    for (std::size_t i = 0; i < points.size(); ++i) append_vertex(text, points[i]);
+    const auto number = [](std::uint32_t point) { return ' ' + std::to_string(point + 1); };
+    for (std::size_t i = 0; i < shape.triangles.size(); i += 3)
+        text += 'f' + number(shape.triangles[i]) + number(shape.triangles[i + 1]) +
+                number(shape.triangles[i + 2]) + '\n';
+    for (std::size_t i = 0; i < shape.segments.size(); i += 2) {
+        const bool goes_on = i > 0 && shape.segments[i] == shape.segments[i - 1];
+        text += (goes_on ? "" : (i > 0 ? "\nl" : "l") + number(shape.segments[i])) +
+                number(shape.segments[i + 1]);
     }
+    text += '\n';
     write_atomically(file, text);
 }
 

@@ -38,20 +38,6 @@ Polygons polygons_of(const Mesh& mesh) {
     return polygons;
 }
 
-/// The nodes that are a corner of something, in their order, and the polygons by their places in it.
-std::vector<std::size_t> number_vertices(std::size_t node_count, Polygons& polygons) {
-    std::vector<std::int32_t> number(node_count, -1);
-    for (const auto node : polygons.nodes) number[static_cast<std::size_t>(node)] = 0;
-    std::vector<std::size_t> vertices;
-    for (std::size_t i = 0; i < node_count; ++i)
-        if (number[i] == 0) {
-            number[i] = static_cast<std::int32_t>(vertices.size());
-            vertices.push_back(i);
-        }
-    for (auto& node : polygons.nodes) node = number[static_cast<std::size_t>(node)];
-    return vertices;
-}
-
 std::string header(std::size_t vertices, bool monitor, const Polygons& polygons) {
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment Gaspard " + std::string(version()) +
                        "\nelement vertex " + std::to_string(vertices) +
@@ -96,7 +82,7 @@ void append_polygons(std::string& bytes, const Polygons& polygons) {
 void write_ply(const std::filesystem::path& file, const Snapshot& snapshot) {
     GASPARD_CHECK(snapshot.x.size() == snapshot.mesh->node_count());
     Polygons polygons = polygons_of(*snapshot.mesh);
-    const auto vertices = number_vertices(snapshot.x.size(), polygons);
+    const auto vertices = number_anew(polygons.nodes, snapshot.x.size());
     const Field* monitor = snapshot.field("monitor");
     GASPARD_CHECK(!monitor || monitor->place == FieldPlace::node);
     std::string bytes = header(vertices.size(), monitor != nullptr, polygons);

@@ -96,7 +96,8 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
     attempt("summary.json", [&] { write_atomically(folder / "summary.json", summary_json(run)); });
     attempt("state.bin", [&] { write_state(folder / "state.bin", run.state()); });
     const auto snapshot = run.snapshot();
-    const RunResult result{*snapshot, run.history(), run.space(), colour_choice(run.scenario().view)};
+    const RunResult result{*snapshot, run.history(), run.space(), colour_choice(run.scenario().view),
+                           run.scenario().output.real("curve_tolerance")};
     for (const auto* format : formats) attempt(format->files.front(), [&] { format->write(folder, result); });
     if (first) std::rethrow_exception(first);
 }

@@ -1,9 +1,11 @@
 // GLB read back by assimp; what assimp does not tell (default weights, accessor bounds, index types) is
 // looked up in the file's JSON with another parser than the writer's.
 #include "core/base/error.hpp"
-#include "core/io/formats.hpp"
 #include "core/base/read_file.hpp"
+#include "core/io/formats.hpp"
 #include "core/tessellate/colour_map.hpp"
+#include "core/tessellate/fine_tessellation.hpp"
+#include "fixtures/fixture_meshes.hpp"
 #include "support/comma_locale.hpp"
 #include "support/small_meshes.hpp"
 #include "support/temporary_folder.hpp"
@@ -245,6 +247,25 @@ TEST_F(GlbTest, CurvedCellsAreCutFine) {
         EXPECT_LT(nearest, 3e-7) << "node " << node;
     }
     EXPECT_FALSE(glb.json["materials"][0].contains("extensions")) << "what is bent is lit";
+}
+
+TEST_F(GlbTest, MayBeCutToATolerance) {
+    Snapshot snapshot = snapshot_of(cubed_sphere_mesh(2));
+    snapshot.x = snapshot.mesh->nodes;
+    const Tessellation shape = tessellate_within(*snapshot.mesh, snapshot.x, 1e-3);
+    write_glb(file_, snapshot, shape);
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile(file_.string(), 0);
+    ASSERT_TRUE(scene) << importer.GetErrorString();
+    const aiMesh* faces = find_mesh(*scene, aiPrimitiveType_TRIANGLE);
+    const aiMesh* edges = find_mesh(*scene, aiPrimitiveType_LINE);
+    ASSERT_TRUE(faces && edges);
+    EXPECT_EQ(faces->mNumFaces, shape.triangle_cells.size());
+    EXPECT_EQ(edges->mNumFaces, shape.segments.size() / 2);
+    const Points points = shown_points(shape, snapshot.x);
+    ASSERT_EQ(faces->mNumVertices, points.size());
+    for (unsigned i = 0; i < faces->mNumVertices; ++i) expect_near(faces->mVertices[i], points[i]);
+    EXPECT_TRUE(faces->HasVertexColors(0));
 }
 
 TEST_F(GlbTest, OfSolidsTheSurfaceIsShown) {

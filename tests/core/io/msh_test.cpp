@@ -3,7 +3,9 @@
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/io/formats.hpp"
+#include "fixtures/fixture_meshes.hpp"
 #include "support/comma_locale.hpp"
+#include "support/middle_nodes.hpp"
 #include "support/sample_snapshot.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -253,6 +255,23 @@ TEST(Msh, TheSidesOfASquareAreWhereTheirNamesSay) {
             const Vec3 along = xi[edge.nodes[1]] - xi[edge.nodes[0]],
                        inward = Vec3{.5, .5, 0} - xi[edge.nodes[0]];
             EXPECT_GT(cross(along, inward).z, 0) << name;
+        }
+    }
+}
+
+TEST(Msh, CellsOfASphereHaveAllTheirMiddleNodes) {
+    const TemporaryFolder folder;
+    for (const Mesh& mesh : {cubed_sphere_mesh(3), round_octahedron()}) {
+        Snapshot snapshot = sample_snapshot(mesh);
+        snapshot.x = mesh.nodes;
+        write_msh(folder / "m.msh", snapshot, {});
+        const ReadMsh msh(folder / "m.msh");
+        EXPECT_EQ(msh.nodes, mesh.nodes);
+        const bool triangles = mesh.kind.shape == CellShape::triangle;
+        EXPECT_EQ(msh.elements.size(), mesh.cell_count()) << "there is no border";
+        for (const Element& element : msh.elements) {
+            EXPECT_EQ(element.type, triangles ? 9 : 10); // second order triangle, quadrangle with 9 nodes
+            expect_middle_nodes(msh.nodes, element.nodes, triangles ? 3 : 4);
         }
     }
 }

@@ -3,6 +3,8 @@
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/io/formats.hpp"
+#include "core/tessellate/fine_tessellation.hpp"
+#include "fixtures/fixture_meshes.hpp"
 #include "support/comma_locale.hpp"
 #include "support/messages.hpp"
 #include "support/small_meshes.hpp"
@@ -10,6 +12,7 @@
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cstdlib>
 #include <sstream>
 
@@ -139,6 +142,39 @@ TEST(Obj, EverySolidHasItsSixFacesPointingOutward) {
     }
 }
 
+TEST(Obj, OfATessellationTrianglesAndTheEdgesAsLongLines) {
+    const TemporaryFolder folder;
+    const Mesh mesh = cubed_sphere_mesh(2);
+    const Tessellation shape = tessellate_within(mesh, mesh.nodes, 1e-3);
+    write_obj(folder / "m.obj", shape, mesh.nodes);
+    const ReadObj obj = read_obj(folder / "m.obj");
+    const Points points = shown_points(shape, mesh.nodes);
+    expect_positions(obj, points);
+    std::vector<std::uint32_t> triangles, segments;
+    std::size_t lines = 0;
+    for (const auto& [keyword, vertices] : obj.records) {
+        if (keyword == "f") {
+            ASSERT_EQ(vertices.size(), 3u);
+            for (const auto v : vertices) triangles.push_back(static_cast<std::uint32_t>(v));
+            continue;
+        }
+        EXPECT_EQ(keyword, "l");
+        ++lines;
+        for (std::size_t i = 1; i < vertices.size(); ++i)
+            for (const auto v : {vertices[i - 1], vertices[i]})
+                segments.push_back(static_cast<std::uint32_t>(v));
+    }
+    EXPECT_EQ(triangles, shape.triangles);
+    EXPECT_EQ(segments, shape.segments);
+    EXPECT_LE(lines, 48u) << "an edge is one line, or goes on with the next";
+
+    OpenMesh::TriMesh_ArrayKernelT<> read;
+    ASSERT_TRUE(OpenMesh::IO::read_mesh(read, (folder / "m.obj").string()));
+    EXPECT_EQ(read.n_vertices(), shape.point_count);
+    EXPECT_EQ(read.n_faces(), shape.triangle_cells.size());
+    for (const auto v : read.vertices()) EXPECT_FALSE(v.is_boundary()) << "the sphere is closed";
+}
+
 TEST(Obj, NumbersHaveAPointUnderACommaLocale) {
     const TemporaryFolder folder;
     const Mesh mesh = unit_square_mesh(40);
@@ -173,9 +209,11 @@ TEST(Formats, TheTableKnowsWhatEachWrites) {
         EXPECT_EQ(folder.content(), expected) << format.name;
         EXPECT_FALSE(format.help.empty());
     }
-    EXPECT_EQ(expected, (std::vector<std::string>{"adapted.glb", "adapted.msh", "adapted.obj", "adapted.ply",
-                                                  "adapted.svg", "adapted.vtu", "computational.obj",
-                                                  "equidistribution.svg", "residual.svg"}));
+    EXPECT_EQ(expected,
+              (std::vector<std::string>{
+                  "adapted-curved.glb", "adapted-curved.obj", "adapted.glb", "adapted.msh", "adapted.obj",
+                  "adapted.ply", "adapted.svg", "adapted.ugrid.nc", "adapted.vtu", "computational-curved.obj",
+                  "computational.obj", "computational.ugrid.nc", "equidistribution.svg", "residual.svg"}));
     expect_positions(read_obj(folder / "computational.obj"), mesh->nodes);
     expect_positions(read_obj(folder / "adapted.obj"), snapshot.x);
 }
@@ -186,7 +224,8 @@ TEST(Formats, AListIsParsedAndAnUnknownNameToldWithTheNearest) {
     EXPECT_EQ(both[0]->name, "glb");
     EXPECT_EQ(both[1]->name, "obj");
     EXPECT_EQ(message_of<InputError>([] { parse_formats("obj,glbb"); }),
-              "unknown format 'glbb' (did you mean 'glb'?); there are: obj, glb, vtu, msh, ply, svg");
+              "unknown format 'glbb' (did you mean 'glb'?); there are: obj, glb, obj-curved, glb-curved, "
+              "vtu, msh, ply, ugrid, svg");
     for (const char* wrong : {"", "obj,", ",obj", "obj glb", "OBJ"})
         EXPECT_THROW(parse_formats(wrong), InputError) << wrong;
 }

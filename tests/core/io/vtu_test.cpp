@@ -3,8 +3,10 @@
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/io/formats.hpp"
+#include "fixtures/fixture_meshes.hpp"
 #include "support/comma_locale.hpp"
 #include "support/little_endian.hpp"
+#include "support/middle_nodes.hpp"
 #include "support/sample_snapshot.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -153,6 +155,28 @@ TEST_P(VtuTest, HoldsTheCellsAsTheyAre) {
     EXPECT_EQ(vtu.cells["types"].type, "UInt8");
     EXPECT_EQ(vtu.cells["types"].bytes,
               std::string(mesh.cell_count(), static_cast<char>(types.at(kind_name(mesh.kind)))));
+}
+
+TEST(Vtu, CellsOfASphereHaveAllTheirMiddleNodes) {
+    const TemporaryFolder folder;
+    for (const Mesh& mesh : {cubed_sphere_mesh(3), round_octahedron()}) {
+        Snapshot snapshot = sample_snapshot(mesh);
+        snapshot.x = mesh.nodes;
+        write_vtu(folder / "m.vtu", snapshot);
+        ReadVtu vtu(folder / "m.vtu");
+        const Points x = vtu.points.begin()->second.points();
+        for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(norm(x[i]), 1, 1e-15);
+        const bool triangles = mesh.kind.shape == CellShape::triangle;
+        const std::size_t each = triangles ? 6 : 9; // VTK_QUADRATIC_TRIANGLE, VTK_BIQUADRATIC_QUAD
+        EXPECT_EQ(vtu.cells["types"].bytes, std::string(mesh.cell_count(), triangles ? 22 : 28));
+        const auto nodes = vtu.cells["connectivity"].integers();
+        ASSERT_EQ(nodes.size(), each * mesh.cell_count());
+        for (std::size_t first = 0; first < nodes.size(); first += each) {
+            std::vector<std::size_t> cell;
+            for (std::size_t k = 0; k < each; ++k) cell.push_back(static_cast<std::size_t>(nodes[first + k]));
+            expect_middle_nodes(x, cell, triangles ? 3 : 4);
+        }
+    }
 }
 
 TEST(Vtu, SaysHowFarTheRunIs) {
