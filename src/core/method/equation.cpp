@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/method/plane_equation.hpp"
+#include "core/method/surface_equation.hpp"
 
 #include <algorithm>
 
@@ -25,6 +26,8 @@ const std::vector<double>& Equation::potential(const State& state) const {
 std::unique_ptr<Equation> make_equation(std::shared_ptr<const Discretisation> discretisation) {
     if (auto plane = std::dynamic_pointer_cast<const PlaneQ2>(discretisation))
         return std::make_unique<PlaneEquation>(std::move(plane));
+    if (auto surface = std::dynamic_pointer_cast<const SurfaceQ2>(discretisation))
+        return std::make_unique<SurfaceEquation>(std::move(surface));
     check_failed("the discretisation is of a domain with a Monge-Ampere equation");
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/stopwatch.hpp"
+#include "core/diagnostics/exact_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,7 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
     method_ = catalogue_->method(problem_.scenario.method.type)
                   .make(discretisation_, problem_.scenario.method.values);
     method_->use_threads(options_.threads);
-    meter_.emplace(discretisation_->mesh(), options_.threads);
+    follow_problem();
     State state = method_->initial_state();
     if (options_.start) {
         auto adopted = method_->adopt(*options_.start);
@@ -49,6 +50,16 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
     }
     setup_seconds_ = watch.seconds();
     begin(std::move(state));
+}
+
+/// What depends on domain and monitor alone.
+void Run::follow_problem() {
+    constexpr int points = 6; // see quality.hpp
+    meter_.emplace(discretisation_->mesh(), options_.threads, points, space());
+    exact_.reset();
+    if (space().kind != SpaceKind::sphere) return;
+    if (const auto map = ExactMap::of(*problem_.monitor))
+        exact_ = std::make_shared<const Points>(map->apply(discretisation_->mesh()->nodes));
 }
 
 void Run::begin(State state) {
@@ -145,6 +156,12 @@ void Run::measure(StepReport& report) {
     report.min_jacobian = quality.min_jacobian;
     report.max_jacobian = quality.max_jacobian;
     report.tangled_cells = quality.tangled_cells;
+    if (exact_) {
+        const auto [vertices, nodes] =
+            exact_deviation(*discretisation_->mesh(), method_->positions(), *exact_);
+        report.exact_rms = vertices;
+        report.exact_rms_nodes = nodes;
+    }
     measured_ = true;
     if (quality.tangled_cells == 0) last_untangled_ = state_;
 }
@@ -166,6 +183,7 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         return {};
     }
     const bool new_domain = !(problem.scenario.domain == old.domain);
+    const bool new_monitor = !(problem.scenario.monitor == old.monitor);
     const bool new_method = new_domain || problem.scenario.method.type != old.method.type;
     // What has blown up is no start: a smaller step, say, goes on from the last mesh that was one.
     const bool back = status() == RunStatus::diverged || status() == RunStatus::tangled;
@@ -179,7 +197,6 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         method->use_threads(options_.threads);
         state = method->adopt(*state);
         untangled = method->adopt(last_untangled_);
-        if (new_domain) meter_.emplace(discretisation->mesh(), options_.threads);
         discretisation_ = std::move(discretisation);
         method_ = std::move(method);
         setup_seconds_ = watch.seconds();
@@ -187,6 +204,7 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         method_->configure(problem.scenario.method.values);
     }
     problem_ = std::move(problem);
+    if (new_domain || new_monitor) follow_problem();
     if (!state) {
         reset();
         return "The map could not be kept: the mesh starts again from the beginning.";
@@ -207,6 +225,7 @@ std::shared_ptr<const Snapshot> Run::snapshot() {
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->mesh = discretisation_->mesh();
     snapshot->x = method_->positions();
+    snapshot->exact = exact_;
     Field monitor{"monitor", "", FieldPlace::node, std::vector<double>(snapshot->x.size())};
     problem_.monitor->values(snapshot->x, monitor.values);
     snapshot->fields.push_back(std::move(monitor));

@@ -48,9 +48,7 @@ class Run {
     const State& state() const { return state_; }
     const Discretisation& discretisation() const { return *discretisation_; }
     /// Of the domain.
-    Space space() const {
-        return catalogue_->domain(problem_.scenario.domain.type).space(problem_.scenario.domain.values);
-    }
+    Space space() const { return space_of(*catalogue_, problem_.scenario); }
     double setup_seconds() const { return setup_seconds_; }
     /// The present iterate as a value, measured for those who look at it even where the history leaves that
     /// out.
@@ -59,6 +57,7 @@ class Run {
   private:
     void begin(State state);
     void restart_judging();
+    void follow_problem();
     void record(const Evaluation& evaluation, int iteration, std::string note);
     void measure(StepReport& report);
     RunStatus judge(const StepReport& report, std::string& note);
@@ -70,6 +69,7 @@ class Run {
     std::shared_ptr<const Discretisation> discretisation_;
     std::unique_ptr<Method> method_;
     std::optional<QualityMeter> meter_;
+    std::shared_ptr<const Points> exact_; ///< null where no exact map is known
     State state_, last_finite_;
     State last_untangled_; ///< as far as it was measured
     std::vector<StepReport> history_;
