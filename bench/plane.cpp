@@ -21,7 +21,7 @@ struct Scene {
           m(plane->mesh()->node_count()) {
         for (const auto& type : monitor_types())
             if (type.name == "ring")
-                monitor = type.make(Values("monitor", type.rows), Space{SpaceKind::periodic_square});
+                monitor = type.make(Values("monitor", type.rows({})), Space{SpaceKind::periodic_square});
         for (int i = 0; i < 6; ++i) {
             evaluate();
             plane->poisson(r, u, room);

@@ -42,7 +42,12 @@ void list_monitors(const Catalogue& catalogue) {
     std::cout << "Monitors (monitor.type)\n";
     for (const auto& type : catalogue.monitors) {
         print_head(type.name, type.help + ": " + type.equation);
-        print_rows(monitor_section(catalogue, type.name).values);
+        const Values plane = monitor_section(catalogue, type.name).values;
+        const Values sphere = monitor_section(catalogue, type.name, {SpaceKind::sphere}).values;
+        print_rows(plane);
+        if (sphere == plane) continue;
+        std::cout << "    on a sphere:\n";
+        print_rows(sphere);
     }
 }
 

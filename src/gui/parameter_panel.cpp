@@ -75,7 +75,7 @@ Section fresh_section(const Catalogue& catalogue, const Scenario& opened, Sectio
     case SectionKind::domain:
         return domain_section(catalogue, type);
     case SectionKind::monitor:
-        return monitor_section(catalogue, type);
+        return monitor_section(catalogue, type); // for the plane; it follows the domain in the end
     case SectionKind::method:
         return method_section(catalogue, type);
     }
@@ -193,6 +193,7 @@ std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& op
                                   const Scenario& scenario, SectionKind kind, const std::string& type) {
     Scenario changed = scenario;
     section_of(changed, kind) = fresh_section(catalogue, opened, kind, type);
+    follow_domain(catalogue, changed);
     if (find_capability(catalogue, changed)) return changed;
     if (kind != SectionKind::domain) return std::nullopt;
     const auto row = std::find_if(catalogue.capabilities.begin(), catalogue.capabilities.end(),
@@ -205,6 +206,7 @@ std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& op
     };
     adapt(SectionKind::monitor, row->monitors);
     adapt(SectionKind::method, row->methods);
+    follow_domain(catalogue, changed);
     return find_capability(catalogue, changed) ? std::optional(std::move(changed)) : std::nullopt;
 }
 

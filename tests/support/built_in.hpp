@@ -19,7 +19,7 @@ using Settings = std::vector<std::pair<std::string, double>>;
 inline std::shared_ptr<const Monitor> make_monitor(const std::string& name, Space space,
                                                    const Settings& settings = {}) {
     const MonitorType type = monitor_type(name);
-    Values values("monitor", type.rows);
+    Values values("monitor", type.rows(space));
     for (const auto& [key, value] : settings) values.set(key, value);
     return type.make(values, space);
 }

@@ -2,7 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/parallel.hpp"
-#include "core/diagnostics/cell_quadrature.hpp"
+#include "core/fem/cell_quadrature.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,9 @@ double larger(double a, double b) { return std::isnan(b) || b > a ? b : a; }
 
 } // namespace
 
-QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int points)
-    : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)), workers_(checked(threads)) {
+QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int points, const Space& space)
+    : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)),
+      on_sphere_(space.kind == SpaceKind::sphere), workers_(checked(threads)) {
     if (FlatSquares::fits(*mesh_)) flat_.emplace(points);
     for (const auto& [point, weight] : cell_quadrature(mesh_->kind.shape, points)) add_sample(point, weight);
     quadrature_points_ = samples_.size();
@@ -39,7 +40,7 @@ QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int po
         gather(i, mesh_->nodes, nodes);
         for (std::size_t q = 0; q < quadrature_points_; ++q) {
             const Tangents t = tangents(nodes, samples_[q]);
-            cell_measure_[i] += samples_[q].weight * signed_measure(t, t);
+            cell_measure_[i] += samples_[q].weight * signed_measure(t, t, place(nodes, samples_[q]));
         }
     }
     quality_.cell_mass.resize(cells);
@@ -75,12 +76,18 @@ QualityMeter::Tangents QualityMeter::tangents(std::span<const Vec3> nodes, const
     return t;
 }
 
-double QualityMeter::signed_measure(const Tangents& of, const Tangents& reference) const {
+Vec3 QualityMeter::place(std::span<const Vec3> nodes, const Sample& sample) const {
+    Vec3 point;
+    for (std::size_t k = 0; k < nodes.size(); ++k) point = point + sample.values[k] * nodes[k];
+    return point;
+}
+
+double QualityMeter::signed_measure(const Tangents& of, const Tangents& reference, Vec3 point) const {
     if (dimension_ == 2 && mesh_->space_dimension == 2) return of[0].x * of[1].y - of[0].y * of[1].x;
     if (dimension_ == 1) return std::copysign(norm(of[0]), dot(of[0], reference[0]));
     const Vec3 normal = cross(of[0], of[1]);
     if (dimension_ == 3) return dot(normal, of[2]);
-    return std::copysign(norm(normal), dot(normal, cross(reference[0], reference[1])));
+    return std::copysign(norm(normal), dot(normal, on_sphere_ ? point : cross(reference[0], reference[1])));
 }
 
 void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
@@ -93,14 +100,12 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
         double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
         for (std::size_t s = 0; s < samples_.size(); ++s) {
             const Tangents reference = tangents(worker.reference_nodes, samples_[s]);
-            const double physical = signed_measure(tangents(worker.nodes, samples_[s]), reference);
-            const double jacobian = physical / signed_measure(reference, reference);
+            const Vec3 point = place(worker.nodes, samples_[s]);
+            const double physical = signed_measure(tangents(worker.nodes, samples_[s]), reference, point);
+            const double jacobian = physical / std::abs(signed_measure(reference, reference, point));
             smallest = smaller(smallest, jacobian);
             largest = larger(largest, jacobian);
             if (s >= quadrature_points_) continue;
-            Vec3 point;
-            for (std::size_t k = 0; k < worker.nodes.size(); ++k)
-                point = point + samples_[s].values[k] * worker.nodes[k];
             worker.points.set(at, point);
             worker.factor[at++] = samples_[s].weight * physical;
         }

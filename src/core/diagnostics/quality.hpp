@@ -29,13 +29,15 @@ struct MeshQuality {
 
 /// Measures a mesh; holds the reference quadrature and the computational measures, and room to work in.
 /// Of a line or surface in space the Jacobian is negative where the physical cell faces away from the
-/// computational one. What is turned over counts negative in M_i, so that their sum remains.
+/// computational one; on a sphere, where cells travel far, it is negative where the cell faces inward. What
+/// is turned over counts negative in M_i, so that their sum remains.
 class QualityMeter {
   public:
     /// `points` Gauss points per direction for the integral of m: with 6 the equidistribution of
     /// the ring is right to 3e-7 of its value at n = 30 and to 1e-8 from n = 60 on.
     /// `threads` share the cells; the result does not depend on how many.
-    explicit QualityMeter(std::shared_ptr<const Mesh> mesh, int threads = 1, int points = 6);
+    explicit QualityMeter(std::shared_ptr<const Mesh> mesh, int threads = 1, int points = 6,
+                          const Space& space = {});
     /// The reference is valid until the next call.
     const MeshQuality& measure(const Points& x, const Monitor& monitor);
     /// What was measured last.
@@ -54,7 +56,8 @@ class QualityMeter {
     void add_sample(Vec3 point, double weight);
     void gather(std::size_t cell, const Points& x, std::span<Vec3> nodes) const;
     Tangents tangents(std::span<const Vec3> nodes, const Sample& sample) const;
-    double signed_measure(const Tangents& of, const Tangents& reference) const;
+    double signed_measure(const Tangents& of, const Tangents& reference, Vec3 point) const;
+    Vec3 place(std::span<const Vec3> nodes, const Sample& sample) const;
     /// What one thread works in, and what it finds.
     struct Worker {
         std::vector<Vec3> nodes, reference_nodes; ///< of one cell: x and xi
@@ -74,6 +77,7 @@ class QualityMeter {
 
     std::shared_ptr<const Mesh> mesh_;
     int dimension_;
+    bool on_sphere_;
     std::optional<FlatSquares> flat_; ///< where all cells are such
     std::vector<Sample> samples_;
     std::size_t quadrature_points_ = 0; ///< the first samples are those of the quadrature

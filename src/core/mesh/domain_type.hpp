@@ -3,6 +3,7 @@
 
 #include "core/base/parameter.hpp"
 #include "core/mesh/space.hpp"
+#include "core/mesh/sphere_mesh.hpp"
 
 #include <functional>
 #include <string>
@@ -20,5 +21,11 @@ struct DomainType {
 
 /// The unit square: doubly periodic, or with walls along which nodes slide.
 DomainType plane_domain();
+
+/// The sphere, of quadrilaterals or of triangles.
+DomainType cubed_sphere_domain();
+DomainType icosahedral_sphere_domain();
+/// Which mesh of the sphere the values of one of these mean.
+SphereGrid sphere_grid(const Values& values);
 
 } // namespace gaspard

@@ -1,5 +1,7 @@
 #include "core/mesh/space.hpp"
 
+#include <numbers>
+
 namespace gaspard {
 
 Vec3 displacement(const Space& space, Vec3 from, Vec3 to) {
@@ -10,5 +12,14 @@ Vec3 displacement(const Space& space, Vec3 from, Vec3 to) {
     }
     return d;
 }
+
+Vec3 at_latitude_longitude(double latitude, double longitude) {
+    constexpr double degree = std::numbers::pi / 180;
+    const double level = std::cos(latitude * degree);
+    return {level * std::cos(longitude * degree), level * std::sin(longitude * degree),
+            std::sin(latitude * degree)};
+}
+
+double angle_between(Vec3 a, Vec3 b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
 
 } // namespace gaspard

@@ -1,14 +1,14 @@
-// The relaxation, accelerated: Anderson's method on each plane, and coarser planes for the first part of the
-// way (nested iteration).
+// The relaxation, accelerated: Anderson's method on each mesh, and coarser meshes of the same domain for the
+// first part of the way (nested iteration).
 //
 // A step of Anderson's is taken as long as it leaves the map convex; where it does not, a plain one of the
 // length that is stable takes its place, and what was remembered is forgotten. A map that is far from a
-// solution goes down to the coarsest plane and from there up again, plane by plane; a map that is near, as
-// when the monitor moves a little, stays where it is. On the way the State is one of the coarser plane. An
-// iteration is one update, on whatever plane; the report is of the plane on which it ends.
+// solution goes down to the coarsest mesh and from there up again, mesh by mesh; a map that is near, as
+// when the monitor moves a little, stays where it is. On the way the State is one of the coarser mesh. An
+// iteration is one update, on whatever mesh; the report is of the mesh on which it ends.
 #include "core/base/check.hpp"
 #include "core/method/anderson.hpp"
-#include "core/method/plane_equation.hpp"
+#include "core/method/equation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,24 +19,18 @@ namespace gaspard {
 namespace {
 
 constexpr std::size_t memory = 10;      ///< differences that Anderson's method remembers
-constexpr std::size_t coarsest = 24;    ///< cells a side that a coarser plane has at least
-constexpr double far = 0.3;             ///< a residual from which coarser planes are worth the way
-constexpr double good_enough = 3e-2;    ///< a residual with which a coarser plane has done its work
-constexpr int coarse_iterations = 150;  ///< more are not spent on a coarser plane
-constexpr double hopeless = 100;        ///< a residual from which a coarser plane leads nowhere
+constexpr double far = 0.3;             ///< a residual from which coarser meshes are worth the way
+constexpr double good_enough = 3e-2;    ///< a residual with which a coarser mesh has done its work
+constexpr int coarse_iterations = 150;  ///< more are not spent on a coarser mesh
+constexpr double hopeless = 100;        ///< a residual from which a coarser mesh leads nowhere
 constexpr double least_convexity = 0.1; ///< of that before a step; less is not taken
 constexpr double largest_growth = 10;   ///< of the residual in a step
 
 class Accelerated final : public Method {
   public:
-    Accelerated(std::shared_ptr<const PlaneQ2> plane, const Values& values) {
+    Accelerated(std::unique_ptr<Equation> equation, const Values& values) {
         configure(values);
-        const bool periodic = plane->grid().periodic;
-        std::size_t cells = plane->grid().cells;
-        levels_.push_back(std::make_unique<PlaneEquation>(std::move(plane)));
-        while ((cells = (cells + 1) / 2) >= coarsest)
-            levels_.push_back(
-                std::make_unique<PlaneEquation>(std::make_shared<PlaneQ2>(LineGrid{cells, periodic})));
+        for (; equation; equation = levels_.back()->coarser()) levels_.push_back(std::move(equation));
         select(0);
     }
 
@@ -69,7 +63,7 @@ class Accelerated final : public Method {
         may_go_down_ = true;
         look(monitor, here().potential(state));
         if (level_ == 0) return now_;
-        // What is said of a map is said of the plane that was asked for, or a coarse one might end a run.
+        // What is said of a map is said of the mesh that was asked for, or a coarse one might end a run.
         const State fine = levels_[0]->adopt(here(), here().potential(state));
         prolonged_ = true;
         return levels_[0]->evaluate(monitor, fine.arrays[0].values);
@@ -100,11 +94,11 @@ class Accelerated final : public Method {
     }
 
   private:
-    PlaneEquation& here() { return *levels_[level_]; }
+    Equation& here() { return *levels_[level_]; }
 
     void select(std::size_t level) {
         level_ = level;
-        const std::size_t n = here().plane().unknowns();
+        const std::size_t n = here().unknowns();
         anderson_.emplace(n, memory);
         direction_.resize(n);
         next_.resize(n);
@@ -126,7 +120,7 @@ class Accelerated final : public Method {
         look(monitor, here().potential(state));
     }
 
-    /// To the next finer plane; from the very start where this one is too coarse to have been of use.
+    /// To the next finer mesh; from the very start where this one is too coarse to have been of use.
     void go_up(bool arrived, const Monitor& monitor, State& state) {
         const std::size_t next = level_ - 1;
         if (arrived) go_to(next, here().potential(state), monitor, state);
@@ -165,18 +159,18 @@ class Accelerated final : public Method {
         }
     }
 
-    std::vector<std::unique_ptr<PlaneEquation>> levels_; ///< the first is the one that is asked for
+    std::vector<std::unique_ptr<Equation>> levels_; ///< the first is the one that is asked for
     double enough_ = 0;
     // Where the way has come to:
     std::size_t level_ = 0;
     int iterations_here_ = 0;
     bool may_go_down_ = false;  ///< not again before somebody evaluates
-    std::vector<double> start_; ///< the potential on the finest plane from which it went down
+    std::vector<double> start_; ///< the potential on the finest mesh from which it went down
     Evaluation now_;
     Ellipticity shape_;
     std::optional<Anderson> anderson_;
     std::vector<double> direction_, next_;
-    bool prolonged_ = false;               ///< the finest plane's positions are of a coarser one's potential,
+    bool prolonged_ = false;               ///< the finest mesh's positions are of a coarser one's potential,
     std::vector<double> phi_of_positions_; ///< this one
 };
 
@@ -189,7 +183,7 @@ MethodType accelerated_method() {
             .rows = {},
             .make = [](std::shared_ptr<const Discretisation> discretisation,
                        const Values& values) -> std::unique_ptr<Method> {
-                return std::make_unique<Accelerated>(plane_of(std::move(discretisation)), values);
+                return std::make_unique<Accelerated>(make_equation(std::move(discretisation)), values);
             }};
 }
 

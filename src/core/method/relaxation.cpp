@@ -2,8 +2,8 @@
 //
 //   <grad v, grad phi^{k+1}> = <grad v, grad phi^k> + dt <v, m det(I + sigma^k) - theta^k>       (3.7)
 //
-// sigma, x and theta follow from phi; see fem/plane_q2.hpp.
-#include "core/method/plane_equation.hpp"
+// sigma, x and theta follow from phi; see method/equation.hpp.
+#include "core/method/equation.hpp"
 
 namespace gaspard {
 
@@ -11,36 +11,36 @@ namespace {
 
 class Relaxation final : public Method {
   public:
-    Relaxation(std::shared_ptr<const PlaneQ2> plane, const Values& values)
-        : equation_(std::move(plane)), update_(equation_.plane().unknowns()) {
+    Relaxation(std::unique_ptr<Equation> equation, const Values& values)
+        : equation_(std::move(equation)), update_(equation_->unknowns()) {
         configure(values);
     }
 
     void configure(const Values& values) override { step_size_ = values.real_or_auto("step_size"); }
-    void use_threads(int threads) override { equation_.use_threads(threads); }
-    double other_cpu_seconds() const override { return equation_.other_cpu_seconds(); }
+    void use_threads(int threads) override { equation_->use_threads(threads); }
+    double other_cpu_seconds() const override { return equation_->other_cpu_seconds(); }
 
-    State initial_state() const override { return equation_.initial_state(); }
-    std::optional<State> adopt(const State& other) override { return equation_.adopt(other); }
+    State initial_state() const override { return equation_->initial_state(); }
+    std::optional<State> adopt(const State& other) override { return equation_->adopt(other); }
 
     Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token) override {
-        return equation_.evaluate(monitor, equation_.potential(state));
+        return equation_->evaluate(monitor, equation_->potential(state));
     }
 
     Evaluation step(const Monitor& monitor, State& state, std::stop_token) override {
-        auto& phi = equation_.potential(state);
-        const double step_size = step_size_ ? *step_size_ : stable_step(equation_.ellipticity());
-        equation_.direction(update_);
+        auto& phi = equation_->potential(state);
+        const double step_size = step_size_ ? *step_size_ : stable_step(equation_->ellipticity());
+        equation_->direction(update_);
         for (std::size_t i = 0; i < phi.size(); ++i) phi[i] += step_size * update_[i];
-        Evaluation evaluation = equation_.evaluate(monitor, phi);
+        Evaluation evaluation = equation_->evaluate(monitor, phi);
         evaluation.step_size = step_size;
         return evaluation;
     }
 
-    const Points& positions() override { return equation_.positions(); }
+    const Points& positions() override { return equation_->positions(); }
 
   private:
-    PlaneEquation equation_;
+    std::unique_ptr<Equation> equation_;
     std::optional<double> step_size_; ///< none: as long as is stable, anew for every iterate
     std::vector<double> update_;
 };
@@ -63,7 +63,7 @@ MethodType relaxation_method() {
                               "mesh allows"}},
             .make = [](std::shared_ptr<const Discretisation> discretisation,
                        const Values& values) -> std::unique_ptr<Method> {
-                return std::make_unique<Relaxation>(plane_of(std::move(discretisation)), values);
+                return std::make_unique<Relaxation>(make_equation(std::move(discretisation)), values);
             }};
 }
 

@@ -9,8 +9,15 @@ MonitorType bell_monitor() {
         .label = "Bell",
         .help = "small cells around a point",
         .equation = "m(x) = 1 + A sech^2( B |x - c|^2 )",
-        .rows = {amplitude_row(5000, 50.0, "at the centre"), sharpness_row(100.0, "0.94 / sqrt(B)"),
-                 center_row("center_x", "Centre x", "c1"), center_row("center_y", "Centre y", "c2")},
+        .rows =
+            [](const Space& space) {
+                const bool sphere = space.kind == SpaceKind::sphere;
+                std::vector<ParameterRow> rows = {amplitude_row(5000, sphere ? 20.0 : 50.0, "at the centre"),
+                                                  sharpness_row(sphere ? 10.0 : 100.0, "0.94 / sqrt(B)",
+                                                                sphere ? "1/radian^2" : "1/length^2")};
+                for (auto& row : center_rows(space)) rows.push_back(std::move(row));
+                return rows;
+            },
         .make = [](const Values& values, const Space& space) { return make_sech_monitor(values, 0, space); }};
 }
 

@@ -18,6 +18,7 @@ class ConstantMonitor final : public Monitor {
     }
     void gradients(const Points& x, Points& gradients) const override { gradients = Points(x.size()); }
     void check() const override {} // the row's range keeps it positive
+    std::optional<Vec3> symmetry_axis() const override { return Vec3{0, 0, 1}; }
 
   private:
     double value_;
@@ -30,14 +31,17 @@ MonitorType constant_monitor() {
             .label = "Constant",
             .help = "equal cells: no node moves",
             .equation = "m(x) = v",
-            .rows = {{.key = "value",
-                      .label = "Value",
-                      .symbol = "v",
-                      .minimum = 0.001,
-                      .maximum = 1000,
-                      .scale = ParameterScale::logarithmic,
-                      .default_value = 1.0,
-                      .help = "any positive number gives the same mesh"}},
+            .rows =
+                [](const Space&) {
+                    return std::vector<ParameterRow>{{.key = "value",
+                                                      .label = "Value",
+                                                      .symbol = "v",
+                                                      .minimum = 0.001,
+                                                      .maximum = 1000,
+                                                      .scale = ParameterScale::logarithmic,
+                                                      .default_value = 1.0,
+                                                      .help = "any positive number gives the same mesh"}};
+                },
             .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
                 return std::make_shared<ConstantMonitor>(v.real("value"));
             }};

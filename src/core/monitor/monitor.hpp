@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,10 +26,13 @@ class Monitor {
     virtual ~Monitor() = default;
     /// m at every point (physical coordinates), positive and finite. `values` has x.size() entries.
     virtual void values(const Points& x, std::span<double> values) const = 0;
-    /// grad m at every point, in the coordinates of space; resizes `gradients` to x.size().
+    /// grad m at every point, in the coordinates of space, on a sphere tangent to it; resizes `gradients` to
+    /// x.size().
     virtual void gradients(const Points& x, Points& gradients) const = 0;
     /// Throws InputError where m <= 0 or not finite for some point of space, naming the parameter to change.
     virtual void check() const = 0;
+    /// On a sphere: a direction around which m does not change when it turns, where there is one.
+    virtual std::optional<Vec3> symmetry_axis() const { return std::nullopt; }
 };
 
 /// A kind of monitor as the user sees it. Adding one is a file with its rows and `make`, and a line in
@@ -37,8 +41,8 @@ struct MonitorType {
     std::string name;
     std::string label;
     std::string help;
-    std::string equation; ///< as in the source, with the rows' symbols
-    std::vector<ParameterRow> rows;
+    std::string equation;                                        ///< as in the source, with the rows' symbols
+    std::function<std::vector<ParameterRow>(const Space&)> rows; ///< a place has other keys on a sphere
     std::function<std::shared_ptr<const Monitor>(const Values&, const Space&)> make;
 };
 

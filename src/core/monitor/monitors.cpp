@@ -6,7 +6,11 @@ namespace gaspard {
 MonitorType ring_monitor();
 MonitorType bell_monitor();
 MonitorType constant_monitor();
+MonitorType x_n_monitor();
+MonitorType cross_monitor();
 
-std::vector<MonitorType> monitor_types() { return {ring_monitor(), bell_monitor(), constant_monitor()}; }
+std::vector<MonitorType> monitor_types() {
+    return {ring_monitor(), bell_monitor(), constant_monitor(), x_n_monitor(), cross_monitor()};
+}
 
 } // namespace gaspard

@@ -2,20 +2,16 @@
 
 #include "core/base/check.hpp"
 #include "core/base/exponential.hpp"
+#include "core/monitor/geodesic.hpp"
 
 #include <cmath>
 
 namespace gaspard {
 
-namespace {
-
-// 1 / cosh^2 without overflow: for large |t| it is 0 to double precision.
 double sech_squared(double t) {
     const double e = exponential(-2 * std::abs(t));
     return 4 * e / ((1 + e) * (1 + e));
 }
-
-} // namespace
 
 void SechMonitor::values(const Points& x, std::span<double> values) const {
     GASPARD_CHECK(values.size() == x.size());
@@ -43,13 +39,17 @@ void SechMonitor::gradients(const Points& x, Points& gradients) const {
     }
 }
 
-void SechMonitor::check() const {
-    if (!std::isfinite(p_.amplitude))
-        throw InputError("monitor.amplitude = " + format_number(p_.amplitude) +
-                         " is not a number that a monitor can have; it must be finite and greater than -1");
-    if (1 + p_.amplitude <= 0)
-        throw InputError("monitor.amplitude = " + format_number(p_.amplitude) +
-                         " makes the monitor zero or negative; it must be greater than -1");
+void SechMonitor::check() const { check_amplitude(p_.amplitude, -1); }
+
+void check_amplitude(double amplitude, double least) {
+    if (!std::isfinite(amplitude))
+        throw InputError("monitor.amplitude = " + format_number(amplitude) +
+                         " is not a number that a monitor can have; it must be finite and greater than " +
+                         format_number(least));
+    if (amplitude <= least)
+        throw InputError("monitor.amplitude = " + format_number(amplitude) +
+                         " makes the monitor zero or negative; it must be greater than " +
+                         format_number(least));
 }
 
 ParameterRow amplitude_row(double maximum, double value, const std::string& where) {
@@ -63,11 +63,11 @@ ParameterRow amplitude_row(double maximum, double value, const std::string& wher
             .help = "how much denser the mesh is " + where + "; the monitor would vanish at -1"};
 }
 
-ParameterRow sharpness_row(double value, const std::string& half_height) {
+ParameterRow sharpness_row(double value, const std::string& half_height, const std::string& unit) {
     return {.key = "sharpness",
             .label = "Sharpness",
             .symbol = "B",
-            .unit = "1/length^2",
+            .unit = unit,
             .minimum = 1,
             .maximum = 2000,
             .scale = ParameterScale::logarithmic,
@@ -75,17 +75,25 @@ ParameterRow sharpness_row(double value, const std::string& half_height) {
             .help = "larger is narrower: half the height at a distance of about " + half_height};
 }
 
-ParameterRow center_row(const std::string& key, const std::string& label, const std::string& symbol) {
-    return {.key = key,
-            .label = label,
-            .symbol = symbol,
-            .minimum = 0,
-            .maximum = 1,
-            .default_value = 0.5,
-            .help = "where the feature stands; the square is [0, 1] x [0, 1]"};
+std::vector<ParameterRow> center_rows(const Space& space) {
+    if (space.kind == SpaceKind::sphere) return place_rows("center", "Centre", 30, 0);
+    const auto row = [](const char* key, const char* label, const char* symbol) {
+        return ParameterRow{.key = key,
+                            .label = label,
+                            .symbol = symbol,
+                            .minimum = 0,
+                            .maximum = 1,
+                            .default_value = 0.5,
+                            .help = "where the feature stands; the square is [0, 1] x [0, 1]"};
+    };
+    return {row("center_x", "Centre x", "c1"), row("center_y", "Centre y", "c2")};
 }
 
 std::shared_ptr<const Monitor> make_sech_monitor(const Values& values, double radius, const Space& space) {
+    if (space.kind == SpaceKind::sphere)
+        return std::make_shared<GeodesicMonitor<SechProfile>>(
+            1.0, SechProfile{values.real("amplitude"), values.real("sharpness"), radius},
+            std::vector{place_of(values, "center")});
     return std::make_shared<SechMonitor>(
         SechMonitor::Parameters{values.real("amplitude"),
                                 values.real("sharpness"),

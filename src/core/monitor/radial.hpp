@@ -26,12 +26,20 @@ class SechMonitor final : public Monitor {
     Space space_;
 };
 
-/// The rows that ring and bell share; `where` and `half_height` complete their help.
-ParameterRow amplitude_row(double maximum, double value, const std::string& where);
-ParameterRow sharpness_row(double value, const std::string& half_height);
-ParameterRow center_row(const std::string& key, const std::string& label, const std::string& symbol);
+/// 1 / cosh^2 without overflow: for large |t| it is 0 to double precision.
+double sech_squared(double t);
+/// Throws InputError where the amplitude is not finite or not above `least`.
+void check_amplitude(double amplitude, double least);
 
-/// The monitor for such values; `radius` as a number, as not all have the row.
+/// The rows that ring, bell and cross share; `where` and `half_height` complete their help.
+ParameterRow amplitude_row(double maximum, double value, const std::string& where);
+ParameterRow sharpness_row(double value, const std::string& half_height,
+                           const std::string& unit = "1/length^2");
+/// Of the centre: in the square, or on the sphere.
+std::vector<ParameterRow> center_rows(const Space& space);
+
+/// The monitor for such values, on the sphere by angles in place of distances; `radius` as a number, as not
+/// all have the row.
 std::shared_ptr<const Monitor> make_sech_monitor(const Values& values, double radius, const Space& space);
 
 } // namespace gaspard

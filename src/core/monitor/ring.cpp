@@ -1,28 +1,35 @@
 // The ring of McRae, Cotter, Budd (5.3).
 #include "core/monitor/radial.hpp"
 
+#include <numbers>
+
 namespace gaspard {
 
 MonitorType ring_monitor() {
-    return {.name = "ring",
-            .label = "Ring",
-            .help = "small cells along a circle",
-            .equation = "m(x) = 1 + A sech^2( B (|x - c|^2 - r^2) )",
-            .rows = {amplitude_row(1000, 10.0, "on the ring"),
-                     sharpness_row(200.0, "0.44 / (B r)"),
-                     {.key = "radius",
-                      .label = "Radius",
-                      .symbol = "r",
-                      .unit = "length",
-                      .minimum = 0,
-                      .maximum = 0.5,
-                      .default_value = 0.25,
-                      .help = "of the ring"},
-                     center_row("center_x", "Centre x", "c1"),
-                     center_row("center_y", "Centre y", "c2")},
-            .make = [](const Values& values, const Space& space) {
-                return make_sech_monitor(values, values.real("radius"), space);
-            }};
+    return {
+        .name = "ring",
+        .label = "Ring",
+        .help = "small cells along a circle",
+        .equation = "m(x) = 1 + A sech^2( B (|x - c|^2 - r^2) )",
+        .rows =
+            [](const Space& space) {
+                const bool sphere = space.kind == SpaceKind::sphere;
+                std::vector<ParameterRow> rows = {amplitude_row(1000, 10.0, "on the ring"),
+                                                  sharpness_row(sphere ? 10.0 : 200.0, "0.44 / (B r)",
+                                                                sphere ? "1/radian^2" : "1/length^2"),
+                                                  {.key = "radius",
+                                                   .label = "Radius",
+                                                   .symbol = "r",
+                                                   .unit = sphere ? "radians" : "length",
+                                                   .minimum = 0,
+                                                   .maximum = sphere ? std::numbers::pi : 0.5,
+                                                   .default_value = sphere ? std::numbers::pi / 4 : 0.25,
+                                                   .help = "of the ring"}};
+                for (auto& row : center_rows(space)) rows.push_back(std::move(row));
+                return rows;
+            },
+        .make = [](const Values& values,
+                   const Space& space) { return make_sech_monitor(values, values.real("radius"), space); }};
 }
 
 } // namespace gaspard

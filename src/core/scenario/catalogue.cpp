@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/fem/plane_q2.hpp"
+#include "core/fem/surface_q2.hpp"
 #include "core/scenario/output_rows.hpp"
 #include "core/scenario/view_rows.hpp"
 
@@ -39,17 +40,29 @@ std::string boundary_of(const Scenario& scenario) {
 }
 
 Capability plane_capability() {
-    std::vector<std::string> monitors; // all of them are functions of the place
-    for (const auto& type : monitor_types()) monitors.push_back(type.name);
     return {.domain = "plane",
             .boundaries = {"periodic", "walls"},
-            .monitors = std::move(monitors),
+            .monitors = {"ring", "bell", "constant"},
             .methods = {"relaxation", "accelerated"},
             .prepare = [](const Values& domain, const Progress& progress,
                           std::stop_token) -> std::shared_ptr<const Discretisation> {
                 if (progress) progress(0, "preparing the operators of the plane");
                 return std::make_shared<PlaneQ2>(LineGrid{static_cast<std::size_t>(domain.integer("cells")),
                                                           domain.text("boundary") == "periodic"});
+            }};
+}
+
+Capability sphere_capability(const std::string& domain_type) {
+    return {.domain = domain_type,
+            .boundaries = {},
+            .monitors = {"x-n", "cross", "ring", "bell", "constant"},
+            .methods = {"relaxation", "accelerated"},
+            .prepare = [](const Values& domain, const Progress& progress,
+                          std::stop_token stop) -> std::shared_ptr<const Discretisation> {
+                return std::make_shared<SurfaceQ2>(
+                    sphere_setup(sphere_grid(domain), static_cast<int>(domain.integer("geometry_order")),
+                                 domain.real("radius"), domain.text("monitor_nodes") == "vertices"),
+                    progress, stop);
             }};
 }
 
@@ -66,10 +79,11 @@ const MethodType& Catalogue::method(std::string_view name) const {
 }
 
 Catalogue builtin_catalogue() {
-    return {.domains = {plane_domain()},
+    return {.domains = {plane_domain(), cubed_sphere_domain(), icosahedral_sphere_domain()},
             .monitors = monitor_types(),
             .methods = {relaxation_method(), accelerated_method()},
-            .capabilities = {plane_capability()},
+            .capabilities = {plane_capability(), sphere_capability("cubed-sphere"),
+                             sphere_capability("icosahedral-sphere")},
             .view_rows = view_rows(),
             .output_rows = output_rows()};
 }
@@ -78,8 +92,8 @@ Section domain_section(const Catalogue& catalogue, std::string_view type) {
     return {std::string(type), Values("domain", catalogue.domain(type).rows)};
 }
 
-Section monitor_section(const Catalogue& catalogue, std::string_view type) {
-    return {std::string(type), Values("monitor", catalogue.monitor(type).rows)};
+Section monitor_section(const Catalogue& catalogue, std::string_view type, const Space& space) {
+    return {std::string(type), Values("monitor", catalogue.monitor(type).rows(space))};
 }
 
 Section method_section(const Catalogue& catalogue, std::string_view type) {
@@ -125,10 +139,9 @@ Problem check(const Catalogue& catalogue, Scenario scenario, std::shared_ptr<con
                          (boundary.empty() ? "" : " with boundary '" + boundary + "'") + possible);
     }
     auto monitor = std::move(own);
-    if (!monitor) {
-        const Space space = catalogue.domain(scenario.domain.type).space(scenario.domain.values);
-        monitor = catalogue.monitor(scenario.monitor.type).make(scenario.monitor.values, space);
-    }
+    if (!monitor)
+        monitor = catalogue.monitor(scenario.monitor.type)
+                      .make(scenario.monitor.values, space_of(catalogue, scenario));
     monitor->check();
     return {std::move(scenario), std::move(monitor), capability};
 }

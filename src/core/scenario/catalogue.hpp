@@ -45,18 +45,25 @@ struct Catalogue {
 /// What Gaspard ships.
 Catalogue builtin_catalogue();
 
-/// A section with the defaults of a type.
+/// A section with the defaults of a type; a monitor's rows depend on the space.
 Section domain_section(const Catalogue& catalogue, std::string_view type);
-Section monitor_section(const Catalogue& catalogue, std::string_view type);
+Section monitor_section(const Catalogue& catalogue, std::string_view type, const Space& space = {});
 Section method_section(const Catalogue& catalogue, std::string_view type);
 
 /// The first of every type, with its defaults.
 Scenario default_scenario(const Catalogue& catalogue);
 
+/// What the points of a scenario's domain know of distance.
+Space space_of(const Catalogue& catalogue, const Scenario& scenario);
+/// Gives the monitor the rows that it has on the scenario's domain. Values that were chosen stay where the
+/// key is still there and allows them.
+void follow_domain(const Catalogue& catalogue, Scenario& scenario);
+
 /// Throws InputError if a scenario has no such key, or a reserved one.
-void check_key(Scenario& scenario, std::string_view key);
+void check_key(const Catalogue& catalogue, Scenario& scenario, std::string_view key);
 /// Sets one value by its full key ("monitor.amplitude", "monitor.type"). A new type takes that type's
-/// defaults. Throws InputError: unknown or reserved key, wrong kind, out of range.
+/// defaults; with a new domain, the monitor follows. Throws InputError: unknown or reserved key, wrong kind,
+/// out of range.
 void set_value(const Catalogue& catalogue, Scenario& scenario, std::string_view key, const Value& value);
 /// The same for a list of "key=value" texts from a command line; types first, so that the order does not
 /// matter.

@@ -31,7 +31,41 @@ struct Target {
     std::string key;
 };
 
-Target locate(Scenario& scenario, std::string_view full_key) {
+bool has_row(const std::vector<ParameterRow>& rows, std::string_view key) {
+    return std::any_of(rows.begin(), rows.end(), [&](const ParameterRow& row) { return row.key == key; });
+}
+
+bool same_rows(const std::vector<ParameterRow>& a, const std::vector<ParameterRow>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+        return one.key == other.key && one.minimum == other.minimum && one.maximum == other.maximum &&
+               one.default_value == other.default_value && one.unit == other.unit;
+    });
+}
+
+std::string list_keys(const Values& values) {
+    std::string list;
+    for (const auto& row : values.rows()) list += (list.empty() ? "" : ", ") + row.key;
+    return list;
+}
+
+/// A key that another domain has, or the monitor on another domain: it is known, but has no meaning here.
+void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, std::string_view full_key,
+                        std::string_view section, std::string_view key) {
+    const auto refuse = [&](const Values& here, const std::string& where) {
+        throw InputError(std::string(full_key) + " has no meaning on domain '" + scenario.domain.type + "'" +
+                         where + "; there are: " + list_keys(here));
+    };
+    if (section == "domain")
+        for (const auto& type : catalogue.domains)
+            if (has_row(type.rows, key))
+                refuse(scenario.domain.values, ", it belongs to '" + type.name + "'");
+    if (section == "monitor")
+        for (const auto kind : {SpaceKind::euclidean, SpaceKind::sphere})
+            if (has_row(catalogue.monitor(scenario.monitor.type).rows({kind}), key))
+                refuse(scenario.monitor.values, "");
+}
+
+Target locate(const Catalogue& catalogue, Scenario& scenario, std::string_view full_key) {
     for (const auto& name : reserved)
         if (starts_with_key(full_key, name))
             throw InputError(std::string(full_key) + ": " + name +
@@ -46,24 +80,46 @@ Target locate(Scenario& scenario, std::string_view full_key) {
         }
     for (Values* values : {&scenario.view, &scenario.output})
         if (section == values->section() && values->has(key)) return {values, nullptr, key};
+    refuse_foreign_key(catalogue, scenario, full_key, section, key);
     throw InputError("unknown key " + std::string(full_key) + did_you_mean(full_key, all_keys(scenario)));
 }
 
 void set_type(const Catalogue& catalogue, Scenario& scenario, Section& section, const std::string& type) {
-    if (&section == &scenario.domain)
+    if (&section == &scenario.domain) {
         section = domain_section(catalogue, type);
-    else if (&section == &scenario.monitor)
-        section = monitor_section(catalogue, type);
+        follow_domain(catalogue, scenario);
+    } else if (&section == &scenario.monitor)
+        section = monitor_section(catalogue, type, space_of(catalogue, scenario));
     else
         section = method_section(catalogue, type);
 }
 
 } // namespace
 
-void check_key(Scenario& scenario, std::string_view key) { locate(scenario, key); }
+Space space_of(const Catalogue& catalogue, const Scenario& scenario) {
+    return catalogue.domain(scenario.domain.type).space(scenario.domain.values);
+}
+
+void follow_domain(const Catalogue& catalogue, Scenario& scenario) {
+    const Values before = scenario.monitor.values;
+    Section section = monitor_section(catalogue, scenario.monitor.type, space_of(catalogue, scenario));
+    if (same_rows(section.values.rows(), before.rows())) return;
+    for (const auto& row : section.values.rows()) {
+        if (!before.has(row.key) || is_default(before, row.key)) continue;
+        try {
+            section.values.set(row.key, before.at(row.key));
+        } catch (const InputError&) { // out of the range that it has here: the default stands
+        }
+    }
+    scenario.monitor = std::move(section);
+}
+
+void check_key(const Catalogue& catalogue, Scenario& scenario, std::string_view key) {
+    locate(catalogue, scenario, key);
+}
 
 void set_value(const Catalogue& catalogue, Scenario& scenario, std::string_view key, const Value& value) {
-    const Target target = locate(scenario, key);
+    const Target target = locate(catalogue, scenario, key);
     if (target.values) return target.values->set(target.key, value);
     const auto* type = std::get_if<std::string>(&value);
     if (!type) throw InputError(std::string(key) + " wants a name, not '" + format_value(value) + "'");
@@ -82,7 +138,7 @@ void apply_settings(const Catalogue& catalogue, Scenario& scenario,
     std::stable_partition(pairs.begin(), pairs.end(),
                           [](const auto& pair) { return pair.first.ends_with(".type"); });
     for (const auto& [key, text] : pairs) {
-        const Target target = locate(scenario, key);
+        const Target target = locate(catalogue, scenario, key);
         if (target.section)
             set_type(catalogue, scenario, *target.section, text);
         else

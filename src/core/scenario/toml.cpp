@@ -33,7 +33,7 @@ void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::ta
                           [&](const auto& entry) { return entry.first == section + ".type"; });
     for (const auto& [key, node] : entries) {
         try {
-            check_key(scenario, key); // reserved and unknown sections have a sentence of their own
+            check_key(catalogue, scenario, key); // reserved and unknown sections have a sentence of their own
             set_value(catalogue, scenario, key, to_value(*node, key));
         } catch (const InputError& error) {
             throw InputError(place(origin, node->source()) + error.what());
@@ -85,7 +85,7 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
             } else {
                 auto known = sections;
                 known.insert(known.end(), {"title", "description"});
-                if (name == "pde" || name == "time") check_key(scenario, name);
+                if (name == "pde" || name == "time") check_key(catalogue, scenario, name);
                 throw InputError("unknown section or key '" + name + "'" + did_you_mean(name, known));
             }
         } catch (const InputError& error) {

@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/stopwatch.hpp"
+#include "core/diagnostics/exact_map.hpp"
 #include "core/diagnostics/quality.hpp"
 
 #include <algorithm>
@@ -39,7 +40,8 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
     method_ = catalogue_->method(problem_.scenario.method.type)
                   .make(discretisation_, problem_.scenario.method.values);
     method_->use_threads(options_.threads);
-    meter_ = std::make_unique<QualityMeter>(discretisation_->mesh(), options_.threads);
+    make_meter();
+    find_exact_map();
     State state = method_->initial_state();
     if (options_.start) {
         auto adopted = method_->adopt(*options_.start);
@@ -62,6 +64,18 @@ Evaluation Run::first_look(const Problem& problem, const State& state) {
     if (std::isfinite(evaluation.residual)) return evaluation;
     GASPARD_CHECK(options_.start || problem.scenario.monitor.type == own_monitor);
     throw InputError("the start state has no finite residual for this monitor");
+}
+
+void Run::make_meter() {
+    constexpr int points = 6; // see quality.hpp
+    meter_ = std::make_unique<QualityMeter>(discretisation_->mesh(), options_.threads, points, space());
+}
+
+void Run::find_exact_map() {
+    exact_.reset();
+    if (space().kind != SpaceKind::sphere) return;
+    if (const auto map = ExactMap::of(*problem_.monitor))
+        exact_ = std::make_shared<const Points>(map->apply(discretisation_->mesh()->nodes));
 }
 
 void Run::begin(State state, const Evaluation& evaluation) {
@@ -92,6 +106,7 @@ void Run::follow(std::shared_ptr<const Monitor> monitor) {
     const Evaluation evaluation = first_look(problem, state);
     own_ = std::move(monitor);
     problem_ = std::move(problem);
+    find_exact_map();
     ++epoch_;
     begin(std::move(state), evaluation);
 }
@@ -184,6 +199,12 @@ void Run::measure(StepReport& report) {
     report.min_jacobian = quality.min_jacobian;
     report.max_jacobian = quality.max_jacobian;
     report.tangled_cells = quality.tangled_cells;
+    if (exact_) {
+        const auto [vertices, nodes] =
+            exact_deviation(*discretisation_->mesh(), method_->positions(), *exact_);
+        report.exact_rms = vertices;
+        report.exact_rms_nodes = nodes;
+    }
     measured_ = true;
     if (quality.tangled_cells == 0) last_untangled_ = state_;
 }
@@ -205,6 +226,7 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         return {};
     }
     const bool new_domain = !(problem.scenario.domain == old.domain);
+    const bool new_monitor = !(problem.scenario.monitor == old.monitor);
     const bool new_method = new_domain || problem.scenario.method.type != old.method.type;
     // What has blown up is no start: a smaller step, say, goes on from the last mesh that was one.
     const bool back = status() == RunStatus::diverged || status() == RunStatus::tangled;
@@ -218,7 +240,6 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         method->use_threads(options_.threads);
         state = method->adopt(*state);
         untangled = method->adopt(last_untangled_);
-        if (new_domain) meter_ = std::make_unique<QualityMeter>(discretisation->mesh(), options_.threads);
         discretisation_ = std::move(discretisation);
         method_ = std::move(method);
         setup_seconds_ = watch.seconds();
@@ -226,6 +247,8 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         method_->configure(problem.scenario.method.values);
     }
     problem_ = std::move(problem);
+    if (new_domain) make_meter();
+    if (new_domain || new_monitor) find_exact_map();
     if (!state) {
         reset();
         return "The map could not be kept: the mesh starts again from the beginning.";
@@ -246,6 +269,7 @@ std::shared_ptr<const Snapshot> Run::snapshot() {
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->mesh = discretisation_->mesh();
     snapshot->x = method_->positions();
+    snapshot->exact = exact_;
     Field monitor{"monitor", "", FieldPlace::node, std::vector<double>(snapshot->x.size())};
     problem_.monitor->values(snapshot->x, monitor.values);
     snapshot->fields.push_back(std::move(monitor));

@@ -71,9 +71,7 @@ class Run {
     const State& state() const { return state_; }
     const Discretisation& discretisation() const { return *discretisation_; }
     /// Of the domain.
-    Space space() const {
-        return catalogue_->domain(problem_.scenario.domain.type).space(problem_.scenario.domain.values);
-    }
+    Space space() const { return space_of(*catalogue_, problem_.scenario); }
     double setup_seconds() const { return setup_seconds_; }
     /// The present iterate as a value, measured for those who look at it even where the history leaves that
     /// out.
@@ -83,6 +81,8 @@ class Run {
     Evaluation first_look(const Problem& problem, const State& state);
     void begin(State state, const Evaluation& evaluation);
     void restart_judging();
+    void make_meter();
+    void find_exact_map();
     void record(const Evaluation& evaluation, int iteration, std::string note);
     void measure(StepReport& report);
     RunStatus judge(const StepReport& report, std::string& note);
@@ -95,6 +95,7 @@ class Run {
     std::shared_ptr<const Discretisation> discretisation_;
     std::unique_ptr<Method> method_;
     std::unique_ptr<QualityMeter> meter_;
+    std::shared_ptr<const Points> exact_; ///< null where no exact map is known
     State state_, last_finite_;
     State last_untangled_; ///< as far as it was measured
     std::vector<StepReport> history_;

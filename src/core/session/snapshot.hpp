@@ -44,7 +44,8 @@ struct StepReport {
     double step_size = 0; ///< of the update that led here; 0 at the start
     // Empty where diagnostics were left out (method.diagnostics_every).
     std::optional<double> equidistribution{};
-    std::optional<double> exact_rms{}; ///< from the exact map; empty where none is known
+    /// Of the vertices, and of all nodes, to where the exact map puts them; empty where none is known.
+    std::optional<double> exact_rms{}, exact_rms_nodes{};
     std::optional<double> min_jacobian{}, max_jacobian{};
     std::optional<std::size_t> tangled_cells{};
     double seconds = 0;     ///< cumulative wall time of solving
@@ -65,8 +66,9 @@ struct Field {
 
 /// An iterate as a value: keep it, and pass it to any thread.
 struct Snapshot {
-    std::shared_ptr<const Mesh> mesh; ///< cells and xi; shared by all snapshots of a run
-    Points x;                         ///< where the nodes stand, in the mesh's numbering
+    std::shared_ptr<const Mesh> mesh;    ///< cells and xi; shared by all snapshots of a run
+    Points x;                            ///< where the nodes stand, in the mesh's numbering
+    std::shared_ptr<const Points> exact; ///< where they would stand in the exact solution; null where unknown
     std::vector<Field> fields;
     StepReport report;
     std::uint64_t version = 0; ///< grows with every iterate

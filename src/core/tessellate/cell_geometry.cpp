@@ -1,7 +1,7 @@
 #include "core/tessellate/cell_geometry.hpp"
 
 #include "core/base/check.hpp"
-#include "core/diagnostics/cell_quadrature.hpp"
+#include "core/fem/cell_quadrature.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -77,6 +77,7 @@ TEST(Summary, HasTheFieldsOfTheContractInTheirOrder) {
                                                        "min_jacobian",
                                                        "max_jacobian",
                                                        "exact_rms",
+                                                       "exact_rms_nodes",
                                                        "setup_seconds",
                                                        "solve_seconds",
                                                        "cpu_seconds",

@@ -10,7 +10,7 @@ namespace gaspard {
 namespace {
 
 using Parameters = SechMonitor::Parameters;
-const Space plain{SpaceKind::euclidean}, torus{SpaceKind::periodic_square};
+const Space plain{SpaceKind::euclidean}, torus{SpaceKind::periodic_square}, sphere{SpaceKind::sphere};
 
 // The formula with the nearest of all images, slowly and in long double.
 long double formula(const Parameters& p, Space space, long double x, long double y, long double z = 0) {
@@ -197,12 +197,12 @@ void randomise(Values& values, std::mt19937& random) {
 TEST(Monitors, ArePositiveForAllParametersInRange) {
     std::mt19937 random(4);
     const Points x = random_points(200, -1, 2, 5);
-    ASSERT_EQ(monitor_types().size(), 3u);
+    ASSERT_EQ(monitor_types().size(), 5u);
     for (const MonitorType& type : monitor_types())
-        for (int trial = 0; trial < 200; ++trial) {
-            Values values("monitor", type.rows);
-            randomise(values, random);
-            for (const Space& space : {plain, torus}) {
+        for (int trial = 0; trial < 200; ++trial)
+            for (const Space& space : {plain, torus, sphere}) {
+                Values values("monitor", type.rows(space));
+                randomise(values, random);
                 const auto monitor = type.make(values, space);
                 EXPECT_EQ(complaint(*monitor), "");
                 for (const double value : values_of(*monitor, x)) {
@@ -214,7 +214,6 @@ TEST(Monitors, ArePositiveForAllParametersInRange) {
                 for (std::size_t i = 0; i < x.size(); ++i)
                     ASSERT_TRUE(std::isfinite(norm(gradients[i]))) << type.name;
             }
-        }
 }
 
 TEST(Monitors, TakeTheirParametersFromTheirRows) {

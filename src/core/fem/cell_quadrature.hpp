@@ -14,4 +14,8 @@ struct CellPoint {
 
 std::vector<CellPoint> cell_quadrature(CellShape shape, int points_per_direction);
 
+/// Exact for polynomials of degree 8, in each direction on squares: 5 x 5 Gauss points, or on triangles the
+/// 16 points of Dunavant (1985).
+std::vector<CellPoint> quadrature_of_degree_8(CellShape shape);
+
 } // namespace gaspard

@@ -1,0 +1,45 @@
+// The exponential map of the unit sphere, McRae et al. (4.2):
+//
+//   exp(g) xi = cos|g| xi + (sin|g| / |g|) g
+//
+// Cosine and sin t / t are entire functions of t^2, so there is no root, no branch and nothing to divide by.
+#pragma once
+
+namespace gaspard {
+
+template <class Number>
+struct CosineAndSinc {
+    Number cosine, sinc;
+};
+
+/// cos t and sin t / t from t^2, for numbers or arrays of them: to a few units in the last place of 1 for
+/// t <= pi, to 1e-11 for t <= 2 pi. Beyond that they grow, which no convergent iteration meets.
+template <class Number>
+CosineAndSinc<Number> cosine_and_sinc(const Number& t_squared) {
+    const Number u = t_squared * 0.0625; // of t / 4
+    Number cosine = 1 - u * (1.0 / 306);
+    cosine = 1 - u * (1.0 / 240) * cosine;
+    cosine = 1 - u * (1.0 / 182) * cosine;
+    cosine = 1 - u * (1.0 / 132) * cosine;
+    cosine = 1 - u * (1.0 / 90) * cosine;
+    cosine = 1 - u * (1.0 / 56) * cosine;
+    cosine = 1 - u * (1.0 / 30) * cosine;
+    cosine = 1 - u * (1.0 / 12) * cosine;
+    cosine = 1 - u * 0.5 * cosine;
+    Number sinc = 1 - u * (1.0 / 342);
+    sinc = 1 - u * (1.0 / 272) * sinc;
+    sinc = 1 - u * (1.0 / 210) * sinc;
+    sinc = 1 - u * (1.0 / 156) * sinc;
+    sinc = 1 - u * (1.0 / 110) * sinc;
+    sinc = 1 - u * (1.0 / 72) * sinc;
+    sinc = 1 - u * (1.0 / 42) * sinc;
+    sinc = 1 - u * (1.0 / 20) * sinc;
+    sinc = 1 - u * (1.0 / 6) * sinc;
+    for (int doubled = 0; doubled < 2; ++doubled) { // sin 2t = 2 sin t cos t
+        sinc = sinc * cosine;
+        cosine = 2 * cosine * cosine - 1;
+    }
+    return {cosine, sinc};
+}
+
+} // namespace gaspard

@@ -1,0 +1,252 @@
+#include "core/fem/surface_q2.hpp"
+
+#include "core/base/check.hpp"
+#include "core/fem/exponential_map.hpp"
+#include "core/linear/reduce.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace gaspard {
+
+namespace {
+
+std::shared_ptr<const Mesh> scaled(Mesh mesh, double factor) {
+    for (auto* coordinate : {&mesh.nodes.x, &mesh.nodes.y, &mesh.nodes.z})
+        for (double& value : *coordinate) value *= factor;
+    return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+/// Unknowns of every cell of a mesh whose nodes have these unknowns.
+CellUnknowns cell_unknowns(const Mesh& mesh, const std::vector<std::int32_t>& of_node) {
+    CellUnknowns unknowns{
+        .count = 0, .per_cell = static_cast<std::size_t>(nodes_per_cell(mesh.kind)), .numbers = mesh.cells};
+    for (auto& number : unknowns.numbers) {
+        number = of_node[static_cast<std::size_t>(number)];
+        unknowns.count = std::max(unknowns.count, static_cast<std::size_t>(number) + 1);
+    }
+    return unknowns;
+}
+
+/// Rows of the cells in another order, with other numbers.
+std::vector<std::int32_t> rearranged(const std::vector<std::int32_t>& numbers, std::size_t per_cell,
+                                     const std::vector<std::int32_t>& order,
+                                     const std::vector<std::int32_t>& place) {
+    std::vector<std::int32_t> result;
+    result.reserve(numbers.size());
+    for (const auto cell : order)
+        for (std::size_t n = 0; n < per_cell; ++n) {
+            const auto number =
+                static_cast<std::size_t>(numbers[static_cast<std::size_t>(cell) * per_cell + n]);
+            result.push_back(place.empty() ? static_cast<std::int32_t>(number) : place[number]);
+        }
+    return result;
+}
+
+} // namespace
+
+SurfaceSetup sphere_setup(const SphereGrid& grid, int geometry_order, double radius,
+                          bool monitor_at_vertices) {
+    return {.mesh = sphere_mesh(grid),
+            .geometry_order = geometry_order,
+            .monitor_at_vertices = monitor_at_vertices,
+            .radius = radius,
+            .grid = grid};
+}
+
+SurfaceQ2::SurfaceQ2(SurfaceSetup setup, const Progress& progress, std::stop_token stop)
+    : shape_(setup.shape), radius_(setup.radius), monitor_at_vertices_(setup.monitor_at_vertices),
+      grid_(setup.grid), curved_(setup.geometry_order == 2) {
+    GASPARD_CHECK(setup.geometry_order == 1 || setup.geometry_order == 2);
+    number_unknowns(setup);
+    if (progress) progress(0, "dissecting the mesh");
+    dissection_ = std::make_shared<Dissection>(dissect(phi_cells_, middles()));
+    if (!curved_) facet_dissection_ = std::make_shared<Dissection>(dissect(facet_cells_, middles()));
+    SurfaceCells cells{
+        .shape = shape_,
+        .quadratic = quadratic_.kind,
+        .geometry = mesh_->kind,
+        .phi = rearranged(phi_cells_.numbers, phi_cells_.per_cell, dissection_->cells, dissection_->place),
+        .gradient = {},
+        .nodes = rearranged(mesh_->cells, facet_cells_.per_cell, dissection_->cells, {}),
+        .places = places_,
+        .monitor_at_corners = setup.monitor_at_vertices};
+    if (!curved_)
+        cells.gradient = rearranged(facet_cells_.numbers, facet_cells_.per_cell, dissection_->cells,
+                                    facet_dissection_->place);
+    elements_ = make_surface_elements(std::move(cells));
+    factorise(progress, stop);
+}
+
+void SurfaceQ2::number_unknowns(const SurfaceSetup& setup) {
+    quadratic_ = setup.mesh.quadratic;
+    Mesh facets = curved_ ? quadratic_ : straightened(setup.mesh);
+    places_ = facets.nodes;
+    std::vector<std::int32_t> unknowns = setup.unknowns;
+    if (unknowns.empty()) {
+        unknowns.resize(quadratic_.node_count());
+        std::iota(unknowns.begin(), unknowns.end(), 0);
+    }
+    GASPARD_CHECK(unknowns.size() == quadratic_.node_count());
+    phi_cells_ = cell_unknowns(quadratic_, unknowns);
+    facet_cells_ = cell_unknowns(facets, unknowns);
+    node_unknown_.assign(unknowns.begin(), unknowns.begin() + static_cast<std::ptrdiff_t>(places_.size()));
+    mesh_ = scaled(std::move(facets), radius_);
+}
+
+Points SurfaceQ2::middles() const {
+    const auto corners = static_cast<std::size_t>(corners_per_cell(quadratic_.kind));
+    Points middles(quadratic_.cell_count());
+    for (std::size_t c = 0; c < middles.size(); ++c) {
+        Vec3 sum;
+        for (std::size_t n = 0; n < corners; ++n)
+            sum = sum + quadratic_.nodes[static_cast<std::size_t>(quadratic_.cell(c)[n])];
+        middles.set(c, (1.0 / static_cast<double>(corners)) * sum);
+    }
+    return middles;
+}
+
+void SurfaceQ2::factorise(const Progress& progress, std::stop_token stop) {
+    // The elements count cells in the order of the dissection.
+    std::vector<std::size_t> position(dissection_->cells.size());
+    for (std::size_t i = 0; i < position.size(); ++i)
+        position[static_cast<std::size_t>(dissection_->cells[i])] = i;
+
+    weights_.assign(unknowns(), 0.0);
+    std::vector<double> cell_weights(phi_cells_.per_cell);
+    for (std::size_t i = 0; i < position.size(); ++i) {
+        elements_->weights(i, cell_weights);
+        const auto numbers = phi_cells_.of(static_cast<std::size_t>(dissection_->cells[i]));
+        for (std::size_t n = 0; n < numbers.size(); ++n)
+            weights_[static_cast<std::size_t>(numbers[n])] += cell_weights[n];
+    }
+    area_ = sum(weights_);
+
+    const auto advance = [&](double from, const char* what) -> CellCholesky::Advance {
+        if (!progress) return {};
+        return [&progress, from, what](double part) { progress(from + 0.45 * part, what); };
+    };
+    mass_ = std::make_unique<CellCholesky>(
+        phi_cells_, dissection_,
+        [&](std::size_t cell, std::span<double> matrix) { elements_->mass(position[cell], matrix); },
+        advance(0.1, "factorising the mass matrix"), stop);
+    // The constant is the kernel of the stiffness matrix. A positive number added to one place of the
+    // diagonal makes it definite; the solution for a load of sum 0 is then the one that vanishes there.
+    stiffness_ = std::make_unique<CellCholesky>(
+        phi_cells_, dissection_,
+        [&](std::size_t cell, std::span<double> matrix) {
+            elements_->stiffness(position[cell], matrix);
+            if (cell == 0) matrix[0] += 1;
+        },
+        advance(0.55, "factorising the Laplacian"), stop);
+    if (!curved_)
+        facet_mass_ = std::make_unique<CellCholesky>(
+            facet_cells_, facet_dissection_,
+            [&](std::size_t cell, std::span<double> matrix) {
+                elements_->facet_mass(position[cell], matrix);
+            },
+            CellCholesky::Advance{}, stop);
+}
+
+SurfaceQ2::Room SurfaceQ2::make_room() const {
+    return {.phi = std::vector<double>(unknowns()),
+            .r = std::vector<double>(unknowns()),
+            .rows = std::vector<double>(12 * unknowns()),
+            .gradient = std::vector<double>(curved_ ? 0 : 4 * facet_cells_.count)};
+}
+
+void SurfaceQ2::map(std::span<const double> phi, Room& room) const {
+    GASPARD_CHECK(phi.size() == unknowns());
+    for (std::size_t i = 0; i < phi.size(); ++i)
+        room.phi[static_cast<std::size_t>(dissection_->place[i])] = phi[i];
+    std::fill(room.rows.begin(), room.rows.end(), 0.0);
+    std::fill(room.gradient.begin(), room.gradient.end(), 0.0);
+    elements_->add_map_loads(0, elements_->batches(), room.phi.data(), room.rows.data(),
+                             room.gradient.data());
+    mass_->solve<12>(room.rows);
+    if (!curved_) facet_mass_->solve<4>(room.gradient);
+}
+
+void SurfaceQ2::positions(const Room& room, Points& x, Points& gradient) const {
+    x.resize(places_.size());
+    gradient.resize(places_.size());
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        const auto unknown = static_cast<std::size_t>(node_unknown_[i]);
+        const double* w =
+            curved_ ? &room.rows[12 * static_cast<std::size_t>(dissection_->place[unknown]) + 9]
+                    : &room.gradient[4 * static_cast<std::size_t>(facet_dissection_->place[unknown])];
+        const Vec3 xi = places_[i];
+        Vec3 g{w[0], w[1], w[2]};
+        if (shape_ == SurfaceShape::flat) {
+            x.set(i, radius_ * (xi + g));
+        } else {
+            g = g - dot(g, xi) * xi;
+            const auto [cosine, sinc] = cosine_and_sinc(dot(g, g));
+            x.set(i, radius_ * (cosine * xi + sinc * g));
+        }
+        gradient.set(i, g);
+    }
+}
+
+std::span<const double> SurfaceQ2::sigma(const Room& room, std::size_t node) const {
+    const auto unknown = static_cast<std::size_t>(node_unknown_[node]);
+    return {&room.rows[12 * static_cast<std::size_t>(dissection_->place[unknown])], 9};
+}
+
+SurfaceQ2::Residual SurfaceQ2::residual(std::span<const double> monitor, std::span<double> r,
+                                        Room& room) const {
+    GASPARD_CHECK(monitor.size() == mesh_->node_count() && r.size() == unknowns());
+    std::fill(room.r.begin(), room.r.end(), 0.0);
+    elements_->add_residual(0, elements_->batches(), room.phi.data(), room.rows.data(), monitor.data(),
+                            room.r.data());
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] = room.r[static_cast<std::size_t>(dissection_->place[i])];
+    const double theta = sum(r) / area_; // the functions v add up to 1
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] -= theta * weights_[i];
+    return {theta, std::sqrt(dot(r, r) / dot(weights_, weights_)) / std::abs(theta)};
+}
+
+void SurfaceQ2::poisson(std::span<const double> r, std::span<double> u, Room& room) const {
+    GASPARD_CHECK(r.size() == unknowns() && u.size() == unknowns());
+    for (std::size_t i = 0; i < r.size(); ++i) room.r[static_cast<std::size_t>(dissection_->place[i])] = r[i];
+    stiffness_->solve<1>(room.r);
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = room.r[static_cast<std::size_t>(dissection_->place[i])];
+    const double mean = dot(weights_, u) / area_;
+    for (double& value : u) value -= mean;
+}
+
+std::vector<double> SurfaceQ2::apply(CellMatrix matrix, std::span<const double> f) const {
+    std::vector<double> result(unknowns(), 0.0), small(phi_cells_.per_cell * phi_cells_.per_cell);
+    for (std::size_t i = 0; i < dissection_->cells.size(); ++i) {
+        (*elements_.*matrix)(i, small);
+        const auto numbers = phi_cells_.of(static_cast<std::size_t>(dissection_->cells[i]));
+        for (std::size_t a = 0; a < numbers.size(); ++a)
+            for (std::size_t b = 0; b < numbers.size(); ++b)
+                result[static_cast<std::size_t>(numbers[a])] +=
+                    small[a * numbers.size() + b] * f[static_cast<std::size_t>(numbers[b])];
+    }
+    return result;
+}
+
+std::vector<double> SurfaceQ2::laplacian(std::span<const double> phi) const {
+    const std::vector<double> load = apply(&SurfaceElements::stiffness, phi);
+    std::vector<double> result(load.size());
+    for (std::size_t i = 0; i < load.size(); ++i)
+        result[static_cast<std::size_t>(dissection_->place[i])] = -load[i];
+    mass_->solve<1>(result);
+    std::vector<double> numbered(result.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+        numbered[i] = result[static_cast<std::size_t>(dissection_->place[i])];
+    return numbered;
+}
+
+std::vector<double> SurfaceQ2::potential(std::span<const double> l) const {
+    std::vector<double> load = apply(&SurfaceElements::mass, l);
+    const double mean = sum(load) / area_;
+    for (std::size_t i = 0; i < load.size(); ++i) load[i] = mean * weights_[i] - load[i];
+    Room room = make_room();
+    poisson(load, load, room);
+    return load;
+}
+
+} // namespace gaspard

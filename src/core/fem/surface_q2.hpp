@@ -1,0 +1,119 @@
+// The mixed finite elements of McRae, Cotter, Budd, section 4.2, on a closed surface of triangles or
+// quadrilaterals: the unit sphere, or a flat periodic plane with the same code.
+//
+//   V, Sigma = quadratic elements on the computed facets, which are of order 1 or 2
+//   w = projection of grad phi to the facets' space                                       (4.10)
+//   w' = w - (w . xi) xi,  x = exp(w') xi             at its nodes                        (4.11), (4.12)
+//   <tau, sigma> = -<div tau, exp(grad phi) xi>       for all tau in Sigma                (4.9)
+//   theta = integral of m det(sigma P + exp(grad phi) xi (x) xi) / area
+//   r_v = <v, m det(...) - theta>                     for all v in V                      (4.8), (5.1)
+//   <grad v, grad u> = r_v                            for all v, mean of u = 0            (3.7)
+//
+// m is a function of the facets' space, or linear between the vertices. All of it is computed on the unit
+// sphere; a sphere of another radius differs where positions leave and monitors are asked.
+//
+// Shapes: a function of V is a number for every unknown. On the sphere unknowns are numbered as the nodes of
+// the quadratic mesh, vertices first. The mesh that moves has the nodes of the facets.
+#pragma once
+
+#include "core/fem/surface_elements.hpp"
+#include "core/linear/cell_cholesky.hpp"
+#include "core/mesh/discretisation.hpp"
+
+#include <optional>
+#include <stop_token>
+
+namespace gaspard {
+
+/// What is to be computed on.
+struct SurfaceSetup {
+    SurfaceMesh mesh;                     ///< of radius 1
+    std::vector<std::int32_t> unknowns{}; ///< of every node, those of vertices first; empty: its own number
+    SurfaceShape shape = SurfaceShape::unit_sphere;
+    int geometry_order = 2;
+    bool monitor_at_vertices = false;
+    double radius = 1;
+    std::optional<SphereGrid> grid{}; ///< where the mesh is sphere_mesh(grid)
+};
+
+/// Of one of the sphere's meshes.
+SurfaceSetup sphere_setup(const SphereGrid& grid, int geometry_order = 2, double radius = 1,
+                          bool monitor_at_vertices = false);
+
+class SurfaceQ2 final : public Discretisation {
+  public:
+    /// Factorises. Throws Interrupted when asked to stop.
+    explicit SurfaceQ2(SurfaceSetup setup, const Progress& progress = {}, std::stop_token stop = {});
+
+    std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
+    std::size_t unknowns() const override { return phi_cells_.count; }
+    SurfaceShape shape() const { return shape_; }
+    double radius() const { return radius_; }
+    int geometry_order() const { return curved_ ? 2 : 1; }
+    bool monitor_at_vertices() const { return monitor_at_vertices_; }
+    const std::optional<SphereGrid>& grid() const { return grid_; }
+    /// xi at the nodes of mesh(), of radius 1.
+    const Points& places() const { return places_; }
+    /// The mesh of V and Sigma: of order 2, radius 1.
+    const Mesh& quadratic() const { return quadratic_; }
+    /// Of the computed facets.
+    double area() const { return area_; }
+    /// Numbers in the factors of the mass and stiffness matrices.
+    std::size_t factor_entries() const { return mass_->entries() + stiffness_->entries(); }
+
+    /// Buffers for one caller; with them, operators allocate nothing.
+    struct Room {
+        std::vector<double> phi, r;   ///< in order of elimination
+        std::vector<double> rows;     ///< 12 for every unknown: sigma row by row, w; loads, then solutions
+        std::vector<double> gradient; ///< 4 for every unknown of facets of order 1: w
+    };
+    Room make_room() const;
+
+    /// (4.9) and (4.10), into the room.
+    void map(std::span<const double> phi, Room& room) const;
+    /// After map: x at the nodes of mesh(), on the sphere of its radius, and w' there (of radius 1).
+    void positions(const Room& room, Points& x, Points& gradient) const;
+    /// After map: sigma at a node of mesh(), row by row.
+    std::span<const double> sigma(const Room& room, std::size_t node) const;
+
+    struct Residual {
+        double theta = 0;
+        double normalised = 0; ///< l2 norm of r / l2 norm of <v, theta>
+    };
+    /// After map, for the monitor's values at the nodes of mesh(); fills r.
+    Residual residual(std::span<const double> monitor, std::span<double> r, Room& room) const;
+    /// u with <grad v, grad u> = r_v and mean 0, for r of sum 0. May be in place.
+    void poisson(std::span<const double> r, std::span<double> u, Room& room) const;
+
+    /// The weak Laplacian l of phi, <v, l> = -<grad v, grad phi>.
+    std::vector<double> laplacian(std::span<const double> phi) const;
+    /// phi of mean 0 with the weak Laplacian l, given by its values; what is no Laplacian, its mean, is left
+    /// out.
+    std::vector<double> potential(std::span<const double> l) const;
+
+  private:
+    /// A matrix, cell by cell, times a function.
+    using CellMatrix = void (SurfaceElements::*)(std::size_t, std::span<double>) const;
+    std::vector<double> apply(CellMatrix matrix, std::span<const double> f) const;
+    void number_unknowns(const SurfaceSetup& setup);
+    void factorise(const Progress& progress, std::stop_token stop);
+    Points middles() const;
+
+    SurfaceShape shape_;
+    double radius_;
+    bool monitor_at_vertices_;
+    std::optional<SphereGrid> grid_;
+    Mesh quadratic_;
+    Points places_;
+    std::shared_ptr<const Mesh> mesh_;
+    bool curved_; ///< facets of order 2: their space is V
+    CellUnknowns phi_cells_, facet_cells_;
+    std::vector<std::int32_t> node_unknown_; ///< of every node of mesh(), in the facets' space
+    std::shared_ptr<const Dissection> dissection_, facet_dissection_;
+    std::unique_ptr<const SurfaceElements> elements_; ///< the cells in the order of the dissection
+    std::unique_ptr<const CellCholesky> mass_, stiffness_, facet_mass_;
+    std::vector<double> weights_; ///< <v, 1>
+    double area_ = 0;
+};
+
+} // namespace gaspard

@@ -1,0 +1,67 @@
+// A Monge-Ampere equation on some domain, seen from its methods: what they need of it, whatever the cells.
+//
+//   phi -> x, sigma, theta, r    and    u with <grad v, grad u> = r_v
+//
+// A State of every one of them is one array, "phi", the potential; its layout says domain and resolution
+// ("plane periodic Q2 n=60").
+#pragma once
+
+#include "core/fem/ellipticity.hpp"
+#include "core/method/method.hpp"
+
+namespace gaspard {
+
+class Equation {
+  public:
+    virtual ~Equation() = default;
+    Equation(const Equation&) = delete;
+    Equation& operator=(const Equation&) = delete;
+
+    const std::string& layout() const { return layout_; }
+    std::size_t unknowns() const { return unknowns_; }
+    /// phi = 0: every node stands at xi.
+    State initial_state() const { return state_of(std::vector<double>(unknowns_, 0.0)); }
+    State state_of(std::vector<double> phi) const;
+    /// The state's array; the state must be of this layout.
+    std::vector<double>& potential(State& state) const;
+    const std::vector<double>& potential(const State& state) const;
+
+    /// At most so many, the caller's own included; results do not depend on it.
+    virtual void use_threads(int threads) = 0;
+    virtual double other_cpu_seconds() const = 0;
+
+    /// The same map on this mesh, from a state of any mesh of the same domain; nothing for others.
+    virtual std::optional<State> adopt(const State& other) = 0;
+    /// The same from a map of an equation on another mesh of the same domain, which is left as it is.
+    virtual State adopt(Equation& other, std::span<const double> phi) = 0;
+    /// The same equation on the next coarser mesh; null where that would be of no use.
+    virtual std::unique_ptr<Equation> coarser() const = 0;
+
+    /// Everything below is of the potential last evaluated, and allocates nothing with one thread.
+    virtual Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) = 0;
+    /// Where the mesh's nodes stand, in physical coordinates.
+    virtual const Points& positions() const = 0;
+    /// Positions alone, of another potential.
+    virtual void move(std::span<const double> phi) = 0;
+    /// r, not normalised.
+    virtual std::span<const double> residual() const = 0;
+    virtual Ellipticity ellipticity() const = 0;
+    /// Fills u, the direction of the relaxation: r . w is its H1 product with w.
+    virtual void direction(std::span<double> u) = 0;
+
+  protected:
+    Equation(std::string layout, std::size_t unknowns) : layout_(std::move(layout)), unknowns_(unknowns) {}
+
+  private:
+    std::string layout_;
+    std::size_t unknowns_;
+};
+
+/// The equation that a discretisation is of.
+std::unique_ptr<Equation> make_equation(std::shared_ptr<const Discretisation> discretisation);
+
+/// The step of the relaxation that damps the fastest and the slowest of the linearised equation alike, a
+/// little shortened: beyond 2 / fastest it is unstable.
+double stable_step(const Ellipticity& ellipticity);
+
+} // namespace gaspard

@@ -1,0 +1,165 @@
+#include "core/method/surface_equation.hpp"
+
+#include "core/base/check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gaspard {
+
+namespace {
+
+// Resolutions that a coarser sphere has at least: cells along a side of the cube, refinements.
+constexpr int coarsest_cubed = 8, coarsest_icosahedral = 2;
+
+std::string layout_of(const SphereGrid& grid, int geometry_order) {
+    const bool cubed = grid.cells == SphereCells::cubed;
+    return (cubed ? "cubed-sphere Q2 k=" : "icosahedral-sphere P2 r=") + std::to_string(grid.resolution) +
+           " facets of order " + std::to_string(geometry_order) +
+           (cubed && grid.mid_nodes == MidNodes::equiangular ? " equiangular" : "");
+}
+
+std::string layout_of(const SurfaceQ2& surface) {
+    if (surface.grid()) return layout_of(*surface.grid(), surface.geometry_order());
+    return "surface of " + std::to_string(surface.unknowns()) + " unknowns";
+}
+
+/// The sphere that a state of so many unknowns is of.
+std::optional<SurfaceSetup> sphere_of(const std::string& layout, std::size_t unknowns) {
+    const auto fits = [&](const SphereGrid& grid, int order) { return layout == layout_of(grid, order); };
+    for (const int order : {1, 2}) {
+        for (int k = 1; 24 * static_cast<std::size_t>(k * k) + 2 <= unknowns; ++k)
+            for (const auto mid_nodes : {MidNodes::normalised, MidNodes::equiangular})
+                if (const SphereGrid grid{SphereCells::cubed, k, mid_nodes};
+                    fits(grid, order) && 24 * static_cast<std::size_t>(k * k) + 2 == unknowns)
+                    return sphere_setup(grid, order);
+        for (int r = 0; (std::size_t{40} << 2 * r) + 2 <= unknowns; ++r)
+            if (const SphereGrid grid{SphereCells::icosahedral, r};
+                fits(grid, order) && (std::size_t{40} << 2 * r) + 2 == unknowns)
+                return sphere_setup(grid, order);
+    }
+    return std::nullopt;
+}
+
+/// A function of another sphere's V at this one's nodes.
+std::vector<double> interpolated(const SurfaceQ2& from, std::span<const double> f, const SurfaceQ2& to) {
+    const Mesh& mesh = from.quadratic();
+    const auto count = static_cast<std::size_t>(nodes_per_cell(mesh.kind));
+    std::vector<double> shapes(count), values(to.unknowns());
+    std::vector<Vec3> gradients(count);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const CellPlace place = locate(*from.grid(), to.quadratic().nodes[i]);
+        shape_functions(mesh.kind, place.at, shapes, gradients);
+        values[i] = 0;
+        for (std::size_t n = 0; n < count; ++n)
+            values[i] += shapes[n] * f[static_cast<std::size_t>(mesh.cell(place.cell)[n])];
+    }
+    return values;
+}
+
+using Tensor = std::span<const double>; // 3 x 3, row by row
+
+Vec3 applied(Tensor a, Vec3 v) {
+    return {a[0] * v.x + a[1] * v.y + a[2] * v.z, a[3] * v.x + a[4] * v.y + a[5] * v.z,
+            a[6] * v.x + a[7] * v.y + a[8] * v.z};
+}
+
+/// A unit vector at right angles to `xi`, along g where that has a direction.
+Vec3 direction_of(Vec3 g, Vec3 xi) {
+    if (norm(g) < 1e-12) {
+        const Vec3 away = std::abs(xi.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+        g = away - dot(away, xi) * xi;
+    }
+    return (1 / norm(g)) * g;
+}
+
+struct Eigenvalues {
+    double low, high;
+};
+
+/// Of the symmetric part of adj(A) D between tangent planes: from xi, with the orthonormal (g/|g|, n), to x,
+/// with (u, n), n = xi x g/|g|. There D, the differential of the exponential map, is diag(1, sin|g| / |g|).
+Eigenvalues cofactor_eigenvalues(Tensor sigma, Vec3 xi, Vec3 g) {
+    const double length = norm(g), sinc = length > 1e-8 ? std::sin(length) / length : 1;
+    const Vec3 along = direction_of(g, xi), across = cross(xi, along);
+    const Vec3 u = std::cos(length) * along - std::sin(length) * xi;
+    const Vec3 of_along = applied(sigma, along), of_across = applied(sigma, across);
+    const double a = dot(u, of_along), b = dot(u, of_across), c = dot(across, of_along),
+                 d = dot(across, of_across);
+    const double p = d, q = -(b * sinc + c) / 2, r = a * sinc;
+    const double mean = (p + r) / 2, away = std::hypot((p - r) / 2, q);
+    return {mean - away, mean + away};
+}
+
+/// The same on a flat surface: of the cofactors of I + sigma.
+Eigenvalues flat_cofactor_eigenvalues(Tensor sigma) {
+    const double p = 1 + sigma[4], q = -(sigma[1] + sigma[3]) / 2, r = 1 + sigma[0];
+    const double mean = (p + r) / 2, away = std::hypot((p - r) / 2, q);
+    return {mean - away, mean + away};
+}
+
+} // namespace
+
+SurfaceEquation::SurfaceEquation(std::shared_ptr<const SurfaceQ2> surface)
+    : Equation(layout_of(*surface), surface->unknowns()), surface_(std::move(surface)),
+      room_(surface_->make_room()), monitor_(surface_->mesh()->node_count()),
+      residual_(surface_->unknowns()) {}
+
+std::optional<State> SurfaceEquation::adopt(const State& other) {
+    if (other.arrays.size() != 1 || other.arrays[0].name != "phi") return std::nullopt;
+    const auto& phi = other.arrays[0].values;
+    if (other.layout == layout() && phi.size() == unknowns()) return other;
+    if (!surface_->grid()) return std::nullopt;
+    auto setup = sphere_of(other.layout, phi.size());
+    if (!setup) return std::nullopt;
+    SurfaceEquation there(std::make_shared<SurfaceQ2>(std::move(*setup)));
+    return adopt(there, phi);
+}
+
+// By the Laplacian, as on the plane: interpolating phi itself would leave kinks that sigma sees.
+State SurfaceEquation::adopt(Equation& other, std::span<const double> phi) {
+    const auto& from = *dynamic_cast<SurfaceEquation&>(other).surface_;
+    GASPARD_CHECK(from.grid() && surface_->grid());
+    return state_of(surface_->potential(interpolated(from, from.laplacian(phi), *surface_)));
+}
+
+std::unique_ptr<Equation> SurfaceEquation::coarser() const {
+    if (!surface_->grid()) return nullptr;
+    SphereGrid half = *surface_->grid();
+    const bool cubed = half.cells == SphereCells::cubed;
+    half.resolution = cubed ? (half.resolution + 1) / 2 : half.resolution - 1;
+    if (half.resolution < (cubed ? coarsest_cubed : coarsest_icosahedral)) return nullptr;
+    return std::make_unique<SurfaceEquation>(std::make_shared<SurfaceQ2>(
+        sphere_setup(half, surface_->geometry_order(), surface_->radius(), surface_->monitor_at_vertices())));
+}
+
+Evaluation SurfaceEquation::evaluate(const Monitor& monitor, std::span<const double> phi) {
+    move(phi);
+    monitor.values(positions_, monitor_);
+    const auto [theta, normalised] = surface_->residual(monitor_, residual_, room_);
+    return {.residual = normalised, .theta = theta, .step_size = 0};
+}
+
+void SurfaceEquation::move(std::span<const double> phi) {
+    surface_->map(phi, room_);
+    surface_->positions(room_, positions_, gradient_);
+}
+
+Ellipticity SurfaceEquation::ellipticity() const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Ellipticity extremes{.convexity = infinity, .slowest = infinity, .fastest = -infinity};
+    const bool flat = surface_->shape() == SurfaceShape::flat;
+    for (std::size_t i = 0; i < monitor_.size(); ++i) {
+        const Tensor sigma = surface_->sigma(room_, i);
+        const auto [low, high] = flat ? flat_cofactor_eigenvalues(sigma)
+                                      : cofactor_eigenvalues(sigma, surface_->places()[i], gradient_[i]);
+        extremes.convexity = std::min(extremes.convexity, low);
+        extremes.slowest = std::min(extremes.slowest, monitor_[i] * low);
+        extremes.fastest = std::max(extremes.fastest, monitor_[i] * high);
+    }
+    return extremes;
+}
+
+} // namespace gaspard

@@ -1,0 +1,72 @@
+// Monitors on the sphere that depend on angles from a few centres only, in radians:
+//
+//   m(x) = offset + sum over the centres of f(d),    d = angle between x and the centre
+//
+// Points are taken as directions: their distance from the origin changes the gradient's length alone.
+#pragma once
+
+#include "core/base/check.hpp"
+#include "core/monitor/monitor.hpp"
+
+#include <utility>
+
+namespace gaspard {
+
+/// `Profile` has value(d), slope(d) = f'(d) and check(), which throws InputError.
+template <class Profile>
+class GeodesicMonitor final : public Monitor {
+  public:
+    GeodesicMonitor(double offset, Profile profile, std::vector<Vec3> centres)
+        : offset_(offset), profile_(profile), centres_(std::move(centres)) {}
+
+    void values(const Points& x, std::span<double> values) const override {
+        GASPARD_CHECK(values.size() == x.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] = offset_;
+            for (const Vec3 centre : centres_) values[i] += profile_.value(angle_between(x[i], centre));
+        }
+    }
+
+    /// Tangent to the sphere; 0 at a centre and opposite to it, where it has no direction.
+    void gradients(const Points& x, Points& gradients) const override {
+        gradients.resize(x.size());
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const double length = norm(x[i]);
+            const Vec3 p = (1 / length) * x[i];
+            Vec3 sum;
+            for (const Vec3 centre : centres_) {
+                const Vec3 towards = centre - dot(centre, p) * p; // of length sin d
+                const double sine = norm(towards);
+                if (sine < 1e-12) continue;
+                sum = sum - (profile_.slope(angle_between(p, centre)) / (sine * length)) * towards;
+            }
+            gradients.set(i, sum);
+        }
+    }
+
+    void check() const override { profile_.check(); }
+    std::optional<Vec3> symmetry_axis() const override {
+        return centres_.size() == 1 ? std::optional(centres_.front()) : std::nullopt;
+    }
+
+  private:
+    double offset_;
+    Profile profile_;
+    std::vector<Vec3> centres_;
+};
+
+/// A sech^2( B (d^2 - r^2) ): the ring and the bell, and each band of the cross.
+struct SechProfile {
+    double amplitude, sharpness, radius;
+
+    double value(double d) const;
+    double slope(double d) const;
+    void check() const;
+};
+
+/// Rows of a place on the sphere: `prefix` is "center" or "pole1", `what` "Centre" or "Pole 1".
+std::vector<ParameterRow> place_rows(const std::string& prefix, const std::string& what, double latitude,
+                                     double longitude);
+Vec3 place_of(const Values& values, const std::string& prefix);
+
+} // namespace gaspard
