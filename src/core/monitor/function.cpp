@@ -23,12 +23,9 @@ class FunctionMonitor final : public Monitor {
 
     void gradients(const Points& x, Points& gradients) const override {
         gradients.resize(x.size());
-        const auto slope = [&](Vec3 p, Vec3 step) {
-            return (at(p + step) - at(p - step)) / (2 * difference);
-        };
         for (std::size_t i = 0; i < x.size(); ++i)
-            gradients.set(i, {slope(x[i], {difference, 0, 0}), slope(x[i], {0, difference, 0}),
-                              flat() ? 0 : slope(x[i], {0, 0, difference})});
+            gradients.set(
+                i, {slope(x[i], {1, 0, 0}), slope(x[i], {0, 1, 0}), flat() ? 0 : slope(x[i], {0, 0, 1})});
     }
 
     void check() const override {} // of a function nothing is known before it is asked
@@ -37,6 +34,14 @@ class FunctionMonitor final : public Monitor {
     static constexpr double difference = 1e-5; // truncation and rounding of alike size, some 1e-10
 
     bool flat() const { return space_.kind == SpaceKind::periodic_square; }
+
+    /// Along an axis; on a sphere along its surface, where the axis is seen from p.
+    double slope(Vec3 p, Vec3 axis) const {
+        const bool round = space_.kind == SpaceKind::sphere;
+        const double radius = norm(p), step = round ? difference * radius : difference;
+        const auto there = [&](Vec3 q) { return round ? (radius / norm(q)) * q : q; };
+        return (at(there(p + step * axis)) - at(there(p - step * axis))) / (2 * step);
+    }
 
     static double wrap(double x) {
         const double rest = x - std::floor(x);

@@ -157,6 +157,17 @@ TEST(FunctionMonitor, AsksWithinTheSquareAndKnowsSlopes) {
     const auto in_space = function_monitor([](Vec3 p) { return 1 + p.z * p.z; }, Space{});
     in_space->gradients(x = Points(1), gradients);
     EXPECT_NEAR(gradients.z[0], 0, 1e-12);
+
+    const auto on_sphere = function_monitor(
+        [](Vec3 p) {
+            EXPECT_NEAR(norm(p), 3, 1e-14);
+            return 5 + p.z;
+        },
+        Space{SpaceKind::sphere});
+    x.set(0, {0, 3 * std::sqrt(0.5), 3 * std::sqrt(0.5)});
+    on_sphere->gradients(x, gradients);
+    EXPECT_NEAR(gradients.y[0], -0.5, 1e-9) << "grad z less its part along the radius";
+    EXPECT_NEAR(gradients.z[0], 0.5, 1e-9);
 }
 
 } // namespace
