@@ -230,7 +230,10 @@ tinygltf::Model build_model(const Snapshot& snapshot, const Tessellation& shape)
 } // namespace
 
 void write_glb(const std::filesystem::path& file, const Snapshot& snapshot) {
-    write_glb(file, snapshot, tessellate(*snapshot.mesh));
+    const Mesh& mesh = *snapshot.mesh;
+    const int cuts =
+        std::max(cuts_for(mesh, snapshot.x), cuts_for(mesh, mesh.nodes)); // it plays between the two
+    write_glb(file, snapshot, tessellate(mesh, cuts));
 }
 
 void write_glb(const std::filesystem::path& file, const Snapshot& snapshot, const Tessellation& shape) {
