@@ -11,5 +11,9 @@ echo "Building in $here/build-bench ..."
 rm -f "$log"
 python3 "$here/bench/compare.py" "$here/build-bench/gaspard" "$@"
 echo
-"$here/build-bench/bench/bench_plane" --benchmark_min_time=0.2 --benchmark_repetitions=3 \
-  --benchmark_report_aggregates_only=true --benchmark_display_aggregates_only=true 2>/dev/null | grep -v -E '_stddev|_cv|_mean'
+for parts in bench_plane bench_sphere; do
+  "$here/build-bench/bench/$parts" --benchmark_min_time=0.2 --benchmark_repetitions=3 \
+    --benchmark_report_aggregates_only=true --benchmark_display_aggregates_only=true 2>/dev/null | grep -v -E '_stddev|_cv|_mean'
+done
+echo
+"$here/build-bench/bench/measure_orders"
