@@ -55,9 +55,8 @@ TEST(ExactMap, KeepsTheIntegrals) {
 }
 
 TEST(ExactMap, IsTheIdentityForAConstant) {
-    const auto monitor = make_monitor("constant", sphere);
-    for (int i = 0; i <= 1000; ++i)
-        EXPECT_NEAR(ExactMap::of(*monitor)->angle(pi * i / 1000), pi * i / 1000, 1e-10);
+    const auto map = ExactMap::of(*make_monitor("constant", sphere));
+    for (int i = 0; i <= 1000; ++i) EXPECT_NEAR(map->angle(pi * i / 1000), pi * i / 1000, 1e-10);
 }
 
 TEST(ExactMap, HasTheThetaOfThePaperWithGammaInsideTheRoot) {

@@ -1,5 +1,6 @@
 // The numbers that an independent implementation found for McRae, Cotter, Budd, section 5.2, by relaxation.
 #include "core/method/relax_sphere.hpp"
+#include "support/periodic_surface.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -100,6 +101,17 @@ TEST(SphereNumbers, CrossOnTheIcosahedron) {
     const auto areas = meter.measure(run.x(), *on_sphere("constant")).cell_mass;
     EXPECT_NEAR(*std::min_element(areas.begin(), areas.end()), .10732, 6e-6);
     EXPECT_NEAR(*std::max_element(areas.begin(), areas.end()), 2.34451, 6e-6);
+}
+
+TEST(FlatSurface, OfSquaresMakesTheMeshesOfThePlane) {
+    // Degree 8 by 5 x 5 points and exact integrals by 4 x 4 are the same there.
+    OnSurface run(periodic_surface(30, CellShape::quadrilateral),
+                  make_monitor("ring", {SpaceKind::periodic_square}), 0.1);
+    run.solve();
+    EXPECT_EQ(run.iterations(), 189);
+    EXPECT_NEAR(run.history.back().theta, 1.3739825391, 6e-11);
+    QualityMeter meter(run.surface->mesh());
+    EXPECT_NEAR(meter.measure(run.x(), *run.monitor).equidistribution, 8.818150e-2, 6e-8);
 }
 
 } // namespace
