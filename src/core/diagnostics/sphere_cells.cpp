@@ -1,5 +1,7 @@
 #include "core/diagnostics/sphere_cells.hpp"
 
+#include "core/base/check.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,7 @@ namespace gaspard {
 namespace {
 
 constexpr std::size_t batch = SphereCellMeter::batch;
+constexpr std::size_t most_nodes = 9; // of a cell
 using Lane = SphereCellMeter::Lane;
 
 struct Node { ///< of every cell: a place before and after
@@ -16,7 +19,7 @@ struct Node { ///< of every cell: a place before and after
 };
 
 void gather(const Mesh& mesh, std::size_t begin, std::size_t end, const Points& x, std::size_t count,
-            std::array<Node, 9>& nodes) {
+            std::array<Node, most_nodes>& nodes) {
     for (std::size_t l = 0; l < batch; ++l) {
         const auto cell = mesh.cell(std::min(begin + l, end - 1)); // the last one fills what is left
         for (std::size_t n = 0; n < count; ++n) {
@@ -54,6 +57,7 @@ void signed_area(const Lane (&p)[3], const Lane (&s)[3], const Lane (&t)[3], Lan
 
 SphereCellMeter::SphereCellMeter(CellKind kind, int points)
     : nodes_(static_cast<std::size_t>(nodes_per_cell(kind))) {
+    GASPARD_CHECK(cell_dimension(kind) == 2 && nodes_ <= most_nodes);
     std::vector<double> values(nodes_);
     std::vector<Vec3> gradients(nodes_);
     const auto add_sample = [&](Vec3 point, double weight) {
@@ -73,7 +77,7 @@ SphereCellMeter::SphereCellMeter(CellKind kind, int points)
 SphereCellMeter::Measured SphereCellMeter::measure(const Mesh& mesh, std::size_t begin, std::size_t end,
                                                    const Points& x, const Monitor& monitor,
                                                    Room& room) const {
-    std::array<Node, 9> nodes;
+    std::array<Node, most_nodes> nodes;
     gather(mesh, begin, end, x, nodes_, nodes);
     room.points.resize(quadrature_ * batch);
     room.area.resize(quadrature_ * batch);
