@@ -166,6 +166,14 @@ bool reset_button(const char* id) {
     return clicked;
 }
 
+/// Whether values have a row's key with the same range: a monitor's rows depend on the domain.
+bool has_same_row(const Values& values, const ParameterRow& row) {
+    const auto& rows = values.rows();
+    return std::any_of(rows.begin(), rows.end(), [&](const ParameterRow& one) {
+        return one.key == row.key && one.minimum == row.minimum && one.maximum == row.maximum;
+    });
+}
+
 /// The choices of a row that go with the rest of the scenario. Without a scenario, all do.
 bool choice_fits(const PanelContext& context, const Scenario* scenario, const Values& values,
                  const std::string& key, const std::string& choice) {
@@ -253,7 +261,8 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
     const std::vector<ParameterRow> rows =
         section.values.rows(); // a choice may replace the section meanwhile
     for (const auto& row : rows) {
-        const Values* before = opened.type == section.type ? &opened.values : nullptr;
+        const Values* before =
+            opened.type == section.type && has_same_row(opened.values, row) ? &opened.values : nullptr;
         changed |= draw_row(context, row, before, section.values, &scenario);
     }
     ImGui::PopID();

@@ -157,6 +157,25 @@ TEST_F(PanelTest, AnotherTypeTakesThatTypesRows) {
     EXPECT_EQ(scenario, opened) << "the values it was opened with come back";
 }
 
+TEST_F(PanelTest, TheMonitorsRowsFollowTheDomain) {
+    scenario.monitor.values.set("amplitude", 3.0);
+    settle();
+    pick("domain.type", "cubed-sphere");
+    EXPECT_EQ(scenario.domain.type, "cubed-sphere");
+    EXPECT_EQ(scenario.monitor.values.real("amplitude"), 3);
+    settle();
+    EXPECT_TRUE(items.count("monitor.center_latitude"));
+    EXPECT_FALSE(items.count("monitor.center_x"));
+    pick("monitor.type", "x-n");
+    EXPECT_EQ(scenario.monitor.type, "x-n");
+    pick("monitor.type", "ring"); // as it was opened, but for this domain
+    EXPECT_TRUE(scenario.monitor.values.has("center_longitude"));
+    pick("monitor.type", "x-n");
+    pick("domain.type", "plane"); // which has no such monitor
+    EXPECT_EQ(scenario.monitor.type, "ring");
+    EXPECT_TRUE(scenario.monitor.values.has("center_x"));
+}
+
 TEST_F(PanelTest, WhatDoesNotGoTogetherIsGreyedOut) {
     catalogue.capabilities.front().monitors = {"ring", "constant"};
     settle();

@@ -26,9 +26,9 @@ double larger(double a, double b) { return std::isnan(b) || b > a ? b : a; }
 } // namespace
 
 QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int points, const Space& space)
-    : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)),
-      on_sphere_(space.kind == SpaceKind::sphere), workers_(checked(threads)) {
+    : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)), workers_(checked(threads)) {
     if (FlatSquares::fits(*mesh_)) flat_.emplace(points);
+    if (space.kind == SpaceKind::sphere) sphere_.emplace(mesh_->kind, points);
     for (const auto& [point, weight] : cell_quadrature(mesh_->kind.shape, points)) add_sample(point, weight);
     quadrature_points_ = samples_.size();
     for (const Vec3 node : reference_nodes(mesh_->kind)) add_sample(node, 0);
@@ -40,7 +40,7 @@ QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int po
         gather(i, mesh_->nodes, nodes);
         for (std::size_t q = 0; q < quadrature_points_; ++q) {
             const Tangents t = tangents(nodes, samples_[q]);
-            cell_measure_[i] += samples_[q].weight * signed_measure(t, t, place(nodes, samples_[q]));
+            cell_measure_[i] += samples_[q].weight * signed_measure(t, t);
         }
     }
     quality_.cell_mass.resize(cells);
@@ -76,18 +76,12 @@ QualityMeter::Tangents QualityMeter::tangents(std::span<const Vec3> nodes, const
     return t;
 }
 
-Vec3 QualityMeter::place(std::span<const Vec3> nodes, const Sample& sample) const {
-    Vec3 point;
-    for (std::size_t k = 0; k < nodes.size(); ++k) point = point + sample.values[k] * nodes[k];
-    return point;
-}
-
-double QualityMeter::signed_measure(const Tangents& of, const Tangents& reference, Vec3 point) const {
+double QualityMeter::signed_measure(const Tangents& of, const Tangents& reference) const {
     if (dimension_ == 2 && mesh_->space_dimension == 2) return of[0].x * of[1].y - of[0].y * of[1].x;
     if (dimension_ == 1) return std::copysign(norm(of[0]), dot(of[0], reference[0]));
     const Vec3 normal = cross(of[0], of[1]);
     if (dimension_ == 3) return dot(normal, of[2]);
-    return std::copysign(norm(normal), dot(normal, on_sphere_ ? point : cross(reference[0], reference[1])));
+    return std::copysign(norm(normal), dot(normal, cross(reference[0], reference[1])));
 }
 
 void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
@@ -100,12 +94,14 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
         double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
         for (std::size_t s = 0; s < samples_.size(); ++s) {
             const Tangents reference = tangents(worker.reference_nodes, samples_[s]);
-            const Vec3 point = place(worker.nodes, samples_[s]);
-            const double physical = signed_measure(tangents(worker.nodes, samples_[s]), reference, point);
-            const double jacobian = physical / std::abs(signed_measure(reference, reference, point));
+            const double physical = signed_measure(tangents(worker.nodes, samples_[s]), reference);
+            const double jacobian = physical / signed_measure(reference, reference);
             smallest = smaller(smallest, jacobian);
             largest = larger(largest, jacobian);
             if (s >= quadrature_points_) continue;
+            Vec3 point;
+            for (std::size_t k = 0; k < worker.nodes.size(); ++k)
+                point = point + samples_[s].values[k] * worker.nodes[k];
             worker.points.set(at, point);
             worker.factor[at++] = samples_[s].weight * physical;
         }
@@ -122,11 +118,12 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
     }
 }
 
-void QualityMeter::measure_flat_cells(std::size_t begin, std::size_t end, const Points& x,
-                                      const Monitor& monitor, Worker& worker) {
-    for (; begin < end; begin += FlatSquares::batch) {
-        const std::size_t stop = std::min(end, begin + FlatSquares::batch);
-        const auto measured = flat_->measure(*mesh_, begin, stop, x, monitor, worker.flat);
+template <class Meter>
+void QualityMeter::measure_many(const Meter& meter, typename Meter::Room& room, std::size_t begin,
+                                std::size_t end, const Points& x, const Monitor& monitor, Worker& worker) {
+    for (; begin < end; begin += Meter::batch) {
+        const std::size_t stop = std::min(end, begin + Meter::batch);
+        const auto measured = meter.measure(*mesh_, begin, stop, x, monitor, room);
         for (std::size_t i = begin; i < stop; ++i) {
             note_cell(i, measured.smallest[i - begin], measured.largest[i - begin], worker);
             quality_.cell_mass[i] = measured.mass[i - begin] / cell_measure_[i];
@@ -146,7 +143,8 @@ void QualityMeter::measure_cells(std::size_t begin, std::size_t end, const Point
     worker.min_jacobian = std::numeric_limits<double>::infinity();
     worker.max_jacobian = -std::numeric_limits<double>::infinity();
     worker.tangled_cells = 0;
-    if (flat_) return measure_flat_cells(begin, end, x, monitor, worker);
+    if (flat_) return measure_many(*flat_, worker.flat, begin, end, x, monitor, worker);
+    if (sphere_) return measure_many(*sphere_, worker.sphere, begin, end, x, monitor, worker);
     for (; begin < end; begin += batch)
         measure_batch(begin, std::min(end, begin + batch), x, monitor, worker);
 }

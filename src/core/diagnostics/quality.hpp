@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/diagnostics/flat_squares.hpp"
+#include "core/diagnostics/sphere_cells.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/monitor/monitor.hpp"
 
@@ -56,29 +57,31 @@ class QualityMeter {
     void add_sample(Vec3 point, double weight);
     void gather(std::size_t cell, const Points& x, std::span<Vec3> nodes) const;
     Tangents tangents(std::span<const Vec3> nodes, const Sample& sample) const;
-    double signed_measure(const Tangents& of, const Tangents& reference, Vec3 point) const;
-    Vec3 place(std::span<const Vec3> nodes, const Sample& sample) const;
+    double signed_measure(const Tangents& of, const Tangents& reference) const;
     /// What one thread works in, and what it finds.
     struct Worker {
         std::vector<Vec3> nodes, reference_nodes; ///< of one cell: x and xi
         Points points;                            ///< quadrature points of a batch of cells
         std::vector<double> factor, monitor;
         FlatSquares::Room flat;
+        SphereCellMeter::Room sphere;
         double min_jacobian = 0, max_jacobian = 0;
         std::size_t tangled_cells = 0;
     };
     void measure_cells(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
                        Worker& worker);
-    void measure_flat_cells(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
-                            Worker& worker);
+    /// By a meter that takes many cells at once, of one kind.
+    template <class Meter>
+    void measure_many(const Meter& meter, typename Meter::Room& room, std::size_t begin, std::size_t end,
+                      const Points& x, const Monitor& monitor, Worker& worker);
     void note_cell(std::size_t cell, double smallest, double largest, Worker& worker);
     void measure_batch(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
                        Worker& worker);
 
     std::shared_ptr<const Mesh> mesh_;
     int dimension_;
-    bool on_sphere_;
     std::optional<FlatSquares> flat_; ///< where all cells are such
+    std::optional<SphereCellMeter> sphere_;
     std::vector<Sample> samples_;
     std::size_t quadrature_points_ = 0; ///< the first samples are those of the quadrature
     std::vector<double> cell_measure_;  ///< of the computational cells

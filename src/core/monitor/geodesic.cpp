@@ -1,14 +1,8 @@
 #include "core/monitor/geodesic.hpp"
 
-#include "core/monitor/radial.hpp"
-
 #include <cmath>
 
 namespace gaspard {
-
-double SechProfile::value(double d) const {
-    return amplitude * sech_squared(sharpness * (d * d - radius * radius));
-}
 
 double SechProfile::slope(double d) const {
     const double t = sharpness * (d * d - radius * radius);

@@ -5,9 +5,12 @@
 // Points are taken as directions: their distance from the origin changes the gradient's length alone.
 #pragma once
 
+#include "core/base/angle.hpp"
 #include "core/base/check.hpp"
-#include "core/monitor/monitor.hpp"
+#include "core/monitor/radial.hpp"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace gaspard {
@@ -21,9 +24,17 @@ class GeodesicMonitor final : public Monitor {
 
     void values(const Points& x, std::span<double> values) const override {
         GASPARD_CHECK(values.size() == x.size());
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            values[i] = offset_;
-            for (const Vec3 centre : centres_) values[i] += profile_.value(angle_between(x[i], centre));
+        std::fill(values.begin(), values.end(), offset_);
+        std::array<double, 256> angles; // so many at once, in loops without branches
+        for (std::size_t begin = 0; begin < values.size(); begin += angles.size()) {
+            const std::size_t count = std::min(angles.size(), values.size() - begin);
+            double* __restrict out = values.data() + begin;
+            for (const Vec3 centre : centres_) {
+                const double *px = &x.x[begin], *py = &x.y[begin], *pz = &x.z[begin];
+                for (std::size_t i = 0; i < count; ++i) angles[i] = angle_from(centre, px[i], py[i], pz[i]);
+                const Profile profile = profile_;
+                for (std::size_t i = 0; i < count; ++i) out[i] += profile.value(angles[i]);
+            }
         }
     }
 
@@ -59,7 +70,7 @@ class GeodesicMonitor final : public Monitor {
 struct SechProfile {
     double amplitude, sharpness, radius;
 
-    double value(double d) const;
+    double value(double d) const { return amplitude * sech_squared(sharpness * (d * d - radius * radius)); }
     double slope(double d) const;
     void check() const;
 };

@@ -1,17 +1,11 @@
 #include "core/monitor/radial.hpp"
 
 #include "core/base/check.hpp"
-#include "core/base/exponential.hpp"
 #include "core/monitor/geodesic.hpp"
 
 #include <cmath>
 
 namespace gaspard {
-
-double sech_squared(double t) {
-    const double e = exponential(-2 * std::abs(t));
-    return 4 * e / ((1 + e) * (1 + e));
-}
 
 void SechMonitor::values(const Points& x, std::span<double> values) const {
     GASPARD_CHECK(values.size() == x.size());

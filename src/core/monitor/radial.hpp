@@ -2,7 +2,10 @@
 // On the periodic square the distance is to the nearest image of the centre.
 #pragma once
 
+#include "core/base/exponential.hpp"
 #include "core/monitor/monitor.hpp"
+
+#include <cmath>
 
 namespace gaspard {
 
@@ -27,7 +30,10 @@ class SechMonitor final : public Monitor {
 };
 
 /// 1 / cosh^2 without overflow: for large |t| it is 0 to double precision.
-double sech_squared(double t);
+inline double sech_squared(double t) {
+    const double e = exponential(-2 * std::abs(t));
+    return 4 * e / ((1 + e) * (1 + e));
+}
 /// Throws InputError where the amplitude is not finite or not above `least`.
 void check_amplitude(double amplitude, double least);
 

@@ -14,7 +14,10 @@ struct StepProfile {
     double gamma, alpha, beta;
 
     /// (tanh z + 1) / 2 for z = (beta - d) / alpha.
-    double step(double d) const { return 1 / (1 + std::exp(2 * (d - beta) / alpha)); }
+    double step(double d) const {
+        const double t = 2 * (d - beta) / alpha, e = exponential(-std::abs(t));
+        return (t > 0 ? e : 1.0) / (1 + e);
+    }
     double value(double d) const { return std::sqrt((1 - gamma) * step(d) + gamma); }
     double slope(double d) const {
         const double s = step(d);

@@ -66,9 +66,10 @@ struct Field {
 
 /// An iterate as a value: keep it, and pass it to any thread.
 struct Snapshot {
-    std::shared_ptr<const Mesh> mesh;    ///< cells and xi; shared by all snapshots of a run
-    Points x;                            ///< where the nodes stand, in the mesh's numbering
-    std::shared_ptr<const Points> exact; ///< where they would stand in the exact solution; null where unknown
+    std::shared_ptr<const Mesh> mesh; ///< cells and xi; shared by all snapshots of a run
+    Points x;                         ///< where the nodes stand, in the mesh's numbering
+    std::shared_ptr<const Points>
+        exact{}; ///< where they would stand in the exact solution; null where unknown
     std::vector<Field> fields;
     StepReport report;
     std::uint64_t version = 0; ///< grows with every iterate

@@ -1,5 +1,6 @@
 // That a step of the relaxation asks for no memory.
 #include "core/method/relax.hpp"
+#include "core/method/relax_sphere.hpp"
 
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -45,6 +46,17 @@ TEST(Allocation, DoesNotHappenInAStepOfTheRelaxation) {
             EXPECT_EQ(allocations, before);
             run.method->configure(Values("method", relaxation_method().rows)); // auto
             before = allocations;
+            for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
+            EXPECT_EQ(allocations, before);
+        }
+}
+
+TEST(Allocation, DoesNotHappenInAStepOnTheSphere) {
+    for (const int order : {1, 2})
+        for (const auto step_size : {std::optional(2.0), std::optional<double>()}) {
+            OnSurface run(sphere_setup({SphereCells::cubed, 4}, order), on_sphere("x-n"), step_size);
+            run.step();
+            const std::size_t before = allocations;
             for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
             EXPECT_EQ(allocations, before);
         }

@@ -47,6 +47,29 @@ TEST(Published, Figure2IsTwoUntangledMeshes) {
         }
 }
 
+TEST(Published, Figure5IsTheX2MeshWithItsDeviationFromTheExactOne) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const Reproduction result = find_recipe("mcrae-fig5").make(catalogue, [](const std::string&) {}, {});
+    ASSERT_EQ(result.figure->panels.size(), 1u);
+    const auto& snapshot = std::get<std::shared_ptr<const Snapshot>>(result.figure->panels.front().content);
+    EXPECT_EQ(snapshot->mesh->cell_count(), 1536u);
+    EXPECT_EQ(snapshot->report.iteration, 32);
+    const auto row = std::find_if(result.rows.begin(), result.rows.end(), [](const PublishedRow& r) {
+        return r.quantity == "rms to the exact mesh, vertices";
+    });
+    ASSERT_NE(row, result.rows.end());
+    EXPECT_NEAR(row->ours, 4.42e-4, 1e-6);
+}
+
+TEST(Published, Figure9IsATangledMesh) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const Reproduction result = find_recipe("mcrae-fig9").make(catalogue, [](const std::string&) {}, {});
+    const auto& snapshot = std::get<std::shared_ptr<const Snapshot>>(result.figure->panels.front().content);
+    EXPECT_EQ(snapshot->mesh->kind.order, 1);
+    EXPECT_GT(*snapshot->report.tangled_cells, 0u);
+    EXPECT_LT(snapshot->report.residual, 2); // before it blows up
+}
+
 TEST(Published, StopsWhenAsked) {
     const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
     std::stop_source source;

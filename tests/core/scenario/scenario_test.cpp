@@ -29,7 +29,7 @@ class ScenarioTest : public testing::Test {
 
 TEST_F(ScenarioTest, EveryBuiltinScenarioPassesAndPinsMethodAndStep) {
     const auto builtins = builtin_scenarios();
-    ASSERT_EQ(builtins.size(), 3u);
+    ASSERT_EQ(builtins.size(), 8u);
     for (const auto& builtin : builtins) {
         const Scenario scenario = find_scenario(catalogue, std::string(builtin.name));
         EXPECT_EQ(scenario.name, builtin.name);
@@ -50,6 +50,63 @@ TEST_F(ScenarioTest, TomlReadsBackToTheSameScenario) {
     scenario.title = "a \"quoted\" title\nwith \\ and é";
     const Scenario again = parse_scenario(catalogue, to_toml(scenario), "plane-bell.toml");
     EXPECT_EQ(again, scenario);
+}
+
+TEST_F(ScenarioTest, AMonitorsRowsFollowTheDomain) {
+    Scenario scenario = find_scenario(catalogue, "plane-ring");
+    apply_settings(catalogue, scenario,
+                   {"monitor.amplitude=7", "monitor.radius=0.3", "monitor.center_x=0.2"});
+    Scenario other = scenario;
+    apply_settings(catalogue, other,
+                   {"monitor.center_latitude=-10", "domain.type=cubed-sphere", "domain.cells=8"});
+    EXPECT_EQ(other.monitor.type, "ring");
+    EXPECT_EQ(other.monitor.values.real("amplitude"), 7); // chosen, so it stays
+    EXPECT_EQ(other.monitor.values.real("radius"), 0.3);
+    EXPECT_EQ(other.monitor.values.real("sharpness"), 10); // the default there
+    EXPECT_EQ(other.monitor.values.real("center_latitude"), -10);
+    EXPECT_FALSE(other.monitor.values.has("center_x"));
+    EXPECT_NO_THROW(check(catalogue, other));
+    set_value(catalogue, other, "monitor.radius", 2.0); // more than the plane allows
+    set_value(catalogue, other, "domain.type", std::string("plane"));
+    EXPECT_EQ(other.monitor.values.real("radius"), 0.25);
+    EXPECT_EQ(other.monitor.values.real("amplitude"), 7);
+    EXPECT_NO_THROW(check(catalogue, other));
+    set_value(catalogue, other, "domain.type", std::string("icosahedral-sphere"));
+    set_value(catalogue, other, "monitor.type", std::string("bell"));
+    EXPECT_TRUE(other.monitor.values.has("center_longitude"));
+    const Scenario before = other; // between two spheres nothing changes
+    set_value(catalogue, other, "domain.type", std::string("cubed-sphere"));
+    EXPECT_EQ(other.monitor, before.monitor);
+}
+
+TEST_F(ScenarioTest, AKeyOfAnotherDomainIsRefusedWithASentence) {
+    Scenario sphere = find_scenario(catalogue, "sphere-x2"), plane = find_scenario(catalogue, "plane-ring");
+    apply_settings(catalogue, sphere, {"monitor.type=ring"});
+    const auto complaint = [&](Scenario& scenario, const std::string& setting) {
+        return message_of([&] { apply_settings(catalogue, scenario, {setting}); });
+    };
+    expect_in(
+        "monitor.center_x has no meaning on domain 'cubed-sphere'; there are: amplitude, sharpness, radius, "
+        "center_latitude, center_longitude",
+        complaint(sphere, "monitor.center_x=0.5"));
+    expect_in("monitor.center_latitude has no meaning on domain 'plane'",
+              complaint(plane, "monitor.center_latitude=3"));
+    expect_in("domain.refinements has no meaning on domain 'plane', it belongs to 'icosahedral-sphere'",
+              complaint(plane, "domain.refinements=3"));
+    expect_in("unknown key monitor.centre_x (did you mean 'monitor.center_x'?)",
+              complaint(plane, "monitor.centre_x=3"));
+}
+
+TEST_F(ScenarioTest, XnAndCrossAreForSpheresOnly) {
+    for (const std::string monitor : {"x-n", "cross"}) {
+        Scenario scenario = find_scenario(catalogue, "plane-ring");
+        apply_settings(catalogue, scenario, {"monitor.type=" + monitor});
+        expect_in("do not go together", message_of([&] { check(catalogue, scenario); }));
+        for (const std::string domain : {"cubed-sphere", "icosahedral-sphere"}) {
+            apply_settings(catalogue, scenario, {"domain.type=" + domain});
+            EXPECT_NO_THROW(check(catalogue, scenario));
+        }
+    }
 }
 
 TEST_F(ScenarioTest, SettingsDoNotDependOnTheirOrder) {

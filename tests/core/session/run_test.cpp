@@ -265,5 +265,38 @@ TEST_F(RunTest, SnapshotsAreCompleteAndVersioned) {
     EXPECT_EQ(second->report.iteration, 1);
 }
 
+TEST(SphereRun, ReportsTheDeviationFromTheExactMapAndFollowsTheMonitor) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Scenario scenario = find_scenario(*catalogue, "sphere-x2");
+    apply_settings(*catalogue, scenario, {"domain.cells=6"});
+    gaspard::Run run(catalogue, scenario);
+    const double before = *run.history().back().exact_rms;
+    EXPECT_GT(before, 0.1);
+    while (run.status() == RunStatus::running) run.step();
+    EXPECT_EQ(run.status(), RunStatus::converged);
+    const StepReport last = run.history().back();
+    EXPECT_LT(*last.exact_rms, 0.01);
+    EXPECT_LT(*last.exact_rms_nodes, *last.exact_rms);
+    const auto first = run.snapshot();
+    ASSERT_TRUE(first->exact);
+    EXPECT_EQ(first->exact->size(), first->x.size());
+    EXPECT_EQ(run.snapshot()->exact, first->exact); // made once
+
+    apply_settings(*catalogue, scenario, {"monitor.center_latitude=20"});
+    EXPECT_EQ(run.change(scenario), "");
+    EXPECT_NE(run.snapshot()->exact, first->exact);
+    EXPECT_GT(*run.history().back().exact_rms, *last.exact_rms);
+    EXPECT_LT(run.history().back().residual, 0.3); // from the present map
+    apply_settings(*catalogue, scenario, {"monitor.type=cross"});
+    EXPECT_EQ(run.change(scenario), "");
+    EXPECT_FALSE(run.snapshot()->exact);
+    EXPECT_FALSE(run.history().back().exact_rms);
+    apply_settings(*catalogue, scenario, {"domain.type=icosahedral-sphere", "domain.refinements=2"});
+    EXPECT_EQ(run.change(scenario), ""); // the map is kept from one sphere to another
+    apply_settings(*catalogue, scenario, {"domain.type=plane", "monitor.type=ring"});
+    EXPECT_NE(run.change(scenario), "");
+    EXPECT_FALSE(run.history().back().exact_rms);
+}
+
 } // namespace
 } // namespace gaspard

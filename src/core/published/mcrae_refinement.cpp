@@ -1,0 +1,133 @@
+// McRae, Cotter, Budd (2018), section 5.4: the relaxation under refinement, ring on the plane and cross on
+// the icosahedral sphere.
+#include "core/published/mcrae_runs.hpp"
+
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+const std::string only_the_last = "method.diagnostics_every=1000";
+
+/// A sequence of meshes, each with cells half as wide as the one before.
+struct Sequence {
+    std::string name, scenario, key;
+    std::vector<int> sizes;
+    double paper_order;
+    std::string paper_says;
+
+    std::string title(int size) const {
+        return name + (key == "domain.cells" ? ", n = " : ", refinements ") + std::to_string(size);
+    }
+    Run solved(const Workshop& workshop, int size) const {
+        return solve(workshop, scenario, {key + "=" + std::to_string(size), only_the_last}, title(size));
+    }
+};
+
+const Sequence plane{"ring",
+                     "plane-ring",
+                     "domain.cells",
+                     {30, 60, 120, 240},
+                     2,
+                     "the paper: proportional to the square of the cell width"};
+const Sequence sphere{"cross",
+                      "sphere-cross",
+                      "domain.refinements",
+                      {3, 4, 5, 6},
+                      1,
+                      "the paper: proportional to the cell width"};
+
+double width_of(const Run& run) {
+    return 1 / std::sqrt(static_cast<double>(run.discretisation().mesh()->cell_count()));
+}
+
+Plot refinement(const Workshop& workshop, const Sequence& sequence, const std::string& title,
+                std::vector<PublishedRow>& rows) {
+    Plot plot{title, {"1 / sqrt(cells)", true}, {"equidistribution", true}, {}};
+    Curve ours{sequence.name + ", relaxation", {}, {}, true};
+    for (const int size : sequence.sizes) {
+        const Run run = sequence.solved(workshop, size);
+        const double measure = *run.history().back().equidistribution;
+        rows.push_back({sequence.title(size), "equidistribution", measure});
+        if (!ours.y.empty()) {
+            const bool finest = size == sequence.sizes.back();
+            rows.push_back({sequence.title(size), "order", std::log2(ours.y.back() / measure),
+                            finest ? std::optional(sequence.paper_order) : std::nullopt,
+                            finest ? sequence.paper_says : "from the mesh before"});
+        }
+        ours.x.push_back(width_of(run));
+        ours.y.push_back(measure);
+    }
+    // The slope stands below the two finest meshes, where the order is nearly reached.
+    Curve slope{"order " + std::to_string(static_cast<int>(sequence.paper_order)), {}, {}};
+    for (const double x : {ours.x[ours.x.size() - 2], ours.x.back()}) {
+        slope.x.push_back(x);
+        slope.y.push_back(0.6 * ours.y.back() * std::pow(x / ours.x.back(), sequence.paper_order));
+    }
+    plot.curves = {std::move(ours), std::move(slope)};
+    return plot;
+}
+
+Reproduction figure12(const Workshop& workshop) {
+    Reproduction result{{}, Figure{"The finest meshes: 57600 squares, 81920 triangles", {}}};
+    for (const Sequence* sequence : {&plane, &sphere}) {
+        const int finest = sequence->sizes.back();
+        Run run = sequence->solved(workshop, finest);
+        const StepReport& last = run.history().back();
+        const std::string title = sequence->title(finest);
+        result.rows.push_back({title, "iterations", static_cast<double>(last.iteration)});
+        result.rows.push_back({title, "smallest Jacobian", *last.min_jacobian});
+        result.rows.push_back({title, "tangled cells", static_cast<double>(*last.tangled_cells), 0,
+                               "the paper: no evidence whatsoever of mesh tangling"});
+        result.figure->panels.push_back({title, run.snapshot()});
+    }
+    return result;
+}
+
+Reproduction figure13(const Workshop& workshop) {
+    Reproduction result{{}, Figure{"Equidistribution under refinement", {}}};
+    result.figure->panels.push_back({"Plane", refinement(workshop, plane, "Ring on the plane", result.rows)});
+    result.figure->panels.push_back(
+        {"Sphere", refinement(workshop, sphere, "Cross on the sphere", result.rows)});
+    return result;
+}
+
+Reproduction figure14(const Workshop& workshop) {
+    Plot plot{"Time to 1e-8", {"cells", true}, {"CPU seconds", true}, {}};
+    Reproduction result;
+    for (const Sequence* sequence : {&plane, &sphere}) {
+        Curve curve{sequence->name + ", relaxation", {}, {}, true};
+        double first = 0;
+        for (const int size : sequence->sizes) {
+            const Run run = sequence->solved(workshop, size);
+            const StepReport& last = run.history().back();
+            const auto cells = static_cast<double>(run.discretisation().mesh()->cell_count());
+            const double per_cell = 1e6 * last.cpu_seconds / (last.iteration * cells);
+            if (first == 0) first = per_cell;
+            result.rows.push_back({sequence->title(size), "CPU seconds", last.cpu_seconds});
+            result.rows.push_back({sequence->title(size), "microseconds per cell and iteration", per_cell});
+            result.rows.push_back({sequence->title(size), "that, against the coarsest", per_cell / first,
+                                   std::nullopt, "the paper: O(N), which is 1"});
+            curve.x.push_back(cells);
+            curve.y.push_back(last.cpu_seconds);
+        }
+        plot.curves.push_back(std::move(curve));
+    }
+    result.figure = Figure{"Time against cells, relaxation", {{plot.title, std::move(plot)}}};
+    return result;
+}
+
+} // namespace
+
+std::vector<Recipe> mcrae_refinement_recipes() {
+    return {make_recipe("mcrae-fig12",
+                        "the finest meshes of ring and cross, 57600 squares and 81920 triangles", figure12),
+            make_recipe("mcrae-fig13",
+                        "equidistribution under refinement, ring on the plane and cross on the sphere",
+                        figure13),
+            make_recipe("mcrae-fig14", "time against cells, ring on the plane and cross on the sphere",
+                        figure14)};
+}
+
+} // namespace gaspard

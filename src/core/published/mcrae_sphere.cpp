@@ -1,0 +1,97 @@
+// McRae, Cotter, Budd (2018), section 5.2: the figures of the sphere by relaxation.
+#include "core/base/error.hpp"
+#include "core/published/mcrae_runs.hpp"
+
+namespace gaspard {
+
+namespace {
+
+const std::string every_iteration = "method.diagnostics_every=1",
+                  only_the_last = "method.diagnostics_every=1000";
+
+void add_numbers(const Run& run, const std::string& title, std::vector<PublishedRow>& rows) {
+    const StepReport& last = run.history().back();
+    rows.push_back({title, "iterations", static_cast<double>(last.iteration)});
+    rows.push_back({title, "residual", last.residual});
+    rows.push_back({title, "equidistribution", *last.equidistribution});
+    if (last.exact_rms) rows.push_back({title, "rms to the exact mesh, vertices", *last.exact_rms});
+    if (last.exact_rms_nodes)
+        rows.push_back({title, "rms to the exact mesh, all nodes", *last.exact_rms_nodes});
+    rows.push_back({title, "smallest Jacobian", *last.min_jacobian});
+    rows.push_back({title, "largest Jacobian", *last.max_jacobian});
+    rows.push_back({title, "tangled cells", static_cast<double>(*last.tangled_cells)});
+}
+
+/// One mesh. Who draws it shows front and rear.
+Reproduction one_mesh(const Workshop& workshop, const std::string& scenario, const std::string& title,
+                      const std::string& caption) {
+    Run run = solve(workshop, scenario, {only_the_last}, title);
+    Reproduction result{{}, Figure{caption, {{title, run.snapshot()}}}};
+    add_numbers(run, title, result.rows);
+    return result;
+}
+
+Reproduction figure8(const Workshop& workshop) {
+    Reproduction result{{}, Figure{"Convergence of the relaxation method on the cubed sphere", {}}};
+    for (const std::string ratio : {"2", "16"}) {
+        Plot plot{"X" + ratio, {"iteration", false}, {"residual, equidistribution, rms to exact", true}, {}};
+        plot.y.low = 1e-9, plot.y.high = 10;
+        for (const std::string order : {"1", "2"}) {
+            const std::string cells = order == "1" ? "bilinear" : "biquadratic",
+                              title = "X" + ratio + ", " + cells;
+            Run run = begin_run(workshop, "sphere-x" + ratio,
+                                {"domain.geometry_order=" + order, every_iteration}, title);
+            finish(run, workshop);
+            add_numbers(run, title, result.rows);
+            plot.curves.push_back(
+                history_curve(run, cells + ", residual", [](const auto& r) { return r.residual; }));
+            plot.curves.push_back(history_curve(run, cells + ", equidistribution",
+                                                [](const auto& r) { return r.equidistribution; }));
+            plot.curves.push_back(
+                history_curve(run, cells + ", rms to exact", [](const auto& r) { return r.exact_rms; }));
+            if (run.status() != RunStatus::converged)
+                result.rows.push_back({title, "iterations until it blows up",
+                                       static_cast<double>(run.history().back().iteration), 10,
+                                       "the paper: wildly diverges after just some 10 iterations"});
+        }
+        result.figure->panels.push_back({plot.title, std::move(plot)});
+    }
+    return result;
+}
+
+Reproduction figure9(const Workshop& workshop) {
+    const std::string title = "X16, bilinear, tangled";
+    Run run = begin_run(workshop, "sphere-x16", {"domain.geometry_order=1", every_iteration}, title);
+    while (run.status() == RunStatus::running && *run.history().back().tangled_cells == 0) {
+        if (workshop.stop.stop_requested()) throw Interrupted();
+        run.step(workshop.stop);
+    }
+    Reproduction result{{}, Figure{"Failure of bilinear cells, X16, before the blow-up", {}}};
+    result.figure->panels.push_back({title, run.snapshot()});
+    const StepReport& last = run.history().back();
+    result.rows = {{title, "iteration", static_cast<double>(last.iteration)},
+                   {title, "residual", last.residual},
+                   {title, "smallest Jacobian", *last.min_jacobian},
+                   {title, "tangled cells", static_cast<double>(*last.tangled_cells), std::nullopt,
+                    "the paper: in a tangled state, shortly before complete blow-up"}};
+    return result;
+}
+
+} // namespace
+
+std::vector<Recipe> mcrae_sphere_recipes() {
+    const auto mesh = [](const std::string& scenario, const std::string& title, const std::string& caption) {
+        return [=](const Workshop& workshop) { return one_mesh(workshop, scenario, title, caption); };
+    };
+    return {make_recipe("mcrae-fig5", "cubed-sphere X2 mesh, 6 x 16 x 16",
+                        mesh("sphere-x2", "X2", "Cubed-sphere X2 mesh (5.10), gamma = (1/2)^4")),
+            make_recipe("mcrae-fig6", "cubed-sphere X16 mesh, 6 x 16 x 16",
+                        mesh("sphere-x16", "X16", "Cubed-sphere X16 mesh (5.10), gamma = (1/16)^4")),
+            make_recipe("mcrae-fig7", "icosahedral mesh adapted to crossing bands, 5120 triangles",
+                        mesh("sphere-cross", "Cross", "Icosahedral mesh adapted to crossing bands (5.11)")),
+            make_recipe("mcrae-fig8", "convergence of the relaxation method on the cubed sphere, X2 and X16",
+                        figure8),
+            make_recipe("mcrae-fig9", "failure of bilinear cells: X16 in a tangled state", figure9)};
+}
+
+} // namespace gaspard
