@@ -1,14 +1,19 @@
 #version 330 core
-// The inside of cells: a colour map or one colour, darker where the surface turns away from the viewer.
+// The inside of cells: a colour map or one colour, softly lit by a lamp at the viewer: what faces the viewer has its
+// colour, what turns away is darker.
 uniform sampler2D colours;
 uniform float logarithm;          // of the range's high end over its low one; 0: the range is linear
 uniform vec4 surface;             // used where its alpha is above zero
 uniform bool flat_cells;          // each cell has a value of its own
 uniform usampler2D shown_cells;   // which cell a triangle belongs to
 uniform sampler2D cell_values;    // where a cell's value lies in the range
+uniform bool round_cells;         // curved cells of a ball: `outward` is their normal
+uniform vec3 viewer;              // towards the viewer, of unit length
+uniform float dusk;               // how much of its colour a surface loses that is seen from its edge
 
 in float value;
 in vec3 pixel;
+in vec3 outward;
 out vec4 colour;
 
 float own_value() {
@@ -25,6 +30,6 @@ vec3 colour_of(float place) {
 void main() {
     vec3 base = surface.a > 0.0 ? surface.rgb : colour_of(flat_cells ? own_value() : value);
     vec3 normal = cross(dFdx(pixel), dFdy(pixel));
-    float facing = abs(normal.z) / max(length(normal), 1e-20);
-    colour = vec4(base * mix(0.45, 1.0, facing), 1.0);
+    float facing = round_cells ? dot(normalize(outward), viewer) : abs(normal.z) / max(length(normal), 1e-20);
+    colour = vec4(base * (1.0 - dusk * pow(1.0 - clamp(facing, 0.0, 1.0), 1.6)), 1.0);
 }

@@ -10,6 +10,7 @@ uniform float half_width;
 
 noperspective in vec2 place;
 noperspective in float value;
+noperspective in float turned;
 flat in float line_length;
 flat in float strength;
 flat in float softness;
@@ -37,6 +38,7 @@ void main() {
     float coverage = strength * (part(half_width - away) - part(-half_width - away));
     bool beside = place.x >= 0.0 && place.x <= line_length && place.y * tint.z >= 0.0;
     if (beside && away <= tint.x) coverage = max(coverage, tint.y);
+    coverage *= turned;
     if (flat_ink.a > 0.0) {
         colour = vec4(by_map ? colour_of(value) : flat_ink.rgb, flat_ink.a * coverage);
         return;

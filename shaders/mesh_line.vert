@@ -15,9 +15,13 @@ uniform vec2 fade;          // lines closer together than .x pixels vanish, beyo
 uniform float haze;         // how strongly an even tint, as dense as the lines, takes the place of vanished ones
 uniform float pieces;       // of an edge: how many segments it is drawn with
 uniform float pull;         // towards the viewer, in clip coordinates, so that faces do not hide their own edges
+uniform vec4 ball;          // as in mesh_fill.vert
+uniform vec3 viewer;        // as in mesh_fill.frag
+uniform vec2 limb;          // on a ball that turns away lines fade: gone at the cosine .x, whole from .y on
 
 noperspective out vec2 place; // in pixels from the first point: along the line, across it
 noperspective out float value; // where it lies in the range of colours
+noperspective out float turned; // 0 to 1: what is left of the line where the ball turns away
 flat out float line_length;
 flat out float strength;
 flat out float softness; // 0 to 1: close lines are softer, so that none beat
@@ -25,9 +29,16 @@ flat out vec3 tint; // half the width of the band it fills, its amount; at a bor
 
 vec4 row(sampler2D table, uint i) { return texelFetch(table, ivec2(int(i & 2047u), int(i >> 11)), 0); }
 
-vec3 clip_point(uint i) {
-    return (clip * vec4(mix(row(computational, i).xyz, row(physical, i).xyz, blend), 1.0)).xyz;
+vec3 between(vec3 from, vec3 to) {
+    vec3 straight = mix(from, to, blend);
+    if (ball.w == 0.0 || blend <= 0.0 || blend >= 1.0) return straight;
+    vec3 away = straight - ball.xyz;
+    float radius = mix(distance(from, ball.xyz), distance(to, ball.xyz), blend);
+    return ball.xyz + away * (radius / max(length(away), 1e-6 * ball.w));
 }
+
+vec3 point(uint i) { return between(row(computational, i).xyz, row(physical, i).xyz); }
+vec3 clip_point(uint i) { return (clip * vec4(point(i), 1.0)).xyz; }
 
 void main() {
     int segment = gl_VertexID / 6;
@@ -35,7 +46,8 @@ void main() {
     vec2 side = vec2(corner == 1 || corner == 2 || corner == 4, corner == 2 || corner == 4 || corner == 5);
 
     uvec4 ends = texelFetch(segments, ivec2(segment & 2047, segment >> 11), 0);
-    vec3 a = clip_point(ends.x), b = clip_point(ends.y);
+    vec3 first_end = point(ends.x), second_end = point(ends.y);
+    vec3 a = (clip * vec4(first_end, 1.0)).xyz, b = (clip * vec4(second_end, 1.0)).xyz;
     vec2 from = a.xy * half_viewport, to = b.xy * half_viewport;
     line_length = distance(from, to);
     vec2 along = line_length > 0.0 ? (to - from) / line_length : vec2(1.0, 0.0);
@@ -58,6 +70,9 @@ void main() {
         tint = vec3(0.6 * min(spacing, fade.y) + 0.1, haze * vanished / (1.0 + vanished),
                     ends.z == ends.w ? sign(first) : 0.0);
     }
+
+    vec3 end = (side.x > 0.5 ? second_end : first_end) - ball.xyz;
+    turned = ball.w > 0.0 && limb.y > limb.x ? smoothstep(limb.x, limb.y, dot(normalize(end), viewer)) : 1.0;
 
     float reach = 1.0 + max(half_width, tint.y > 0.0 ? tint.x : 0.0);
     place = vec2(mix(-reach, line_length + reach, side.x), mix(-reach, reach, side.y));

@@ -19,13 +19,14 @@ namespace {
 
 bool needs_solver(ActionId id) {
     using enum ActionId;
-    for (const ActionId one : {run_pause, step, reset, export_files, cancel, keep})
+    for (const ActionId one : {run_pause, step, reset, export_files, cancel, keep, quadratic})
         if (id == one) return true;
     return false;
 }
 
 constexpr ImGuiPopupFlags any_popup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
 constexpr double projector_size = 1.7, text_step = 1.1;
+constexpr double usual_spin = 12; // degrees per second
 
 } // namespace
 
@@ -33,7 +34,7 @@ Application::Application(std::shared_ptr<const Catalogue> catalogue, Application
     : catalogue_(catalogue), output_(std::move(options.output)), settings_(std::move(options.settings)),
       board_(std::make_shared<NoticeBoard>(options.wake)), theme_(dark_theme()), writer_(board_),
       document_(std::move(catalogue), std::move(options.wake),
-                [cache = tessellations_](const Snapshot& snapshot) { cache->get(snapshot.mesh); }) {
+                [cache = tessellations_](const Snapshot& snapshot) { cache->get(snapshot); }) {
     if (const auto choice = parse_choice(settings_.window.text("first_plot"))) plot_pane_.choose(0, *choice);
     if (const auto choice = parse_choice(settings_.window.text("second_plot"))) plot_pane_.choose(1, *choice);
     for (std::string& complaint : options.complaints) log_.add({std::move(complaint), true});
@@ -110,6 +111,16 @@ bool Application::possible(ActionId id) {
         return run().snapshot && run().snapshot->mesh->space_dimension == 3;
     case ActionId::copy_camera:
         return !viewport_pane_.pictures().empty();
+    case ActionId::spin:
+        return run().snapshot && run().snapshot->mesh->space_dimension == 3 && !checked(ActionId::map);
+    case ActionId::front_and_rear:
+        return available("layout=front-and-rear");
+    case ActionId::map:
+        return available("layout=map");
+    case ActionId::overlay:
+        return available("overlay=exact");
+    case ActionId::quadratic:
+        return has_linear_cells(run());
     default:
         break;
     }
@@ -141,8 +152,18 @@ void Application::perform(ActionId id) {
     case ActionId::bottom:
         return look_from(std::string(action(id).name).c_str());
     case ActionId::side_by_side:
-        viewport().view.set("layout", std::string(checked(id) ? "single" : "side-by-side"));
+    case ActionId::front_and_rear:
+    case ActionId::map:
+        viewport().view.set("layout", std::string(checked(id) ? "single" : action(id).name));
         return;
+    case ActionId::spin:
+        viewport().view.set("spin", checked(id) ? 0.0 : usual_spin);
+        return;
+    case ActionId::overlay:
+        viewport().view.set("overlay", std::string(checked(id) ? "none" : "exact"));
+        return;
+    case ActionId::quadratic:
+        return use_quadratic_cells();
     case ActionId::lines:
         return toggle_view("lines");
     case ActionId::arrows:
@@ -191,7 +212,13 @@ bool Application::checked(ActionId id) const {
     const Values& view = document_.viewports().front().view;
     switch (id) {
     case ActionId::side_by_side:
-        return view.text("layout") == "side-by-side";
+    case ActionId::front_and_rear:
+    case ActionId::map:
+        return view.text("layout") == action(id).name;
+    case ActionId::spin:
+        return view.real("spin") != 0;
+    case ActionId::overlay:
+        return view.text("overlay") == "exact";
     case ActionId::lines:
         return view.boolean("lines");
     case ActionId::arrows:
@@ -209,6 +236,22 @@ bool Application::checked(ActionId id) const {
     default:
         return false;
     }
+}
+
+bool Application::available(const std::string& choice) const {
+    const auto missing = viewport_pane_.unavailable();
+    return !viewport_pane_.pictures().empty() &&
+           std::find(missing.begin(), missing.end(), choice) == missing.end();
+}
+
+/// From the map there is, where that can be carried over.
+void Application::use_quadratic_cells() {
+    Scenario scenario = run().scenario;
+    scenario.domain.values.parse("geometry_order", "2");
+    document_.change(0, scenario);
+    message_ = {};
+    run().solver->post(StartCommand{});
+    run().wants_to_run = true;
 }
 
 void Application::toggle_running() {
@@ -239,7 +282,7 @@ void Application::paste_camera() {
     const char* text = ImGui::GetClipboardText();
     try {
         parse_camera(text ? text : "", {});
-        viewport().view.set("camera", std::string(text));
+        viewport_pane_.look_as(viewport(), text);
     } catch (const InputError& error) {
         say({error.what(), true});
     }

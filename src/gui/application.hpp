@@ -67,6 +67,8 @@ class Application {
     const std::string& theme_name() const { return settings_.window.text("theme"); }
     float text_size() const { return static_cast<float>(settings_.window.real("text_size")); }
     bool fullscreen() const { return fullscreen_; }
+    /// Every frame differs from the last one, also without input or news.
+    bool animating() const { return viewport_pane_.spinning(); }
     /// True once after a screenshot was asked for; the answer is save_picture().
     bool take_screenshot_request() { return std::exchange(taking_screenshot_, false); }
     void save_picture(Image image);
@@ -101,6 +103,9 @@ class Application {
     bool possible(ActionId id);
     bool checked(ActionId id) const;
     bool working();
+    bool available(const std::string& choice) const;
+    void use_quadratic_cells();
+    void draw_remedy();
     std::string label_of(const Action& action);
     void say(Notice notice);
     void arrange();

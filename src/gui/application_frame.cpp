@@ -54,6 +54,7 @@ void Application::frame() {
     if (checked(ActionId::plots)) draw_plots(context);
     draw_edges();
     if (checked(ActionId::log)) draw_log();
+    draw_remedy();
     draw_status();
     draw_dialogs();
 }
@@ -167,7 +168,7 @@ void Application::draw_scenarios() {
 void Application::draw_sidebar() {
     begin_part("##sidebar", layout_.sidebar, ImGuiWindowFlags_None); // it may have to scroll
     Scenario scenario = run().scenario;
-    const PanelContext context{*catalogue_, run().opened, theme_, items_};
+    const PanelContext context{*catalogue_, run().opened, theme_, items_, viewport_pane_.unavailable()};
     bool changed = false;
     for (const auto kind : {SectionKind::domain, SectionKind::monitor, SectionKind::method}) {
         if (ImGui::CollapsingHeader(section_title(kind), ImGuiTreeNodeFlags_DefaultOpen))
@@ -191,8 +192,13 @@ void Application::draw_view(const PanelContext& context) {
     const bool was_fixed = view.text("range") == "fixed";
     std::vector<std::string> keys = {"blend", "color", "map", "log", "range"};
     if (was_fixed) keys.insert(keys.end(), {"low", "high"});
-    for (const char* key : {"histogram", "lines", "arrows", "layout", "camera"}) keys.emplace_back(key);
-    if (run().snapshot && run().snapshot->mesh->space_dimension == 3) keys.emplace_back("direction");
+    for (const char* key : {"histogram", "lines", "arrows", "layout"}) keys.emplace_back(key);
+    const bool map = view.text("layout") == "map" && available("layout=map");
+    if (map) keys.insert(keys.end(), {"map_longitude", "map_camera"});
+    if (!map) keys.emplace_back("camera");
+    if (run().snapshot && run().snapshot->mesh->space_dimension == 3 && !map)
+        keys.insert(keys.end(), {"direction", "spin"});
+    if (run().snapshot && run().snapshot->mesh->space_dimension == 3) keys.emplace_back("overlay");
     panel_.draw_rows(context, run().opened.view, view, keys);
     if (!was_fixed && view.text("range") == "fixed") viewport_pane_.fix_range(viewport());
 }
@@ -242,6 +248,35 @@ void Application::draw_edge(const char* name, const ItemRectangle& edge, const c
 void Application::draw_status() {
     begin_part("##status", layout_.status);
     draw_status_bar(run(), message_, hint, theme_, items_);
+    ImGui::End();
+}
+
+/// Linear cells that have failed, and what would help, at the foot of the picture.
+void Application::draw_remedy() {
+    const std::string text = remedy_note(run());
+    if (text.empty()) return;
+    const float em = ImGui::GetFontSize();
+    const ItemRectangle& room = layout_.viewport;
+    const Action& row = action(ActionId::quadratic);
+    const std::string label = std::string(row.label) + " (" + describe_keys(row) + ")";
+    const float button = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float widest = std::max(12 * em, room.width() - 4 * em);
+    const float wanted = ImGui::CalcTextSize(text.c_str()).x + button + 4 * em;
+    const float width = std::min(wanted, widest);
+    const float wrap = width - button - 3.4F * em;
+    const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap).y + 1.6F * em;
+    const float left = (room.left + room.right - width) / 2, bottom = room.bottom - 3.2F * em;
+    begin_part("##remedy", {left, bottom - height, left + width, bottom}, ImGuiWindowFlags_NoScrollbar, true);
+    ImGui::GetWindowDrawList()->AddRect({left, bottom - height}, {left + width, bottom},
+                                        packed(theme_.warning), 0, 0, 1.5F * scale_);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::SetCursorPos({width - button - em, (height - ImGui::GetFrameHeight()) / 2});
+    if (ImGui::Button(label.c_str())) perform(ActionId::quadratic);
+    remember_item(items_, "remedy");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.*s", static_cast<int>(row.help.size()), row.help.data());
     ImGui::End();
 }
 

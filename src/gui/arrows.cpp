@@ -14,11 +14,6 @@ struct Candidate {
     std::uint32_t point = 0;
 };
 
-/// Whether a shown point is a node of the mesh, and not a point on a curved edge or face.
-bool is_node(const Tessellation& t, std::uint32_t p) {
-    return t.starts.empty() || t.starts[p + 1] - t.starts[p] == 1;
-}
-
 /// Squares in the plane, in world units: a whole number of cells wide where cells are about squares of one
 /// size, with a node in the middle, so that arrows stand in rows.
 struct Squares {
@@ -41,7 +36,7 @@ Squares squares_of(const MeshPicture& picture, double side) {
 std::vector<char> shown_nodes(const Tessellation& t) {
     std::vector<char> shown(t.point_count, 0);
     for (const std::uint32_t p : t.segments)
-        if (is_node(t, p)) shown[p] = 1;
+        if (t.node_of(p)) shown[p] = 1;
     return shown;
 }
 

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <tuple>
 #include <vector>
@@ -15,6 +16,8 @@
 namespace gaspard {
 
 namespace {
+
+constexpr double half_turn = std::numbers::pi;
 
 Vec3 minimum(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vec3 maximum(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
@@ -214,18 +217,61 @@ void zoom(Camera& camera, Size size, Pixel fixed, double factor, const Box& box)
 
 Vec3 towards_viewer(const Camera& camera) { return cross(camera.right, camera.up); }
 
-void rotate(Camera& camera, Size size, Pixel by, Vec3 pivot) {
-    constexpr double half_turn = 3.14159265358979323846;
-    const double distance = std::hypot(by.x, by.y);
-    if (!(distance > 0)) return;
-    const double angle = half_turn * distance / std::min(size.width, size.height);
-    const Vec3 axis = (by.y / distance) * camera.right + (by.x / distance) * camera.up;
-    const auto turn = [&](Vec3 v) { return turned(v, axis, -angle); }; // the camera goes the other way
+/// The world turns about an axis of unit length through `pivot`; the camera goes the other way.
+static void turn_world(Camera& camera, Vec3 axis, double angle, Vec3 pivot) {
+    const auto turn = [&](Vec3 v) { return turned(v, axis, -angle); };
     camera.centre = pivot + turn(camera.centre - pivot);
     camera.right = turn(camera.right), camera.up = turn(camera.up);
     camera.right = (1 / norm(camera.right)) * camera.right;
     camera.up = camera.up - dot(camera.up, camera.right) * camera.right;
     camera.up = (1 / norm(camera.up)) * camera.up;
+}
+
+/// The world turns by the shortest way that takes the direction `from` to the direction `to`.
+static void turn_from_to(Camera& camera, Vec3 from, Vec3 to, Vec3 pivot) {
+    const Vec3 axis = cross(from, to);
+    const double sine = norm(axis);
+    if (sine > 0) turn_world(camera, (1 / sine) * axis, std::atan2(sine, dot(from, to)), pivot);
+}
+
+/// From the middle of a ball to its point under a pixel, in world axes.
+static Vec3 ball_point(const Camera& camera, Size size, Pixel pixel, Vec3 pivot, double radius) {
+    const Vec3 from_pivot = to_world(camera, size, pixel) - pivot;
+    const double x = dot(camera.right, from_pivot) / radius, y = dot(camera.up, from_pivot) / radius;
+    constexpr double steep = 0.9; // of the radius; from here on a curve that goes on with the same slope
+    const double away = std::hypot(x, y);
+    const double rim = std::sqrt(1 - steep * steep), power = steep * steep / (rim * rim);
+    const double depth = away < steep ? std::sqrt(1 - away * away) : rim * std::pow(steep / away, power);
+    return x * camera.right + y * camera.up + depth * towards_viewer(camera);
+}
+
+void turn_ball(Camera& camera, Size size, Pixel from, Pixel to, Vec3 pivot, double radius) {
+    if (from.x == to.x && from.y == to.y) return;
+    turn_from_to(camera, ball_point(camera, size, from, pivot, radius),
+                 ball_point(camera, size, to, pivot, radius), pivot);
+}
+
+void bring_to_front(Camera& camera, Vec3 where, Vec3 pivot) {
+    const Vec3 from = where - pivot, to = towards_viewer(camera);
+    constexpr double hardly = 1e-6; // from the very back any way is the shortest, but none can be told
+    if (dot(from, to) < 0 && norm(cross(from, to)) < hardly * norm(from))
+        turn_world(camera, camera.up, half_turn, pivot);
+    turn_from_to(camera, from, towards_viewer(camera), pivot);
+}
+
+void spin(Camera& camera, double radians, Vec3 pivot) { turn_world(camera, {0, 0, 1}, radians, pivot); }
+
+Camera from_behind(const Camera& camera, Vec3 pivot) {
+    const Vec3 away = camera.centre - pivot;
+    return {pivot + 2 * dot(camera.up, away) * camera.up - away, camera.scale, -1 * camera.right, camera.up};
+}
+
+void rotate(Camera& camera, Size size, Pixel by, Vec3 pivot) {
+    const double distance = std::hypot(by.x, by.y);
+    if (!(distance > 0)) return;
+    const double angle = half_turn * distance / std::min(size.width, size.height);
+    const Vec3 axis = (by.y / distance) * camera.right + (by.x / distance) * camera.up;
+    turn_world(camera, axis, angle, pivot);
 }
 
 std::string format_camera(const Camera& camera, Size size) {

@@ -78,6 +78,16 @@ void zoom(Camera& camera, Size size, Pixel fixed, double factor, const Box& box)
 /// Turns the world about `pivot` as if it were a ball under the pointer, which moves by so many pixels; a
 /// drag across the smaller side of the area is half a turn.
 void rotate(Camera& camera, Size size, Pixel by, Vec3 pivot);
+/// Turns a ball of this radius around `pivot` under the pointer: the point of it that was under `from` comes
+/// to be under `to`, at any zoom. Beside the ball, and near its rim, where a pixel would be half a turn, the
+/// turn goes on evenly.
+void turn_ball(Camera& camera, Size size, Pixel from, Pixel to, Vec3 pivot, double radius);
+/// Turns the world by the shortest way until `where` lies before `pivot` as the viewer sees it.
+void bring_to_front(Camera& camera, Vec3 where, Vec3 pivot);
+/// The world turns about the vertical (z) axis through `pivot`, eastward.
+void spin(Camera& camera, double radians, Vec3 pivot);
+/// The same picture from the other side: half a turn about `up` through `pivot`. Twice is nothing.
+Camera from_behind(const Camera& camera, Vec3 pivot);
 /// Towards the viewer, of unit length.
 Vec3 towards_viewer(const Camera& camera);
 

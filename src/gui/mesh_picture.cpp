@@ -2,14 +2,27 @@
 
 #include "core/base/check.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace gaspard {
 
-void PictureMaker::take_mesh(const Snapshot& snapshot) {
+Vec3 shown_point(const MeshPicture& picture, std::uint32_t point) {
+    const Vec3 from = (*picture.computational)[point], to = (*picture.physical)[point];
+    const Vec3 straight = from + picture.blend * (to - from);
+    if (picture.ball == 0 || picture.blend <= 0 || picture.blend >= 1) return straight;
+    const double radius = norm(from) + picture.blend * (norm(to) - norm(from));
+    return (radius / std::max(norm(straight), 1e-6 * picture.ball)) * straight;
+}
+
+void PictureMaker::take_mesh(const Snapshot& snapshot, std::shared_ptr<const Tessellation> tessellation) {
     mesh_ = snapshot.mesh;
     last_ = {};
-    last_.tessellation = cache_->get(mesh_);
+    last_.tessellation = std::move(tessellation);
     last_.computational = std::make_shared<const Points>(shown_points(*last_.tessellation, mesh_->nodes));
     last_.cell_dimension = cell_dimension(mesh_->kind);
+    last_.mesh = mesh_;
+    last_.ball = radius_of_ball(*mesh_);
     computational_box_ = bounding_box(*last_.computational);
 }
 
@@ -46,14 +59,30 @@ void PictureMaker::take_colouring(const Snapshot& snapshot, const ColourChoice& 
             std::make_shared<const std::vector<double>>(shown_values(tessellation, colouring->values));
 }
 
+void PictureMaker::take_overlay(const Snapshot& snapshot, bool wanted) {
+    if (!wanted || !snapshot.exact) {
+        last_.overlay = nullptr;
+        return;
+    }
+    if (last_.overlay && exact_ == snapshot.exact && last_.overlay->tessellation == last_.tessellation)
+        return;
+    exact_ = snapshot.exact;
+    last_.overlay = std::make_shared<const MeshOverlay>(MeshOverlay{
+        last_.tessellation, std::make_shared<const Points>(shown_points(*last_.tessellation, *exact_))});
+}
+
 MeshPicture PictureMaker::make(const Snapshot& snapshot, const Values& view) {
     GASPARD_CHECK(snapshot.mesh != nullptr);
     const bool new_mesh = mesh_ != snapshot.mesh;
-    if (new_mesh) take_mesh(snapshot);
     const bool new_positions = new_mesh || snapshot.version != last_version_;
-    if (new_positions) take_positions(snapshot);
+    if (new_positions) {
+        auto tessellation = cache_->get(snapshot);
+        if (new_mesh || tessellation != last_.tessellation) take_mesh(snapshot, std::move(tessellation));
+        take_positions(snapshot);
+    }
     if (const ColourChoice choice = colour_choice(view); new_positions || !(choice == choice_))
         take_colouring(snapshot, choice);
+    take_overlay(snapshot, view.text("overlay") == "exact");
     last_.blend = view.real("blend");
     last_.lines = view.boolean("lines");
     return last_;

@@ -8,16 +8,24 @@
 #include "core/base/parameter.hpp"
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/colouring.hpp"
+#include "core/tessellate/sphere_map.hpp"
 #include "core/tessellate/tessellation_cache.hpp"
 #include "gui/camera.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace gaspard {
+
+/// Lines of another mesh over a picture.
+struct MeshOverlay {
+    std::shared_ptr<const Tessellation> tessellation;
+    std::shared_ptr<const Points> points;
+};
 
 struct MeshPicture {
     std::shared_ptr<const Tessellation> tessellation;
@@ -29,8 +37,12 @@ struct MeshPicture {
     std::shared_ptr<const std::vector<double>> point_values;
     std::shared_ptr<const std::vector<std::uint32_t>> tangled; ///< cells; null: none
     std::shared_ptr<const std::vector<std::uint32_t>>
-        arrows;         ///< shown points with an arrow from xi to x; null: none
-    Box box;            ///< around both meshes
+        arrows;                                 ///< shown points with an arrow from xi to x; null: none
+    std::shared_ptr<const MeshOverlay> overlay; ///< null: none
+    std::shared_ptr<const Mesh> mesh;
+    double ball = 0; ///< radius of the sphere around the origin that all nodes of the mesh lie on; 0: none
+    std::optional<MapProjection> map; ///< the picture is a map of that ball; its blend is 1
+    Box box;                          ///< around both meshes
     bool burst = false; ///< the physical mesh is far larger than the computational one: it has blown up
     Box home_box;      ///< what one wants to see: both meshes, or the computational one where the other burst
     double blend = 1;  ///< 0 shows xi, 1 shows x
@@ -40,6 +52,9 @@ struct MeshPicture {
     /// Cells are filled with one colour each.
     bool flat() const { return colouring != nullptr && colouring->place == FieldPlace::cell; }
 };
+
+/// Where a picture shows a point, by its blend; on a ball every blend lies on the ball.
+Vec3 shown_point(const MeshPicture& picture, std::uint32_t point);
 
 /// Makes pictures of one run's snapshots; keeps what does not change between them.
 class PictureMaker {
@@ -52,8 +67,9 @@ class PictureMaker {
     ColouringMaker& cells() { return colouring_maker_; }
 
   private:
-    void take_mesh(const Snapshot& snapshot);
+    void take_mesh(const Snapshot& snapshot, std::shared_ptr<const Tessellation> tessellation);
     void take_positions(const Snapshot& snapshot);
+    void take_overlay(const Snapshot& snapshot, bool wanted);
     void take_colouring(const Snapshot& snapshot, const ColourChoice& choice);
 
     std::shared_ptr<TessellationCache> cache_;
@@ -61,6 +77,7 @@ class PictureMaker {
     Box computational_box_;
     ColouringMaker colouring_maker_;
     ColourChoice choice_;
+    std::shared_ptr<const Points> exact_; ///< what the overlay was made of
     MeshPicture last_;
     std::uint64_t last_version_ = 0;
 };

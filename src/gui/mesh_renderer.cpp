@@ -22,6 +22,7 @@ constexpr float line_cell_width = 9, disc_width = 4.5F, rimmed_disc_width = 7;
 // A tangled cell, however small, is a magenta dot in a ring of the text's colour in a ring of the
 // background's: some two of the three stand out from any colour map.
 constexpr float tangled_width = 5, tangled_ring_width = 8, tangled_rim_width = 11;
+constexpr float few_tangled = 20;
 constexpr float arrow_shaft_width = 0.8F, arrow_head_width = 3, arrow_rim_width = 1;
 constexpr float arrow_pull = 0.06F; // of half the view's depth
 // Lines closer than `begin` vanish, beyond `end` they are whole; `haze` is the even tint instead of vanished
@@ -31,6 +32,9 @@ struct Fading {
 };
 constexpr Fading plain_fading{1.5F, 3.8F, 1}, coloured_fading{1.6F, 5.5F, 0.015F};
 constexpr float pull_pixels = 2;
+constexpr float overlay_width = 1, overlay_pull = 0.004F; // the second of half the view's depth
+constexpr float dusk = 0.42F;                             // as in mesh_fill.frag
+constexpr float limb_begin = 0.04F, limb_end = 0.5F;
 
 void set_colour(const Gl& gl, GLint where, Colour c) { gl.Uniform4f(where, c.r, c.g, c.b, c.a); }
 
@@ -56,6 +60,10 @@ class Place {
     float shift_;
 };
 
+glm::vec3 single(Vec3 v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
 float logarithm_of(const MeshPicture& picture) {
     if (picture.colouring == nullptr || !picture.colouring->range.logarithmic) return 0;
     return static_cast<float>(std::log(picture.colouring->range.high / picture.colouring->range.low));
@@ -70,11 +78,13 @@ MeshRenderer::MeshRenderer(const Gl& gl)
     const auto fill = [&](const char* name) { return uniform(gl, fill_program_, name); };
     const auto line = [&](const char* name) { return uniform(gl, line_program_, name); };
     const auto arrow = [&](const char* name) { return uniform(gl, arrow_program_, name); };
-    fill_ = {fill("clip"),    fill("blend"),     fill("clip_to_pixels"),
-             fill("surface"), fill("logarithm"), fill("flat_cells")};
-    line_ = {line("clip"),      line("blend"),  line("half_viewport"), line("half_width"), line("fade"),
-             line("haze"),      line("pieces"), line("pull"),          line("surface"),    line("flat_ink"),
-             line("logarithm"), line("by_map"), line("flat_cells")};
+    fill_ = {fill("clip"),        fill("blend"),      fill("clip_to_pixels"), fill("surface"),
+             fill("logarithm"),   fill("flat_cells"), fill("ball"),           fill("viewer"),
+             fill("round_cells"), fill("dusk")};
+    line_ = {line("clip"),       line("blend"),    line("half_viewport"), line("half_width"),
+             line("fade"),       line("haze"),     line("pieces"),        line("pull"),
+             line("surface"),    line("flat_ink"), line("logarithm"),     line("by_map"),
+             line("flat_cells"), line("ball"),     line("viewer"),        line("limb")};
     arrow_ = {arrow("clip"),      arrow("half_viewport"), arrow("head_width"), arrow("shaft_width"),
               arrow("rim_width"), arrow("pull"),          arrow("ink"),        arrow("rim")};
     for (const GlProgram* program : {&fill_program_, &line_program_, &arrow_program_}) {
@@ -155,15 +165,27 @@ void MeshRenderer::upload_segments(LineSet& set, const std::vector<Segment>& seg
                segments.size());
 }
 
-void MeshRenderer::upload_structure(const Tessellation& tessellation, int cell_dimension) {
-    upload_triangles(fill_array_, tessellation.triangles);
+std::vector<MeshRenderer::Segment> MeshRenderer::segments_of(const Tessellation& tessellation) {
     const auto& ends = tessellation.segments;
     const auto& sides = tessellation.segment_sides;
     GASPARD_CHECK(sides.size() == ends.size());
     std::vector<Segment> segments(ends.size() / 2);
     for (std::size_t i = 0; i < segments.size(); ++i)
         segments[i] = {ends[2 * i], ends[2 * i + 1], sides[2 * i], sides[2 * i + 1]};
-    upload_segments(edges_, segments);
+    return segments;
+}
+
+void MeshRenderer::upload_overlay(const MeshPicture& picture, bool new_centre) {
+    if (picture.overlay == nullptr || (picture.overlay == overlay_ && !new_centre)) return;
+    if (overlay_ == nullptr || picture.overlay->tessellation != overlay_->tessellation)
+        upload_segments(overlay_edges_, segments_of(*picture.overlay->tessellation));
+    upload_points(*picture.overlay->points, picture, false, overlay_points_);
+    overlay_ = picture.overlay;
+}
+
+void MeshRenderer::upload_structure(const Tessellation& tessellation, int cell_dimension) {
+    upload_triangles(fill_array_, tessellation.triangles);
+    upload_segments(edges_, segments_of(tessellation));
 
     std::vector<Segment> discs;
     if (cell_dimension == 1)
@@ -186,12 +208,13 @@ void MeshRenderer::upload_tangled(const MeshPicture& picture) {
                     {t.segments[2 * i], t.segments[2 * i + 1], t.segments[2 * i], t.segments[2 * i]});
         for (std::size_t i = 0; i < t.triangle_cells.size(); ++i) {
             if (t.triangle_cells[i] >= marked.size() || marked[t.triangle_cells[i]] == 0) continue;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t a = t.triangles[3 * i + k], b = t.triangles[3 * i + (k + 1) % 3];
-                triangles.push_back(a);
-                outlines.push_back({a, b, a, a});
-            }
+            for (std::size_t k = 0; k < 3; ++k) triangles.push_back(t.triangles[3 * i + k]);
         }
+        for (const auto& loop : cell_outlines(t, *picture.tangled))
+            for (std::size_t k = 0; k < loop.size(); ++k) { // beside it is what lies across the cell
+                const std::uint32_t across = loop[(k + loop.size() / 2) % loop.size()];
+                outlines.push_back({loop[k], loop[(k + 1) % loop.size()], across, across});
+            }
     }
     tangled_count_ = triangles.size();
     upload_triangles(tangled_array_, triangles);
@@ -226,6 +249,7 @@ void MeshRenderer::upload(const MeshPicture& picture) {
         upload_points(*picture.physical, picture, true, physical_);
     if (new_colouring && picture.flat()) upload_cell_values(picture);
     if (new_structure || picture.tangled != shown_.tangled) upload_tangled(picture);
+    upload_overlay(picture, new_computational);
     if (picture.arrows != nullptr && picture.arrows != shown_.arrows)
         upload_numbers(arrows_, *picture.arrows);
     if (picture.colouring != nullptr && picture.colouring->map != map_) {
@@ -249,13 +273,19 @@ void MeshRenderer::clear(PixelRect area, int bottom, const Theme& theme) {
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
+void MeshRenderer::bind_points(const Table& computational, const Table& physical) {
+    gl_.ActiveTexture(GL_TEXTURE0 + computational_unit);
+    gl_.BindTexture(GL_TEXTURE_2D, computational.texture.name());
+    gl_.ActiveTexture(GL_TEXTURE0 + physical_unit);
+    gl_.BindTexture(GL_TEXTURE_2D, physical.texture.name());
+}
+
 void MeshRenderer::bind_tables() {
     const auto bind = [&](int unit, GLuint texture) {
         gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         gl_.BindTexture(GL_TEXTURE_2D, texture);
     };
-    bind(computational_unit, computational_.texture.name());
-    bind(physical_unit, physical_.texture.name());
+    bind_points(computational_, physical_);
     bind(colours_unit, colours_.name());
     bind(cells_unit, shown_cells_.texture.name());
     bind(cell_values_unit, cell_values_.texture.name());
@@ -271,6 +301,10 @@ void MeshRenderer::draw_fill(const Frame& frame, const GlVertexArray& array, std
     set_colour(gl_, fill_.surface, surface);
     gl_.Uniform1f(fill_.logarithm, frame.logarithm);
     gl_.Uniform1i(fill_.flat_cells, shown_.flat() ? 1 : 0);
+    gl_.Uniform4f(fill_.ball, frame.ball.x, frame.ball.y, frame.ball.z, frame.ball.w);
+    gl_.Uniform3f(fill_.viewer, frame.viewer.x, frame.viewer.y, frame.viewer.z);
+    gl_.Uniform1i(fill_.round_cells, shown_.ball > 0 && shown_.tessellation->cuts > 1 ? 1 : 0);
+    gl_.Uniform1f(fill_.dusk, frame.planar ? 0 : dusk);
     gl_.BindVertexArray(array.name());
     gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT, nullptr);
 }
@@ -291,6 +325,9 @@ void MeshRenderer::draw_lines(const Frame& frame, const LineSet& set, const Line
     set_colour(gl_, line_.surface, style.surface);
     set_colour(gl_, line_.flat_ink, style.flat_ink);
     gl_.Uniform1f(line_.logarithm, frame.logarithm);
+    gl_.Uniform4f(line_.ball, frame.ball.x, frame.ball.y, frame.ball.z, frame.ball.w);
+    gl_.Uniform3f(line_.viewer, frame.viewer.x, frame.viewer.y, frame.viewer.z);
+    gl_.Uniform2f(line_.limb, style.limb_begin, style.limb_end);
     gl_.Uniform1i(line_.by_map, style.by_map ? 1 : 0);
     gl_.Uniform1i(line_.flat_cells, style.by_map && shown_.flat() ? 1 : 0);
     gl_.BindVertexArray(empty_array_.name());
@@ -341,7 +378,9 @@ void MeshRenderer::draw(const MeshPicture& picture, const Camera& camera, PixelR
                        static_cast<float>(depth / camera.scale)},
                       static_cast<float>(picture.blend),
                       picture.planar(),
-                      logarithm_of(picture)};
+                      logarithm_of(picture),
+                      {single(Vec3{} - centre_), static_cast<float>(picture.ball)},
+                      single(towards_viewer(camera))};
     const Colour nothing{0, 0, 0, 0};
     const bool plain = picture.colouring == nullptr;
     const Colour surface = plain ? theme.surface : nothing;
@@ -359,9 +398,12 @@ void MeshRenderer::draw(const MeshPicture& picture, const Camera& camera, PixelR
     style.pull = frame.planar ? 0 : pull_pixels / frame.clip_to_pixels.z;
     style.surface = surface;
     style.flat_ink = nothing;
+    style.limb_begin = limb_begin, style.limb_end = limb_end;
     if (picture.cell_dimension > 1 && picture.lines) draw_edges(frame, style, area, bottom, theme);
+    style.limb_begin = style.limb_end = 0;
     gl_.DepthMask(GL_FALSE);
     if (picture.cell_dimension == 1) draw_line_cells(frame, style, theme, scale);
+    if (picture.overlay != nullptr) draw_overlay(frame, style, theme, scale);
     draw_tangled(frame, style, theme, scale);
     if (picture.arrows != nullptr) draw_arrows(frame, theme, scale);
     gl_.DepthMask(GL_TRUE);
@@ -385,10 +427,31 @@ void MeshRenderer::draw_line_cells(const Frame& frame, LineStyle style, const Th
     draw_lines(frame, discs_, style);
 }
 
+/// Its own curves stray from the picture's faces; what lies that little below them is still seen.
+void MeshRenderer::draw_overlay(Frame frame, LineStyle style, const Theme& theme, float scale) {
+    bind_points(overlay_points_, overlay_points_);
+    frame.blend = 1;
+    style.width = overlay_width * std::max(1.0F, 0.7F * scale);
+    style.flat_ink = theme.overlay;
+    style.haze = 0;
+    style.fade_end *= 1.6F; // where there is room for two meshes
+    style.limb_begin = limb_begin, style.limb_end = limb_end;
+    if (!frame.planar) style.pull += overlay_pull;
+    draw_lines(frame, overlay_edges_, style);
+    bind_points(computational_, physical_);
+}
+
 void MeshRenderer::draw_tangled(const Frame& frame, LineStyle style, const Theme& theme, float scale) {
     if (outlines_.count == 0) return;
+    const LineStyle thin = style;
+    // Many are seen anyway, and are to be seen one by one.
+    const float many = static_cast<float>(shown_.tangled->size()) / few_tangled;
+    const float slim = std::max(0.3F, 1 / std::sqrt(std::max(1.0F, many)));
+    style.fade_begin = -1, style.fade_end = 1e-6F; // whole, however close they are
+    style.haze = 0;
+    if (!frame.planar) style.pull += overlay_pull; // over whatever it is folded with
     const auto outline = [&](float width, Colour ink) {
-        style.width = width * scale;
+        style.width = width * scale * slim;
         style.flat_ink = ink;
         draw_lines(frame, outlines_, style);
     };
@@ -396,6 +459,9 @@ void MeshRenderer::draw_tangled(const Frame& frame, LineStyle style, const Theme
     outline(tangled_ring_width, theme.text);
     if (tangled_count_ > 0) draw_fill(frame, tangled_array_, tangled_count_, theme.tangled);
     outline(tangled_width, theme.tangled);
+    if (tangled_count_ == 0 || !shown_.lines) return;
+    style.fade_begin = thin.fade_end, style.fade_end = 3 * thin.fade_end; // of cells that can be told
+    outline(thin.width / scale / slim, theme.line_on_light);
 }
 
 void MeshRenderer::draw_arrows(const Frame& frame, const Theme& theme, float scale) {

@@ -58,9 +58,10 @@ class MeshRenderer {
     struct LineStyle {
         float width = 1; ///< in pixels, like the two below
         float fade_begin = 0, fade_end = 0;
-        float haze = 0, pull = 0; ///< as in mesh_line.vert
-        Colour surface, flat_ink; ///< as in mesh_line.frag
-        bool by_map = false;      ///< as in mesh_line.frag
+        float haze = 0, pull = 0;           ///< as in mesh_line.vert
+        Colour surface, flat_ink;           ///< as in mesh_line.frag
+        bool by_map = false;                ///< as in mesh_line.frag
+        float limb_begin = 0, limb_end = 0; ///< as in mesh_line.vert; equal: lines do not fade
     };
     /// What all draws of one picture share.
     struct Frame {
@@ -69,13 +70,15 @@ class MeshRenderer {
         float blend = 1;
         bool planar = true;
         float logarithm = 0; ///< as in mesh_fill.frag
+        glm::vec4 ball{0};   ///< as in mesh_fill.vert
+        glm::vec3 viewer{0, 0, 1};
     };
     struct FillUniforms {
-        GLint clip, blend, clip_to_pixels, surface, logarithm, flat_cells;
+        GLint clip, blend, clip_to_pixels, surface, logarithm, flat_cells, ball, viewer, round_cells, dusk;
     };
     struct LineUniforms {
         GLint clip, blend, half_viewport, half_width, fade, haze, pieces, pull, surface, flat_ink, logarithm,
-            by_map, flat_cells;
+            by_map, flat_cells, ball, viewer, limb;
     };
     struct ArrowUniforms {
         GLint clip, half_viewport, head_width, shaft_width, rim_width, pull, ink, rim;
@@ -86,17 +89,21 @@ class MeshRenderer {
     void upload_points(const Points& points, const MeshPicture& picture, bool with_values, Table& table);
     void upload_cell_values(const MeshPicture& picture);
     void upload_colours(const ColourMap& map);
+    static std::vector<Segment> segments_of(const Tessellation& tessellation);
+    void upload_overlay(const MeshPicture& picture, bool new_centre);
     void upload_tangled(const MeshPicture& picture);
     void upload_triangles(const GlVertexArray& array, const std::vector<std::uint32_t>& triangles);
     void upload_segments(LineSet& set, const std::vector<Segment>& segments);
     void upload_numbers(Table& table, const std::vector<std::uint32_t>& numbers);
     void fill_table(Table& table, const TexelFormat& format, const void* texels, std::size_t count);
     void clear(PixelRect area, int bottom, const Theme& theme);
+    void bind_points(const Table& computational, const Table& physical);
     void bind_tables();
     void set_depth_test(bool on);
     void draw_fill(const Frame& frame, const GlVertexArray& array, std::size_t count, Colour surface);
     void draw_line_cells(const Frame& frame, LineStyle style, const Theme& theme, float scale);
     void draw_tangled(const Frame& frame, LineStyle style, const Theme& theme, float scale);
+    void draw_overlay(Frame frame, LineStyle style, const Theme& theme, float scale);
     void draw_arrows(const Frame& frame, const Theme& theme, float scale);
     void draw_lines(const Frame& frame, const LineSet& set, const LineStyle& style);
     void draw_edges(const Frame& frame, LineStyle style, PixelRect area, int bottom, const Theme& theme);
@@ -108,14 +115,15 @@ class MeshRenderer {
     ArrowUniforms arrow_{};
     GlVertexArray fill_array_, tangled_array_, empty_array_;
     GlBuffer triangles_, tangled_triangles_;
-    Table computational_, physical_, shown_cells_, cell_values_, arrows_;
-    LineSet edges_, discs_, outlines_;
+    Table computational_, physical_, shown_cells_, cell_values_, arrows_, overlay_points_;
+    LineSet edges_, discs_, outlines_, overlay_edges_;
     std::vector<Texel> texels_; ///< room to convert in
     std::vector<float> numbers_;
     GlTexture colours_;
     LineLayer layer_;
-    const ColourMap* map_ = nullptr; ///< what colours_ holds
-    std::size_t tangled_count_ = 0;  ///< corners of triangles
+    const ColourMap* map_ = nullptr;             ///< what colours_ holds
+    std::shared_ptr<const MeshOverlay> overlay_; ///< on the card
+    std::size_t tangled_count_ = 0;              ///< corners of triangles
     Vec3 centre_;
     MeshPicture shown_; ///< what is on the card; holds its arrays, so that a pointer is a version
     std::size_t uploaded_bytes_ = 0;

@@ -169,6 +169,8 @@ bool reset_button(const char* id) {
 /// The choices of a row that go with the rest of the scenario. Without a scenario, all do.
 bool choice_fits(const PanelContext& context, const Scenario* scenario, const Values& values,
                  const std::string& key, const std::string& choice) {
+    const auto& missing = context.unavailable;
+    if (std::find(missing.begin(), missing.end(), key + "=" + choice) != missing.end()) return false;
     if (!scenario || values.section() != "domain") return true;
     Scenario candidate = *scenario;
     candidate.domain.values.set(key, choice);

@@ -4,7 +4,6 @@
 #include "core/tessellate/ticks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -16,11 +15,6 @@ namespace {
 constexpr std::uint32_t no_point = 0xffffffff;
 constexpr double node_share = 0.3; // of a cell's shortest edge: nearer than that to a node, the node is meant
 
-Vec3 shown(const MeshPicture& picture, std::uint32_t point) {
-    const Vec3 from = (*picture.computational)[point], to = (*picture.physical)[point];
-    return from + picture.blend * (to - from);
-}
-
 /// A shown point as the camera sees it: in pixels, and how near it is to the viewer.
 struct Seen {
     double x, y, near;
@@ -31,7 +25,7 @@ class Eye {
     Eye(const MeshPicture& picture, const Camera& camera, Size size)
         : picture_(picture), camera_(camera), size_(size), forward_(towards_viewer(camera)) {}
     Seen operator()(std::uint32_t point) const {
-        const Vec3 p = shown(picture_, point);
+        const Vec3 p = shown_point(picture_, point);
         const Pixel pixel = to_pixel(camera_, size_, p);
         return {pixel.x, pixel.y, dot(forward_, p - camera_.centre) / camera_.scale};
     }
@@ -43,17 +37,10 @@ class Eye {
     Vec3 forward_;
 };
 
-/// The node that a shown point is; nothing for points on curved edges and faces.
-std::optional<std::uint32_t> node_of(const Tessellation& t, std::uint32_t point) {
-    if (t.starts.empty()) return point;
-    if (t.starts[point + 1] - t.starts[point] != 1) return std::nullopt;
-    return t.nodes[t.starts[point]];
-}
-
 std::uint32_t point_of_node(const Tessellation& t, std::uint32_t node) {
-    if (t.starts.empty()) return node < t.point_count ? node : no_point;
+    if (t.starts.empty() && !t.base) return node < t.point_count ? node : no_point;
     for (std::uint32_t p = 0; p < t.point_count; ++p)
-        if (node_of(t, p) == node) return p;
+        if (t.node_of(p) == node) return p;
     return no_point;
 }
 
@@ -70,6 +57,10 @@ CellHit cell_under(const MeshPicture& picture, const std::vector<Seen>& seen, Pi
     for (std::size_t i = 0; i < t.triangle_cells.size(); ++i) {
         const Seen &a = seen[t.triangles[3 * i]], &b = seen[t.triangles[3 * i + 1]],
                    &c = seen[t.triangles[3 * i + 2]];
+        // Also because of a triangle of no size rounding may say that it holds any point.
+        if (at.x < std::min({a.x, b.x, c.x}) || at.x > std::max({a.x, b.x, c.x}) ||
+            at.y < std::min({a.y, b.y, c.y}) || at.y > std::max({a.y, b.y, c.y}))
+            continue;
         const double u = (b.x - at.x) * (c.y - at.y) - (b.y - at.y) * (c.x - at.x);
         const double v = (c.x - at.x) * (a.y - at.y) - (c.y - at.y) * (a.x - at.x);
         const double w = (a.x - at.x) * (b.y - at.y) - (a.y - at.y) * (b.x - at.x);
@@ -116,7 +107,7 @@ Corners corners_of(const MeshPicture& picture, const std::vector<Seen>& seen, st
             if (cells[i] != cell) continue;
             const std::size_t each = points.size() / cells.size();
             for (std::size_t k = 0; k < each; ++k)
-                if (node_of(t, points[each * i + k])) corners.points.push_back(points[each * i + k]);
+                if (t.node_of(points[each * i + k])) corners.points.push_back(points[each * i + k]);
         }
     };
     collect(t.triangles, t.triangle_cells);
@@ -251,10 +242,10 @@ std::optional<PickHit> pick_at(const MeshPicture& picture, const Camera& camera,
     } else if (picture.planar()) { // just beside the border
         std::vector<std::uint32_t> nodes;
         for (const std::uint32_t p : t.segments)
-            if (node_of(t, p)) nodes.push_back(p);
+            if (t.node_of(p)) nodes.push_back(p);
         point = nearest_point(nodes, seen, pointer, reach);
     }
-    if (point) return PickHit{{Pick::Kind::node, *node_of(t, *point)}, shown(picture, *point)};
+    if (point) return PickHit{{Pick::Kind::node, *t.node_of(*point)}, shown_point(picture, *point)};
     if (hit.found) return PickHit{{Pick::Kind::cell, hit.cell}, where};
     return std::nullopt;
 }
@@ -262,22 +253,15 @@ std::optional<PickHit> pick_at(const MeshPicture& picture, const Camera& camera,
 std::vector<std::pair<Pixel, Pixel>> outline_of(const MeshPicture& picture, const Camera& camera, Size size,
                                                 std::uint32_t cell) {
     const Tessellation& t = *picture.tessellation;
-    std::vector<std::array<std::uint32_t, 2>> sides;
-    for (std::size_t i = 0; i < t.segment_cells.size(); ++i)
-        if (t.segment_cells[i] == cell) sides.push_back({t.segments[2 * i], t.segments[2 * i + 1]});
-    for (std::size_t i = 0; i < t.triangle_cells.size(); ++i)
-        for (std::size_t k = 0; k < 3 && t.triangle_cells[i] == cell; ++k)
-            sides.push_back({t.triangles[3 * i + k], t.triangles[3 * i + (k + 1) % 3]});
-    // What two of its triangles share lies inside.
-    const auto same = [](const std::array<std::uint32_t, 2>& a, const std::array<std::uint32_t, 2>& b) {
-        return a == b || (a[0] == b[1] && a[1] == b[0]);
-    };
     std::vector<std::pair<Pixel, Pixel>> lines;
-    for (const auto& side : sides)
-        if (std::count_if(sides.begin(), sides.end(), [&](const auto& other) { return same(side, other); }) ==
-            1)
-            lines.emplace_back(to_pixel(camera, size, shown(picture, side[0])),
-                               to_pixel(camera, size, shown(picture, side[1])));
+    const auto add = [&](std::uint32_t from, std::uint32_t to) {
+        lines.emplace_back(to_pixel(camera, size, shown_point(picture, from)),
+                           to_pixel(camera, size, shown_point(picture, to)));
+    };
+    for (std::size_t i = 0; i < t.segment_cells.size(); ++i)
+        if (t.segment_cells[i] == cell) add(t.segments[2 * i], t.segments[2 * i + 1]);
+    for (const auto& loop : cell_outlines(t, std::span(&cell, 1)))
+        for (std::size_t k = 0; k < loop.size(); ++k) add(loop[k], loop[(k + 1) % loop.size()]);
     return lines;
 }
 
@@ -286,7 +270,7 @@ std::optional<Pixel> middle_of(const Pick& pick, const MeshPicture& picture, con
     if (pick.kind == Pick::Kind::node) {
         const std::uint32_t point = point_of_node(*picture.tessellation, pick.index);
         if (point == no_point) return std::nullopt;
-        return to_pixel(camera, size, shown(picture, point));
+        return to_pixel(camera, size, shown_point(picture, point));
     }
     Pixel sum;
     const auto sides = outline_of(picture, camera, size, pick.index);

@@ -92,6 +92,22 @@ std::string closing_note(const DocumentRun& run) {
     return note + ".";
 }
 
+bool has_linear_cells(const DocumentRun& run) {
+    const Values& domain = run.scenario.domain.values;
+    return run.live() && domain.has("geometry_order") && format_value(domain.at("geometry_order")) == "1";
+}
+
+std::string remedy_note(const DocumentRun& run) {
+    const StepReport* measured = last_measured(run.history);
+    const bool tangled = measured && measured->tangled_cells.value_or(0) > 0;
+    const bool failed = run.status.run == RunStatus::diverged || run.status.run == RunStatus::tangled;
+    if (!has_linear_cells(run) || !(failed || tangled)) return {};
+    return failed ? "Linear cells do not follow this monitor around the sphere; quadratic ones, which are "
+                    "curved as it is, do."
+                  : "Linear cells are tangling. Quadratic ones, which are curved as the sphere is, follow "
+                    "this monitor.";
+}
+
 void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view hint, const Theme& theme,
                      ItemRectangles& items) {
     const auto cells = status_cells(run);

@@ -28,6 +28,11 @@ std::vector<StatusCell> status_cells(const DocumentRun& run);
 /// What the last report has to say, if the run has ended with a remark.
 std::string closing_note(const DocumentRun& run);
 
+/// Whether the run's cells are linear where they could be curved: domain.geometry_order is 1.
+bool has_linear_cells(const DocumentRun& run);
+/// What would help a run that failed with linear cells; empty where that is not so.
+std::string remedy_note(const DocumentRun& run);
+
 /// Draws cells and message into the current ImGui window; keys "status.0", ... and "message".
 void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view hint, const Theme& theme,
                      ItemRectangles& items);

@@ -71,6 +71,7 @@ Theme dark_theme() {
     t.surface = hex(0x222832);
     t.line_on_dark = hex(0xf2f6ff, 0.62F);
     t.line_on_light = hex(0x0b1016, 0.62F);
+    t.overlay = hex(0xff4a3d);
     t.tangled = hex(0xff2bd6);
     t.curves = {hex(0x5aa9e6), hex(0xf2a65a), hex(0x63c98a), hex(0xe4718f),
                 hex(0xb79cf0), hex(0x58cfd0), hex(0xd9c75b), hex(0xa9b4c2)};
@@ -93,6 +94,7 @@ Theme light_theme() {
     t.surface = hex(0xffffff);
     t.line_on_dark = hex(0xffffff, 0.6F);
     t.line_on_light = hex(0x10161f, 0.75F);
+    t.overlay = hex(0xd0141e);
     t.tangled = hex(0xe600b8);
     t.curves = {hex(0x1f74b8), hex(0xd9701a), hex(0x1f8a4c), hex(0xc2315a),
                 hex(0x7550c8), hex(0x128a8c), hex(0x8f7b00), hex(0x5d6877)};

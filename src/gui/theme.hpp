@@ -29,6 +29,7 @@ struct Theme {
     Colour good, warning, bad;          ///< of a status
     Colour surface;                     ///< cells without a colour map
     Colour line_on_dark, line_on_light; ///< cell edges, by what lies below them
+    Colour overlay;                     ///< lines of another mesh
     Colour tangled;                     ///< cells turned inside out; stands out from every colour map
     std::array<Colour, 8> curves;
     float font_size = 15;

@@ -1,22 +1,20 @@
 #include "gui/viewport.hpp"
 
-#include "core/base/error.hpp"
 #include "core/tessellate/ticks.hpp"
-#include "gui/arrows.hpp"
 #include "gui/legend.hpp"
+#include "gui/viewport_text.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace gaspard {
 
 namespace {
 
-// At scale 1.
-constexpr float margin = 14, gap = 6;
-constexpr double arrow_spacing = 26;
+constexpr float margin = viewport_margin, gap = viewport_gap;
 
-float line_height() { return ImGui::GetFontSize() * 1.35F; }
+float line_height() { return viewport_line_height(); }
 
 Colour status_colour(RunStatus status, const Theme& theme) {
     switch (status) {
@@ -35,54 +33,6 @@ Colour status_colour(RunStatus status, const Theme& theme) {
         break;
     }
     return theme.accent;
-}
-
-/// Parts of the caption, so many to a line as fit.
-std::vector<std::vector<std::string>> caption_lines(const ViewportText& text, float width, float scale) {
-    std::vector<std::vector<std::string>> lines;
-    float used = width + 1;
-    for (auto& part : caption_parts(text)) {
-        const float need = ImGui::CalcTextSize(part.c_str()).x + 4 * gap * scale;
-        if (used + need > width) {
-            lines.emplace_back();
-            used = 0;
-        }
-        used += need;
-        lines.back().push_back(std::move(part));
-    }
-    return lines;
-}
-
-float caption_height(const ViewportText& text, float width, float scale) {
-    if (!text.caption) return 0;
-    const auto lines = caption_lines(text, width - 2 * margin * scale, scale);
-    return std::round(line_height() * static_cast<float>(lines.size()) + gap * scale);
-}
-
-float title_height(const std::string& title, float scale) {
-    return title.empty() ? 0 : line_height() + margin * scale;
-}
-
-/// What the caption leaves.
-ScreenRect above_caption(const ViewportPlan& plan, float scale) {
-    ScreenRect room = plan.rect;
-    room.max.y -= caption_height(plan.text, room.width(), scale);
-    return room;
-}
-
-/// What to keep the mesh clear of in a picture that fills the viewport.
-Insets insets_of(const ViewportPlan& plan, const MeshPicture& picture, float scale) {
-    Insets insets;
-    const ScreenRect rect = plan.rect;
-    insets.top = static_cast<double>(title_height(plan.text.title, scale));
-    insets.bottom = static_cast<double>(caption_height(plan.text, rect.width(), scale));
-    if (picture.colouring != nullptr)
-        insets.right = static_cast<double>(legend_width(*picture.colouring, plan.histogram, scale));
-    // Where the legend's strip is free anyway beside a centred mesh, the mesh stays centred.
-    const double free_side =
-        (static_cast<double>(rect.width() - rect.height()) + insets.top + insets.bottom) / 2;
-    if (free_side > insets.right) insets.left = insets.right;
-    return insets;
 }
 
 void draw_caption(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale) {
@@ -200,11 +150,6 @@ void draw_complaint(ImDrawList& list, const std::string& text, ScreenRect room, 
                  packed(theme.bad), text.c_str(), nullptr, width);
 }
 
-std::string blend_title(double blend) {
-    if (blend == 1) return "physical";
-    return "t = " + short_number(blend, 3);
-}
-
 } // namespace
 
 std::vector<std::string> caption_parts(const ViewportText& text) {
@@ -222,123 +167,91 @@ std::vector<std::string> caption_parts(const ViewportText& text) {
     return parts;
 }
 
-/// What the colour of tangled cells means, in the lower right corner.
-static void draw_tangled_note(ImDrawList& list, const ViewportPlan& plan, ScreenRect room, const Theme& theme,
-                              float scale) {
-    const auto& tangled = plan.pictures.front().picture.tangled;
-    if (tangled == nullptr) return;
-    const std::string text =
-        std::to_string(tangled->size()) + (tangled->size() == 1 ? " tangled cell" : " tangled cells");
+/// How many of the tangled cells of a ball all turn away from the viewer.
+static std::size_t hidden_tangled(const PlannedPicture& shown) {
+    const MeshPicture& picture = shown.picture;
+    if (picture.ball == 0) return 0;
+    const Tessellation& t = *picture.tessellation;
+    const Vec3 viewer = towards_viewer(shown.camera);
+    std::vector<char> seen(picture.tangled->back() + std::size_t{1}, 0);
+    for (std::size_t i = 0; i < t.triangle_cells.size(); ++i) {
+        const std::uint32_t cell = t.triangle_cells[i];
+        if (cell >= seen.size() || seen[cell] != 0) continue;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (dot(shown_point(picture, t.triangles[3 * i + k]), viewer) > 0) seen[cell] = 1;
+    }
+    std::size_t hidden = 0;
+    for (const std::uint32_t cell : *picture.tangled) hidden += seen[cell] == 0 ? 1 : 0;
+    return hidden;
+}
+
+/// One line in the lower right corner, above those that are there: a colour and what it means.
+static void draw_note(ImDrawList& list, ScreenRect& room, Colour colour, bool line, const std::string& text,
+                      const Theme& theme, float scale) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const float pad = 7 * scale, swatch = size.y * 0.8F;
+    const float pad = 7 * scale, swatch = size.y * 0.8F, thick = line ? 2 * scale : swatch;
     const ImVec2 high{room.max.x - pad, room.max.y - pad};
     const ImVec2 low{high.x - size.x - swatch - 3 * pad, high.y - size.y - 2 * pad};
     list.AddRectFilled(low, high, packed(theme.panel, 0.92F), 4 * scale);
-    const float top = (low.y + high.y - swatch) / 2;
-    list.AddRectFilled({low.x + pad, top}, {low.x + pad + swatch, top + swatch}, packed(theme.tangled));
+    const float top = (low.y + high.y - thick) / 2;
+    list.AddRectFilled({low.x + pad, top}, {low.x + pad + swatch, top + thick}, packed(colour));
     list.AddText({low.x + 2 * pad + swatch, low.y + pad}, packed(theme.text), text.c_str());
+    room.max.y = low.y;
 }
 
-Camera ViewportPlanner::camera_of(const MeshPicture& picture, const Values& view, Size size, Insets insets,
-                                  std::string& complaint) {
-    try {
-        if (const std::string& text = view.text("camera"); !text.empty()) return parse_camera(text, size);
-    } catch (const InputError& error) {
-        complaint = error.what();
+/// What colours mean that are in no legend.
+static void draw_notes(ImDrawList& list, const ViewportPlan& plan, ScreenRect room, const Theme& theme,
+                       float scale) {
+    const MeshPicture& picture = plan.pictures.back().picture;
+    if (picture.tangled != nullptr) {
+        const std::size_t count = picture.tangled->size();
+        std::string text = std::to_string(count) + (count == 1 ? " tangled cell" : " tangled cells");
+        const std::size_t hidden = plan.pictures.size() == 1 ? hidden_tangled(plan.pictures.front()) : 0;
+        if (hidden == count)
+            text += count == 1 ? ", on the far side" : ", all on the far side";
+        else if (hidden > 0)
+            text += ", " + std::to_string(hidden) + " of them on the far side";
+        draw_note(list, room, theme.tangled, false, text, theme, scale);
     }
-    const std::string& direction = view.text("direction");
-    if (home_.of == picture.tessellation && home_.size == size && home_.insets == insets &&
-        home_.direction == direction)
-        return home_.camera;
-    home_ = {picture.tessellation, size, insets, direction, home(picture.home_box, size, insets, direction)};
-    if (!picture.planar()) {
-        home_.camera.centre = picture.home_box.centre();
-        std::vector<const Points*> points{picture.computational.get()};
-        if (!picture.burst) points.push_back(picture.physical.get());
-        fit_points(home_.camera, points, size, insets);
-    }
-    return home_.camera;
+    if (picture.overlay != nullptr) draw_note(list, room, theme.overlay, true, "exact mesh", theme, scale);
 }
 
-void ViewportPlanner::place_pictures(const MeshPicture& picture, const Values& view, ViewportPlan& plan,
-                                     float scale) {
-    const auto size_of = [](ScreenRect rect) {
-        return Size{std::max(1.0, static_cast<double>(rect.width())),
-                    std::max(1.0, static_cast<double>(rect.height()))};
+/// The map's outline, and degrees of latitude beside it.
+static void draw_graticule(ImDrawList& list, const PlannedPicture& shown, const Theme& theme, float scale) {
+    const MapProjection& map = *shown.picture.map;
+    const auto on_screen = [&](Vec3 place) {
+        const Pixel p = to_pixel(shown.camera, shown.size(), place);
+        return ImVec2{shown.rect.min.x + static_cast<float>(p.x), shown.rect.min.y + static_cast<float>(p.y)};
     };
-    if (view.text("layout") == "single") {
-        const Camera camera =
-            camera_of(picture, view, size_of(plan.rect), insets_of(plan, picture, scale), plan.complaint);
-        plan.pictures = {{picture, camera, plan.rect, plan.text.title}};
-        return;
+    std::vector<ImVec2> outline;
+    for (const Vec3 place : map_outline(map)) outline.push_back(on_screen(place));
+    const auto draw = [&](Colour ink, float opacity, float width) {
+        list.AddPolyline(outline.data(), static_cast<int>(outline.size()), packed(ink, opacity),
+                         ImDrawFlags_Closed, width * scale);
+    };
+    list.PushClipRect(shown.rect.min, shown.rect.max, true);
+    draw(theme.background, 1, 4);
+    draw(theme.text, 0.85F, 1.6F);
+    for (const double latitude : {-60.0, -30.0, 0.0, 30.0, 60.0}) {
+        const double radians = latitude * std::numbers::pi / 180, cut = map.longitude + std::numbers::pi;
+        Vec3 place = to_map(
+            map, {std::cos(radians) * std::cos(cut), std::cos(radians) * std::sin(cut), std::sin(radians)});
+        place.x = -std::abs(place.x);
+        std::string text = short_number(std::abs(latitude), 3) + "°";
+        if (latitude != 0) text += latitude > 0 ? " N" : " S";
+        const ImVec2 at = on_screen(place), size = ImGui::CalcTextSize(text.c_str());
+        list.AddText(
+            {at.x - size.x - 8 * scale, at.y - size.y / 2 - static_cast<float>(latitude / 60) * size.y / 2},
+            packed(theme.faint_text), text.c_str());
     }
-    // Two of the same size; the legend has a strip of its own.
-    ScreenRect room = above_caption(plan, scale);
-    if (picture.colouring != nullptr)
-        room.max.x -= std::round(legend_width(*picture.colouring, plan.histogram, scale));
-    const bool beside = room.width() >= room.height();
-    const float half = std::floor((beside ? room.width() : room.height()) / 2);
-    ScreenRect first = room, second = room;
-    (beside ? first.max.x : first.max.y) = (beside ? room.min.x : room.min.y) + half;
-    (beside ? second.min.x : second.min.y) = (beside ? first.max.x : first.max.y);
-    (beside ? second.max.x : second.max.y) = (beside ? second.min.x : second.min.y) + half;
-    PlannedPicture left{picture, {}, first, "computational"};
-    left.picture.blend = 0;
-    const Insets insets{.top = static_cast<double>(title_height(left.title, scale))};
-    left.camera = camera_of(picture, view, size_of(first), insets, plan.complaint);
-    plan.pictures = {left, {picture, left.camera, second, blend_title(picture.blend)}};
-}
-
-void ViewportPlanner::add_arrows(ViewportPlan& plan, float scale) {
-    for (PlannedPicture& shown : plan.pictures) {
-        const Size size = shown.size();
-        const double spacing = arrow_spacing * static_cast<double>(scale);
-        if (arrows_.of != shown.picture.tessellation || !(arrows_.camera == shown.camera) ||
-            arrows_.width != size.width || arrows_.height != size.height || arrows_.spacing != spacing)
-            arrows_ = {shown.picture.tessellation,
-                       shown.camera,
-                       size.width,
-                       size.height,
-                       spacing,
-                       std::make_shared<const std::vector<std::uint32_t>>(
-                           points_with_arrows(shown.picture, shown.camera, size, spacing))};
-        shown.picture.arrows = arrows_.points;
-    }
-}
-
-void ViewportPlanner::add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan) {
-    try {
-        plan.pick = parse_pick(view.text("pick"));
-    } catch (const InputError& error) {
-        plan.complaint = error.what();
-    }
-    if (!plan.pick) return;
-    if (!has(*snapshot.mesh, *plan.pick)) {
-        plan.pick.reset();
-        return;
-    }
-    if (facts_.mesh != snapshot.mesh || facts_.version != snapshot.version || facts_.pick != plan.pick)
-        facts_ = {snapshot.mesh, snapshot.version, plan.pick, facts_of(*plan.pick, snapshot, maker_.cells())};
-    plan.facts = facts_.facts;
-}
-
-ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view, const ViewportText& text,
-                                   ScreenRect rect, float scale) {
-    const MeshPicture picture = maker_.make(snapshot, view);
-    ViewportPlan plan;
-    plan.rect = rect;
-    plan.text = text;
-    plan.histogram = view.boolean("histogram");
-    place_pictures(picture, view, plan, scale);
-    if (view.boolean("arrows")) add_arrows(plan, scale);
-    add_pick(snapshot, view, plan);
-    return plan;
+    list.PopClipRect();
 }
 
 void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale) {
     list.PushClipRect(plan.rect.min, plan.rect.max, true);
     ScreenRect room = above_caption(plan, scale);
     for (const PlannedPicture& shown : plan.pictures) {
+        if (shown.picture.map) draw_graticule(list, shown, theme, scale);
         if (plan.pick) draw_mark(list, shown, *plan.pick, theme, scale);
         draw_title(list, shown.title, shown.rect, theme, scale);
     }
@@ -355,7 +268,7 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
         legend.min.y += title_height(plan.text.title, scale);
         draw_legend(list, *colouring, plan.histogram, legend, theme, scale);
     }
-    draw_tangled_note(list, plan, room, theme, scale);
+    draw_notes(list, plan, room, theme, scale);
     if (plan.text.caption) draw_caption(list, plan, theme, scale);
     if (!plan.facts.empty()) {
         ScreenRect below_title = room;
@@ -364,19 +277,6 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
     }
     if (!plan.complaint.empty()) draw_complaint(list, plan.complaint, room, theme, scale);
     list.PopClipRect();
-}
-
-void check_view(const Values& view, const Mesh* mesh) {
-    if (!view.text("camera").empty()) parse_camera(view.text("camera"), {1, 1});
-    const auto pick = parse_pick(view.text("pick"));
-    if (pick && mesh != nullptr && !has(*mesh, *pick))
-        throw InputError("view.pick = '" + view.text("pick") + "': the mesh has " +
-                         (pick->kind == Pick::Kind::cell ? std::to_string(mesh->cell_count()) + " cells"
-                                                         : std::to_string(mesh->node_count()) + " nodes") +
-                         ", counted from 0");
-    if (view.text("range") == "fixed" && !(view.real("low") < view.real("high")))
-        throw InputError("view.low = " + format_number(view.real("low")) +
-                         " must be below view.high = " + format_number(view.real("high")));
 }
 
 } // namespace gaspard

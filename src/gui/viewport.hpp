@@ -8,11 +8,12 @@
 
 #include "core/session/snapshot.hpp"
 #include "gui/camera.hpp"
-#include "gui/mesh_picture.hpp"
+#include "gui/map_picture.hpp"
 #include "gui/picking.hpp"
 #include "gui/plot_widget.hpp"
 #include "gui/theme.hpp"
 
+#include <array>
 #include <imgui.h>
 #include <memory>
 #include <optional>
@@ -38,19 +39,27 @@ struct PlannedPicture {
     Camera camera; ///< speaks of the size of `rect`
     ScreenRect rect;
     std::string title; ///< above it; may be empty
+    bool rear = false; ///< its camera looks from behind the view's
 
     Size size() const { return {static_cast<double>(rect.width()), static_cast<double>(rect.height())}; }
 };
 
 struct ViewportPlan {
     ScreenRect rect;
-    std::vector<PlannedPicture> pictures; ///< of one size and one camera; blends differ
+    /// One, or two of one size, whose cameras are one, or look from both sides.
+    std::vector<PlannedPicture> pictures;
     ViewportText text;
     std::optional<Pick> pick;
     PickFacts facts;       ///< of the pick
     std::string complaint; ///< what was wrong with the view's texts
     bool histogram = true;
+    std::vector<std::string> unavailable; ///< choices of the view that this mesh has not: "layout=map"
 };
+
+/// What a picture's mesh turns about.
+Vec3 pivot_of(const MeshPicture& picture);
+/// Which text of the view says from where a picture is seen.
+const char* camera_key(const MeshPicture& picture);
 
 /// Plans one viewport, frame after frame; keeps what does not change between them.
 class ViewportPlanner {
@@ -66,17 +75,22 @@ class ViewportPlanner {
     /// Home is what showed the whole mesh when it was first seen, lest the picture tremble while it moves;
     /// from now on it is for the mesh of the next plan.
     void forget_home() { home_ = {}; }
+    /// A mesh in space is shown turned eastward by so many radians, from now on.
+    void turn_by(double radians) { spun_ = radians; }
 
   private:
     Camera camera_of(const MeshPicture& picture, const Values& view, Size size, Insets insets,
                      std::string& complaint);
+    Camera turned(Camera camera, const MeshPicture& picture) const;
     void place_pictures(const MeshPicture& picture, const Values& view, ViewportPlan& plan, float scale);
     void add_arrows(ViewportPlan& plan, float scale);
     void add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan);
 
     PictureMaker maker_;
+    MapMaker map_maker_;
+    double spun_ = 0;
     struct Home {
-        std::shared_ptr<const Tessellation> of;
+        std::shared_ptr<const Mesh> of;
         Size size;
         Insets insets;
         std::string direction;
@@ -88,7 +102,8 @@ class ViewportPlanner {
         Camera camera;
         double width = 0, height = 0, spacing = 0;
         std::shared_ptr<const std::vector<std::uint32_t>> points;
-    } arrows_;
+    };
+    std::array<Arrows, 2> arrows_; ///< of the plan's pictures
     struct Facts {
         std::shared_ptr<const Mesh> mesh;
         std::uint64_t version = 0;

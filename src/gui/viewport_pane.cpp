@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <imgui.h>
+#include <numbers>
 
 namespace gaspard {
 
@@ -29,6 +30,15 @@ const PlannedPicture& picture_at(const ViewportPlan& plan, ImVec2 at) {
                              [&](const auto& a, const auto& b) { return away(a) < away(b); });
 }
 
+/// A point of a ball comes to face the viewer. A ball that is seen whole stays where it is in the picture;
+/// of one that is not the point comes to the middle.
+void recentre(Camera& camera, const PlannedPicture& shown, Vec3 where) {
+    const Vec3 pivot = pivot_of(shown.picture);
+    bring_to_front(camera, where, pivot);
+    const double across = 2 * shown.picture.ball / camera.scale;
+    if (across > std::min(shown.size().width, shown.size().height)) camera.centre = pivot;
+}
+
 /// The button that is held; -1 for none.
 int held_button() {
     for (const int button : {0, 1, 2})
@@ -49,7 +59,7 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                                ImGuiButtonFlags_MouseButtonRight);
     remember_item(context.items, "viewport");
-    if (plan_) steer(viewport.view, context.scale);
+    if (plan_) steer(viewport.view, context.scale), turn(viewport.view);
     if (run.snapshot) {
         const ViewportText text{.title = {}, .subject = run.title, .report = {}, .caption = false};
         plan_ = planner_.plan(*run.snapshot, viewport.view, text,
@@ -65,8 +75,29 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
 }
 
 void ViewportPane::go_home(DocumentViewport& viewport) {
-    viewport.view.set("camera", std::string());
+    if (plan_) viewport.view.set(camera_key(plan_->pictures.front().picture), std::string());
+    spun_ = 0;
     planner_.forget_home();
+}
+
+void ViewportPane::look_as(DocumentViewport& viewport, const std::string& camera) {
+    viewport.view.set(plan_ ? camera_key(plan_->pictures.front().picture) : "camera", camera);
+    spun_ = 0;
+}
+
+/// A mesh in space goes on turning, unless the mouse holds it; where it stops it stays.
+void ViewportPane::turn(Values& view) {
+    const PlannedPicture& front = plan_->pictures.front();
+    const double rate = front.picture.planar() ? 0 : view.real("spin") * std::numbers::pi / 180;
+    const std::string from = view.text("camera") + view.text("direction");
+    if (from != spun_from_) spun_ = 0;
+    spun_from_ = from;
+    if (rate == 0 && spun_ != 0) set_camera(view, front, front.camera);
+    spinning_ = rate != 0;
+    constexpr double longest = 0.1; // seconds; more has passed only where nothing was drawn
+    if (rate != 0 && !dragging_)
+        spun_ += rate * std::min(longest, static_cast<double>(ImGui::GetIO().DeltaTime));
+    planner_.turn_by(spun_);
 }
 
 std::string ViewportPane::camera_text() const {
@@ -83,8 +114,11 @@ void ViewportPane::fix_range(DocumentViewport& viewport) const {
     viewport.view.set("high", range.high);
 }
 
-void ViewportPane::set_camera(Values& view, const PlannedPicture& shown, const Camera& camera) {
-    if (!(camera == shown.camera)) view.set("camera", format_camera(camera, shown.size()));
+void ViewportPane::set_camera(Values& view, const PlannedPicture& shown, Camera camera) {
+    if (camera == shown.camera && spun_ == 0) return;
+    if (shown.rear) camera = from_behind(camera, pivot_of(shown.picture));
+    view.set(camera_key(shown.picture), format_camera(camera, shown.size()));
+    spun_ = 0;
 }
 
 /// Drags pan or turn, the wheel zooms to the pointer, a click picks, a double click brings a point to the
@@ -110,7 +144,10 @@ void ViewportPane::steer(Values& view, float scale) {
         const Pixel pointer = pixel_in(under, io.MousePos);
         const auto hit = pick_at(under.picture, under.camera, under.size(), pointer, 0);
         Camera camera = under.camera;
-        camera.centre = hit ? hit->where : to_world(camera, under.size(), pointer);
+        if (under.picture.ball > 0 && hit)
+            recentre(camera, under, hit->where);
+        else
+            camera.centre = hit ? hit->where : to_world(camera, under.size(), pointer);
         set_camera(view, under, camera);
         view.set("pick", picked_before_);
         dragging_ = true; // the button's release is no click
@@ -133,6 +170,10 @@ void ViewportPane::drag(Values& view, const PlannedPicture& shown) {
     Camera camera = shown.camera;
     if (shown.picture.planar() || button != 0 || io.KeyShift) {
         pan(camera, by);
+    } else if (shown.picture.ball > 0) {
+        const Pixel to = pixel_in(shown, io.MousePos);
+        turn_ball(camera, shown.size(), {to.x - by.x, to.y - by.y}, to, pivot_of(shown.picture),
+                  shown.picture.ball);
     } else {
         // A mesh turns about its own middle as long as that is to be seen.
         const Vec3 middle = shown.picture.box.centre();

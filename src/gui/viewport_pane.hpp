@@ -44,6 +44,14 @@ class ViewportPane {
     void forget_home() { planner_.forget_home(); }
     /// The present camera as text, also where the view's is empty; empty before the first snapshot.
     std::string camera_text() const;
+    /// Takes a camera's text as that of what is shown.
+    void look_as(DocumentViewport& viewport, const std::string& camera);
+    /// The mesh turns by itself: the next frame differs from this one.
+    bool spinning() const { return spinning_; }
+    /// Choices of the view that what is shown has not, as "layout=map".
+    std::vector<std::string> unavailable() const {
+        return plan_ ? plan_->unavailable : std::vector<std::string>();
+    }
     /// The view's range becomes fixed, to what the colours span now.
     void fix_range(DocumentViewport& viewport) const;
     /// What the last frame asked for; empty before the first snapshot.
@@ -51,14 +59,18 @@ class ViewportPane {
 
   private:
     void steer(Values& view, float scale);
+    void turn(Values& view);
     void drag(Values& view, const PlannedPicture& shown);
     void click(Values& view, const PlannedPicture& shown, Pixel pointer, float scale);
-    void set_camera(Values& view, const PlannedPicture& shown, const Camera& camera);
+    void set_camera(Values& view, const PlannedPicture& shown, Camera camera);
 
     ViewportPlanner planner_;
     std::optional<ViewportPlan> plan_; ///< of the last frame
     std::vector<ShownPicture> pictures_;
     bool dragging_ = false;
+    bool spinning_ = false;
+    double spun_ = 0;           ///< in radians, since the view's camera was last set
+    std::string spun_from_;     ///< what the view said of its camera then
     std::string picked_before_; ///< view.pick before the last click, which may be the first of two
 };
 

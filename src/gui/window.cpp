@@ -261,7 +261,7 @@ class Window {
     /// slow (no graphics card), it takes half of the time at most, for the solver needs the cores too; input
     /// comes first.
     void wait() {
-        if (frames_due_ == 0 && !happenings_.news) glfwWaitEvents();
+        if (frames_due_ == 0 && !happenings_.news && !application_->animating()) glfwWaitEvents();
         const auto rest = [this] {
             const double pause =
                 happenings_.input ? frame_seconds : std::max(frame_seconds, 2 * drawing_seconds_);

@@ -277,6 +277,87 @@ TEST(Camera, ABallTurnsUnderThePointer) {
     expect_near(half.centre, start.centre, 1e-12);
 }
 
+/// Where the ray through a pixel meets the unit ball from the viewer's side.
+Vec3 on_ball(const Camera& camera, Pixel pixel) {
+    const Vec3 p = to_world(camera, size, pixel), view = towards_viewer(camera);
+    const Vec3 across = p - dot(p, view) * view;
+    return across + std::sqrt(1 - dot(across, across)) * view;
+}
+
+TEST(Camera, ABallFollowsThePointerAtAnyZoom) {
+    for (const double closer : {1.0, 7.0, 1000.0}) {
+        Camera camera = home({{-1, -1, -1}, {1, 1, 1}}, size);
+        zoom(camera, size, {430, 250}, closer, {{-1, -1, -1}, {1, 1, 1}});
+        for (const auto& [from, to] :
+             {std::pair{Pixel{420, 310}, Pixel{380, 260}}, {{390, 290}, {470, 330}}}) {
+            const Vec3 held = on_ball(camera, from);
+            const double scale = camera.scale;
+            turn_ball(camera, size, from, to, {}, 1);
+            const Pixel now = to_pixel(camera, size, held);
+            EXPECT_NEAR(now.x, to.x, 1e-6 * closer) << closer;
+            EXPECT_NEAR(now.y, to.y, 1e-6 * closer) << closer;
+            EXPECT_EQ(camera.scale, scale);
+            EXPECT_NEAR(dot(camera.right, camera.up), 0, 1e-14);
+        }
+    }
+}
+
+TEST(Camera, ABallTurnsEvenlyBesideItAndNothingHappensWhereNothingMoves) {
+    Camera camera = home({{-1, -1, -1}, {1, 1, 1}}, size);
+    const Camera before = camera;
+    turn_ball(camera, size, {300, 200}, {300, 200}, {}, 1);
+    EXPECT_EQ(camera, before);
+    double largest = 0;
+    for (int x = 0; x < 799; ++x) { // over the rim and on
+        const Camera at = camera;
+        turn_ball(camera, size, {x + 0.0, 300}, {x + 1.0, 300}, {}, 1);
+        largest = std::max(largest, std::acos(std::min(1.0, dot(at.right, camera.right))));
+    }
+    EXPECT_LT(largest, 0.02) << "no leap at the rim";
+}
+
+TEST(Camera, FromBehindOneSeesTheOtherSideAndTwiceIsNothing) {
+    Camera camera = home(unit_cube, size);
+    pan(camera, {40, -25});
+    zoom(camera, size, {100, 200}, 3, unit_cube);
+    const Vec3 pivot{0.1, 0.2, 0.3};
+    const Camera behind = from_behind(camera, pivot);
+    EXPECT_EQ(behind.scale, camera.scale);
+    expect_near(towards_viewer(behind), -1 * towards_viewer(camera), 1e-15);
+    EXPECT_EQ(behind.up, camera.up);
+    const Camera again = from_behind(behind, pivot);
+    expect_near(again.centre, camera.centre, 1e-14);
+    expect_near(again.right, camera.right, 1e-15);
+    // Mirrored, as one walks around: left is right, up is up.
+    const Vec3 point{0.7, -0.2, 0.4};
+    const Pixel front = to_pixel(camera, size, point), rear = to_pixel(behind, size, point),
+                middle = to_pixel(camera, size, pivot), rear_middle = to_pixel(behind, size, pivot);
+    EXPECT_NEAR(front.x - middle.x, rear_middle.x - rear.x, 1e-9);
+    EXPECT_NEAR(front.y, rear.y, 1e-9);
+}
+
+TEST(Camera, APointComesToTheFrontByTheShortestWay) {
+    const Vec3 pivot{1, -2, 0.5};
+    for (const Vec3 where : {Vec3{3, 1, 2}, Vec3{1, -2, 9}, Vec3{-4, 0, 0.5}}) {
+        Camera camera = home(unit_cube, size);
+        bring_to_front(camera, where, pivot);
+        const Vec3 direction = (1 / norm(where - pivot)) * (where - pivot);
+        expect_near(towards_viewer(camera), direction, 1e-12);
+        bring_to_front(camera, pivot - 2 * direction, pivot); // from the very back
+        expect_near(towards_viewer(camera), -1 * direction, 1e-12);
+    }
+}
+
+TEST(Camera, SpinsEastwardAboutTheVerticalAxis) {
+    Camera camera = home({{-1, -1, -1}, {1, 1, 1}}, size, {}, "right"); // from +x: east is to the right
+    const Vec3 front{1, 0, 0}, pole{0, 0, 1};
+    const Pixel before = to_pixel(camera, size, front), top = to_pixel(camera, size, pole);
+    spin(camera, 0.1, {});
+    EXPECT_GT(to_pixel(camera, size, front).x, before.x);
+    EXPECT_NEAR(to_pixel(camera, size, pole).x, top.x, 1e-9);
+    EXPECT_NEAR(to_pixel(camera, size, pole).y, top.y, 1e-9);
+}
+
 TEST(BoundingBox, LeavesOutWhatIsNotFinite) {
     Points points(3);
     points.set(0, {1, 2, 3});

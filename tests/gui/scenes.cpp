@@ -2,6 +2,7 @@
 
 #include "core/scenario/view_rows.hpp"
 #include "core/tessellate/cell_geometry.hpp"
+#include "globes.hpp"
 #include "gui/picture.hpp"
 
 #include <array>
@@ -249,6 +250,31 @@ const std::vector<Scene>& scenes() {
              return draw_with(
                  sphere_snapshot(6), backend,
                  {{"color", "area"}, {"direction", "top"}, {"pick", "cell 150"}, {"theme", "light"}});
+         }},
+        {"globe-x2", [](OffscreenBackend backend) { return draw(xn_globe(cubed_globe(8, 2), 2), backend); }},
+        {"globe-x16-front-and-rear",
+         [](OffscreenBackend backend) {
+             return draw_with(xn_globe(cubed_globe(8, 2), 16), backend,
+                              {{"layout", "front-and-rear"}, {"color", "none"}, {"theme", "light"}});
+         }},
+        {"globe-linear",
+         [](OffscreenBackend backend) {
+             return draw_with(xn_globe(cubed_globe(8, 1), 4), backend, {{"theme", "light"}});
+         }},
+        {"globe-dense",
+         [](OffscreenBackend backend) { return draw(banded_globe(icosahedral_globe(5, 2)), backend); }},
+        {"globe-map",
+         [](OffscreenBackend backend) {
+             return draw_with(xn_globe(cubed_globe(8, 2), 4), backend,
+                              {{"layout", "map"}, {"map_longitude", "160"}, {"pick", "cell 20"}});
+         }},
+        {"globe-exact",
+         [](OffscreenBackend backend) {
+             return draw_with(beside_exact_globe(6), backend, {{"overlay", "exact"}, {"direction", "right"}});
+         }},
+        {"globe-tangled",
+         [](OffscreenBackend backend) {
+             return draw_with(tangled_globe(10), backend, {{"theme", "light"}, {"map", "grey"}});
          }},
         {"plot",
          [](OffscreenBackend backend) {

@@ -20,13 +20,20 @@ double corner_area(const Points& x, std::size_t a, std::size_t b, std::size_t c)
 
 } // namespace
 
+double radius_of_ball(const Mesh& mesh) {
+    if (mesh.space_dimension != 3 || cell_dimension(mesh.kind) != 2 || mesh.node_count() == 0) return 0;
+    const double radius = norm(mesh.nodes[0]);
+    for (std::size_t i = 0; i < mesh.node_count(); ++i)
+        if (!(std::abs(norm(mesh.nodes[i]) - radius) <= 1e-9 * radius)) return 0;
+    return radius;
+}
+
 CellGeometry::CellGeometry(std::shared_ptr<const Mesh> mesh)
-    : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)) {
+    : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)), on_ball_(radius_of_ball(*mesh_) > 0) {
     const auto n = static_cast<std::size_t>(nodes_per_cell(mesh_->kind));
-    std::vector<double> values(n);
     const auto sample = [&](Vec3 point, double weight) {
-        Sample made{std::vector<Vec3>(n), weight};
-        shape_functions(mesh_->kind, point, values, made.gradients);
+        Sample made{std::vector<double>(n), std::vector<Vec3>(n), weight};
+        shape_functions(mesh_->kind, point, made.values, made.gradients);
         return made;
     };
     for (const Vec3 node : reference_nodes(mesh_->kind)) nodes_.push_back(sample(node, 0));
@@ -42,6 +49,7 @@ CellGeometry::Tangents CellGeometry::tangents(std::span<const std::int32_t> cell
         t[0] = t[0] + g.x * node;
         if (dimension_ > 1) t[1] = t[1] + g.y * node;
         if (dimension_ > 2) t[2] = t[2] + g.z * node;
+        if (on_ball_) t[2] = t[2] + sample.values[k] * node; // the place itself
     }
     return t;
 }
@@ -51,6 +59,9 @@ double CellGeometry::signed_measure(const Tangents& of, const Tangents& referenc
     if (dimension_ == 1) return std::copysign(norm(of[0]), dot(of[0], reference[0]));
     const Vec3 normal = cross(of[0], of[1]);
     if (dimension_ == 3) return dot(normal, of[2]);
+    if (on_ball_)
+        return std::copysign(norm(normal),
+                             dot(normal, of[2]) * dot(cross(reference[0], reference[1]), reference[2]));
     return std::copysign(norm(normal), dot(normal, cross(reference[0], reference[1])));
 }
 

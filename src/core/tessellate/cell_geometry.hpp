@@ -12,6 +12,9 @@
 
 namespace gaspard {
 
+/// The radius of the sphere around the origin that all nodes of a surface lie on; 0 where there is none.
+double radius_of_ball(const Mesh& mesh);
+
 class CellGeometry {
   public:
     explicit CellGeometry(std::shared_ptr<const Mesh> mesh);
@@ -19,13 +22,16 @@ class CellGeometry {
     /// Length, area or volume of every cell for nodes at `x`; negative where it is turned over.
     std::vector<double> measures(const Points& x) const;
     /// det dx/dxi of every cell, the smallest at its nodes. On a line or surface in space it is negative
-    /// where the cell faces away from the computational one.
+    /// where the cell faces away from the computational one; on a sphere where one of both faces outward and
+    /// the other inward, for cells move around it.
     std::vector<double> jacobians(const Points& x) const;
 
   private:
+    /// d/ds, d/dt, d/du; of a surface on a ball, the third is the place.
     using Tangents = std::array<Vec3, 3>;
     struct Sample {
-        std::vector<Vec3> gradients; ///< of the shape functions
+        std::vector<double> values;  ///< of the shape functions
+        std::vector<Vec3> gradients; ///< likewise
         double weight = 0;
     };
 
@@ -35,6 +41,7 @@ class CellGeometry {
 
     std::shared_ptr<const Mesh> mesh_;
     int dimension_;
+    bool on_ball_;
     std::vector<Sample> nodes_, quadrature_;
 };
 

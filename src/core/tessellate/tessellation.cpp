@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <unordered_map>
 
 namespace gaspard {
@@ -158,16 +159,21 @@ void fill_face(const Face& face, int cuts, PointMaker& points, Tessellation& out
 struct Edge {
     std::pair<std::uint32_t, std::uint32_t> corners; ///< nodes, the smaller first
     std::uint32_t cell = 0;
-    int a = 0, b = 0;         ///< local corners
-    std::uint32_t sides[2]{}; ///< as in Tessellation::segment_sides
-    bool alone = false;       ///< nothing lies beside
+    int a = 0, b = 0; ///< local corners
+    /// The edge of a cell beside it that lies opposite, in the same direction, or twice the corner that does.
+    struct Opposite {
+        std::uint32_t cell = 0;
+        int a = 0, b = 0;
+    };
+    Opposite sides[2]{};
+    bool alone = false; ///< nothing lies beside
 };
 
 void collect_edges(const Face& face, PointMaker& points, std::vector<Edge>& edges) {
     const auto& k = face.corners;
     for (std::size_t e = 0; e < k.size(); ++e) {
-        const int a = k[e], b = k[(e + 1) % k.size()], far = k[(e + 2) % k.size()];
-        const std::uint32_t side = points.corner(face.cell, far);
+        const int a = k[e], b = k[(e + 1) % k.size()];
+        const Edge::Opposite side{face.cell, k[(e + k.size() - 1) % k.size()], k[(e + 2) % k.size()]};
         edges.push_back({std::minmax({points.node(face.cell, a), points.node(face.cell, b)}),
                          face.cell,
                          a,
@@ -196,24 +202,35 @@ std::vector<Edge> sorted_edges(const std::vector<Edge>& edges, std::size_t node_
 }
 
 /// Each edge once, with what lies at both sides of it.
-void merge_edges(std::vector<Edge>& edges, std::size_t node_count) {
+void merge_edges(std::vector<Edge>& edges, const PointMaker& points, std::size_t node_count) {
     edges = sorted_edges(edges, node_count);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (kept > 0 && edges[kept - 1].corners == edges[i].corners)
-            edges[kept - 1].sides[1] = edges[i].sides[0];
-        else
+        if (kept > 0 && edges[kept - 1].corners == edges[i].corners) {
+            Edge& edge = edges[kept - 1];
+            edge.sides[1] = edges[i].sides[0];
+            const bool same_way = points.node(edge.cell, edge.a) == points.node(edges[i].cell, edges[i].a);
+            if (!same_way) std::swap(edge.sides[1].a, edge.sides[1].b);
+        } else {
             edges[kept++] = edges[i];
+        }
     }
     edges.resize(kept);
 }
 
 void draw_edge(const Edge& edge, int cuts, PointMaker& points, Tessellation& out) {
+    const auto beside = [&](const Edge::Opposite& side, int i) {
+        return side.a == side.b ? points.corner(side.cell, side.a)
+                                : points.on_edge(side.cell, side.a, side.b, i);
+    };
     for (int i = 0; i < cuts; ++i) {
         const std::uint32_t first = points.on_edge(edge.cell, edge.a, edge.b, i);
         out.segments.insert(out.segments.end(), {first, points.on_edge(edge.cell, edge.a, edge.b, i + 1)});
-        out.segment_sides.insert(out.segment_sides.end(),
-                                 {edge.alone ? first : edge.sides[0], edge.alone ? first : edge.sides[1]});
+        if (edge.alone)
+            out.segment_sides.insert(out.segment_sides.end(), {first, first});
+        else
+            out.segment_sides.insert(out.segment_sides.end(),
+                                     {beside(edge.sides[0], i + 1), beside(edge.sides[1], i + 1)});
     }
 }
 
@@ -229,6 +246,39 @@ void draw_line_cells(const Mesh& mesh, int cuts, PointMaker& points, Tessellatio
 
 } // namespace
 
+/// The largest distance of an edge's middle node from the middle of its ends, in units of the edge's length;
+/// of edges that are not folded. A quadratic curve in c pieces strays from them by that over c squared.
+static double largest_bulge(const Mesh& mesh, const Points& x) {
+    double largest = 0;
+    for (std::size_t c = 0; c < mesh.cell_count(); ++c)
+        for (const auto& edge : cell_edges(mesh.kind)) {
+            const auto node = [&](std::size_t k) {
+                return x[static_cast<std::size_t>(mesh.cell(c)[static_cast<std::size_t>(edge[k])])];
+            };
+            const Vec3 a = node(0), b = node(1), away = node(2) - 0.5 * (a + b);
+            const double bulge = norm(away) / norm(b - a);
+            if (bulge > largest && bulge < 0.5) largest = bulge;
+        }
+    return largest;
+}
+
+int cuts_for(const Mesh& mesh, const Points& x) {
+    if (mesh.kind.order == 1) return 1;
+    constexpr double tolerance = 1e-3;         // of an edge's length
+    constexpr double few = 60e3, many = 600e3; // triangles
+    constexpr std::array<int, 8> steps = {1, 2, 3, 4, 6, 8, 12, 16};
+    const int pieces = corners_per_cell(mesh.kind) == 3 ? 1 : 2; // triangles per cell, uncut
+    const double cells = static_cast<double>(mesh.cell_count()) * pieces;
+    const double needed = std::sqrt(largest_bulge(mesh, x) / tolerance);
+    int cuts = 2; // every node of an edge is shown
+    for (const int step : steps) {
+        const double triangles = cells * step * step;
+        const bool wanted = step <= 8 && triangles <= few;
+        if (step > cuts && (wanted || cuts < needed) && triangles <= many) cuts = step;
+    }
+    return cuts;
+}
+
 Tessellation tessellate(const Mesh& mesh, int cuts) {
     GASPARD_CHECK(cuts >= 1);
     if (mesh.kind.order == 1) cuts = 1;
@@ -240,10 +290,17 @@ Tessellation tessellate(const Mesh& mesh, int cuts) {
         fill_face(face, cuts, points, out);
         collect_edges(face, points, edges);
     }
-    merge_edges(edges, mesh.node_count());
+    merge_edges(edges, points, mesh.node_count());
     for (const Edge& edge : edges) draw_edge(edge, cuts, points, out);
     if (cell_dimension(mesh.kind) == 1) draw_line_cells(mesh, cuts, points, out);
     return out;
+}
+
+std::optional<std::uint32_t> Tessellation::node_of(std::uint32_t point) const {
+    if (base) return point < base->point_count ? base->node_of(point) : std::nullopt;
+    if (starts.empty()) return point;
+    if (starts[point + 1] - starts[point] != 1) return std::nullopt;
+    return nodes[starts[point]];
 }
 
 std::vector<double> shown_values(const Tessellation& tessellation, std::span<const double> nodes) {
@@ -256,6 +313,39 @@ std::vector<double> shown_values(const Tessellation& tessellation, std::span<con
         for (std::size_t k = tessellation.starts[p]; k < tessellation.starts[p + 1]; ++k)
             shown[p] += tessellation.weights[k] * nodes[tessellation.nodes[k]];
     return shown;
+}
+
+std::vector<std::vector<std::uint32_t>> cell_outlines(const Tessellation& tessellation,
+                                                      std::span<const std::uint32_t> cells) {
+    using Side = std::pair<std::uint32_t, std::uint32_t>;
+    std::vector<std::vector<Side>> sides(cells.size());
+    for (std::size_t i = 0; i < tessellation.triangle_cells.size(); ++i) {
+        const auto found = std::lower_bound(cells.begin(), cells.end(), tessellation.triangle_cells[i]);
+        if (found == cells.end() || *found != tessellation.triangle_cells[i]) continue;
+        for (std::size_t k = 0; k < 3; ++k)
+            sides[static_cast<std::size_t>(found - cells.begin())].emplace_back(
+                tessellation.triangles[3 * i + k], tessellation.triangles[3 * i + (k + 1) % 3]);
+    }
+    std::vector<std::vector<std::uint32_t>> outlines;
+    for (const auto& all : sides) {
+        // What two of its triangles share, in opposite directions, lies inside.
+        std::unordered_map<std::uint32_t, std::uint32_t> next;
+        std::unordered_map<std::uint64_t, int> seen;
+        const auto key = [](std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} << 32 | b; };
+        for (const auto& [a, b] : all) ++seen[key(a, b)];
+        for (const auto& [a, b] : all)
+            if (!seen.contains(key(b, a))) next.emplace(a, b);
+        while (!next.empty()) {
+            auto& loop = outlines.emplace_back();
+            for (auto at = next.begin(); at != next.end();) {
+                loop.push_back(at->first);
+                const std::uint32_t to = at->second;
+                next.erase(at);
+                at = next.find(to);
+            }
+        }
+    }
+    return outlines;
 }
 
 std::vector<double> point_means(const Tessellation& tessellation, std::span<const double> cells) {

@@ -9,6 +9,8 @@
 #include "core/mesh/mesh.hpp"
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,10 +31,26 @@ struct Tessellation {
     /// how close the next line is. The same twice at a border; the segment's own first point where there is
     /// nothing beside.
     std::vector<std::uint32_t> segment_sides;
+    /// Of a map of this tessellation (core/tessellate/sphere_map.hpp): its points come first here, and what
+    /// they are made of stands there. Else null.
+    std::shared_ptr<const Tessellation> base;
+
+    /// The node that a shown point is; nothing for points on curved edges and faces, and on cuts.
+    std::optional<std::uint32_t> node_of(std::uint32_t point) const;
 };
 
 /// `cuts` pieces per curved edge (order 2 only). Of solids, the boundary faces and all edges of those faces.
 Tessellation tessellate(const Mesh& mesh, int cuts = 8);
+
+/// How many pieces per edge show a mesh whose nodes stand at `x` well: so many that no edge strays from its
+/// curve by more than a thousandth of its length, as long as there are not too many cells for that. Fewer are
+/// not worth saving where cells are few. 1 for order 1.
+int cuts_for(const Mesh& mesh, const Points& x);
+
+/// Closed lines of shown points around cells (ascending), in order; on a map a cell may have two, of a solid
+/// they surround the shown faces.
+std::vector<std::vector<std::uint32_t>> cell_outlines(const Tessellation& tessellation,
+                                                      std::span<const std::uint32_t> cells);
 
 /// For what belongs to cells, at the shown points: the mean of the triangles around each (of the segments
 /// where there are only those). Points in no cell get 0.

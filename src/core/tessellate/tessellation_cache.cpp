@@ -4,22 +4,35 @@
 
 namespace gaspard {
 
-std::shared_ptr<const Tessellation> TessellationCache::get(const std::shared_ptr<const Mesh>& mesh) {
-    const auto find = [&]() -> std::shared_ptr<const Tessellation> {
-        std::erase_if(entries_, [](const Entry& entry) { return entry.first.expired(); });
-        const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                        [&](const Entry& entry) { return entry.first.lock() == mesh; });
-        return found == entries_.end() ? nullptr : found->second;
-    };
+TessellationCache::Entry* TessellationCache::find(const std::shared_ptr<const Mesh>& mesh) {
+    std::erase_if(entries_, [](const Entry& entry) { return entry.mesh.expired(); });
+    const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                    [&](const Entry& entry) { return entry.mesh.lock() == mesh; });
+    return found == entries_.end() ? nullptr : &*found;
+}
+
+std::shared_ptr<const Tessellation> TessellationCache::get(const Snapshot& snapshot) {
+    const Mesh& mesh = *snapshot.mesh;
+    int cuts = 0; // of those that are there
     {
-        std::lock_guard lock(mutex_);
-        if (auto known = find()) return known;
+        const std::lock_guard lock(mutex_);
+        if (const Entry* known = find(snapshot.mesh)) {
+            if (known->version == snapshot.version || mesh.kind.order == 1) return known->tessellation;
+            cuts = known->tessellation->cuts;
+        }
     }
-    auto made = std::make_shared<const Tessellation>(tessellate(*mesh)); // others need not wait for this
-    std::lock_guard lock(mutex_);
-    if (auto known = find()) return known; // another thread was quicker: all share one
-    entries_.emplace_back(mesh, made);
-    return made;
+    // Others need not wait for this.
+    int needed = std::max(cuts, cuts_for(mesh, snapshot.x));
+    if (cuts == 0) needed = std::max(needed, cuts_for(mesh, mesh.nodes));
+    std::shared_ptr<const Tessellation> made;
+    if (needed > cuts) made = std::make_shared<const Tessellation>(tessellate(mesh, needed));
+    const std::lock_guard lock(mutex_);
+    Entry* known = find(snapshot.mesh);
+    if (known == nullptr) known = &entries_.emplace_back(snapshot.mesh, nullptr, 0);
+    // Another thread may have been quicker: all share one.
+    if (made && (!known->tessellation || known->tessellation->cuts < made->cuts)) known->tessellation = made;
+    known->version = snapshot.version;
+    return known->tessellation;
 }
 
 } // namespace gaspard

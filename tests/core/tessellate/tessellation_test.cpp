@@ -1,8 +1,10 @@
 #include "core/tessellate/tessellation.hpp"
+#include "fixtures/fixture_meshes.hpp"
 #include "support/small_meshes.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <numeric>
 #include <set>
 
@@ -174,6 +176,55 @@ TEST(Tessellation, MeansAtPointsAreThoseOfTheTrianglesAround) {
     EXPECT_TRUE(t.segment_cells.empty());
     EXPECT_EQ(t.cuts, 1);
     EXPECT_EQ(tessellate(curved_square(), 5).cuts, 5);
+}
+
+TEST(Tessellation, CurvesStrayByLessThanAThousandthOfAnEdge) {
+    for (const int k : {1, 2, 5, 16}) {
+        const Mesh mesh = cubed_sphere_mesh(k);
+        const Tessellation t = tessellate(mesh, cuts_for(mesh, mesh.nodes));
+        const Points points = shown_points(t, mesh.nodes);
+        double stray = 0; // of the middle of a piece, which lies on a parabola, from the sphere
+        for (std::size_t i = 0; i < t.segments.size(); i += 2) {
+            const Vec3 a = points[t.segments[i]], b = points[t.segments[i + 1]];
+            const double sagitta = (norm(a) + norm(b)) / 2 - norm(0.5 * (a + b));
+            stray = std::max(stray, sagitta / (t.cuts * norm(b - a)));
+        }
+        EXPECT_LT(stray, k == 1 ? 2.5e-3 : 1.1e-3) << k << ": " << t.cuts << " pieces";
+        EXPECT_LE(t.triangles.size() / 3, 600000U);
+    }
+    EXPECT_EQ(cuts_for(unit_square_mesh(3), unit_square_mesh(3).nodes), 1) << "straight";
+}
+
+TEST(Tessellation, KnowsWhatLiesBesideAPieceOfACurve) {
+    const Mesh mesh = cubed_sphere_mesh(3);
+    const Tessellation t = tessellate(mesh, 4);
+    const Points points = shown_points(t, mesh.nodes);
+    for (std::size_t i = 0; i < t.segments.size(); i += 2) {
+        const Vec3 a = points[t.segments[i]], along = points[t.segments[i + 1]] - a;
+        for (std::size_t side = 0; side < 2; ++side) {
+            const Vec3 across = points[t.segment_sides[i + side]] - a;
+            EXPECT_NEAR(norm(cross(along, across)) / norm(along), std::numbers::pi / 6, 0.2)
+                << "a cell's width";
+        }
+    }
+}
+
+TEST(Tessellation, OutlinesAreClosedLinesAroundCells) {
+    const Mesh mesh = cubed_sphere_mesh(2);
+    const Tessellation t = tessellate(mesh, 4);
+    const std::vector<std::uint32_t> cells{3, 7};
+    const auto loops = cell_outlines(t, cells);
+    ASSERT_EQ(loops.size(), 2U);
+    for (std::size_t k = 0; k < 2; ++k) {
+        EXPECT_EQ(loops[k].size(), 16U);
+        for (int corner = 0; corner < 4; ++corner) {
+            const auto node =
+                static_cast<std::uint32_t>(mesh.cell(cells[k])[static_cast<std::size_t>(corner)]);
+            EXPECT_TRUE(std::any_of(loops[k].begin(), loops[k].end(),
+                                    [&](std::uint32_t p) { return t.node_of(p) == node; }));
+        }
+    }
+    EXPECT_TRUE(cell_outlines(t, {}).empty());
 }
 
 TEST(Tessellation, FollowsMovedNodes) {

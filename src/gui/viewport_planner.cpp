@@ -1,0 +1,228 @@
+#include "core/base/error.hpp"
+#include "core/tessellate/ticks.hpp"
+#include "gui/arrows.hpp"
+#include "gui/legend.hpp"
+#include "gui/viewport.hpp"
+#include "gui/viewport_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gaspard {
+
+namespace {
+
+constexpr float margin = viewport_margin, gap = viewport_gap;
+constexpr double arrow_spacing = 26; // at scale 1
+
+/// What to keep the mesh clear of in a picture that fills the viewport.
+Insets insets_of(const ViewportPlan& plan, const MeshPicture& picture, float scale) {
+    Insets insets;
+    const ScreenRect rect = plan.rect;
+    insets.top = static_cast<double>(title_height(plan.text.title, scale));
+    insets.bottom = static_cast<double>(caption_height(plan.text, rect.width(), scale));
+    if (picture.colouring != nullptr)
+        insets.right = static_cast<double>(legend_width(*picture.colouring, plan.histogram, scale));
+    if (picture.map) insets.left = static_cast<double>(ImGui::CalcTextSize("30° N").x + 2 * margin * scale);
+    // Where the legend's strip is free anyway beside a centred mesh, the mesh stays centred.
+    const double free_side =
+        (static_cast<double>(rect.width() - rect.height()) + insets.top + insets.bottom) / 2;
+    if (free_side > insets.right && !picture.map) insets.left = insets.right;
+    return insets;
+}
+
+std::string blend_title(double blend) {
+    if (blend == 1) return "physical";
+    return "t = " + short_number(blend, 3);
+}
+
+Size size_of(ScreenRect rect) {
+    return {std::max(1.0, static_cast<double>(rect.width())),
+            std::max(1.0, static_cast<double>(rect.height()))};
+}
+
+/// Two parts of one size, beside each other or one above the other.
+std::pair<ScreenRect, ScreenRect> halves(ScreenRect room) {
+    const bool beside = room.width() >= room.height();
+    const float half = std::floor((beside ? room.width() : room.height()) / 2);
+    ScreenRect first = room, second = room;
+    (beside ? first.max.x : first.max.y) = (beside ? room.min.x : room.min.y) + half;
+    (beside ? second.min.x : second.min.y) = (beside ? first.max.x : first.max.y);
+    (beside ? second.max.x : second.max.y) = (beside ? second.min.x : second.min.y) + half;
+    return {first, second};
+}
+
+/// The layout that the mesh can be shown in.
+std::string layout_of(const MeshPicture& picture, const Values& view) {
+    const std::string& wish = view.text("layout");
+    const bool fits = wish == "map" ? picture.ball > 0 : wish != "front-and-rear" || !picture.planar();
+    return fits ? wish : "single";
+}
+
+} // namespace
+
+std::vector<std::vector<std::string>> caption_lines(const ViewportText& text, float width, float scale) {
+    std::vector<std::vector<std::string>> lines;
+    float used = width + 1;
+    for (auto& part : caption_parts(text)) {
+        const float need = ImGui::CalcTextSize(part.c_str()).x + 4 * gap * scale;
+        if (used + need > width) {
+            lines.emplace_back();
+            used = 0;
+        }
+        used += need;
+        lines.back().push_back(std::move(part));
+    }
+    return lines;
+}
+
+float caption_height(const ViewportText& text, float width, float scale) {
+    if (!text.caption) return 0;
+    const auto lines = caption_lines(text, width - 2 * margin * scale, scale);
+    return std::round(viewport_line_height() * static_cast<float>(lines.size()) + gap * scale);
+}
+
+float title_height(const std::string& title, float scale) {
+    return title.empty() ? 0 : viewport_line_height() + margin * scale;
+}
+
+ScreenRect above_caption(const ViewportPlan& plan, float scale) {
+    ScreenRect room = plan.rect;
+    room.max.y -= caption_height(plan.text, room.width(), scale);
+    return room;
+}
+
+const char* camera_key(const MeshPicture& picture) { return picture.map ? "map_camera" : "camera"; }
+
+/// As far as the mesh has spun.
+Camera ViewportPlanner::turned(Camera camera, const MeshPicture& picture) const {
+    if (spun_ != 0 && !picture.planar()) spin(camera, spun_, pivot_of(picture));
+    return camera;
+}
+
+Vec3 pivot_of(const MeshPicture& picture) { return picture.ball > 0 ? Vec3{} : picture.home_box.centre(); }
+
+Camera ViewportPlanner::camera_of(const MeshPicture& picture, const Values& view, Size size, Insets insets,
+                                  std::string& complaint) {
+    try {
+        if (const std::string& text = view.text(camera_key(picture)); !text.empty())
+            return turned(parse_camera(text, size), picture);
+    } catch (const InputError& error) {
+        complaint = error.what();
+    }
+    if (picture.map) return planar_home(picture.box, size, insets);
+    const std::string& direction = view.text("direction");
+    if (home_.of == picture.mesh && home_.size == size && home_.insets == insets &&
+        home_.direction == direction)
+        return turned(home_.camera, picture);
+    home_ = {picture.mesh, size, insets, direction, home(picture.home_box, size, insets, direction)};
+    if (!picture.planar()) {
+        home_.camera.centre = picture.home_box.centre();
+        std::vector<const Points*> points{picture.computational.get()};
+        if (!picture.burst) points.push_back(picture.physical.get());
+        fit_points(home_.camera, points, size, insets);
+    }
+    return turned(home_.camera, picture);
+}
+
+void ViewportPlanner::place_pictures(const MeshPicture& picture, const Values& view, ViewportPlan& plan,
+                                     float scale) {
+    const std::string layout = layout_of(picture, view);
+    if (layout == "single" || layout == "map") {
+        const MeshPicture shown =
+            layout == "map" ? map_maker_.make(picture, view.real("map_longitude")) : picture;
+        const Camera camera =
+            camera_of(shown, view, size_of(plan.rect), insets_of(plan, shown, scale), plan.complaint);
+        plan.pictures = {{shown, camera, plan.rect, plan.text.title}};
+        return;
+    }
+    // Two of the same size; the legend has a strip of its own.
+    ScreenRect room = above_caption(plan, scale);
+    if (picture.colouring != nullptr)
+        room.max.x -= std::round(legend_width(*picture.colouring, plan.histogram, scale));
+    const auto [first, second] = halves(room);
+    const bool around = layout == "front-and-rear";
+    PlannedPicture left{picture, {}, first, around ? "front" : "computational"};
+    if (!around) left.picture.blend = 0, left.picture.overlay = nullptr;
+    const Insets insets{.top = static_cast<double>(title_height(left.title, scale))};
+    left.camera = camera_of(picture, view, size_of(first), insets, plan.complaint);
+    PlannedPicture right{picture, left.camera, second, around ? "rear" : blend_title(picture.blend)};
+    if (around) right.camera = from_behind(left.camera, pivot_of(picture)), right.rear = true;
+    plan.pictures = {std::move(left), std::move(right)};
+}
+
+void ViewportPlanner::add_arrows(ViewportPlan& plan, float scale) {
+    for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
+        PlannedPicture& shown = plan.pictures[i];
+        Arrows& arrows = arrows_[i];
+        const Size size = shown.size();
+        const double spacing = arrow_spacing * static_cast<double>(scale);
+        if (shown.picture.map) continue;
+        if (arrows.of != shown.picture.tessellation || !(arrows.camera == shown.camera) ||
+            arrows.width != size.width || arrows.height != size.height || arrows.spacing != spacing)
+            arrows = {shown.picture.tessellation,
+                      shown.camera,
+                      size.width,
+                      size.height,
+                      spacing,
+                      std::make_shared<const std::vector<std::uint32_t>>(
+                          points_with_arrows(shown.picture, shown.camera, size, spacing))};
+        shown.picture.arrows = arrows.points;
+    }
+}
+
+void ViewportPlanner::add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan) {
+    try {
+        plan.pick = parse_pick(view.text("pick"));
+    } catch (const InputError& error) {
+        plan.complaint = error.what();
+    }
+    if (!plan.pick) return;
+    if (!has(*snapshot.mesh, *plan.pick)) {
+        plan.pick.reset();
+        return;
+    }
+    if (facts_.mesh != snapshot.mesh || facts_.version != snapshot.version || facts_.pick != plan.pick)
+        facts_ = {snapshot.mesh, snapshot.version, plan.pick, facts_of(*plan.pick, snapshot, maker_.cells())};
+    plan.facts = facts_.facts;
+}
+
+ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view, const ViewportText& text,
+                                   ScreenRect rect, float scale) {
+    const MeshPicture picture = maker_.make(snapshot, view);
+    ViewportPlan plan;
+    plan.rect = rect;
+    plan.text = text;
+    plan.histogram = view.boolean("histogram");
+    if (picture.planar()) plan.unavailable.emplace_back("layout=front-and-rear");
+    if (picture.ball == 0) plan.unavailable.emplace_back("layout=map");
+    if (!snapshot.exact) plan.unavailable.emplace_back("overlay=exact");
+    place_pictures(picture, view, plan, scale);
+    if (view.boolean("arrows")) add_arrows(plan, scale);
+    add_pick(snapshot, view, plan);
+    return plan;
+}
+
+void check_view(const Values& view, const Mesh* mesh) {
+    for (const char* key : {"camera", "map_camera"})
+        if (!view.text(key).empty()) parse_camera(view.text(key), {1, 1});
+    const auto pick = parse_pick(view.text("pick"));
+    if (pick && mesh != nullptr && !has(*mesh, *pick))
+        throw InputError("view.pick = '" + view.text("pick") + "': the mesh has " +
+                         (pick->kind == Pick::Kind::cell ? std::to_string(mesh->cell_count()) + " cells"
+                                                         : std::to_string(mesh->node_count()) + " nodes") +
+                         ", counted from 0");
+    const std::string& layout = view.text("layout");
+    if (mesh != nullptr && layout == "map" && !(radius_of_ball(*mesh) > 0))
+        throw InputError(
+            "view.layout = map is for meshes on a sphere; single and side-by-side show this one");
+    if (mesh != nullptr && layout == "front-and-rear" && mesh->space_dimension < 3)
+        throw InputError("view.layout = front-and-rear is for meshes in space; single and side-by-side show "
+                         "this one");
+    if (view.text("range") == "fixed" && !(view.real("low") < view.real("high")))
+        throw InputError("view.low = " + format_number(view.real("low")) +
+                         " must be below view.high = " + format_number(view.real("high")));
+}
+
+} // namespace gaspard

@@ -1,0 +1,56 @@
+// On a sphere cells may go around it: what counts is whether they face outward.
+#include "core/tessellate/cell_geometry.hpp"
+#include "fixtures/fixture_meshes.hpp"
+#include "support/small_meshes.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace gaspard {
+namespace {
+
+double sum(const std::vector<double>& values) {
+    double total = 0;
+    for (const double value : values) total += value;
+    return total;
+}
+
+TEST(CellGeometry, KnowsBallsByTheirNodes) {
+    Mesh mesh = cubed_sphere_mesh(3);
+    EXPECT_NEAR(radius_of_ball(mesh), 1, 1e-15);
+    for (auto* x : {&mesh.nodes.x, &mesh.nodes.y, &mesh.nodes.z})
+        for (double& value : *x) value *= 6371e3;
+    EXPECT_NEAR(radius_of_ball(mesh), 6371e3, 1e-6);
+    mesh.nodes.x[5] += 1;
+    EXPECT_EQ(radius_of_ball(mesh), 0);
+    for (const Mesh& other : meshes_of_every_kind()) EXPECT_EQ(radius_of_ball(other), 0);
+}
+
+TEST(CellGeometry, TurningASphereTanglesNothing) {
+    for (const bool straight : {false, true}) {
+        const Mesh curved = cubed_sphere_mesh(4);
+        const auto mesh = std::make_shared<const Mesh>(straight ? without_middles(curved) : curved);
+        const CellGeometry geometry(mesh);
+        for (const double angle : {0.4, 1.6, 3.14}) { // beyond a quarter turn normals point the other way
+            Points x = mesh->nodes;
+            for (std::size_t i = 0; i < x.size(); ++i)
+                x.set(i, {std::cos(angle) * x.x[i] - std::sin(angle) * x.y[i],
+                          std::sin(angle) * x.x[i] + std::cos(angle) * x.y[i], x.z[i]});
+            for (const double jacobian : geometry.jacobians(x)) EXPECT_NEAR(jacobian, 1, 1e-12);
+            EXPECT_NEAR(sum(geometry.measures(x)), sum(geometry.measures(mesh->nodes)), 1e-12);
+        }
+    }
+}
+
+TEST(CellGeometry, ASphereTurnedInsideOutIsTangledEverywhere) {
+    const auto mesh = std::make_shared<const Mesh>(cubed_sphere_mesh(3));
+    Points x = mesh->nodes;
+    for (double& value : x.z) value = -value;
+    const auto jacobians = CellGeometry(mesh).jacobians(x);
+    EXPECT_LT(*std::max_element(jacobians.begin(), jacobians.end()), 0);
+    EXPECT_NEAR(sum(CellGeometry(mesh).measures(x)), -4 * std::numbers::pi, 0.02);
+}
+
+} // namespace
+} // namespace gaspard
