@@ -16,6 +16,9 @@ namespace {
 
 constexpr const char* hint =
     "Drag to pan, turn the wheel to zoom, click a cell to know it, press H to see all. F1 shows all keys.";
+constexpr const char* hint_in_space =
+    "Drag to turn, turn the wheel to zoom, click a cell to know it, press F for the "
+    "rear, H to see all. F1 shows all keys.";
 
 Icon icon_of(ActionId id) {
     switch (id) {
@@ -247,7 +250,8 @@ void Application::draw_edge(const char* name, const ItemRectangle& edge, const c
 
 void Application::draw_status() {
     begin_part("##status", layout_.status);
-    draw_status_bar(run(), message_, hint, theme_, items_);
+    const bool in_space = !pictures().empty() && !pictures().front().picture.planar();
+    draw_status_bar(run(), message_, in_space ? hint_in_space : hint, theme_, items_);
     ImGui::End();
 }
 
@@ -267,8 +271,11 @@ void Application::draw_remedy() {
     const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap).y + 1.6F * em;
     const float left = (room.left + room.right - width) / 2, bottom = room.bottom - 3.2F * em;
     begin_part("##remedy", {left, bottom - height, left + width, bottom}, ImGuiWindowFlags_NoScrollbar, true);
-    ImGui::GetWindowDrawList()->AddRect({left, bottom - height}, {left + width, bottom},
-                                        packed(theme_.warning), 0, 0, 1.5F * scale_);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();
+    list.AddRect({left, bottom - height}, {left + width, bottom}, packed(theme_.warning), 0, 0,
+                 1.5F * scale_);
+    list.PopClipRect();
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text.c_str());
