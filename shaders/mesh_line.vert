@@ -40,6 +40,12 @@ vec3 between(vec3 from, vec3 to) {
 vec3 point(uint i) { return between(row(computational, i).xyz, row(physical, i).xyz); }
 vec3 clip_point(uint i) { return (clip * vec4(point(i), 1.0)).xyz; }
 
+/// Of a ball's cell that goes on behind the limb nobody sees how far it reaches.
+float seen_spacing(uint far, float away) {
+    bool behind = ball.w > 0.0 && dot(point(far) - ball.xyz, viewer) < 0.0;
+    return behind ? 1e6 : abs(away);
+}
+
 void main() {
     int segment = gl_VertexID / 6;
     int corner = gl_VertexID % 6;
@@ -59,7 +65,7 @@ void main() {
     if (ends.z != ends.x) {
         float first = dot(clip_point(ends.z).xy * half_viewport - from, across);
         float second = dot(clip_point(ends.w).xy * half_viewport - from, across);
-        float spacing = min(abs(first), abs(second));
+        float spacing = min(seen_spacing(ends.z, first), seen_spacing(ends.w, second));
         strength = smoothstep(fade.x, fade.y, spacing);
         softness = 1.0 - smoothstep(1.5 * fade.y, 3.0 * fade.y, spacing);
         // The lines that cross here stand about as close as this edge is long. What has vanished of both lines tints the

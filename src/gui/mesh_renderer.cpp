@@ -342,22 +342,25 @@ void MeshRenderer::set_depth_test(bool on) {
     gl_.DepthFunc(GL_LEQUAL);
 }
 
-void MeshRenderer::draw_edges(const Frame& frame, LineStyle style, PixelRect area, int bottom,
-                              const Theme& theme) {
+/// Lines go to a layer from here on, but for what the faces hide.
+void MeshRenderer::begin_layer(const Frame& frame, PixelRect area) {
     layer_.begin(area.width, area.height);
     set_depth_test(!frame.planar);
     bind_tables();
-    if (!frame.planar) { // what the faces hide
+    if (!frame.planar) {
         gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
         gl_.PolygonOffset(2, 2); // away from the viewer, the more the steeper, so that edges stay visible
-        draw_fill(frame, fill_array_, shown_.tessellation->triangles.size(), style.surface);
+        draw_fill(frame, fill_array_, shown_.tessellation->triangles.size(), {});
         gl_.Disable(GL_POLYGON_OFFSET_FILL);
         gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     }
     gl_.DepthMask(GL_FALSE);
-    draw_lines(frame, edges_, style);
-    layer_.end(area.x, bottom, theme.line_on_dark, theme.line_on_light);
+}
+
+void MeshRenderer::end_layer(const Frame& frame, PixelRect area, int bottom, Colour light_ink,
+                             Colour dark_ink) {
+    layer_.end(area.x, bottom, light_ink, dark_ink);
     bind_tables();
     set_depth_test(!frame.planar);
 }
@@ -399,11 +402,19 @@ void MeshRenderer::draw(const MeshPicture& picture, const Camera& camera, PixelR
     style.surface = surface;
     style.flat_ink = nothing;
     style.limb_begin = limb_begin, style.limb_end = limb_end;
-    if (picture.cell_dimension > 1 && picture.lines) draw_edges(frame, style, area, bottom, theme);
+    if (picture.cell_dimension > 1 && picture.lines) {
+        begin_layer(frame, area);
+        draw_lines(frame, edges_, style);
+        end_layer(frame, area, bottom, theme.line_on_dark, theme.line_on_light);
+    }
+    if (picture.overlay != nullptr) {
+        begin_layer(frame, area);
+        draw_overlay(frame, style, scale);
+        end_layer(frame, area, bottom, theme.overlay, theme.overlay);
+    }
     style.limb_begin = style.limb_end = 0;
     gl_.DepthMask(GL_FALSE);
     if (picture.cell_dimension == 1) draw_line_cells(frame, style, theme, scale);
-    if (picture.overlay != nullptr) draw_overlay(frame, style, theme, scale);
     draw_tangled(frame, style, theme, scale);
     if (picture.arrows != nullptr) draw_arrows(frame, theme, scale);
     gl_.DepthMask(GL_TRUE);
@@ -428,13 +439,13 @@ void MeshRenderer::draw_line_cells(const Frame& frame, LineStyle style, const Th
 }
 
 /// Its own curves stray from the picture's faces; what lies that little below them is still seen.
-void MeshRenderer::draw_overlay(Frame frame, LineStyle style, const Theme& theme, float scale) {
+void MeshRenderer::draw_overlay(Frame frame, LineStyle style, float scale) {
     bind_points(overlay_points_, overlay_points_);
     frame.blend = 1;
     style.width = overlay_width * std::max(1.0F, 0.7F * scale);
-    style.flat_ink = theme.overlay;
+    style.surface = {1, 1, 1, 1}; // whatever lies below, one ink
     style.haze = 0;
-    style.fade_end *= 1.6F; // where there is room for two meshes
+    style.fade_begin *= 2, style.fade_end *= 2.6F; // only where there is room for two meshes
     style.limb_begin = limb_begin, style.limb_end = limb_end;
     if (!frame.planar) style.pull += overlay_pull;
     draw_lines(frame, overlay_edges_, style);

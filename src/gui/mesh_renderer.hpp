@@ -103,10 +103,11 @@ class MeshRenderer {
     void draw_fill(const Frame& frame, const GlVertexArray& array, std::size_t count, Colour surface);
     void draw_line_cells(const Frame& frame, LineStyle style, const Theme& theme, float scale);
     void draw_tangled(const Frame& frame, LineStyle style, const Theme& theme, float scale);
-    void draw_overlay(Frame frame, LineStyle style, const Theme& theme, float scale);
+    void draw_overlay(Frame frame, LineStyle style, float scale);
     void draw_arrows(const Frame& frame, const Theme& theme, float scale);
     void draw_lines(const Frame& frame, const LineSet& set, const LineStyle& style);
-    void draw_edges(const Frame& frame, LineStyle style, PixelRect area, int bottom, const Theme& theme);
+    void begin_layer(const Frame& frame, PixelRect area);
+    void end_layer(const Frame& frame, PixelRect area, int bottom, Colour light_ink, Colour dark_ink);
 
     const Gl& gl_;
     GlProgram fill_program_, line_program_, arrow_program_;

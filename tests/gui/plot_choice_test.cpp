@@ -13,11 +13,10 @@ std::vector<DocumentRun> two_runs(int iterations = 20) {
     runs.push_back(made_up_run("first", iterations));
     runs.push_back(made_up_run("second", 10));
     runs[1].colour = 1;
-    runs[1].marks.push_back({.iteration = 5,
-                             .seconds = 0.05,
-                             .last_seconds = 0.05,
-                             .before = nullptr,
-                             .text = "amplitude 10 to 20"});
+    ChangeMark& mark = runs[1].marks.emplace_back();
+    mark.iteration = 5;
+    mark.seconds = mark.last_seconds = 0.05;
+    mark.text = "amplitude 10 to 20";
     return runs;
 }
 
