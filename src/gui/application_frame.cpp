@@ -287,35 +287,6 @@ void Application::draw_remedy() {
     ImGui::End();
 }
 
-/// Linear cells that have failed, and what would help, at the foot of the picture.
-void Application::draw_remedy() {
-    const std::string text = remedy_note(run());
-    if (text.empty()) return;
-    const float em = ImGui::GetFontSize();
-    const ItemRectangle& room = layout_.viewport;
-    const Action& row = action(ActionId::quadratic);
-    const std::string label = std::string(row.label) + " (" + describe_keys(row) + ")";
-    const float button = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-    const float widest = std::max(12 * em, room.width() - 4 * em);
-    const float wanted = ImGui::CalcTextSize(text.c_str()).x + button + 4 * em;
-    const float width = std::min(wanted, widest);
-    const float wrap = width - button - 3.4F * em;
-    const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap).y + 1.6F * em;
-    const float left = (room.left + room.right - width) / 2, bottom = room.bottom - 3.2F * em;
-    begin_part("##remedy", {left, bottom - height, left + width, bottom}, ImGuiWindowFlags_NoScrollbar, true);
-    ImGui::GetWindowDrawList()->AddRect({left, bottom - height}, {left + width, bottom},
-                                        packed(theme_.warning), 0, 0, 1.5F * scale_);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::SetCursorPos({width - button - em, (height - ImGui::GetFrameHeight()) / 2});
-    if (ImGui::Button(label.c_str())) perform(ActionId::quadratic);
-    remember_item(items_, "remedy");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.*s", static_cast<int>(row.help.size()), row.help.data());
-    ImGui::End();
-}
-
 void Application::draw_log() {
     begin_part("##log", layout_.log);
     log_.draw(theme_, items_);

@@ -180,7 +180,10 @@ RunStatus Run::judge(const StepReport& report, std::string& note) {
     if (report.residual < method.real("tolerance")) return RunStatus::converged;
     if (report.residual > divergence_factor * std::max(1.0, first_residual_) || !(report.theta > 0) ||
         report.theta > divergence_factor * first_theta_) {
-        note = "the iteration has left all bounds; a smaller step may help";
+        const Values& domain = problem_.scenario.domain.values;
+        const bool straight = domain.has("geometry_order") && domain.integer("geometry_order") == 1;
+        note = "the iteration has left all bounds; " +
+               std::string(straight ? "domain.geometry_order = 2" : "a smaller step") + " may help";
         return RunStatus::diverged;
     }
     if (report.iteration - judged_from_ >= method.integer("max_iterations"))
