@@ -5,14 +5,15 @@
 //   scenario/catalogue.hpp   what there is (domains, monitors, methods), and scenarios: plain, checked values
 //   scenario/toml.hpp        scenarios from built-in names and files
 //   monitor/function.hpp     a monitor from a function of your own
-//   session/run.hpp          a problem being solved; follow() and solve() move the mesh along with a
-//   simulation session/snapshot.hpp     where the nodes stand, with fields and numbers io/run_files.hpp
-//   meshes, history and state as files io/state_file.hpp        the unknowns, to go on another day
+//   session/run.hpp          a problem being solved; follow() and solve() move the mesh along
+//   session/snapshot.hpp     where the nodes stand, with fields and numbers
+//   io/run_files.hpp         meshes, history and state as files
+//   io/state_file.hpp        the unknowns, to go on another day
 //
-// Coordinates are those of the domain (the unit square: 0 to 1 in x and y, z = 0), in double precision;
-// lengths have no unit. xi is where a node stands in the uniform mesh, x where it has moved to. Errors are
-// exceptions (base/error.hpp); how an iteration ends is a value (RunStatus). There is no global state: a run
-// is used by one thread at a time, different runs by as many as one likes.
+// Coordinates are those of the domain (the unit square: 0 to 1 in x and y, z = 0; a sphere around the
+// origin), in double precision; lengths have no unit. xi is where a node stands in the uniform mesh, x where
+// it has moved to. Errors are exceptions (base/error.hpp); how an iteration ends is a value (RunStatus).
+// There is no global state: a run is used by one thread at a time, different runs by as many as one likes.
 #pragma once
 
 #include "core/base/error.hpp"
