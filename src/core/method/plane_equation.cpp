@@ -50,4 +50,29 @@ Evaluation PlaneEquation::evaluate(const Monitor& monitor, std::span<const doubl
     return {.residual = normalised, .theta = theta, .step_size = 0};
 }
 
+void PlaneEquation::linearise(const Monitor& monitor, Linearised how) {
+    if (how == Linearised::fully) {
+        monitor.gradients(positions_, slope_);
+    } else {
+        slope_.resize(0);
+        d_monitor_.assign(monitor_.size(), 0.0);
+    }
+}
+
+void PlaneEquation::derivative(std::span<const double> w, std::span<double> out) {
+    if (slope_.size() > 0) {
+        plane_->displacement(w, displacement_, room_);
+        d_monitor_.resize(monitor_.size());
+        for (std::size_t i = 0; i < d_monitor_.size(); ++i)
+            d_monitor_[i] = slope_.x[i] * displacement_.x[i] + slope_.y[i] * displacement_.y[i];
+    }
+    plane_->hessian(w, d_sigma_, room_);
+    plane_->residual_derivative(monitor_, sigma_, d_monitor_, d_sigma_, out, room_);
+    for (double& value : out) value = -value;
+}
+
+void PlaneEquation::precondition(std::span<const double> r, std::span<double> u) {
+    plane_->poisson(r, u, room_);
+}
+
 } // namespace gaspard
