@@ -74,4 +74,9 @@ std::unique_ptr<Equation> make_equation(std::shared_ptr<const Discretisation> di
 /// little shortened: beyond 2 / fastest it is unstable.
 double stable_step(const Ellipticity& ellipticity);
 
+/// What preconditions -div( m cof(I + sigma) grad ), whose eigenvalues lie between theta and m theta where
+/// the map is close to a solution: P = S K S, K the Laplacian's matrix, S = diag(m^(1/5)) (in the manner of
+/// Concus and Golub, 1973, who have the square root of a scalar coefficient). This is 1 / S from m.
+double preconditioner_scale(double monitor);
+
 } // namespace gaspard

@@ -43,6 +43,7 @@ class PlaneEquation final : public Equation {
     Points slope_, displacement_;   ///< grad m at the nodes; how far they move with w
     std::vector<double> d_monitor_; ///< how much m changes there
     WeakHessian d_sigma_;
+    std::vector<double> scale_, scaled_; ///< of the preconditioner
 };
 
 } // namespace gaspard
