@@ -83,7 +83,9 @@ TEST(Summary, HasTheFieldsOfTheContractInTheirOrder) {
                                                        "cpu_seconds",
                                                        "seconds_per_iteration",
                                                        "peak_memory_bytes",
-                                                       "version"}));
+                                                       "version",
+                                                       "inner_iterations",
+                                                       "note"}));
 }
 
 TEST(Summary, SaysWhatTheRunFound) {
