@@ -37,7 +37,7 @@ void add_run(CLI::App& app, RunArguments& run) {
     command->add_option("--start", run.start, "Go on from a state.bin")->type_name("FILE");
     command->add_option("--threads", run.threads, "Threads at most; results do not depend on it")
         ->type_name("N");
-    command->add_option("--seed", run.seed, "For scenarios with random numbers")->type_name("N");
+    command->add_option("--seed", run.seed, "Seed of a monitor with random numbers")->type_name("N");
     command->add_flag("--quiet", run.quiet, "Print nothing but errors");
 }
 

@@ -32,9 +32,12 @@ Scenario scenario_of(const Catalogue& catalogue, const RunArguments& arguments) 
         scenario.method.values.set("max_iterations", std::int64_t{*arguments.max_iterations});
     if (arguments.formats) scenario.output.set("formats", *arguments.formats);
     if (arguments.size) apply_size(scenario, *arguments.size);
-    if (arguments.seed)
-        throw InputError("--seed has nothing to set: scenario '" + scenario.name +
-                         "' uses no random numbers");
+    if (arguments.seed) {
+        if (!scenario.monitor.values.has("seed"))
+            throw InputError("--seed has nothing to set: scenario '" + scenario.name +
+                             "' uses no random numbers");
+        scenario.monitor.values.set("seed", std::int64_t{*arguments.seed});
+    }
     return scenario;
 }
 

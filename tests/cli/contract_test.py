@@ -221,6 +221,7 @@ class BadInput(Contract):
         self.refused(self.run_quick("--set", "domain.cells"), "key=value")
         self.refused(self.run_quick("--max-iterations", "many"), "many")
         self.refused(self.run_quick("--seed", "3"), "random")
+        self.refused(self.run_quick("--set", "monitor.type=random-bells", "--seed", "-1"), "monitor.seed")
         self.refused(self.run_quick("--set", "pde.epsilon=1"), "reserved")
 
     def test_broken_toml_names_the_line(self):

@@ -20,7 +20,12 @@ inline std::shared_ptr<const Monitor> make_monitor(const std::string& name, Spac
                                                    const Settings& settings = {}) {
     const MonitorType type = monitor_type(name);
     Values values("monitor", type.rows(space));
-    for (const auto& [key, value] : settings) values.set(key, value);
+    for (const auto& [key, value] : settings)
+        for (const auto& row : values.rows())
+            if (row.key == key && row.kind == ParameterKind::integer)
+                values.set(key, static_cast<std::int64_t>(value));
+            else if (row.key == key)
+                values.set(key, value);
     return type.make(values, space);
 }
 

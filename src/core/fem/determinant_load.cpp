@@ -9,8 +9,8 @@
 namespace gaspard {
 
 struct DeterminantLoad::Fields {
-    const double* monitor;
-    std::array<const double*, 3> sigma; ///< xx, yy, xy
+    std::array<const double*, 2> density{}; ///< m, dm
+    std::array<const double*, 6> sigma{};   ///< xx, yy, xy, then those of dsigma
 };
 
 DeterminantLoad::DeterminantLoad(LineGrid grid) : grid_(grid) {
@@ -25,7 +25,7 @@ DeterminantLoad::DeterminantLoad(LineGrid grid) : grid_(grid) {
 // Layouts: values [row of nodes][component][p][cell], density [row][p][cell], tested [b][p][cell].
 DeterminantLoad::Room DeterminantLoad::make_room() const {
     const std::size_t n = grid_.cells, size = grid_.size(2);
-    return {std::vector<double>(3 * 3 * gauss * n), std::vector<double>(2 * gauss * n),
+    return {std::vector<double>(2 * 3 * 3 * gauss * n), std::vector<double>(2 * 2 * gauss * n),
             std::vector<double>(3 * gauss * n), std::vector<double>(size + 1), std::vector<double>(size)};
 }
 
@@ -34,11 +34,31 @@ void DeterminantLoad::integrate(std::span<const double> monitor, const WeakHessi
     const std::size_t size = grid_.size(2), side = grid_.cells + 1;
     GASPARD_CHECK(monitor.size() == side * side && r.size() == size * size);
     for (const auto* part : {&sigma.xx, &sigma.yy, &sigma.xy}) GASPARD_CHECK(part->size() == size * size);
+    integrate_all<1>({{monitor.data()}, {sigma.xx.data(), sigma.yy.data(), sigma.xy.data()}}, r, rooms, team);
+}
+
+void DeterminantLoad::differentiate(std::span<const double> monitor, const WeakHessian& sigma,
+                                    std::span<const double> d_monitor, const WeakHessian& d_sigma,
+                                    std::span<double> r, std::span<Room> rooms, Team& team) const {
+    const std::size_t size = grid_.size(2), side = grid_.cells + 1;
+    GASPARD_CHECK(monitor.size() == side * side && d_monitor.size() == side * side);
+    GASPARD_CHECK(r.size() == size * size);
+    for (const auto* hessian : {&sigma, &d_sigma})
+        for (const auto* part : {&hessian->xx, &hessian->yy, &hessian->xy})
+            GASPARD_CHECK(part->size() == size * size);
+    integrate_all<2>({{monitor.data(), d_monitor.data()},
+                      {sigma.xx.data(), sigma.yy.data(), sigma.xy.data(), d_sigma.xx.data(),
+                       d_sigma.yy.data(), d_sigma.xy.data()}},
+                     r, rooms, team);
+}
+
+template <std::size_t fields>
+void DeterminantLoad::integrate_all(const Fields& from, std::span<double> r, std::span<Room> rooms,
+                                    Team& team) const {
     GASPARD_CHECK(rooms.size() >= team.workers());
-    const Fields fields{monitor.data(), {sigma.xx.data(), sigma.yy.data(), sigma.xy.data()}};
-    const std::size_t workers = team.workers(), n = grid_.cells;
+    const std::size_t workers = team.workers(), n = grid_.cells, size = grid_.size(2);
     team.share(n, [&](std::size_t worker, std::size_t begin, std::size_t end) {
-        if (begin < end) integrate_rows(begin, end, fields, r, rooms[worker]);
+        if (begin < end) integrate_rows<fields>(begin, end, from, r, rooms[worker]);
     });
     // Where two workers meet, each has integrated its side of a row of nodes.
     for (std::size_t worker = 0; worker < workers; ++worker) {
@@ -50,23 +70,28 @@ void DeterminantLoad::integrate(std::span<const double> monitor, const WeakHessi
     }
 }
 
-void DeterminantLoad::integrate_rows(std::size_t begin, std::size_t end, const Fields& fields,
+template <std::size_t fields>
+void DeterminantLoad::integrate_rows(std::size_t begin, std::size_t end, const Fields& from,
                                      std::span<double> r, Room& room) const {
     const std::size_t n = grid_.cells, size = grid_.size(2), slot = gauss * n;
     std::array<double*, 3> rows; // of nodes: the cells' bottom, middle and top
-    for (std::size_t b = 0; b < 3; ++b) rows[b] = room.values.data() + b * 3 * slot;
-    std::array<double*, 2> density{room.density.data(), room.density.data() + slot};
+    for (std::size_t b = 0; b < 3; ++b) rows[b] = room.values.data() + b * 3 * fields * slot;
+    std::array<double*, 2> density{room.density.data(), room.density.data() + fields * slot};
     const auto load = [&](std::size_t row, double* values) {
-        for (std::size_t part = 0; part < 3; ++part)
-            along_x(fields.sigma[part] + row % size * size, values + part * slot);
+        for (std::size_t part = 0; part < 3 * fields; ++part)
+            along_x(from.sigma[part] + row % size * size, values + part * slot);
+    };
+    const auto load_density = [&](std::size_t row, double* values) {
+        for (std::size_t part = 0; part < fields; ++part)
+            density_along_x(from.density[part] + row * (n + 1), values + part * slot);
     };
     load(2 * begin, rows[0]);
-    density_along_x(fields.monitor + begin * (n + 1), density[0]);
+    load_density(begin, density[0]);
     for (std::size_t j = begin; j < end; ++j) {
         load(2 * j + 1, rows[1]);
         load(2 * j + 2, rows[2]);
-        density_along_x(fields.monitor + (j + 1) * (n + 1), density[1]);
-        for (std::size_t p = 0; p < gauss; ++p) test_along_y(p, rows, density, room.tested.data());
+        load_density(j + 1, density[1]);
+        for (std::size_t p = 0; p < gauss; ++p) test_along_y<fields>(p, rows, density, room.tested.data());
         for (std::size_t b = 0; b < 3; ++b) {
             test_along_x(room.tested.data() + b * slot, room.row.data());
             double* to = b == 2 && j + 1 == end ? room.top.data() : r.data() + (2 * j + b) * size;
@@ -113,13 +138,13 @@ void DeterminantLoad::density_along_x(const double* monitor, double* density) co
 
 // Of one Gauss point along y: the values there from those on three rows of nodes (two of the density), then
 // m det(I + sigma), then its part of three integrals.
-void DeterminantLoad::add_point(const Point& at, const Rows& rows, double* __restrict t0,
+void DeterminantLoad::add_point(const Point& at, const Rows<1>& rows, double* __restrict t0,
                                 double* __restrict t1, double* __restrict t2) const {
     const auto [left, middle, right, q1_left, q1_right, test_left, test_middle, test_right] = at;
-    const auto [x0, x1, x2] = rows.xx;
-    const auto [y0, y1, y2] = rows.yy;
-    const auto [z0, z1, z2] = rows.xy;
-    const auto [m0, m1] = rows.density;
+    const auto [x0, x1, x2] = rows.sigma[0];
+    const auto [y0, y1, y2] = rows.sigma[1];
+    const auto [z0, z1, z2] = rows.sigma[2];
+    const auto [m0, m1] = rows.density[0];
     for (std::size_t c = 0; c < grid_.cells; ++c) {
         const double xx = 1 + left * x0[c] + middle * x1[c] + right * x2[c];
         const double yy = 1 + left * y0[c] + middle * y1[c] + right * y2[c];
@@ -131,15 +156,43 @@ void DeterminantLoad::add_point(const Point& at, const Rows& rows, double* __res
     }
 }
 
+// The same for dm det(I + sigma) + m cof(I + sigma) : dsigma.
+void DeterminantLoad::add_point(const Point& at, const Rows<2>& rows, double* __restrict t0,
+                                double* __restrict t1, double* __restrict t2) const {
+    const auto [left, middle, right, q1_left, q1_right, test_left, test_middle, test_right] = at;
+    const auto [x0, x1, x2] = rows.sigma[0];
+    const auto [y0, y1, y2] = rows.sigma[1];
+    const auto [z0, z1, z2] = rows.sigma[2];
+    const auto [dx0, dx1, dx2] = rows.sigma[3];
+    const auto [dy0, dy1, dy2] = rows.sigma[4];
+    const auto [dz0, dz1, dz2] = rows.sigma[5];
+    const auto [m0, m1] = rows.density[0];
+    const auto [dm0, dm1] = rows.density[1];
+    for (std::size_t c = 0; c < grid_.cells; ++c) {
+        const double xx = 1 + left * x0[c] + middle * x1[c] + right * x2[c];
+        const double yy = 1 + left * y0[c] + middle * y1[c] + right * y2[c];
+        const double xy = left * z0[c] + middle * z1[c] + right * z2[c];
+        const double dxx = left * dx0[c] + middle * dx1[c] + right * dx2[c];
+        const double dyy = left * dy0[c] + middle * dy1[c] + right * dy2[c];
+        const double dxy = left * dz0[c] + middle * dz1[c] + right * dz2[c];
+        const double m = q1_left * m0[c] + q1_right * m1[c], dm = q1_left * dm0[c] + q1_right * dm1[c];
+        const double f = dm * (xx * yy - xy * xy) + m * (yy * dxx + xx * dyy - 2 * xy * dxy);
+        t0[c] += test_left * f;
+        t1[c] += test_middle * f;
+        t2[c] += test_right * f;
+    }
+}
+
 // At the p-th points along x.
+template <std::size_t fields>
 void DeterminantLoad::test_along_y(std::size_t p, const std::array<double*, 3>& rows,
                                    const std::array<double*, 2>& density, double* tested) const {
     const std::size_t n = grid_.cells, slot = gauss * n;
-    const auto part = [&](std::size_t component) {
-        const std::size_t at = component * slot + p * n;
-        return std::array<const double*, 3>{rows[0] + at, rows[1] + at, rows[2] + at};
-    };
-    const Rows lines{part(0), part(1), part(2), {density[0] + p * n, density[1] + p * n}};
+    Rows<fields> lines;
+    for (std::size_t part = 0; part < 3 * fields; ++part)
+        for (std::size_t b = 0; b < 3; ++b) lines.sigma[part][b] = rows[b] + part * slot + p * n;
+    for (std::size_t part = 0; part < fields; ++part)
+        for (std::size_t b = 0; b < 2; ++b) lines.density[part][b] = density[b] + part * slot + p * n;
     double *t0 = tested + p * n, *t1 = t0 + slot, *t2 = t1 + slot;
     for (double* sum : {t0, t1, t2}) std::fill(sum, sum + n, 0.0);
     for (const Point& at : points_) add_point(at, lines, t0, t1, t2);

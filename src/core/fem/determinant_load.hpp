@@ -1,5 +1,9 @@
-// The integrals <v, m det(I + sigma)> for all v in Q2, m in Q1 and sigma in Q2, on n x n squares: exact, by
-// 4 x 4 Gauss points, one direction after the other, whole rows of cells at a time.
+// The integrals <v, m det(I + sigma)> for all v in Q2, m in Q1 and sigma in Q2, on n x n squares, and their
+// derivative in a direction (dm, dsigma),
+//
+//   <v, dm det(I + sigma) + m cof(I + sigma) : dsigma>
+//
+// exact, by 4 x 4 Gauss points, one direction after the other, whole rows of cells at a time.
 #pragma once
 
 #include "core/base/team.hpp"
@@ -20,9 +24,10 @@ class DeterminantLoad {
   public:
     explicit DeterminantLoad(LineGrid grid);
 
-    struct Room {                     ///< of one worker; all of it belongs to one row of cells
-        std::vector<double> values;   ///< sigma at the Gauss points along x, of three rows of nodes
-        std::vector<double> density;  ///< m likewise, of two
+    struct Room { ///< of one worker; all of it belongs to one row of cells
+        std::vector<double>
+            values; ///< sigma (and dsigma) at the Gauss points along x, of three rows of nodes
+        std::vector<double> density;  ///< m (and dm) likewise, of two
         std::vector<double> tested;   ///< integrated along y
         std::vector<double> row, top; ///< what the cells give to a row of nodes; to the one above the last
     };
@@ -32,6 +37,10 @@ class DeterminantLoad {
     /// does not depend on how many.
     void integrate(std::span<const double> monitor, const WeakHessian& sigma, std::span<double> r,
                    std::span<Room> rooms, Team& team) const;
+    /// The derivative, with dm and dsigma of the same shapes.
+    void differentiate(std::span<const double> monitor, const WeakHessian& sigma,
+                       std::span<const double> d_monitor, const WeakHessian& d_sigma, std::span<double> r,
+                       std::span<Room> rooms, Team& team) const;
 
   private:
     static constexpr std::size_t gauss = 4;
@@ -39,16 +48,24 @@ class DeterminantLoad {
     struct Point { ///< the local functions at a Gauss point: Q2, Q1, and Q2 with the weight
         double left, middle, right, q1_left, q1_right, test_left, test_middle, test_right;
     };
-    struct Rows { ///< of nodes, at one of the Gauss points along x, a value for every cell
-        std::array<const double*, 3> xx, yy, xy;
-        std::array<const double*, 2> density;
+    /// Of nodes, at one of the Gauss points along x, a value for every cell: of m and sigma, then perhaps of
+    /// dm and dsigma.
+    template <std::size_t fields>
+    struct Rows {
+        std::array<std::array<const double*, 3>, 3 * fields> sigma; ///< xx, yy, xy
+        std::array<std::array<const double*, 2>, fields> density;
     };
-    void integrate_rows(std::size_t begin, std::size_t end, const Fields& fields, std::span<double> r,
+    template <std::size_t fields>
+    void integrate_all(const Fields& from, std::span<double> r, std::span<Room> rooms, Team& team) const;
+    template <std::size_t fields>
+    void integrate_rows(std::size_t begin, std::size_t end, const Fields& from, std::span<double> r,
                         Room& room) const;
     void along_x(const double* nodes, double* values) const;
     void interpolate_cells(const double* nodes, double* v0, double* v1, double* v2, double* v3) const;
     void density_along_x(const double* monitor, double* density) const;
-    void add_point(const Point& at, const Rows& rows, double* t0, double* t1, double* t2) const;
+    void add_point(const Point& at, const Rows<1>& rows, double* t0, double* t1, double* t2) const;
+    void add_point(const Point& at, const Rows<2>& rows, double* t0, double* t1, double* t2) const;
+    template <std::size_t fields>
     void test_along_y(std::size_t p, const std::array<double*, 3>& rows,
                       const std::array<double*, 2>& density, double* tested) const;
     void test_along_x(const double* tested, double* row) const;

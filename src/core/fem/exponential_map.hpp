@@ -42,4 +42,13 @@ CosineAndSinc<Number> cosine_and_sinc(const Number& t_squared) {
     return {cosine, sinc};
 }
 
+/// The derivative of sin t / t with respect to t^2, from t^2: to 1e-15 for t <= pi. That of cos t is
+/// -sin t / 2 t.
+template <class Number>
+Number sinc_slope(const Number& t_squared) {
+    Number sum = 1 - t_squared * (1.0 / (26 * 29));
+    for (int k = 12; k >= 1; --k) sum = 1 - t_squared * (1.0 / (2 * k * (2 * k + 3))) * sum;
+    return sum * (-1.0 / 6);
+}
+
 } // namespace gaspard

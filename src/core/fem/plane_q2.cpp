@@ -71,22 +71,29 @@ void PlaneQ2::along_x(const LineMap& map, const double* in, double* out, std::si
 }
 
 void PlaneQ2::positions(std::span<const double> phi, Points& x, Room& room) const {
+    displacement(phi, x, room);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        x.x[i] += mesh_->nodes.x[i];
+        x.y[i] += mesh_->nodes.y[i];
+    }
+}
+
+void PlaneQ2::displacement(std::span<const double> phi, Points& d, Room& room) const {
     GASPARD_CHECK(phi.size() == unknowns());
     const std::size_t v = grid_.vertices(), side = grid_.cells + 1;
-    x.resize(mesh_->node_count());
-    const auto project = [&](const LineMap& to_x, const LineMap& to_y, const std::vector<double>& xi,
-                             std::vector<double>& coordinate) {
+    d.resize(mesh_->node_count());
+    const auto project = [&](const LineMap& to_x, const LineMap& to_y, std::vector<double>& coordinate) {
         along_y(to_y, phi.data(), room.a.data(), size(), room);
         along_x(to_x, room.a.data(), room.b.data(), v, room);
         for (std::size_t j = 0; j < side; ++j) {
             const double* shift = room.b.data() + j % v * v;
-            for (std::size_t i = 0; i < v; ++i) coordinate[j * side + i] = xi[j * side + i] + shift[i];
-            if (v < side) coordinate[j * side + v] = xi[j * side + v] + shift[0];
+            std::copy_n(shift, v, coordinate.data() + j * side);
+            if (v < side) coordinate[j * side + v] = shift[0];
         }
     };
-    project(slope_q1_, value_q1_, mesh_->nodes.x, x.x);
-    project(value_q1_, slope_q1_, mesh_->nodes.y, x.y);
-    std::fill(x.z.begin(), x.z.end(), 0.0);
+    project(slope_q1_, value_q1_, d.x);
+    project(value_q1_, slope_q1_, d.y);
+    std::fill(d.z.begin(), d.z.end(), 0.0);
 }
 
 void PlaneQ2::hessian(std::span<const double> phi, WeakHessian& sigma, Room& room) const {
@@ -103,8 +110,21 @@ PlaneQ2::Residual PlaneQ2::residual(std::span<const double> monitor, const WeakH
                                     std::span<double> r, Room& room) const {
     GASPARD_CHECK(monitor.size() == mesh_->node_count() && r.size() == unknowns());
     load_.integrate(monitor, sigma, r, room.load, *room.team);
+    return take_mean(r, room);
+}
+
+void PlaneQ2::residual_derivative(std::span<const double> monitor, const WeakHessian& sigma,
+                                  std::span<const double> d_monitor, const WeakHessian& d_sigma,
+                                  std::span<double> dr, Room& room) const {
+    load_.differentiate(monitor, sigma, d_monitor, d_sigma, dr, room.load, *room.team);
+    take_mean(dr, room);
+}
+
+// From integrals <v, f>, theta the integral of f: what remains is <v, f - theta>. Sums in an order that does
+// not depend on the workers.
+PlaneQ2::Residual PlaneQ2::take_mean(std::span<double> r, Room& room) const {
     const auto row = [&](std::size_t j) { return r.subspan(j * size(), size()); };
-    const auto sum_rows = [&](const auto& sum_row) { // in an order that does not depend on the workers
+    const auto sum_rows = [&](const auto& sum_row) {
         room.team->share(size(), [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t j = begin; j < end; ++j) room.rows[j] = sum_row(j);
         });

@@ -53,6 +53,8 @@ class PlaneQ2 final : public Discretisation {
 
     /// (3.5): x at the mesh's nodes.
     void positions(std::span<const double> phi, Points& x, Room& room) const;
+    /// x - xi at the mesh's nodes, linear in phi.
+    void displacement(std::span<const double> phi, Points& d, Room& room) const;
     /// (3.8), sigma eliminated exactly.
     void hessian(std::span<const double> phi, WeakHessian& sigma, Room& room) const;
 
@@ -63,6 +65,10 @@ class PlaneQ2 final : public Discretisation {
     /// (3.6) and (5.1) for the monitor's values at the mesh's nodes; fills r.
     Residual residual(std::span<const double> monitor, const WeakHessian& sigma, std::span<double> r,
                       Room& room) const;
+    /// The derivative of r in a direction: dm at the nodes, dsigma; fills dr.
+    void residual_derivative(std::span<const double> monitor, const WeakHessian& sigma,
+                             std::span<const double> d_monitor, const WeakHessian& d_sigma,
+                             std::span<double> dr, Room& room) const;
     /// (3.7): u = (stiffness)^-1 r with mean 0. May be in place.
     void poisson(std::span<const double> r, std::span<double> u, Room& room) const;
 
@@ -77,6 +83,7 @@ class PlaneQ2 final : public Discretisation {
     void along_y(const LineMap& map, const double* in, double* out, std::size_t lines, Room& room) const;
     void along_x(const LineMap& map, const double* in, double* out, std::size_t lines, Room& room) const;
     std::vector<double> line_weights() const;
+    Residual take_mean(std::span<double> r, Room& room) const;
     /// <v, f> along the first index.
     void apply_mass(const double* f, double* b) const;
 

@@ -108,44 +108,30 @@ class Elements final : public SurfaceElements {
 
     void add_map_loads(std::size_t begin, std::size_t end, const double* phi, double* loads,
                        double* gradient_loads) const override {
-        for (std::size_t b = begin; b < end; ++b) {
-            Lanes flux[max_points * 18], gradient[max_points * 3];
-            Lanes values[phi_nodes];
-            gather(b, phi, values);
-            for (std::size_t q = 0; q < rule_.size(); ++q)
-                map_at(b, q, values, flux + 18 * q, gradient + 3 * q);
-            Lanes sums[phi_nodes * 12];
-            for (std::size_t c = 0; c < 9; ++c) test_gradients(flux + 2 * c, sums + c);
-            if constexpr (facet_nodes == phi_nodes) {
-                for (std::size_t c = 0; c < 3; ++c)
-                    test_values<phi_nodes>(phi_, gradient + c, sums + 9 + c, 12);
-                scatter<12, phi_nodes>(b, sums, cells_of_.phi, loads);
-            } else {
-                for (std::size_t n = 0; n < phi_nodes; ++n)
-                    for (std::size_t c = 9; c < 12; ++c) sums[12 * n + c].setZero();
-                scatter<12, phi_nodes>(b, sums, cells_of_.phi, loads);
-                for (std::size_t c = 0; c < 3; ++c)
-                    test_values<facet_nodes>(facet_, gradient + c, sums + c, 4);
-                for (std::size_t n = 0; n < facet_nodes; ++n) sums[4 * n + 3].setZero();
-                scatter<4, facet_nodes>(b, sums, cells_of_.gradient, gradient_loads);
-            }
-        }
+        add_loads(begin, end, phi, nullptr, loads, gradient_loads);
+    }
+    void add_map_derivative(std::size_t begin, std::size_t end, const double* phi, const double* d_phi,
+                            double* loads, double* gradient_loads) const override {
+        add_loads(begin, end, phi, d_phi, loads, gradient_loads);
     }
 
     void add_residual(std::size_t begin, std::size_t end, const double* phi, const double* sigma,
                       const double* monitor, double* r) const override {
         for (std::size_t b = begin; b < end; ++b) {
-            Lanes values[phi_nodes], nodes[phi_nodes * 9], m[facet_nodes], density[max_points];
-            gather(b, phi, values);
-            gather_rows(b, sigma, nodes);
-            for (std::size_t l = 0; l < batch; ++l)
-                for (std::size_t n = 0; n < monitor_.nodes; ++n)
-                    m[n][static_cast<Eigen::Index>(l)] =
-                        monitor[cells_of_.nodes[cell_of(b, l) * facet_nodes + n]];
-            for (std::size_t q = 0; q < rule_.size(); ++q) density[q] = density_at(b, q, values, nodes, m);
-            Lanes sums[phi_nodes];
-            test_values<phi_nodes>(phi_, density, sums, 1, 1);
-            scatter<1, phi_nodes>(b, sums, cells_of_.phi, r);
+            const AtNodes nodes = gather_all(b, {phi, sigma, monitor});
+            Lanes density[max_points];
+            for (std::size_t q = 0; q < rule_.size(); ++q) density[q] = density_at(b, q, nodes);
+            add_tested(b, density, r);
+        }
+    }
+    void add_residual_derivative(std::size_t begin, std::size_t end, const Fields& at,
+                                 const Fields& direction, double* r) const override {
+        for (std::size_t b = begin; b < end; ++b) {
+            const AtNodes nodes = gather_all(b, at), d_nodes = gather_all(b, direction);
+            Lanes density[max_points];
+            for (std::size_t q = 0; q < rule_.size(); ++q)
+                density[q] = density_derivative_at(b, q, nodes, d_nodes);
+            add_tested(b, density, r);
         }
     }
 
@@ -183,6 +169,13 @@ class Elements final : public SurfaceElements {
   private:
     static constexpr std::size_t max_points = 25;
 
+    struct AtNodes { ///< of a batch's cells
+        Lanes phi[phi_nodes], sigma[phi_nodes * 9], monitor[facet_nodes];
+    };
+    struct Tensor {
+        Lanes a[9]; ///< row by row
+    };
+
     /// The cell in a lane of a batch; the last batch repeats the last cell.
     std::size_t cell_of(std::size_t b, std::size_t lane) const {
         return std::min(b * batch + lane, cells_ - 1);
@@ -219,13 +212,56 @@ class Elements final : public SurfaceElements {
             }
     }
 
+    AtNodes gather_all(std::size_t b, const Fields& from) const {
+        AtNodes nodes;
+        gather(b, from.phi, nodes.phi);
+        gather_rows(b, from.sigma, nodes.sigma);
+        for (std::size_t l = 0; l < batch; ++l)
+            for (std::size_t n = 0; n < monitor_.nodes; ++n)
+                nodes.monitor[n][static_cast<Eigen::Index>(l)] =
+                    from.monitor[cells_of_.nodes[cell_of(b, l) * facet_nodes + n]];
+        return nodes;
+    }
+    void add_tested(std::size_t b, const Lanes* density, double* r) const {
+        Lanes sums[phi_nodes];
+        test_values<phi_nodes>(phi_, density, sums, 1, 1);
+        scatter<1, phi_nodes>(b, sums, cells_of_.phi, r);
+    }
+    /// Of the map, or of its derivative where there is a direction.
+    void add_loads(std::size_t begin, std::size_t end, const double* phi, const double* d_phi, double* loads,
+                   double* gradient_loads) const {
+        for (std::size_t b = begin; b < end; ++b) {
+            Lanes flux[max_points * 18], gradient[max_points * 3];
+            Lanes values[phi_nodes], d_values[phi_nodes];
+            gather(b, phi, values);
+            if (d_phi) gather(b, d_phi, d_values);
+            for (std::size_t q = 0; q < rule_.size(); ++q)
+                map_at(b, q, values, d_phi ? d_values : nullptr, flux + 18 * q, gradient + 3 * q);
+            Lanes sums[phi_nodes * 12];
+            for (std::size_t c = 0; c < 9; ++c) test_gradients(flux + 2 * c, sums + c);
+            if constexpr (facet_nodes == phi_nodes) {
+                for (std::size_t c = 0; c < 3; ++c)
+                    test_values<phi_nodes>(phi_, gradient + c, sums + 9 + c, 12);
+                scatter<12, phi_nodes>(b, sums, cells_of_.phi, loads);
+            } else {
+                for (std::size_t n = 0; n < phi_nodes; ++n)
+                    for (std::size_t c = 9; c < 12; ++c) sums[12 * n + c].setZero();
+                scatter<12, phi_nodes>(b, sums, cells_of_.phi, loads);
+                for (std::size_t c = 0; c < 3; ++c)
+                    test_values<facet_nodes>(facet_, gradient + c, sums + c, 4);
+                for (std::size_t n = 0; n < facet_nodes; ++n) sums[4 * n + 3].setZero();
+                scatter<4, facet_nodes>(b, sums, cells_of_.gradient, gradient_loads);
+            }
+        }
+    }
+
     Place<Lanes> place_at(std::size_t b, std::size_t q) const {
         return place_on_facet<facet_nodes, Lanes>(&facets_[b * facet_nodes * 3],
                                                   &facet_.value[q * facet_nodes], &facet_.ds[q * facet_nodes],
                                                   &facet_.dt[q * facet_nodes], rule_[q].weight);
     }
-    static Vector<Lanes> gradient(const Place<Lanes>& place, const Lanes* phi, const double* ds,
-                                  const double* dt) {
+    Vector<Lanes> gradient(const Place<Lanes>& place, std::size_t q, const Lanes* phi) const {
+        const double *ds = &phi_.ds[q * phi_nodes], *dt = &phi_.dt[q * phi_nodes];
         Lanes s = ds[0] * phi[0], t = dt[0] * phi[0];
         for (std::size_t n = 1; n < phi_nodes; ++n) s += ds[n] * phi[n], t += dt[n] * phi[n];
         return {place.grad_s.x * s + place.grad_t.x * t, place.grad_s.y * s + place.grad_t.y * t,
@@ -239,12 +275,32 @@ class Elements final : public SurfaceElements {
                 cosine * place.xi.z + sinc * g.z};
     }
 
+    /// How e changes with g.
+    static Vector<Lanes> moved_derivative(const Place<Lanes>& place, const Vector<Lanes>& g,
+                                          const Vector<Lanes>& d) {
+        if constexpr (shape == SurfaceShape::flat) return d;
+        const Lanes squared = product(g, g);
+        const Lanes change = 2 * product(g, d);
+        const auto [cosine, sinc] = cosine_and_sinc<Lanes>(squared);
+        const Lanes d_cosine = -0.5 * sinc * change, d_sinc = sinc_slope<Lanes>(squared) * change;
+        return {d_cosine * place.xi.x + d_sinc * g.x + sinc * d.x,
+                d_cosine * place.xi.y + d_sinc * g.y + sinc * d.y,
+                d_cosine * place.xi.z + d_sinc * g.z + sinc * d.z};
+    }
+
     /// What the gradients of test functions are multiplied by: -e_i grad_j s, -e_i grad_j t; and the
-    /// gradient.
-    void map_at(std::size_t b, std::size_t q, const Lanes* phi, Lanes* flux, Lanes* gradients) const {
+    /// gradient. With a direction, their derivatives.
+    void map_at(std::size_t b, std::size_t q, const Lanes* phi, const Lanes* d_phi, Lanes* flux,
+                Lanes* gradients) const {
         const Place<Lanes> place = place_at(b, q);
-        const Vector<Lanes> g = gradient(place, phi, &phi_.ds[q * phi_nodes], &phi_.dt[q * phi_nodes]);
-        const Vector<Lanes> e = moved(place, g);
+        Vector<Lanes> g = gradient(place, q, phi), e;
+        if (d_phi) {
+            const Vector<Lanes> d = gradient(place, q, d_phi);
+            e = moved_derivative(place, g, d);
+            g = d;
+        } else {
+            e = moved(place, g);
+        }
         const Lanes along[3] = {e.x * place.area, e.y * place.area, e.z * place.area};
         for (std::size_t i = 0; i < 3; ++i) {
             flux[6 * i + 0] = along[i] * place.grad_s.x;
@@ -257,22 +313,19 @@ class Elements final : public SurfaceElements {
         gradients[0] = g.x * place.area, gradients[1] = g.y * place.area, gradients[2] = g.z * place.area;
     }
 
-    /// m det A with the element of area.
-    Lanes density_at(std::size_t b, std::size_t q, const Lanes* phi, const Lanes* sigma,
-                     const Lanes* m) const {
-        const Place<Lanes> place = place_at(b, q);
+    /// sigma P + e (x) k = sigma + (e - sigma k) (x) k; sigma alone on a flat surface.
+    Tensor tensor_at(const Place<Lanes>& place, std::size_t q, const Lanes* sigma,
+                     const Vector<Lanes>& e_of_map) const {
         const double* value = &phi_.value[q * phi_nodes];
-        Lanes a[9];
+        Tensor tensor;
+        Lanes* a = tensor.a;
         for (std::size_t c = 0; c < 9; ++c) a[c] = value[0] * sigma[c];
         for (std::size_t n = 1; n < phi_nodes; ++n)
             for (std::size_t c = 0; c < 9; ++c) a[c] += value[n] * sigma[9 * n + c];
-        if constexpr (shape == SurfaceShape::flat) {
-            a[0] += 1, a[4] += 1, a[8] += 1;
-        } else { // sigma P + e (x) k = sigma + (e - sigma k) (x) k
+        if constexpr (shape == SurfaceShape::unit_sphere) {
+            const Vector<Lanes>& e = e_of_map;
             const Lanes inverse = 1 / root(product(place.xi, place.xi));
             const Vector<Lanes> k = {place.xi.x * inverse, place.xi.y * inverse, place.xi.z * inverse};
-            const Vector<Lanes> e =
-                moved(place, gradient(place, phi, &phi_.ds[q * phi_nodes], &phi_.dt[q * phi_nodes]));
             const Lanes x = e.x - (a[0] * k.x + a[1] * k.y + a[2] * k.z);
             const Lanes y = e.y - (a[3] * k.x + a[4] * k.y + a[5] * k.z);
             const Lanes z = e.z - (a[6] * k.x + a[7] * k.y + a[8] * k.z);
@@ -280,12 +333,47 @@ class Elements final : public SurfaceElements {
             a[3] += y * k.x, a[4] += y * k.y, a[5] += y * k.z;
             a[6] += z * k.x, a[7] += z * k.y, a[8] += z * k.z;
         }
+        return tensor;
+    }
+    /// A.
+    Tensor map_tensor_at(const Place<Lanes>& place, std::size_t q, const AtNodes& nodes,
+                         const Vector<Lanes>& g) const {
+        Tensor tensor = tensor_at(place, q, nodes.sigma, moved(place, g));
+        if constexpr (shape == SurfaceShape::flat) tensor.a[0] += 1, tensor.a[4] += 1, tensor.a[8] += 1;
+        return tensor;
+    }
+    Lanes monitor_at(std::size_t q, const AtNodes& nodes) const {
         const double* weight = &monitor_.value[q * monitor_.nodes];
-        Lanes monitor = weight[0] * m[0];
-        for (std::size_t n = 1; n < monitor_.nodes; ++n) monitor += weight[n] * m[n];
-        return monitor * place.area *
+        Lanes monitor = weight[0] * nodes.monitor[0];
+        for (std::size_t n = 1; n < monitor_.nodes; ++n) monitor += weight[n] * nodes.monitor[n];
+        return monitor;
+    }
+
+    /// m det A with the element of area.
+    Lanes density_at(std::size_t b, std::size_t q, const AtNodes& nodes) const {
+        const Place<Lanes> place = place_at(b, q);
+        const auto [a] = map_tensor_at(place, q, nodes, gradient(place, q, nodes.phi));
+        return monitor_at(q, nodes) * place.area *
                (a[0] * (a[4] * a[8] - a[5] * a[7]) - a[1] * (a[3] * a[8] - a[5] * a[6]) +
                 a[2] * (a[3] * a[7] - a[4] * a[6]));
+    }
+    /// dm det A + m cof A : dA with the element of area.
+    Lanes density_derivative_at(std::size_t b, std::size_t q, const AtNodes& nodes,
+                                const AtNodes& d_nodes) const {
+        const Place<Lanes> place = place_at(b, q);
+        const Vector<Lanes> g = gradient(place, q, nodes.phi);
+        const auto [a] = map_tensor_at(place, q, nodes, g);
+        const auto [d] =
+            tensor_at(place, q, d_nodes.sigma, moved_derivative(place, g, gradient(place, q, d_nodes.phi)));
+        const Lanes c0 = a[4] * a[8] - a[5] * a[7], c1 = a[5] * a[6] - a[3] * a[8],
+                    c2 = a[3] * a[7] - a[4] * a[6];
+        const Lanes determinant = a[0] * c0 + a[1] * c1 + a[2] * c2;
+        Lanes change = c0 * d[0] + c1 * d[1] + c2 * d[2];
+        change += (a[2] * a[7] - a[1] * a[8]) * d[3] + (a[0] * a[8] - a[2] * a[6]) * d[4] +
+                  (a[1] * a[6] - a[0] * a[7]) * d[5];
+        change += (a[1] * a[5] - a[2] * a[4]) * d[6] + (a[2] * a[3] - a[0] * a[5]) * d[7] +
+                  (a[0] * a[4] - a[1] * a[3]) * d[8];
+        return place.area * (monitor_at(q, d_nodes) * determinant + monitor_at(q, nodes) * change);
     }
 
     /// sums[12 n] = minus the integral of (d_s v_n flux_0 + d_t v_n flux_1); 18 fluxes per point.

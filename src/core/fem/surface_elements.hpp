@@ -8,6 +8,11 @@
 //                 <w, grad_i phi>   those of the projected gradient, (4.10)
 //   residual      <v, m det A>                                                       (4.8)
 //
+// and their derivatives, by dphi, dsigma and dm; cof A = det A A^-T:
+//
+//   map loads     -<d_j v, de_i>,  <w, grad_i dphi>
+//   residual      <v, dm det A + m cof A : dA>
+//
 // grad is the surface gradient on the computed facets; phi and sigma are quadratic on the reference cell,
 // whatever the order of the facets. xi is a point of the facet, not pushed out to the sphere.
 #pragma once
@@ -49,6 +54,14 @@ class SurfaceElements {
     /// Added to r. `sigma` stands in rows of 12; `monitor` at the facets' nodes.
     virtual void add_residual(std::size_t begin, std::size_t end, const double* phi, const double* sigma,
                               const double* monitor, double* r) const = 0;
+    /// The derivatives of both in a direction, which is given and added to in the same way.
+    virtual void add_map_derivative(std::size_t begin, std::size_t end, const double* phi,
+                                    const double* d_phi, double* loads, double* gradient_loads) const = 0;
+    struct Fields {
+        const double *phi, *sigma, *monitor;
+    };
+    virtual void add_residual_derivative(std::size_t begin, std::size_t end, const Fields& at,
+                                         const Fields& direction, double* r) const = 0;
     /// A cell's matrices <v, w> and <grad v, grad w>, and <v, w> for functions of the facets' order.
     virtual void mass(std::size_t cell, std::span<double> matrix) const = 0;
     virtual void stiffness(std::size_t cell, std::span<double> matrix) const = 0;

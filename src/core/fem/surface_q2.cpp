@@ -168,16 +168,21 @@ void SurfaceQ2::map(std::span<const double> phi, Room& room) const {
     if (!curved_) facet_mass_->solve<4>(room.gradient);
 }
 
+/// w (4.10) at a node.
+Vec3 SurfaceQ2::projected_gradient(const Room& room, std::size_t node) const {
+    const auto unknown = static_cast<std::size_t>(node_unknown_[node]);
+    const double* w = curved_
+                          ? &room.rows[12 * static_cast<std::size_t>(dissection_->place[unknown]) + 9]
+                          : &room.gradient[4 * static_cast<std::size_t>(facet_dissection_->place[unknown])];
+    return {w[0], w[1], w[2]};
+}
+
 void SurfaceQ2::positions(const Room& room, Points& x, Points& gradient) const {
     x.resize(places_.size());
     gradient.resize(places_.size());
     for (std::size_t i = 0; i < places_.size(); ++i) {
-        const auto unknown = static_cast<std::size_t>(node_unknown_[i]);
-        const double* w =
-            curved_ ? &room.rows[12 * static_cast<std::size_t>(dissection_->place[unknown]) + 9]
-                    : &room.gradient[4 * static_cast<std::size_t>(facet_dissection_->place[unknown])];
         const Vec3 xi = places_[i];
-        Vec3 g{w[0], w[1], w[2]};
+        Vec3 g = projected_gradient(room, i);
         if (shape_ == SurfaceShape::flat) {
             x.set(i, radius_ * (xi + g));
         } else {
@@ -186,6 +191,33 @@ void SurfaceQ2::positions(const Room& room, Points& x, Points& gradient) const {
             x.set(i, radius_ * (cosine * xi + sinc * g));
         }
         gradient.set(i, g);
+    }
+}
+
+void SurfaceQ2::map_derivative(const Room& room, std::span<const double> w, Room& d_room) const {
+    GASPARD_CHECK(w.size() == unknowns());
+    for (std::size_t i = 0; i < w.size(); ++i)
+        d_room.phi[static_cast<std::size_t>(dissection_->place[i])] = w[i];
+    std::fill(d_room.rows.begin(), d_room.rows.end(), 0.0);
+    std::fill(d_room.gradient.begin(), d_room.gradient.end(), 0.0);
+    elements_->add_map_derivative(0, elements_->batches(), room.phi.data(), d_room.phi.data(),
+                                  d_room.rows.data(), d_room.gradient.data());
+    mass_->solve<12>(d_room.rows);
+    if (!curved_) facet_mass_->solve<4>(d_room.gradient);
+}
+
+void SurfaceQ2::positions_derivative(const Points& gradient, const Room& d_room, Points& dx) const {
+    dx.resize(places_.size());
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        Vec3 d = projected_gradient(d_room, i);
+        if (shape_ == SurfaceShape::unit_sphere) {
+            const Vec3 xi = places_[i], g = gradient[i];
+            d = d - dot(d, xi) * xi;
+            const double squared = dot(g, g), change = 2 * dot(g, d);
+            const auto [cosine, sinc] = cosine_and_sinc(squared);
+            d = (-0.5 * sinc * change) * xi + (sinc_slope(squared) * change) * g + sinc * d;
+        }
+        dx.set(i, radius_ * d);
     }
 }
 
@@ -200,10 +232,43 @@ SurfaceQ2::Residual SurfaceQ2::residual(std::span<const double> monitor, std::sp
     std::fill(room.r.begin(), room.r.end(), 0.0);
     elements_->add_residual(0, elements_->batches(), room.phi.data(), room.rows.data(), monitor.data(),
                             room.r.data());
+    const double theta = take_mean(room, r);
+    return {theta, std::sqrt(dot(r, r) / dot(weights_, weights_)) / std::abs(theta)};
+}
+
+/// From integrals <v, f>, theta the mean of f: what remains is <v, f - theta>. Returns theta.
+double SurfaceQ2::take_mean(const Room& room, std::span<double> r) const {
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = room.r[static_cast<std::size_t>(dissection_->place[i])];
     const double theta = sum(r) / area_; // the functions v add up to 1
     for (std::size_t i = 0; i < r.size(); ++i) r[i] -= theta * weights_[i];
-    return {theta, std::sqrt(dot(r, r) / dot(weights_, weights_)) / std::abs(theta)};
+    return theta;
+}
+
+void SurfaceQ2::residual_derivative(std::span<const double> monitor, const Room& room,
+                                    std::span<const double> d_monitor, Room& d_room,
+                                    std::span<double> dr) const {
+    GASPARD_CHECK(monitor.size() == mesh_->node_count() && d_monitor.size() == monitor.size());
+    GASPARD_CHECK(dr.size() == unknowns());
+    std::fill(d_room.r.begin(), d_room.r.end(), 0.0);
+    elements_->add_residual_derivative(
+        0, elements_->batches(), {room.phi.data(), room.rows.data(), monitor.data()},
+        {d_room.phi.data(), d_room.rows.data(), d_monitor.data()}, d_room.r.data());
+    take_mean(d_room, dr);
+}
+
+std::vector<double> SurfaceQ2::at_unknowns(std::span<const double> nodal) const {
+    GASPARD_CHECK(nodal.size() == mesh_->node_count());
+    std::vector<double> values(unknowns());
+    for (std::size_t c = 0; !curved_ && c < mesh_->cell_count(); ++c) {
+        const auto nodes = mesh_->cell(c);
+        double mean = 0;
+        for (const auto node : nodes) mean += nodal[static_cast<std::size_t>(node)];
+        mean /= static_cast<double>(nodes.size());
+        for (const auto unknown : phi_cells_.of(c)) values[static_cast<std::size_t>(unknown)] = mean;
+    }
+    for (std::size_t i = 0; i < nodal.size(); ++i)
+        values[static_cast<std::size_t>(node_unknown_[i])] = nodal[i];
+    return values;
 }
 
 void SurfaceQ2::poisson(std::span<const double> r, std::span<double> u, Room& room) const {

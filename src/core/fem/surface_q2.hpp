@@ -73,6 +73,8 @@ class SurfaceQ2 final : public Discretisation {
     void map(std::span<const double> phi, Room& room) const;
     /// After map: x at the nodes of mesh(), on the sphere of its radius, and w' there (of radius 1).
     void positions(const Room& room, Points& x, Points& gradient) const;
+    /// <v, 1> of every unknown.
+    std::span<const double> weights() const { return weights_; }
     /// After map: sigma at a node of mesh(), row by row.
     std::span<const double> sigma(const Room& room, std::size_t node) const;
 
@@ -82,6 +84,15 @@ class SurfaceQ2 final : public Discretisation {
     };
     /// After map, for the monitor's values at the nodes of mesh(); fills r.
     Residual residual(std::span<const double> monitor, std::span<double> r, Room& room) const;
+    /// How all of that changes with phi, in direction w; `room` as map has left it, `d_room` another one.
+    void map_derivative(const Room& room, std::span<const double> w, Room& d_room) const;
+    /// Of x; `gradient` as positions has left it.
+    void positions_derivative(const Points& gradient, const Room& d_room, Points& dx) const;
+    /// Of r, with dm at the nodes of mesh().
+    void residual_derivative(std::span<const double> monitor, const Room& room,
+                             std::span<const double> d_monitor, Room& d_room, std::span<double> dr) const;
+    /// At the unknowns, from values at the nodes of mesh(); where there is no node, the mean of a cell's.
+    std::vector<double> at_unknowns(std::span<const double> nodal) const;
     /// u with <grad v, grad u> = r_v and mean 0, for r of sum 0. May be in place.
     void poisson(std::span<const double> r, std::span<double> u, Room& room) const;
 
@@ -112,6 +123,9 @@ class SurfaceQ2 final : public Discretisation {
     std::shared_ptr<const Dissection> dissection_, facet_dissection_;
     std::unique_ptr<const SurfaceElements> elements_; ///< the cells in the order of the dissection
     std::unique_ptr<const CellCholesky> mass_, stiffness_, facet_mass_;
+    Vec3 projected_gradient(const Room& room, std::size_t node) const;
+    double take_mean(const Room& room, std::span<double> r) const;
+
     std::vector<double> weights_; ///< <v, 1>
     double area_ = 0;
 };

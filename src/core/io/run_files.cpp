@@ -1,5 +1,6 @@
 #include "core/io/run_files.hpp"
 
+#include "core/base/csv.hpp"
 #include "core/base/error.hpp"
 #include "core/base/version.hpp"
 #include "core/io/atomic_file.hpp"
@@ -38,13 +39,15 @@ std::uint64_t peak_memory_bytes() {
 
 std::string history_csv(const std::vector<StepReport>& history) {
     std::string text =
-        "iteration,residual,equidistribution,exact_rms,min_jacobian,tangled_cells,step_size,seconds\n";
+        "iteration,residual,equidistribution,exact_rms,min_jacobian,tangled_cells,step_size,seconds,"
+        "inner_iterations,note\n";
     for (const auto& row : history) {
         text += std::to_string(row.iteration) + ',' + format_number(row.residual) + ',';
         text += format_number(row.equidistribution) + ',' + format_number(row.exact_rms) + ',' +
                 format_number(row.min_jacobian) + ',';
         text += row.tangled_cells ? std::to_string(*row.tangled_cells) : "";
-        text += ',' + format_number(row.step_size) + ',' + format_number(row.seconds) + '\n';
+        text += ',' + format_number(row.step_size) + ',' + format_number(row.seconds) + ',' +
+                std::to_string(row.inner_iterations) + ',' + csv_text(row.note) + '\n';
     }
     return text;
 }
@@ -75,6 +78,10 @@ std::string summary_json(Run& run) {
     json["seconds_per_iteration"] = last.iteration > 0 ? Json(last.seconds / last.iteration) : Json(nullptr);
     json["peak_memory_bytes"] = peak_memory_bytes();
     json["version"] = version();
+    int inner = 0;
+    for (const auto& row : run.history()) inner += row.inner_iterations;
+    json["inner_iterations"] = inner;
+    json["note"] = last.note;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -5,6 +5,7 @@
 #include "core/method/surface_equation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gaspard {
 
@@ -35,5 +36,7 @@ double stable_step(const Ellipticity& ellipticity) {
     constexpr double shortened = 0.98; // the extremes are those at the vertices
     return shortened * 2 / (ellipticity.fastest + std::max(0.0, ellipticity.slowest));
 }
+
+double preconditioner_scale(double monitor) { return 1 / std::pow(monitor, 0.2); }
 
 } // namespace gaspard

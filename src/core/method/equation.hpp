@@ -49,6 +49,16 @@ class Equation {
     /// Fills u, the direction of the relaxation: r . w is its H1 product with w.
     virtual void direction(std::span<double> u) = 0;
 
+    /// How much of the linearisation one wants: all of it, or without the part from m(x), as (3.10) has it.
+    enum class Linearised { fully, frozen_monitor };
+    /// The equation linearised at the potential last evaluated, for what follows; theta is one of its
+    /// unknowns. Positive definite, but for the constant, where the map is convex.
+    virtual void linearise(const Monitor& monitor, Linearised how) = 0;
+    /// out = -(dr/dphi) w, exact for the discrete equation.
+    virtual void derivative(std::span<const double> w, std::span<double> out) = 0;
+    /// Fills u, roughly the w whose derivative is r: linear in r, the same until linearise() is called again.
+    virtual void precondition(std::span<const double> r, std::span<double> u) = 0;
+
   protected:
     Equation(std::string layout, std::size_t unknowns) : layout_(std::move(layout)), unknowns_(unknowns) {}
 
@@ -63,5 +73,10 @@ std::unique_ptr<Equation> make_equation(std::shared_ptr<const Discretisation> di
 /// The step of the relaxation that damps the fastest and the slowest of the linearised equation alike, a
 /// little shortened: beyond 2 / fastest it is unstable.
 double stable_step(const Ellipticity& ellipticity);
+
+/// What preconditions -div( m cof(I + sigma) grad ), whose eigenvalues lie between theta and m theta where
+/// the map is close to a solution: P = S K S, K the Laplacian's matrix, S = diag(m^(1/5)) (in the manner of
+/// Concus and Golub, 1973, who have the square root of a scalar coefficient). This is 1 / S from m.
+double preconditioner_scale(double monitor);
 
 } // namespace gaspard

@@ -30,9 +30,11 @@ struct State {
 
 /// The numbers of one iterate, as the method knows them.
 struct Evaluation {
-    double residual = 0;  ///< normalised: McRae et al. (5.1) divided by the norm of <v, theta>
-    double theta = 0;     ///< the constant that m det(dx/dxi) is to equal
-    double step_size = 0; ///< of the update that led here; 0 at the start
+    double residual = 0;      ///< normalised: McRae et al. (5.1) divided by the norm of <v, theta>
+    double theta = 0;         ///< the constant that m det(dx/dxi) is to equal
+    double step_size = 0;     ///< of the update that led here; 0 at the start
+    int inner_iterations = 0; ///< of the linear solver, for that update
+    std::string note{};       ///< a sentence for people, where something is to be said of it
 };
 
 class Method {
@@ -73,5 +75,8 @@ std::vector<ParameterRow> common_method_rows();
 
 MethodType relaxation_method();
 MethodType accelerated_method();
+MethodType quasi_newton_method();
+MethodType newton_method();
+MethodType automatic_method();
 
 } // namespace gaspard

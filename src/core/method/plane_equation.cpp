@@ -50,4 +50,39 @@ Evaluation PlaneEquation::evaluate(const Monitor& monitor, std::span<const doubl
     return {.residual = normalised, .theta = theta, .step_size = 0};
 }
 
+void PlaneEquation::linearise(const Monitor& monitor, Linearised how) {
+    d_monitor_.assign(monitor_.size(), 0.0);
+    slope_.resize(0);
+    if (how == Linearised::fully) monitor.gradients(positions_, slope_);
+
+    // At the vertices m itself, between them the mean of two or four.
+    scale_.resize(unknowns());
+    scaled_.resize(unknowns());
+    const std::size_t size = plane_->size(), side = plane_->grid().cells + 1;
+    for (std::size_t j = 0; j < size; ++j)
+        for (std::size_t i = 0; i < size; ++i) {
+            const double* below = &monitor_[j / 2 * side + i / 2];
+            const double* above = below + j % 2 * side;
+            const double m = (below[0] + below[i % 2] + above[0] + above[i % 2]) / 4;
+            scale_[j * size + i] = preconditioner_scale(m);
+        }
+}
+
+void PlaneEquation::derivative(std::span<const double> w, std::span<double> out) {
+    if (slope_.size() > 0) {
+        plane_->displacement(w, displacement_, room_);
+        for (std::size_t i = 0; i < d_monitor_.size(); ++i)
+            d_monitor_[i] = slope_.x[i] * displacement_.x[i] + slope_.y[i] * displacement_.y[i];
+    }
+    plane_->hessian(w, d_sigma_, room_);
+    plane_->residual_derivative(monitor_, sigma_, d_monitor_, d_sigma_, out, room_);
+    for (double& value : out) value = -value;
+}
+
+void PlaneEquation::precondition(std::span<const double> r, std::span<double> u) {
+    for (std::size_t i = 0; i < u.size(); ++i) scaled_[i] = scale_[i] * r[i];
+    plane_->poisson(scaled_, u, room_);
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] *= scale_[i];
+}
+
 } // namespace gaspard

@@ -28,6 +28,10 @@ class PlaneEquation final : public Equation {
     }
     void direction(std::span<double> u) override { plane_->poisson(residual_, u, room_); }
 
+    void linearise(const Monitor& monitor, Linearised how) override;
+    void derivative(std::span<const double> w, std::span<double> out) override;
+    void precondition(std::span<const double> r, std::span<double> u) override;
+
   private:
     std::shared_ptr<const PlaneQ2> plane_;
     PlaneQ2::Room room_;
@@ -35,6 +39,11 @@ class PlaneEquation final : public Equation {
     std::vector<double> monitor_; ///< m at the mesh's nodes
     WeakHessian sigma_;
     std::vector<double> residual_;
+    // Of the linearisation:
+    Points slope_, displacement_;   ///< grad m at the nodes; how far they move with w
+    std::vector<double> d_monitor_; ///< how much m changes there
+    WeakHessian d_sigma_;
+    std::vector<double> scale_, scaled_; ///< of the preconditioner
 };
 
 } // namespace gaspard

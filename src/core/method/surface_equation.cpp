@@ -147,6 +147,38 @@ void SurfaceEquation::move(std::span<const double> phi) {
     surface_->positions(room_, positions_, gradient_);
 }
 
+void SurfaceEquation::linearise(const Monitor& monitor, Linearised how) {
+    if (!d_room_) d_room_ = surface_->make_room();
+    d_monitor_.assign(monitor_.size(), 0.0);
+    slope_.resize(0);
+    if (how == Linearised::fully) monitor.gradients(positions_, slope_);
+    scale_ = surface_->at_unknowns(monitor_);
+    for (double& value : scale_) value = preconditioner_scale(value);
+}
+
+void SurfaceEquation::derivative(std::span<const double> w, std::span<double> out) {
+    surface_->map_derivative(room_, w, *d_room_);
+    if (slope_.size() > 0) {
+        surface_->positions_derivative(gradient_, *d_room_, displacement_);
+        for (std::size_t i = 0; i < d_monitor_.size(); ++i) d_monitor_[i] = dot(slope_[i], displacement_[i]);
+    }
+    surface_->residual_derivative(monitor_, room_, d_monitor_, *d_room_, out);
+    for (double& value : out) value = -value;
+}
+
+void SurfaceEquation::precondition(std::span<const double> r, std::span<double> u) {
+    double mean = 0;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        u[i] = scale_[i] * r[i];
+        mean += u[i];
+    }
+    mean /= surface_->area();
+    const auto weights = surface_->weights();
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] -= mean * weights[i];
+    surface_->poisson(u, u, *d_room_);
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] *= scale_[i];
+}
+
 Ellipticity SurfaceEquation::ellipticity() const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Ellipticity extremes{.convexity = infinity, .slowest = infinity, .fastest = -infinity};

@@ -26,6 +26,10 @@ class SurfaceEquation final : public Equation {
     Ellipticity ellipticity() const override;
     void direction(std::span<double> u) override { surface_->poisson(residual_, u, room_); }
 
+    void linearise(const Monitor& monitor, Linearised how) override;
+    void derivative(std::span<const double> w, std::span<double> out) override;
+    void precondition(std::span<const double> r, std::span<double> u) override;
+
   private:
     std::shared_ptr<const SurfaceQ2> surface_;
     SurfaceQ2::Room room_;
@@ -33,6 +37,11 @@ class SurfaceEquation final : public Equation {
     Points positions_;
     std::vector<double> monitor_; ///< m at the mesh's nodes
     std::vector<double> residual_;
+    // Of the linearisation:
+    std::optional<SurfaceQ2::Room> d_room_; ///< none before the first
+    Points slope_, displacement_;           ///< grad m at the nodes; how far they move with w
+    std::vector<double> d_monitor_;         ///< how much m changes there
+    std::vector<double> scale_;             ///< of the preconditioner
 };
 
 } // namespace gaspard

@@ -1,21 +1,11 @@
 #include "core/published/published.hpp"
 
+#include "core/base/csv.hpp"
 #include "core/base/error.hpp"
 
 #include <algorithm>
 
 namespace gaspard {
-
-namespace {
-
-std::string csv_text(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
-} // namespace
 
 std::vector<Recipe> recipes() { return mcrae_recipes(); }
 

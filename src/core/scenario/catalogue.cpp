@@ -42,8 +42,8 @@ std::string boundary_of(const Scenario& scenario) {
 Capability plane_capability() {
     return {.domain = "plane",
             .boundaries = {"periodic", "walls"},
-            .monitors = {"ring", "bell", "constant"},
-            .methods = {"relaxation", "accelerated"},
+            .monitors = {"ring", "bell", "ring-and-bell", "random-bells", "constant"},
+            .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
             .prepare = [](const Values& domain, const Progress& progress,
                           std::stop_token) -> std::shared_ptr<const Discretisation> {
                 if (progress) progress(0, "preparing the operators of the plane");
@@ -55,8 +55,8 @@ Capability plane_capability() {
 Capability sphere_capability(const std::string& domain_type) {
     return {.domain = domain_type,
             .boundaries = {},
-            .monitors = {"x-n", "cross", "ring", "bell", "constant"},
-            .methods = {"relaxation", "accelerated"},
+            .monitors = {"x-n", "cross", "ring", "bell", "ring-and-bell", "random-bells", "constant"},
+            .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
             .prepare = [](const Values& domain, const Progress& progress,
                           std::stop_token stop) -> std::shared_ptr<const Discretisation> {
                 return std::make_shared<SurfaceQ2>(
@@ -81,7 +81,8 @@ const MethodType& Catalogue::method(std::string_view name) const {
 Catalogue builtin_catalogue() {
     return {.domains = {plane_domain(), cubed_sphere_domain(), icosahedral_sphere_domain()},
             .monitors = monitor_types(),
-            .methods = {relaxation_method(), accelerated_method()},
+            .methods = {relaxation_method(), accelerated_method(), quasi_newton_method(), newton_method(),
+                        automatic_method()},
             .capabilities = {plane_capability(), sphere_capability("cubed-sphere"),
                              sphere_capability("icosahedral-sphere")},
             .view_rows = view_rows(),

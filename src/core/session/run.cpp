@@ -133,7 +133,7 @@ const StepReport& Run::step(std::stop_token stop) {
         state_ = last_finite_;
         throw;
     }
-    std::string note;
+    std::string note = evaluation.note;
     if (!std::isfinite(evaluation.residual)) take_back(evaluation, note);
     record(evaluation, history_.back().iteration + 1, std::move(note));
     seconds_ += watch.seconds();
@@ -146,10 +146,11 @@ const StepReport& Run::step(std::stop_token stop) {
 
 // Numbers that are not finite go no further than this: the run ends with the last iterate that was.
 void Run::take_back(Evaluation& evaluation, std::string& note) {
-    const double step_size = evaluation.step_size;
+    const Evaluation lost = evaluation;
     state_ = last_finite_;
     evaluation = method_->evaluate(*problem_.monitor, state_, {});
-    evaluation.step_size = step_size;
+    evaluation.step_size = lost.step_size;
+    evaluation.inner_iterations = lost.inner_iterations;
     not_finite_ = true;
     note = "the last update was not finite and was taken back";
 }
@@ -159,6 +160,7 @@ void Run::record(const Evaluation& evaluation, int iteration, std::string note) 
                       .residual = evaluation.residual,
                       .theta = evaluation.theta,
                       .step_size = evaluation.step_size,
+                      .inner_iterations = evaluation.inner_iterations,
                       .seconds = seconds_,
                       .cpu_seconds = cpu_seconds_,
                       .note = std::move(note)};

@@ -48,8 +48,9 @@ struct StepReport {
     std::optional<double> exact_rms{}, exact_rms_nodes{};
     std::optional<double> min_jacobian{}, max_jacobian{};
     std::optional<std::size_t> tangled_cells{};
-    double seconds = 0;     ///< cumulative wall time of solving
-    double cpu_seconds = 0; ///< cumulative CPU time of all threads that solve
+    int inner_iterations = 0; ///< of the linear solver, for this update
+    double seconds = 0;       ///< cumulative wall time of solving
+    double cpu_seconds = 0;   ///< cumulative CPU time of all threads that solve
     RunStatus status = RunStatus::running;
     std::string note{}; ///< a sentence for people, where something is to be said
 };

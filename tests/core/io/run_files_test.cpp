@@ -83,7 +83,9 @@ TEST(Summary, HasTheFieldsOfTheContractInTheirOrder) {
                                                        "cpu_seconds",
                                                        "seconds_per_iteration",
                                                        "peak_memory_bytes",
-                                                       "version"}));
+                                                       "version",
+                                                       "inner_iterations",
+                                                       "note"}));
 }
 
 TEST(Summary, SaysWhatTheRunFound) {
@@ -133,11 +135,12 @@ TEST(History, HasARowForTheStartAndOneForEveryIteration) {
     const auto rows = split_csv(history_csv(run.history()));
     ASSERT_EQ(rows.size(), 1u + 7u);
     EXPECT_EQ(rows[0], (std::vector<std::string>{"iteration", "residual", "equidistribution", "exact_rms",
-                                                 "min_jacobian", "tangled_cells", "step_size", "seconds"}));
+                                                 "min_jacobian", "tangled_cells", "step_size", "seconds",
+                                                 "inner_iterations", "note"}));
     for (std::size_t i = 0; i <= 6; ++i) {
         const auto& row = rows[i + 1];
         const StepReport& report = run.history()[i];
-        ASSERT_EQ(row.size(), 8u);
+        ASSERT_EQ(row.size(), 10u);
         EXPECT_EQ(number(row[0]), static_cast<double>(i));
         EXPECT_EQ(number(row[1]), report.residual);
         EXPECT_EQ(row[3], "");
@@ -163,10 +166,12 @@ TEST(History, WritesEveryColumnItKnows) {
     report.tangled_cells = 5678;
     report.step_size = 0.1;
     report.seconds = 3661.75;
+    report.inner_iterations = 17;
+    report.note = "a \"sentence\"";
     const CommaLocale comma;
-    EXPECT_EQ(
-        split_csv(history_csv({report})).at(1),
-        (std::vector<std::string>{"1234", "1234.5", "0.25", "1e-09", "-0.125", "5678", "0.1", "3661.75"}));
+    EXPECT_EQ(split_csv(history_csv({report})).at(1),
+              (std::vector<std::string>{"1234", "1234.5", "0.25", "1e-09", "-0.125", "5678", "0.1", "3661.75",
+                                        "17", "\"a \"\"sentence\"\"\""}));
 }
 
 TEST(RunFiles, AreThoseOfTheContract) {

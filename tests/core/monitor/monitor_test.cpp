@@ -184,20 +184,24 @@ TEST(Monitors, RefuseRoomOfTheWrongSize) {
 void randomise(Values& values, std::mt19937& random) {
     std::uniform_real_distribution<double> unit(0, 1);
     for (const ParameterRow& row : values.rows()) {
-        ASSERT_EQ(row.kind, ParameterKind::real);
+        ASSERT_TRUE(row.kind == ParameterKind::real || row.kind == ParameterKind::integer);
         const double pick = unit(random), u = unit(random);
         double value = row.scale == ParameterScale::logarithmic && row.minimum > 0
                            ? row.minimum * std::pow(row.maximum / row.minimum, u)
                            : row.minimum + u * (row.maximum - row.minimum);
         value = std::clamp(value, row.minimum, row.maximum);
-        values.set(row.key, pick < 0.1 ? row.minimum : pick > 0.9 ? row.maximum : value);
+        value = pick < 0.1 ? row.minimum : pick > 0.9 ? row.maximum : value;
+        if (row.kind == ParameterKind::integer)
+            values.set(row.key, static_cast<std::int64_t>(value));
+        else
+            values.set(row.key, value);
     }
 }
 
 TEST(Monitors, ArePositiveForAllParametersInRange) {
     std::mt19937 random(4);
     const Points x = random_points(200, -1, 2, 5);
-    ASSERT_EQ(monitor_types().size(), 5u);
+    ASSERT_EQ(monitor_types().size(), 7u);
     for (const MonitorType& type : monitor_types())
         for (int trial = 0; trial < 200; ++trial)
             for (const Space& space : {plain, torus, sphere}) {

@@ -1,0 +1,62 @@
+// The relaxation, accelerated by Anderson's method. A step of his is taken as long as it leaves the map
+// convex; where it does not, a plain one of the length that is stable takes its place, and what was
+// remembered is forgotten.
+#include "core/method/anderson.hpp"
+#include "core/method/stepper.hpp"
+
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+constexpr std::size_t memory = 10;      ///< differences that Anderson's method remembers
+constexpr double least_convexity = 0.1; ///< of that before a step; less is not taken
+constexpr double largest_growth = 10;   ///< of the residual in a step
+
+class AndersonStepper final : public Stepper {
+  public:
+    void begin(Equation& equation, double) override {
+        equation_ = &equation;
+        anderson_.emplace(equation.unknowns(), memory);
+        direction_.resize(equation.unknowns());
+        next_.resize(equation.unknowns());
+    }
+
+    Iterate step(const Monitor& monitor, std::vector<double>& phi, const Iterate& now,
+                 std::stop_token) override {
+        const auto acceptable = [&](const Iterate& next) {
+            return next.evaluation.residual < largest_growth * now.evaluation.residual &&
+                   next.shape.convexity > least_convexity * now.shape.convexity;
+        };
+        double length = stable_step(now.shape);
+        equation_->direction(direction_);
+        anderson_->propose(phi, direction_, equation_->residual(), length, next_);
+        std::swap(phi, next_); // next_ keeps the iterate from which the step is made
+        Iterate next = look(*equation_, monitor, phi);
+        next.evaluation.step_size = length;
+        if (acceptable(next)) return next;
+
+        // A plain one; shorter, as long as there is convexity to lose.
+        const double shortest = now.shape.convexity > 0 ? length / 16 : length;
+        if (anderson_->count() == 0) length /= 2;
+        anderson_->forget_differences();
+        for (;; length /= 2) {
+            for (std::size_t i = 0; i < phi.size(); ++i) phi[i] = next_[i] + length * direction_[i];
+            next = look(*equation_, monitor, phi);
+            next.evaluation.step_size = length;
+            if (length <= shortest || acceptable(next)) return next;
+        }
+    }
+
+  private:
+    Equation* equation_ = nullptr;
+    std::optional<Anderson> anderson_;
+    std::vector<double> direction_, next_;
+};
+
+} // namespace
+
+std::unique_ptr<Stepper> make_anderson_stepper() { return std::make_unique<AndersonStepper>(); }
+
+} // namespace gaspard

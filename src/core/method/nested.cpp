@@ -1,0 +1,140 @@
+#include "core/method/nested.hpp"
+
+#include "core/base/check.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double far = 0.3;            ///< a residual from which coarser meshes are worth the way
+constexpr double good_enough = 3e-2;   ///< a residual with which a coarser mesh has done its work
+constexpr int coarse_iterations = 150; ///< more are not spent on a coarser mesh
+constexpr double hopeless = 100;       ///< a residual from which a coarser mesh leads nowhere
+
+} // namespace
+
+Nested::Nested(std::unique_ptr<Equation> equation, std::unique_ptr<Stepper> stepper, const Values& values)
+    : stepper_(std::move(stepper)) {
+    for (; equation; equation = levels_.back()->coarser()) levels_.push_back(std::move(equation));
+    configure(values);
+    select(0);
+}
+
+void Nested::configure(const Values& values) {
+    tolerance_ = values.has("tolerance") ? values.real("tolerance") : 1e-8;
+    enough_ = std::max(good_enough, tolerance_);
+}
+
+void Nested::use_threads(int threads) {
+    for (auto& level : levels_) level->use_threads(threads);
+}
+
+double Nested::other_cpu_seconds() const {
+    double sum = 0;
+    for (const auto& level : levels_) sum += level->other_cpu_seconds();
+    return sum;
+}
+
+std::optional<State> Nested::adopt(const State& other) {
+    for (const auto& level : levels_) // the way up goes on from there
+        if (other.layout == level->layout()) return level->adopt(other);
+    return levels_[0]->adopt(other);
+}
+
+Evaluation Nested::evaluate(const Monitor& monitor, const State& state, std::stop_token) {
+    const auto of_state = std::find_if(levels_.begin(), levels_.end(),
+                                       [&](const auto& level) { return level->layout() == state.layout; });
+    GASPARD_CHECK(of_state != levels_.end());
+    select(static_cast<std::size_t>(of_state - levels_.begin()));
+    may_go_down_ = true;
+    look_at(monitor, here().potential(state));
+    if (level_ == 0) return now_.evaluation;
+    // What is said of a map is said of the mesh that was asked for, or a coarse one might end a run.
+    const State fine = levels_[0]->adopt(here(), here().potential(state));
+    prolonged_ = true;
+    return levels_[0]->evaluate(monitor, fine.arrays[0].values);
+}
+
+Evaluation Nested::step(const Monitor& monitor, State& state, std::stop_token stop) {
+    here().potential(state); // checks that it is of this layout before anything is written
+    if (std::exchange(may_go_down_, false) && level_ == 0 && now_.evaluation.residual > far &&
+        levels_.size() > 1) {
+        start_ = here().potential(state);
+        go_to(levels_.size() - 1, start_, monitor, state);
+    }
+    auto& phi = here().potential(state);
+    now_ = stepper_->step(monitor, phi, now_, stop);
+    prolonged_ = false;
+    if (level_ > 0) phi_of_positions_ = phi;
+    ++iterations_here_;
+    const Evaluation update = now_.evaluation;
+    const bool late = iterations_here_ >= coarse_iterations;
+    const bool lost = now_.lost || !(update.residual < hopeless);
+    const bool arrived = update.residual < enough_ || (late && update.residual < far);
+    if (level_ > 0 && (arrived || late || lost) && !stop.stop_requested()) go_up(arrived, monitor, state);
+    Evaluation evaluation = now_.evaluation;
+    evaluation.step_size = update.step_size;
+    evaluation.inner_iterations = update.inner_iterations;
+    evaluation.note = update.note;
+    return evaluation;
+}
+
+const Points& Nested::positions() {
+    if (level_ == 0) return levels_[0]->positions();
+    if (!std::exchange(prolonged_, true)) {
+        const State fine = levels_[0]->adopt(here(), phi_of_positions_);
+        levels_[0]->move(fine.arrays[0].values);
+    }
+    return levels_[0]->positions();
+}
+
+void Nested::select(std::size_t level) {
+    level_ = level;
+    stepper_->begin(here(), level == 0 ? tolerance_ : enough_);
+    iterations_here_ = 0;
+}
+
+void Nested::look_at(const Monitor& monitor, const std::vector<double>& phi) {
+    now_ = look(here(), monitor, phi);
+    prolonged_ = false;
+    if (level_ > 0) phi_of_positions_ = phi;
+}
+
+/// To a level, with the map of a potential of the present one.
+void Nested::go_to(std::size_t level, const std::vector<double>& phi, const Monitor& monitor, State& state) {
+    State there = levels_[level]->adopt(here(), phi);
+    state = std::move(there); // phi may have been part of it
+    select(level);
+    look_at(monitor, here().potential(state));
+}
+
+/// To the next finer mesh; from the very start where this one is too coarse to have been of use.
+void Nested::go_up(bool arrived, const Monitor& monitor, State& state) {
+    const std::size_t next = level_ - 1;
+    if (arrived) go_to(next, here().potential(state), monitor, state);
+    if (arrived && now_.shape.convexity > 0) {
+        if (level_ > 0 && now_.evaluation.residual < enough_)
+            go_up(true, monitor, state); // nothing to do here
+        return;
+    }
+    if (start_.empty()) start_ = levels_[0]->initial_state().arrays[0].values; // began in the middle
+    select(0);
+    go_to(next, start_, monitor, state);
+}
+
+MethodType nested_method(std::string name, std::string label, std::string help,
+                         std::function<std::unique_ptr<Stepper>()> stepper) {
+    return {.name = std::move(name),
+            .label = std::move(label),
+            .help = std::move(help),
+            .rows = {},
+            .make = [stepper = std::move(stepper)](std::shared_ptr<const Discretisation> discretisation,
+                                                   const Values& values) -> std::unique_ptr<Method> {
+                return std::make_unique<Nested>(make_equation(std::move(discretisation)), stepper(), values);
+            }};
+}
+
+} // namespace gaspard

@@ -1,0 +1,175 @@
+// Newton's method with the full linearisation of the discrete equation (method/equation.hpp), sigma
+// eliminated exactly:
+//
+//   -(dr/dphi) dphi = r,   phi -> phi + s dphi
+//
+// Near a solution s = 1 is taken and convergence is quadratic. Far from it, McRae et al. found that the full
+// linearisation loses convexity; so the way goes over powers of the monitor, m^t from t = 0, where the
+// uniform mesh is the solution: one step for m^t, then on to a larger t, as far as steps remain good. A step
+// is good if the map stays convex and solves the equation of m^t to `close`; else it is taken back, and t
+// grows less.
+#include "core/linear/gmres.hpp"
+#include "core/method/power_monitor.hpp"
+#include "core/method/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double least_convexity = 0.1; ///< of that before a step; less is not taken
+constexpr double close = 0.3;           ///< residual of m^t up to which a step has led to a solution for m^t
+constexpr double aim = 0.05;            ///< residual of m^t that the next t is chosen for
+constexpr double shortest = 1.0 / 64;   ///< part of a step that is tried
+constexpr double least_advance = 1e-3;  ///< of t
+constexpr double loosest = 1e-2;        ///< tolerance of the linear solver
+constexpr std::size_t memory = 30;      ///< of GMRES
+constexpr int most_inner = 300;
+
+std::string power(double t) {
+    char text[32];
+    std::snprintf(text, sizeof text, "m^%.3g", t);
+    return text;
+}
+
+class NewtonStepper final : public Stepper {
+  public:
+    void begin(Equation& equation, double target) override {
+        equation_ = &equation;
+        target_ = target;
+        gmres_.reset(); // made when needed
+        on_path_ = begun_ = false;
+    }
+
+    Iterate step(const Monitor& monitor, std::vector<double>& phi, const Iterate& now,
+                 std::stop_token stop) override {
+        if (!gmres_) {
+            gmres_.emplace(phi.size(), memory);
+            update_.resize(phi.size());
+            before_.resize(phi.size());
+        }
+        inner_ = 0;
+        note_.clear();
+        const bool identity = std::all_of(phi.begin(), phi.end(), [](double value) { return value == 0; });
+        if (!std::exchange(begun_, true) && identity && now.evaluation.residual > close) set_out(now);
+        before_ = phi;
+        Iterate next = on_path_ ? along_path(monitor, phi, stop) : directly(monitor, phi, now, stop);
+        next.evaluation.inner_iterations = inner_;
+        next.evaluation.note = std::move(note_);
+        return next;
+    }
+
+  private:
+    void set_out(const Iterate& now) {
+        on_path_ = true;
+        t_ = 0;
+        advance_ = std::min(1.0, close / now.evaluation.residual);
+        tell("over powers of the monitor, " + power(advance_) + " first");
+    }
+    void tell(const std::string& sentence) { note_ += (note_.empty() ? "" : "; ") + sentence; }
+
+    /// The update for the monitor for which the equation was last evaluated.
+    bool solve(const Monitor& monitor, double residual, std::stop_token stop) {
+        equation_->linearise(monitor, Equation::Linearised::fully);
+        // As exact as convergence can make use of, and as the last step needs.
+        const double tolerance = std::clamp(residual, std::min(loosest, 0.1 * target_ / residual), loosest);
+        const auto result = gmres_->solve([&](auto v, auto out) { equation_->derivative(v, out); },
+                                          [&](auto v, auto out) { equation_->precondition(v, out); },
+                                          equation_->residual(), update_, {tolerance, most_inner}, stop);
+        inner_ += result.iterations;
+        return std::isfinite(result.residual);
+    }
+    void go(std::vector<double>& phi, double length) {
+        for (std::size_t i = 0; i < phi.size(); ++i) phi[i] = before_[i] + length * update_[i];
+    }
+
+    /// For m itself, with a step that is shortened until the residual decreases.
+    Iterate directly(const Monitor& monitor, std::vector<double>& phi, const Iterate& now,
+                     std::stop_token stop) {
+        const bool solved = solve(monitor, now.evaluation.residual, stop);
+        for (double s = 1; solved && !stop.stop_requested() && s >= shortest; s /= 2) {
+            go(phi, s);
+            Iterate next = look(*equation_, monitor, phi);
+            next.evaluation.step_size = s;
+            if (next.shape.convexity > least_convexity * now.shape.convexity &&
+                next.evaluation.residual < (1 - s / 10) * now.evaluation.residual)
+                return next;
+        }
+        phi = before_;
+        Iterate same = look(*equation_, monitor, phi);
+        if (stop.stop_requested()) return same;
+        return relax(monitor, phi, same);
+    }
+
+    /// One step for m^t, with a larger t than before.
+    Iterate along_path(const Monitor& monitor, std::vector<double>& phi, std::stop_token stop) {
+        while (!stop.stop_requested()) {
+            const double t = std::min(1.0, t_ + advance_);
+            const PowerMonitor part(monitor, t);
+            const Monitor& of_step = t < 1 ? static_cast<const Monitor&>(part) : monitor;
+            const Iterate before = look(*equation_, of_step, phi);
+            const bool solved = solve(of_step, before.evaluation.residual, stop);
+            if (stop.stop_requested()) break;
+            go(phi, 1);
+            Iterate next = look(*equation_, of_step, phi);
+            const double residual = next.evaluation.residual;
+            if (solved && residual < close &&
+                next.shape.convexity > least_convexity * before.shape.convexity) {
+                t_ = t;
+                advance_ *= std::clamp(std::sqrt(aim / residual), 0.5, 3.0);
+                if (t == 1) {
+                    on_path_ = false;
+                    tell("the monitor itself from here");
+                } else {
+                    next = look(*equation_, monitor, phi);
+                }
+                next.evaluation.step_size = 1;
+                return next;
+            }
+            phi = before_;
+            advance_ = (t - t_) / 2;
+            if (advance_ < least_advance) return give_way(monitor, phi);
+            tell(power(t) + " is too far, " + power(t_ + advance_) + " instead");
+        }
+        phi = before_;
+        return look(*equation_, monitor, phi);
+    }
+
+    /// Where the path ends before t = 1: a step of the relaxation for m, and directly from there.
+    Iterate give_way(const Monitor& monitor, std::vector<double>& phi) {
+        tell("the path ends at " + power(t_));
+        on_path_ = false;
+        return relax(monitor, phi, look(*equation_, monitor, phi));
+    }
+
+    /// One step of the relaxation, which frozen m and the Laplacian make of Newton's.
+    Iterate relax(const Monitor& monitor, std::vector<double>& phi, const Iterate& now) {
+        tell("no step of Newton's is any good here: one of the relaxation");
+        const double length = stable_step(now.shape) / 2;
+        equation_->direction(update_);
+        go(phi, length);
+        Iterate next = look(*equation_, monitor, phi);
+        next.evaluation.step_size = length;
+        next.lost = true;
+        return next;
+    }
+
+    Equation* equation_ = nullptr;
+    double target_ = 0;
+    std::optional<Gmres> gmres_;
+    std::vector<double> update_, before_;
+    bool begun_ = false, on_path_ = false;
+    double t_ = 0, advance_ = 0; ///< the map solves the equation of m^t roughly; how much t is to grow
+    int inner_ = 0;
+    std::string note_;
+};
+
+} // namespace
+
+std::unique_ptr<Stepper> make_newton_stepper() { return std::make_unique<NewtonStepper>(); }
+
+} // namespace gaspard

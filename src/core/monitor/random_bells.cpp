@@ -1,0 +1,76 @@
+// Bells at random places, of random height and width: the same ones for the same seed, everywhere.
+//
+//   m(x) = 1 + sum of A_i sech^2( B_i |x - c_i|^2 ),
+//   A_i = A a_i, 1/4 <= a_i <= 1;   B_i = B b_i, 1/2 <= b_i <= 2;   c_i uniform over the domain
+#include "core/monitor/geodesic.hpp"
+#include "core/monitor/radial.hpp"
+#include "core/monitor/sum.hpp"
+
+#include <numbers>
+#include <random>
+
+namespace gaspard {
+
+namespace {
+
+/// Uniform in [0, 1); the standard's distributions differ between libraries, its generators do not.
+double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+std::shared_ptr<const Monitor> make_random_bells(const Values& values, const Space& space) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(values.integer("seed")));
+    std::vector<std::shared_ptr<const Monitor>> bells;
+    for (std::int64_t i = 0; i < values.integer("count"); ++i) {
+        const double amplitude = values.real("amplitude") * (0.25 + 0.75 * uniform(random));
+        const double sharpness = values.real("sharpness") * std::exp2(2 * uniform(random) - 1);
+        const double u = uniform(random), v = uniform(random);
+        if (space.kind == SpaceKind::sphere) {
+            const double z = 2 * u - 1, across = std::sqrt(1 - z * z), angle = 2 * std::numbers::pi * v;
+            const Vec3 centre{across * std::cos(angle), across * std::sin(angle), z};
+            bells.push_back(std::make_shared<GeodesicMonitor<SechProfile>>(
+                1.0, SechProfile{amplitude, sharpness, 0}, std::vector{centre}));
+        } else {
+            bells.push_back(std::make_shared<SechMonitor>(
+                SechMonitor::Parameters{amplitude, sharpness, 0, {u, v, 0}}, space));
+        }
+    }
+    return std::make_shared<SumMonitor>(std::move(bells));
+}
+
+} // namespace
+
+MonitorType random_bells_monitor() {
+    return {.name = "random-bells",
+            .label = "Random bells",
+            .help = "small cells around places that a seed chooses",
+            .equation = "m(x) = 1 + sum of A_i sech^2( B_i |x - c_i|^2 )",
+            .rows =
+                [](const Space& space) {
+                    const bool sphere = space.kind == SpaceKind::sphere;
+                    ParameterRow amplitude = amplitude_row(5000, 50, "at the centres");
+                    amplitude.minimum = 0;
+                    amplitude.help = "of the highest bell possible; they have a quarter of it at least";
+                    ParameterRow sharpness = sharpness_row(sphere ? 10.0 : 100.0, "0.94 / sqrt(B)",
+                                                           sphere ? "1/radian^2" : "1/length^2");
+                    sharpness.help = "larger is narrower; the bells have between half and twice of it";
+                    return std::vector<ParameterRow>{
+                        {.key = "seed",
+                         .label = "Seed",
+                         .kind = ParameterKind::integer,
+                         .minimum = 0,
+                         .maximum = 1e9,
+                         .default_value = std::int64_t{1},
+                         .help = "chooses places, heights and widths; the option --seed of run sets it"},
+                        {.key = "count",
+                         .label = "Bells",
+                         .kind = ParameterKind::integer,
+                         .minimum = 1,
+                         .maximum = 100,
+                         .default_value = std::int64_t{8},
+                         .help = "how many there are"},
+                        amplitude,
+                        sharpness};
+                },
+            .make = make_random_bells};
+}
+
+} // namespace gaspard

@@ -1,0 +1,103 @@
+#include "core/base/error.hpp"
+#include "core/monitor/sum.hpp"
+#include "support/built_in.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+struct Place {
+    const char* name;
+    Space space;
+};
+const Place places[] = {
+    {"periodic", {SpaceKind::periodic_square}}, {"walls", {}}, {"sphere", {SpaceKind::sphere}}};
+
+/// Points of the space, and every point a little further in each direction.
+Points points_of(const Space& space) {
+    Points x(40);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double t = static_cast<double>(i) / 40;
+        Vec3 p{std::fmod(7 * t, 1.0), std::fmod(0.13 + 3 * t, 1.0), 0};
+        if (space.kind == SpaceKind::sphere) p = {std::cos(7 * t), std::sin(7 * t), 2 * t - 0.9};
+        if (space.kind == SpaceKind::sphere) p = (1 / norm(p)) * p;
+        x.set(i, p);
+    }
+    return x;
+}
+
+std::vector<double> values_of(const Monitor& monitor, const Points& x) {
+    std::vector<double> values(x.size());
+    monitor.values(x, values);
+    return values;
+}
+
+TEST(RingAndBell, IsTheSumOfBoth) {
+    for (const auto& [name, space] : places) {
+        const bool sphere = space.kind == SpaceKind::sphere;
+        const std::string place = sphere ? "center_latitude" : "center_x";
+        const double where = sphere ? -20 : 0.2;
+        const auto both =
+            make_monitor("ring-and-bell", space,
+                         {{"ring_amplitude", 7}, {"bell_" + place, where}, {"bell_sharpness", 30}});
+        const Points x = points_of(space);
+        const auto ring = values_of(*make_monitor("ring", space, {{"amplitude", 7}}), x);
+        const auto bell = values_of(*make_monitor("bell", space, {{place, where}, {"sharpness", 30}}), x);
+        const auto sum = values_of(*both, x);
+        for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(sum[i], ring[i] + bell[i] - 1, 1e-12) << name;
+        EXPECT_NO_THROW(both->check());
+    }
+}
+
+TEST(RingAndBell, StaysPositiveAsItsRowsAllowNoHollows) {
+    for (const char* key : {"ring_amplitude", "bell_amplitude"})
+        EXPECT_THROW(make_monitor("ring-and-bell", {}, {{key, -0.5}}), InputError);
+}
+
+TEST(RandomBells, AreTheSameForTheSameSeedAndOthersForAnother) {
+    for (const auto& [name, space] : places) {
+        const Points x = points_of(space);
+        const auto one = values_of(*make_monitor("random-bells", space, {{"seed", 3}}), x);
+        EXPECT_EQ(one, values_of(*make_monitor("random-bells", space, {{"seed", 3}}), x));
+        EXPECT_NE(one, values_of(*make_monitor("random-bells", space, {{"seed", 4}}), x));
+        // More of them leave those that are there where they are.
+        const auto more = values_of(*make_monitor("random-bells", space, {{"seed", 3}, {"count", 12}}), x);
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            EXPECT_GE(one[i], 1);
+            EXPECT_LE(one[i], 1 + 8 * 50);
+            EXPECT_GE(more[i], one[i] - 1e-12);
+        }
+    }
+}
+
+TEST(RandomBells, AreThoseOfTheFirstDay) { // the numbers of MT19937-64, from another program
+    Points x(1);
+    x.set(0, {0.5, 0.5, 0});
+    const auto values = values_of(*make_monitor("random-bells", {}, {{"sharpness", 2}}), x);
+    EXPECT_NEAR(values[0], 208.5201017, 1e-6);
+}
+
+TEST(Sums, HaveTheGradientsOfTheirValues) {
+    for (const auto& [name, space] : places)
+        for (const char* type : {"ring-and-bell", "random-bells"}) {
+            const auto monitor = make_monitor(type, space);
+            const Points x = points_of(space);
+            Points gradients;
+            monitor->gradients(x, gradients);
+            for (std::size_t i = 0; i < x.size(); ++i) {
+                Vec3 along{0.6, -0.8, 0};
+                if (space.kind == SpaceKind::sphere) along = along - dot(along, x[i]) * x[i];
+                const double e = 1e-6;
+                Points there(2);
+                there.set(0, x[i] + e * along), there.set(1, x[i] - e * along);
+                const auto m = values_of(*monitor, there);
+                const double slope = (m[0] - m[1]) / (2 * e);
+                EXPECT_NEAR(dot(gradients[i], along), slope, 1e-5 * (1 + std::abs(slope))) << name << type;
+            }
+        }
+}
+
+} // namespace
+} // namespace gaspard
