@@ -17,7 +17,7 @@ PLANE = [
     ("ring, A = 200", "plane-ring", ["monitor.amplitude=200"]),
     ("ring, A = 1000", "plane-ring", ["monitor.amplitude=1000"]),
     ("8 random bells", "plane-bell", ["monitor.type=random-bells", "monitor.seed=1"]),
-    ("ring + bell", "plane-ring", ["monitor.type=ring-and-bell"]),
+    ("ring + bell", "plane-ring", ["monitor.type=ring-and-bell", "monitor.bell_center_x=0.2", "monitor.bell_center_y=0.3"]),
 ]
 SPHERE = [("X%d, 6 x %d^2" % (x, k), "sphere-x16", ["monitor.ratio=%d" % x, "domain.cells=%d" % k])
           for k in (16, 32) for x in (2, 4, 8, 16, 32)]

@@ -1,8 +1,8 @@
 // Chooses between Anderson's steps and Newton's by what the iterations show, never by clocks, so that runs
 // repeat. Anderson's are tried first, as they cost least. After some of them, what is still ahead is
 // predicted from the rate at which the residual has decreased; where Newton's method is expected to be done
-// with less work, it takes over, and where it finds no way on, Anderson's steps go on. Work is counted in
-// evaluations of the equation, of which an inner iteration of the linear solver is worth two.
+// with less work, it takes over and stays until the mesh is done. Work is counted in evaluations of the
+// equation, of which an inner iteration of the linear solver is worth two.
 #include "core/method/stepper.hpp"
 
 #include <algorithm>
@@ -26,24 +26,19 @@ class AutomaticStepper final : public Stepper {
         equation_ = &equation;
         target_ = target;
         choose(false);
-        newton_failed_ = begun_ = false;
+        begun_ = false;
     }
 
     Iterate step(const Monitor& monitor, std::vector<double>& phi, const Iterate& now,
                  std::stop_token stop) override {
         std::string note;
         if (!std::exchange(begun_, true)) note = "accelerated relaxation first";
-        if (!use_newton_ && !newton_failed_ && newton_is_worth_it(now)) {
+        if (!use_newton_ && newton_is_worth_it(now)) {
             choose(true);
             note = "Newton's method takes over";
         }
         Iterate next = (use_newton_ ? newton_ : anderson_)->step(monitor, phi, now, stop);
-        if (use_newton_ && next.lost) {
-            choose(false);
-            newton_failed_ = true;
-            next.lost = false;
-            note += (note.empty() ? "" : "; ") + std::string("accelerated relaxation goes on");
-        }
+        next.lost = false; // Newton's method relaxes then, and tries again
         residuals_.push_back(next.evaluation.residual);
         if (residuals_.size() > window + 1) residuals_.pop_front();
         if (!note.empty() && !next.evaluation.note.empty()) note += "; ";
@@ -74,7 +69,7 @@ class AutomaticStepper final : public Stepper {
     Equation* equation_ = nullptr;
     double target_ = 0;
     std::unique_ptr<Stepper> anderson_, newton_;
-    bool use_newton_ = false, newton_failed_ = false, begun_ = false;
+    bool use_newton_ = false, begun_ = false;
     std::deque<double> residuals_; ///< of the last iterates, on this mesh
 };
 

@@ -29,6 +29,7 @@ constexpr double least_advance = 1e-3;  ///< of t
 constexpr double loosest = 1e-2;        ///< tolerance of the linear solver
 constexpr std::size_t memory = 30;      ///< of GMRES
 constexpr int most_inner = 300;
+constexpr int shortest_rest = 8, longest_rest = 128; ///< relaxations between two attempts
 
 std::string power(double t) {
     char text[32];
@@ -43,6 +44,7 @@ class NewtonStepper final : public Stepper {
         target_ = target;
         gmres_.reset(); // made when needed
         on_path_ = begun_ = false;
+        resting_ = 0, rest_ = shortest_rest;
     }
 
     Iterate step(const Monitor& monitor, std::vector<double>& phi, const Iterate& now,
@@ -57,6 +59,10 @@ class NewtonStepper final : public Stepper {
         const bool identity = std::all_of(phi.begin(), phi.end(), [](double value) { return value == 0; });
         if (!std::exchange(begun_, true) && identity && now.evaluation.residual > close) set_out(now);
         before_ = phi;
+        if (resting_ > 0) {
+            --resting_;
+            return relax(monitor, phi, now);
+        }
         Iterate next = on_path_ ? along_path(monitor, phi, stop) : directly(monitor, phi, now, stop);
         next.evaluation.inner_iterations = inner_;
         next.evaluation.note = std::move(note_);
@@ -102,7 +108,7 @@ class NewtonStepper final : public Stepper {
         phi = before_;
         Iterate same = look(*equation_, monitor, phi);
         if (stop.stop_requested()) return same;
-        return relax(monitor, phi, same);
+        return give_way(monitor, phi, same);
     }
 
     /// One step for m^t, with a larger t than before.
@@ -132,29 +138,33 @@ class NewtonStepper final : public Stepper {
             }
             phi = before_;
             advance_ = (t - t_) / 2;
-            if (advance_ < least_advance) return give_way(monitor, phi);
+            if (advance_ < least_advance) {
+                tell("the path ends at " + power(t_));
+                return give_way(monitor, phi, look(*equation_, monitor, phi));
+            }
             tell(power(t) + " is too far, " + power(t_ + advance_) + " instead");
         }
         phi = before_;
         return look(*equation_, monitor, phi);
     }
 
-    /// Where the path ends before t = 1: a step of the relaxation for m, and directly from there.
-    Iterate give_way(const Monitor& monitor, std::vector<double>& phi) {
-        tell("the path ends at " + power(t_));
+    /// Where no step of Newton's is any good: some of the relaxation, which are made with the Laplacian in
+    /// place of the linearisation, and directly from there.
+    Iterate give_way(const Monitor& monitor, std::vector<double>& phi, const Iterate& now) {
         on_path_ = false;
-        return relax(monitor, phi, look(*equation_, monitor, phi));
+        resting_ = rest_ - 1;
+        tell("no step is any good here: " + std::to_string(rest_) + " of the relaxation");
+        rest_ = std::min(2 * rest_, longest_rest);
+        Iterate next = relax(monitor, phi, now);
+        next.lost = true;
+        return next;
     }
-
-    /// One step of the relaxation, which frozen m and the Laplacian make of Newton's.
     Iterate relax(const Monitor& monitor, std::vector<double>& phi, const Iterate& now) {
-        tell("no step of Newton's is any good here: one of the relaxation");
-        const double length = stable_step(now.shape) / 2;
+        const double length = stable_step(now.shape);
         equation_->direction(update_);
         go(phi, length);
         Iterate next = look(*equation_, monitor, phi);
         next.evaluation.step_size = length;
-        next.lost = true;
         return next;
     }
 
@@ -164,6 +174,7 @@ class NewtonStepper final : public Stepper {
     std::vector<double> update_, before_;
     bool begun_ = false, on_path_ = false;
     double t_ = 0, advance_ = 0; ///< the map solves the equation of m^t roughly; how much t is to grow
+    int resting_ = 0, rest_ = shortest_rest; ///< relaxations to make now; at the next failure
     int inner_ = 0;
     std::string note_;
 };

@@ -36,6 +36,7 @@ Recipe make_recipe(const std::string& id, const std::string& title,
 
 // The figures of the sphere, and those about refinement.
 std::vector<Recipe> mcrae_sphere_recipes();
+std::vector<Recipe> mcrae_newton_recipes();
 std::vector<Recipe> mcrae_refinement_recipes();
 
 } // namespace gaspard
