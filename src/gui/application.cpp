@@ -244,11 +244,12 @@ bool Application::available(const std::string& choice) const {
            std::find(missing.begin(), missing.end(), choice) == missing.end();
 }
 
-/// From the map there is, where that can be carried over.
+/// From the beginning: what linear cells leave when they fail is seldom a map to go on from.
 void Application::use_quadratic_cells() {
     Scenario scenario = run().scenario;
     scenario.domain.values.parse("geometry_order", "2");
     document_.change(0, scenario);
+    document_.reset(0);
     message_ = {};
     run().solver->post(StartCommand{});
     run().wants_to_run = true;

@@ -4,6 +4,7 @@
 #include "core/method/anderson.hpp"
 #include "core/method/stepper.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace gaspard {
@@ -38,14 +39,14 @@ class AndersonStepper final : public Stepper {
         if (acceptable(next)) return next;
 
         // A plain one; shorter, as long as there is convexity to lose.
-        const double shortest = now.shape.convexity > 0 ? length / 16 : length;
-        if (anderson_->count() == 0) length /= 2;
+        int halvings = now.shape.convexity > 0 ? 4 : 0;
+        if (anderson_->count() == 0) length /= 2, halvings = std::max(0, halvings - 1);
         anderson_->forget_differences();
-        for (;; length /= 2) {
+        for (;; length /= 2, --halvings) {
             for (std::size_t i = 0; i < phi.size(); ++i) phi[i] = next_[i] + length * direction_[i];
             next = look(*equation_, monitor, phi);
             next.evaluation.step_size = length;
-            if (length <= shortest || acceptable(next)) return next;
+            if (halvings == 0 || acceptable(next)) return next;
         }
     }
 

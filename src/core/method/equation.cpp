@@ -34,7 +34,9 @@ std::unique_ptr<Equation> make_equation(std::shared_ptr<const Discretisation> di
 
 double stable_step(const Ellipticity& ellipticity) {
     constexpr double shortened = 0.98; // the extremes are those at the vertices
-    return shortened * 2 / (ellipticity.fastest + std::max(0.0, ellipticity.slowest));
+    constexpr double careful = 0.1;    // where nothing is elliptic, and so nothing to go by
+    if (!(ellipticity.fastest > 0)) return careful;
+    return std::min(longest_step, shortened * 2 / (ellipticity.fastest + std::max(0.0, ellipticity.slowest)));
 }
 
 double preconditioner_scale(double monitor) { return 1 / std::pow(monitor, 0.2); }

@@ -72,7 +72,9 @@ std::unique_ptr<Equation> make_equation(std::shared_ptr<const Discretisation> di
 
 /// The step of the relaxation that damps the fastest and the slowest of the linearised equation alike, a
 /// little shortened: beyond 2 / fastest it is unstable.
+/// Positive and at most longest_step, also for what is no map any more.
 double stable_step(const Ellipticity& ellipticity);
+inline constexpr double longest_step = 1e3;
 
 /// What preconditions -div( m cof(I + sigma) grad ), whose eigenvalues lie between theta and m theta where
 /// the map is close to a solution: P = S K S, K the Laplacian's matrix, S = diag(m^(1/5)) (in the manner of

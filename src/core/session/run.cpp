@@ -192,6 +192,8 @@ RunStatus Run::judge(const StepReport& report, std::string& note) {
         return RunStatus::iteration_limit;
     if (report.iteration - best_iteration_ >= patience) {
         note = "the residual has not decreased for " + std::to_string(patience) + " iterations";
+        if (method.has("step_size") && method.real_or_auto("step_size"))
+            note += "; method.step_size = auto may help";
         return RunStatus::stalled;
     }
     return RunStatus::running;

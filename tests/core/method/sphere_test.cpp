@@ -1,4 +1,5 @@
 #include "core/base/error.hpp"
+#include "core/method/equation.hpp"
 #include "core/method/relax_sphere.hpp"
 
 #include <gtest/gtest.h>
@@ -120,6 +121,22 @@ TEST(Sphere, TakesStepsThatAreStableByItself) {
     OnSurface cross(sphere_setup({SphereCells::icosahedral, 3}), on_sphere("cross"), std::nullopt);
     cross.solve(1e-5);
     EXPECT_LT(cross.history.back().residual, 1e-5);
+}
+
+// So coarse and flat that the map of no displacement is not convex anywhere: there is nothing to find, but
+// every step comes to an end, and goes downhill.
+TEST(Sphere, TakesStepsThatComeToAnEndWhereNothingIsConvex) {
+    EXPECT_GT(stable_step({.convexity = -1, .slowest = -3, .fastest = -1}), 0);
+    EXPECT_LE(stable_step({.convexity = 0, .slowest = 0, .fastest = 1e-300}), longest_step);
+    EXPECT_EQ(stable_step({.convexity = 1, .slowest = 1, .fastest = 3}), 0.98 * 2 / 4);
+    for (const SphereGrid grid : {SphereGrid{SphereCells::cubed, 2}, SphereGrid{SphereCells::icosahedral, 0},
+                                  SphereGrid{SphereCells::icosahedral, 1}})
+        for (const char* name : {"relaxation", "accelerated"}) {
+            OnSurface run(sphere_setup(grid, 1), on_sphere("constant"), std::nullopt, name);
+            run.solve(1e-8, 20);
+            for (std::size_t i = 1; i < run.history.size(); ++i)
+                EXPECT_GT(run.history[i].step_size, 0) << name;
+        }
 }
 
 TEST(Sphere, AcceleratesToTheSameMeshOverCoarserOnes) {
