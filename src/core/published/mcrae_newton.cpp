@@ -44,8 +44,10 @@ Reproduction figure11(const Workshop& workshop) {
     for (const std::string order : {"1", "2"}) {
         Plot plot = residual_plot(order == "1" ? "Bilinear" : "Biquadratic");
         for (const std::string ratio : {"2", "4", "8", "16"}) {
+            // Where it fails, an iteration costs more than a second.
             const std::vector<std::string> settings = {"domain.geometry_order=" + order,
-                                                       "method.max_iterations=130"};
+                                                       std::string("method.max_iterations=") +
+                                                           (order == "1" ? "30" : "130")};
             const std::string label = "X" + ratio + (order == "1" ? ", bilinear" : ", biquadratic");
             plot.curves.push_back(attempt(workshop, "sphere-x" + ratio, "quasi-newton", settings,
                                           label + ", quasi-newton", result.rows));

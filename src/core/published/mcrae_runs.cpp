@@ -8,9 +8,9 @@ namespace gaspard {
 Run begin_run(const Workshop& workshop, const std::string& scenario, const std::vector<std::string>& settings,
               const std::string& title) {
     if (workshop.stop.stop_requested()) throw Interrupted();
-    workshop.announce("relaxation, " + title);
     Scenario chosen = find_scenario(*workshop.catalogue, scenario);
     apply_settings(*workshop.catalogue, chosen, settings);
+    workshop.announce(chosen.method.type + ", " + title);
     return Run(workshop.catalogue, std::move(chosen), {}, {}, workshop.stop);
 }
 

@@ -1,6 +1,9 @@
 // That a step of the relaxation asks for no memory.
+#include "core/linear/gmres.hpp"
+#include "core/method/plane_equation.hpp"
 #include "core/method/relax.hpp"
 #include "core/method/relax_sphere.hpp"
+#include "core/method/surface_equation.hpp"
 
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -60,6 +63,31 @@ TEST(Allocation, DoesNotHappenInAStepOnTheSphere) {
             for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
             EXPECT_EQ(allocations, before);
         }
+}
+
+TEST(Allocation, DoesNotHappenInALinearSolve) {
+    for (const bool sphere : {true, false}) {
+        std::unique_ptr<Equation> equation;
+        if (sphere)
+            equation = std::make_unique<SurfaceEquation>(
+                std::make_shared<SurfaceQ2>(sphere_setup({.cells = SphereCells::cubed, .resolution = 4})));
+        else
+            equation = std::make_unique<PlaneEquation>(std::make_shared<PlaneQ2>(LineGrid{20, true}));
+        const auto monitor = make_monitor("bell", {sphere ? SpaceKind::sphere : SpaceKind::periodic_square});
+        std::vector<double> phi(equation->unknowns(), 0.0), u(phi);
+        equation->evaluate(*monitor, phi);
+        equation->linearise(*monitor, Equation::Linearised::fully);
+        Gmres gmres(phi.size(), 10);
+        std::size_t before = 0;
+        for (int solves = 0; solves < 2; ++solves) { // the first may still make room
+            before = allocations;
+            const auto result = gmres.solve([&](auto v, auto out) { equation->derivative(v, out); },
+                                            [&](auto v, auto out) { equation->precondition(v, out); },
+                                            equation->residual(), u, {1e-8, 100});
+            EXPECT_TRUE(result.converged);
+        }
+        EXPECT_EQ(allocations, before);
+    }
 }
 
 } // namespace
