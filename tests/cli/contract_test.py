@@ -74,7 +74,8 @@ class Runs(Contract):
         self.assertEqual(set(summary), {
             "scenario", "domain", "monitor", "method", "cells", "unknowns", "status", "iterations", "residual",
             "equidistribution", "theta", "tangled_cells", "min_jacobian", "max_jacobian", "exact_rms", "exact_rms_nodes",
-            "setup_seconds", "solve_seconds", "cpu_seconds", "seconds_per_iteration", "peak_memory_bytes", "version"})
+            "setup_seconds", "solve_seconds", "cpu_seconds", "seconds_per_iteration", "peak_memory_bytes", "version",
+            "inner_iterations", "note"})
         self.assertEqual(summary["status"], "converged")
         self.assertEqual(summary["cells"], 144)
         self.assertEqual(summary["unknowns"], 576)
@@ -82,7 +83,7 @@ class Runs(Contract):
         self.assertIsNone(summary["exact_rms"])
         history = self.history()
         self.assertEqual(list(history[0]), ["iteration", "residual", "equidistribution", "exact_rms", "min_jacobian",
-                                            "tangled_cells", "step_size", "seconds"])
+                                            "tangled_cells", "step_size", "seconds", "inner_iterations", "note"])
         self.assertEqual(len(history), summary["iterations"] + 1)
         self.assertEqual(float(history[-1]["residual"]), summary["residual"])
         seconds = [float(row["seconds"]) for row in history]
