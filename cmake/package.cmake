@@ -61,7 +61,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), libstdc++-12-dev | libstdc++-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "watch a mesh adapt by the Monge-Ampere equation
-A mesh of the plane moves to where a monitor is large, by optimal transport.
+A mesh of the plane or the sphere moves to where a monitor is large, by optimal transport.
 Window with sliders and plots, and a command line that writes meshes, numbers
 and pictures without one.")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "adaptive meshes by the Monge-Ampere equation (library)
