@@ -28,7 +28,7 @@ double equidistribution(const Sequence& sequence, int size) {
     const auto surface = std::make_shared<const SurfaceQ2>(sequence.setup(size));
     const auto monitor = make_monitor("ring", sequence.space, sequence.ring);
     const MethodType type = accelerated_method();
-    const auto method = type.make(surface, Values("method", type.rows));
+    const auto method = type.make(surface, Values("method", type.rows), {}, {});
     State state = method->initial_state();
     Evaluation now = method->evaluate(*monitor, state, {});
     for (int i = 0; i < 1000 && now.residual > 1e-8; ++i) now = method->step(*monitor, state, {});

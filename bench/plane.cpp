@@ -100,7 +100,7 @@ void diagnostics(benchmark::State& state) {
 void step(benchmark::State& state) {
     Scene s(state.range(0));
     const MethodType type = relaxation_method();
-    const auto method = type.make(s.plane, Values("method", type.rows));
+    const auto method = type.make(s.plane, Values("method", type.rows), {}, {});
     State phi = method->initial_state();
     method->evaluate(*s.monitor, phi, {});
     for (auto _ : state) method->step(*s.monitor, phi, {});

@@ -106,7 +106,7 @@ void step(benchmark::State& state) {
     const MethodType type = relaxation_method();
     Values values("method", type.rows);
     values.set("step_size", 0.1);
-    const auto method = type.make(s.sphere, values);
+    const auto method = type.make(s.sphere, values, {}, {});
     State phi = method->initial_state();
     method->evaluate(*s.monitor, phi, {});
     for (auto _ : state) method->step(*s.monitor, phi, {});

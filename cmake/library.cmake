@@ -16,6 +16,9 @@ foreach(header IN LISTS public_headers)
   file(READ src/core/${header} text)
   string(REPLACE "#include \"core/" "#include \"gaspard/" text "${text}")
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/include/gaspard/${header} CONTENT "${text}" @ONLY)
+  get_filename_component(room ${header} DIRECTORY)
+  install(FILES ${CMAKE_BINARY_DIR}/include/gaspard/${header}
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gaspard/${room} COMPONENT development)
 endforeach()
 
 add_library(gaspard_library SHARED $<TARGET_OBJECTS:gaspard_core>)
@@ -39,7 +42,6 @@ configure_package_config_file(cmake/GaspardConfig.cmake.in ${CMAKE_BINARY_DIR}/c
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/cmake/GaspardConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(TARGETS gaspard_library EXPORT GaspardTargets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
-install(DIRECTORY ${CMAKE_BINARY_DIR}/include/gaspard DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(EXPORT GaspardTargets NAMESPACE Gaspard:: DESTINATION ${config_folder} COMPONENT development)
 install(FILES ${CMAKE_BINARY_DIR}/cmake/GaspardConfig.cmake ${CMAKE_BINARY_DIR}/cmake/GaspardConfigVersion.cmake
   DESTINATION ${config_folder} COMPONENT development)

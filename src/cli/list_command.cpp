@@ -19,7 +19,7 @@ void print_rows(const Values& values) {
 }
 
 void print_head(const std::string& name, const std::string& help) {
-    std::cout << "  " << name << std::string(name.size() < 14 ? 14 - name.size() : 1, ' ') << help << "\n";
+    std::cout << "  " << name << std::string(name.size() < 19 ? 19 - name.size() : 1, ' ') << help << "\n";
 }
 
 void list_scenarios(const Catalogue& catalogue) {

@@ -212,6 +212,7 @@ class BadInput(Contract):
         self.refused(self.run_quick("--set", "monitor.type=rong"), "'ring'")
         self.refused(self.run_quick(name="plane-rin"), "'plane-ring'")
         self.refused(self.run_quick("--formats", "obj,gld"), "'glb'")
+        self.refused(self.run_quick("--formats", "obj,"), "between its commas")
         self.refused(gaspard("list", "monitor"), "'monitors'")
         self.refused(gaspard("reproduce", "mcrae-fig20", "--out", self.out), "'mcrae-fig2'")
         self.refused(gaspard("show", "plane-bel"), "'plane-bell'")

@@ -14,7 +14,7 @@ int iterations(const std::shared_ptr<const PlaneQ2>& plane, const Monitor& monit
                int most) {
     Values values("method", relaxation_method().rows);
     values.set("step_size", step_size);
-    const auto method = relaxation_method().make(plane, values);
+    const auto method = relaxation_method().make(plane, values, {}, {});
     State state = method->initial_state();
     Evaluation now = method->evaluate(monitor, state, {});
     for (int i = 0; i <= most; ++i) {

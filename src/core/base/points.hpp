@@ -22,6 +22,12 @@ inline Vec3 cross(Vec3 a, Vec3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline double norm(Vec3 a) { return std::sqrt(dot(a, a)); }
+/// Some unit vector at right angles to one.
+inline Vec3 any_across(Vec3 unit) {
+    const Vec3 away = std::abs(unit.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 across = away - dot(away, unit) * unit;
+    return (1 / norm(across)) * across;
+}
 
 /// n points in R^3 (z = 0 in the plane, y = z = 0 on a line).
 struct Points {

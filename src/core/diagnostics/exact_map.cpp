@@ -15,12 +15,6 @@ constexpr std::size_t intervals = 4096;
 constexpr double pi = std::numbers::pi, width = pi / intervals;
 
 /// A unit vector at right angles to a unit vector.
-Vec3 any_across(Vec3 axis) {
-    const Vec3 away = std::abs(axis.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    const Vec3 across = away - dot(away, axis) * axis;
-    return (1 / norm(across)) * across;
-}
-
 } // namespace
 
 std::optional<ExactMap> ExactMap::of(const Monitor& monitor) {

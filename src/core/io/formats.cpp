@@ -154,7 +154,10 @@ std::vector<const Format*> parse_formats(std::string_view list) {
     std::vector<const Format*> chosen;
     while (true) {
         const auto comma = list.find(',');
-        const Format* format = &find_format(list.substr(0, comma));
+        const std::string_view name = list.substr(0, comma);
+        if (name.empty() && !(list.empty() && chosen.empty()))
+            throw InputError("a list of formats wants names between its commas, as in 'obj,glb'");
+        const Format* format = &find_format(name);
         if (std::find(chosen.begin(), chosen.end(), format) == chosen.end()) chosen.push_back(format);
         if (comma == std::string_view::npos) return chosen;
         list.remove_prefix(comma + 1);

@@ -23,16 +23,6 @@ namespace {
 /// What UGRID calls cells of a dimension.
 std::string cell_word(int dimension) { return dimension == 1 ? "edge" : dimension == 2 ? "face" : "volume"; }
 
-/// A surface all of whose computational nodes are as far from the origin, within what rounding leaves. Those
-/// at x may be a little off where an iteration blew up.
-bool is_sphere(const Mesh& mesh) {
-    if (cell_dimension(mesh.kind) != 2 || mesh.space_dimension != 3) return false;
-    const double radius = norm(mesh.nodes[0]);
-    for (std::size_t i = 0; i < mesh.node_count(); ++i)
-        if (!(std::abs(norm(mesh.nodes[i]) - radius) <= 1e-9 * radius)) return false;
-    return true;
-}
-
 struct Coordinate {
     std::string name; ///< "lon"
     std::vector<double> values;
@@ -85,7 +75,7 @@ class UgridMaker {
   public:
     UgridMaker(const Snapshot& snapshot, const Points& x)
         : snapshot_(snapshot), mesh_(*snapshot.mesh), x_(x), word_(cell_word(cell_dimension(mesh_.kind))),
-          sphere_(is_sphere(mesh_)), cells_(corners_of_cells(mesh_)),
+          sphere_(radius_of_ball(mesh_) > 0), cells_(corners_of_cells(mesh_)),
           nodes_(number_anew(cells_, mesh_.node_count())) {}
 
     NetcdfFile make(const std::string& title) {

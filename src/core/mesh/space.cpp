@@ -4,6 +4,18 @@
 
 namespace gaspard {
 
+std::string_view name_of(SpaceKind kind) {
+    switch (kind) {
+    case SpaceKind::periodic_square:
+        return "a periodic square";
+    case SpaceKind::sphere:
+        return "a sphere";
+    case SpaceKind::euclidean:
+        break;
+    }
+    return "a space without a period";
+}
+
 Vec3 displacement(const Space& space, Vec3 from, Vec3 to) {
     Vec3 d = to - from;
     if (space.kind == SpaceKind::periodic_square) {

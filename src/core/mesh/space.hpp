@@ -3,6 +3,8 @@
 
 #include "core/base/points.hpp"
 
+#include <string_view>
+
 namespace gaspard {
 
 enum class SpaceKind {
@@ -14,6 +16,9 @@ enum class SpaceKind {
 struct Space {
     SpaceKind kind = SpaceKind::euclidean;
 };
+
+/// As in "a function of a periodic square".
+std::string_view name_of(SpaceKind kind);
 
 /// The shortest vector from `from` to `to`; on the sphere straight through space.
 Vec3 displacement(const Space& space, Vec3 from, Vec3 to);

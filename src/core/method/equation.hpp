@@ -30,12 +30,14 @@ class Equation {
     virtual void use_threads(int threads) = 0;
     virtual double other_cpu_seconds() const = 0;
 
-    /// The same map on this mesh, from a state of any mesh of the same domain; nothing for others.
-    virtual std::optional<State> adopt(const State& other) = 0;
+    /// The same map on this mesh, from a state of any mesh of the same domain; nothing for others. `of`: as
+    /// for Method::adopt.
+    virtual std::optional<State> adopt(const State& other, const Discretisation* of) = 0;
     /// The same from a map of an equation on another mesh of the same domain, which is left as it is.
     virtual State adopt(Equation& other, std::span<const double> phi) = 0;
-    /// The same equation on the next coarser mesh; null where that would be of no use.
-    virtual std::unique_ptr<Equation> coarser() const = 0;
+    /// The same equation on the next coarser mesh; null where that would be of no use. Throws Interrupted
+    /// when asked to stop.
+    virtual std::unique_ptr<Equation> coarser(const Progress& progress, std::stop_token stop) const = 0;
 
     /// Everything below is of the potential last evaluated, and allocates nothing with one thread.
     virtual Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) = 0;

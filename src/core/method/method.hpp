@@ -43,8 +43,9 @@ class Method {
     /// The state in which every node stands at xi.
     virtual State initial_state() const = 0;
     /// The same map for this method's own layout, made from a state of another resolution or method; nothing
-    /// where there is no way.
-    virtual std::optional<State> adopt(const State& other) = 0;
+    /// where there is no way. `of` is the discretisation on which the state was made, where the caller has
+    /// it: it saves making those operators again.
+    virtual std::optional<State> adopt(const State& other, const Discretisation* of) = 0;
     /// Evaluates the equation at `state` and leaves it as it is.
     virtual Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token stop) = 0;
     /// One update of the unknowns, then the evaluation of what came out. The last evaluate() or step() must
@@ -67,7 +68,10 @@ struct MethodType {
     std::string label;
     std::string help;
     std::vector<ParameterRow> rows; ///< beyond those that every method has (tolerance, max_iterations, ...)
-    std::function<std::unique_ptr<Method>(std::shared_ptr<const Discretisation>, const Values&)> make;
+    /// May take as long as a factorisation, and be stopped on the way (Interrupted).
+    std::function<std::unique_ptr<Method>(std::shared_ptr<const Discretisation>, const Values&,
+                                          const Progress&, std::stop_token)>
+        make;
 };
 
 /// Rows that every method has; the run reads them.

@@ -16,9 +16,11 @@ constexpr double hopeless = 100;       ///< a residual from which a coarser mesh
 
 } // namespace
 
-Nested::Nested(std::unique_ptr<Equation> equation, std::unique_ptr<Stepper> stepper, const Values& values)
+Nested::Nested(std::unique_ptr<Equation> equation, std::unique_ptr<Stepper> stepper, const Values& values,
+               const Progress& progress, std::stop_token stop)
     : stepper_(std::move(stepper)) {
-    for (; equation; equation = levels_.back()->coarser()) levels_.push_back(std::move(equation));
+    for (; equation; equation = levels_.back()->coarser(progress, stop))
+        levels_.push_back(std::move(equation));
     configure(values);
     select(0);
 }
@@ -38,10 +40,10 @@ double Nested::other_cpu_seconds() const {
     return sum;
 }
 
-std::optional<State> Nested::adopt(const State& other) {
+std::optional<State> Nested::adopt(const State& other, const Discretisation* of) {
     for (const auto& level : levels_) // the way up goes on from there
-        if (other.layout == level->layout()) return level->adopt(other);
-    return levels_[0]->adopt(other);
+        if (other.layout == level->layout()) return level->adopt(other, of);
+    return levels_[0]->adopt(other, of);
 }
 
 Evaluation Nested::evaluate(const Monitor& monitor, const State& state, std::stop_token) {
@@ -132,8 +134,10 @@ MethodType nested_method(std::string name, std::string label, std::string help,
             .help = std::move(help),
             .rows = {},
             .make = [stepper = std::move(stepper)](std::shared_ptr<const Discretisation> discretisation,
-                                                   const Values& values) -> std::unique_ptr<Method> {
-                return std::make_unique<Nested>(make_equation(std::move(discretisation)), stepper(), values);
+                                                   const Values& values, const Progress& progress,
+                                                   std::stop_token stop) -> std::unique_ptr<Method> {
+                return std::make_unique<Nested>(make_equation(std::move(discretisation)), stepper(), values,
+                                                progress, stop);
             }};
 }
 

@@ -12,14 +12,16 @@ namespace gaspard {
 
 class Nested final : public Method {
   public:
-    Nested(std::unique_ptr<Equation> equation, std::unique_ptr<Stepper> stepper, const Values& values);
+    /// Makes the coarser meshes; throws Interrupted when asked to stop.
+    Nested(std::unique_ptr<Equation> equation, std::unique_ptr<Stepper> stepper, const Values& values,
+           const Progress& progress, std::stop_token stop);
 
     void configure(const Values& values) override;
     void use_threads(int threads) override;
     double other_cpu_seconds() const override;
     State initial_state() const override { return levels_[0]->initial_state(); }
     /// From any of its meshes, where the way up goes on, and from whatever the equation adopts.
-    std::optional<State> adopt(const State& other) override;
+    std::optional<State> adopt(const State& other, const Discretisation* of) override;
     Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token stop) override;
     Evaluation step(const Monitor& monitor, State& state, std::stop_token stop) override;
     const Points& positions() override;

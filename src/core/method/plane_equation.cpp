@@ -19,7 +19,7 @@ PlaneEquation::PlaneEquation(std::shared_ptr<const PlaneQ2> plane)
     : Equation(layout_of(plane->grid()), plane->unknowns()), plane_(std::move(plane)),
       room_(plane_->make_room()), monitor_(plane_->mesh()->node_count()), residual_(plane_->unknowns()) {}
 
-std::optional<State> PlaneEquation::adopt(const State& other) {
+std::optional<State> PlaneEquation::adopt(const State& other, const Discretisation*) {
     if (other.arrays.size() != 1 || other.arrays[0].name != "phi") return std::nullopt;
     const auto& phi = other.arrays[0].values;
     if (other.layout == layout() && phi.size() == plane_->unknowns()) return other;
@@ -36,7 +36,7 @@ State PlaneEquation::adopt(Equation& other, std::span<const double> phi) {
     return state_of(plane_->transfer(*from.plane_, phi, from.room_, room_));
 }
 
-std::unique_ptr<Equation> PlaneEquation::coarser() const {
+std::unique_ptr<Equation> PlaneEquation::coarser(const Progress&, std::stop_token) const {
     const LineGrid half{(plane_->grid().cells + 1) / 2, plane_->grid().periodic};
     if (half.cells < coarsest) return nullptr;
     return std::make_unique<PlaneEquation>(std::make_shared<PlaneQ2>(half));

@@ -14,9 +14,9 @@ class PlaneEquation final : public Equation {
     double other_cpu_seconds() const override { return room_.team->other_cpu_seconds(); }
 
     /// From any plane with the same boundary.
-    std::optional<State> adopt(const State& other) override;
+    std::optional<State> adopt(const State& other, const Discretisation* of) override;
     State adopt(Equation& other, std::span<const double> phi) override;
-    std::unique_ptr<Equation> coarser() const override;
+    std::unique_ptr<Equation> coarser(const Progress& progress, std::stop_token stop) const override;
 
     Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override;
     const Points& positions() const override { return positions_; }

@@ -31,7 +31,9 @@ class QuasiNewton final : public Method {
     void use_threads(int threads) override { equation_->use_threads(threads); }
     double other_cpu_seconds() const override { return equation_->other_cpu_seconds(); }
     State initial_state() const override { return equation_->initial_state(); }
-    std::optional<State> adopt(const State& other) override { return equation_->adopt(other); }
+    std::optional<State> adopt(const State& other, const Discretisation* of) override {
+        return equation_->adopt(other, of);
+    }
     const Points& positions() override { return equation_->positions(); }
 
     Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token) override {
@@ -98,7 +100,7 @@ MethodType quasi_newton_method() {
                     "relaxation, but it fails for harsh monitors",
             .rows = {},
             .make = [](std::shared_ptr<const Discretisation> discretisation,
-                       const Values&) -> std::unique_ptr<Method> {
+                       const Values&, const Progress&, std::stop_token) -> std::unique_ptr<Method> {
                 return std::make_unique<QuasiNewton>(make_equation(std::move(discretisation)));
             }};
 }

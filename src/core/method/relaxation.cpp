@@ -21,7 +21,9 @@ class Relaxation final : public Method {
     double other_cpu_seconds() const override { return equation_->other_cpu_seconds(); }
 
     State initial_state() const override { return equation_->initial_state(); }
-    std::optional<State> adopt(const State& other) override { return equation_->adopt(other); }
+    std::optional<State> adopt(const State& other, const Discretisation* of) override {
+        return equation_->adopt(other, of);
+    }
 
     Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token) override {
         return equation_->evaluate(monitor, equation_->potential(state));
@@ -61,8 +63,8 @@ MethodType relaxation_method() {
                       .default_value = std::string("auto"),
                       .help = "larger is faster until the iteration diverges; auto: as large as the present "
                               "mesh allows"}},
-            .make = [](std::shared_ptr<const Discretisation> discretisation,
-                       const Values& values) -> std::unique_ptr<Method> {
+            .make = [](std::shared_ptr<const Discretisation> discretisation, const Values& values,
+                       const Progress&, std::stop_token) -> std::unique_ptr<Method> {
                 return std::make_unique<Relaxation>(make_equation(std::move(discretisation)), values);
             }};
 }

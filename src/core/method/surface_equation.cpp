@@ -68,11 +68,7 @@ Vec3 applied(Tensor a, Vec3 v) {
 
 /// A unit vector at right angles to `xi`, along g where that has a direction.
 Vec3 direction_of(Vec3 g, Vec3 xi) {
-    if (norm(g) < 1e-12) {
-        const Vec3 away = std::abs(xi.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-        g = away - dot(away, xi) * xi;
-    }
-    return (1 / norm(g)) * g;
+    return norm(g) < 1e-12 ? any_across(xi) : (1 / norm(g)) * g;
 }
 
 struct Eigenvalues {
@@ -107,32 +103,38 @@ SurfaceEquation::SurfaceEquation(std::shared_ptr<const SurfaceQ2> surface)
       room_(surface_->make_room()), monitor_(surface_->mesh()->node_count()),
       residual_(surface_->unknowns()) {}
 
-std::optional<State> SurfaceEquation::adopt(const State& other) {
+std::optional<State> SurfaceEquation::adopt(const State& other, const Discretisation* of) {
     if (other.arrays.size() != 1 || other.arrays[0].name != "phi") return std::nullopt;
     const auto& phi = other.arrays[0].values;
     if (other.layout == layout() && phi.size() == unknowns()) return other;
     if (!surface_->grid()) return std::nullopt;
+    const auto* there = dynamic_cast<const SurfaceQ2*>(of);
+    if (there && there->unknowns() == phi.size() && other.layout == layout_of(*there))
+        return adopt(*there, phi);
     auto setup = sphere_of(other.layout, phi.size());
     if (!setup) return std::nullopt;
-    SurfaceEquation there(std::make_shared<SurfaceQ2>(std::move(*setup)));
-    return adopt(there, phi);
+    return adopt(SurfaceQ2(std::move(*setup)), phi);
+}
+
+State SurfaceEquation::adopt(Equation& other, std::span<const double> phi) {
+    return adopt(*dynamic_cast<SurfaceEquation&>(other).surface_, phi);
 }
 
 // By the Laplacian, as on the plane: interpolating phi itself would leave kinks that sigma sees.
-State SurfaceEquation::adopt(Equation& other, std::span<const double> phi) {
-    const auto& from = *dynamic_cast<SurfaceEquation&>(other).surface_;
+State SurfaceEquation::adopt(const SurfaceQ2& from, std::span<const double> phi) const {
     GASPARD_CHECK(from.grid() && surface_->grid());
     return state_of(surface_->potential(interpolated(from, from.laplacian(phi), *surface_)));
 }
 
-std::unique_ptr<Equation> SurfaceEquation::coarser() const {
+std::unique_ptr<Equation> SurfaceEquation::coarser(const Progress& progress, std::stop_token stop) const {
     if (!surface_->grid()) return nullptr;
     SphereGrid half = *surface_->grid();
     const bool cubed = half.cells == SphereCells::cubed;
     half.resolution = cubed ? (half.resolution + 1) / 2 : half.resolution - 1;
     if (half.resolution < (cubed ? coarsest_cubed : coarsest_icosahedral)) return nullptr;
     return std::make_unique<SurfaceEquation>(std::make_shared<SurfaceQ2>(
-        sphere_setup(half, surface_->geometry_order(), surface_->radius(), surface_->monitor_at_vertices())));
+        sphere_setup(half, surface_->geometry_order(), surface_->radius(), surface_->monitor_at_vertices()),
+        progress, stop));
 }
 
 Evaluation SurfaceEquation::evaluate(const Monitor& monitor, std::span<const double> phi) {

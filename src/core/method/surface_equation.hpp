@@ -14,9 +14,9 @@ class SurfaceEquation final : public Equation {
     double other_cpu_seconds() const override { return 0; }
 
     /// From any mesh of the sphere, of whatever cells; of flat surfaces from the same alone.
-    std::optional<State> adopt(const State& other) override;
+    std::optional<State> adopt(const State& other, const Discretisation* of) override;
     State adopt(Equation& other, std::span<const double> phi) override;
-    std::unique_ptr<Equation> coarser() const override;
+    std::unique_ptr<Equation> coarser(const Progress& progress, std::stop_token stop) const override;
 
     Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override;
     const Points& positions() const override { return positions_; }
@@ -31,6 +31,8 @@ class SurfaceEquation final : public Equation {
     void precondition(std::span<const double> r, std::span<double> u) override;
 
   private:
+    State adopt(const SurfaceQ2& from, std::span<const double> phi) const;
+
     std::shared_ptr<const SurfaceQ2> surface_;
     SurfaceQ2::Room room_;
     Points gradient_; ///< w' (4.11)

@@ -30,6 +30,8 @@ class FunctionMonitor final : public Monitor {
 
     void check() const override {} // of a function nothing is known before it is asked
 
+    std::optional<SpaceKind> made_for() const override { return space_.kind; }
+
   private:
     static constexpr double difference = 1e-5; // truncation and rounding of alike size, some 1e-10
 

@@ -31,6 +31,8 @@ class Monitor {
     virtual void gradients(const Points& x, Points& gradients) const = 0;
     /// Throws InputError where m <= 0 or not finite for some point of space, naming the parameter to change.
     virtual void check() const = 0;
+    /// The only kind of space whose points the monitor can be asked for, where it is so bound.
+    virtual std::optional<SpaceKind> made_for() const { return std::nullopt; }
     /// On a sphere: a direction around which m does not change when it turns, where there is one.
     virtual std::optional<Vec3> symmetry_axis() const { return std::nullopt; }
 };

@@ -126,7 +126,13 @@ const Capability* find_capability(const Catalogue& catalogue, const Scenario& sc
 }
 
 Problem check(const Catalogue& catalogue, Scenario scenario, std::shared_ptr<const Monitor> own) {
-    if (own) scenario.monitor = {std::string(own_monitor), Values("monitor", {})};
+    if (own) {
+        scenario.monitor = {std::string(own_monitor), Values("monitor", {})};
+        const auto made_for = own->made_for();
+        if (made_for && *made_for != space_of(catalogue, scenario).kind)
+            throw InputError("the monitor is a function of " + std::string(name_of(*made_for)) +
+                             ", which domain '" + scenario.domain.type + "' is not");
+    }
     const Capability* capability = find_capability(catalogue, scenario);
     if (!capability) {
         std::string possible;

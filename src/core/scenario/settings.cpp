@@ -55,11 +55,13 @@ void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, st
         throw InputError(std::string(full_key) + " has no meaning on domain '" + scenario.domain.type + "'" +
                          where + "; there are: " + list_keys(here));
     };
-    if (section == "domain")
+    if (section == "domain") {
+        std::string owners;
         for (const auto& type : catalogue.domains)
-            if (has_row(type.rows, key))
-                refuse(scenario.domain.values, ", it belongs to '" + type.name + "'");
-    if (section == "monitor")
+            if (has_row(type.rows, key)) owners += (owners.empty() ? "'" : " and '") + type.name + "'";
+        if (!owners.empty()) refuse(scenario.domain.values, ", it belongs to " + owners);
+    }
+    if (section == "monitor" && scenario.monitor.type != own_monitor)
         for (const auto kind : {SpaceKind::euclidean, SpaceKind::sphere})
             if (has_row(catalogue.monitor(scenario.monitor.type).rows({kind}), key))
                 refuse(scenario.monitor.values, "");
@@ -101,6 +103,7 @@ Space space_of(const Catalogue& catalogue, const Scenario& scenario) {
 }
 
 void follow_domain(const Catalogue& catalogue, Scenario& scenario) {
+    if (scenario.monitor.type == own_monitor) return; // its caller's business
     const Values before = scenario.monitor.values;
     Section section = monitor_section(catalogue, scenario.monitor.type, space_of(catalogue, scenario));
     if (same_rows(section.values.rows(), before.rows())) return;

@@ -38,13 +38,13 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
     const Stopwatch watch;
     discretisation_ = prepare(problem_, progress, stop);
     method_ = catalogue_->method(problem_.scenario.method.type)
-                  .make(discretisation_, problem_.scenario.method.values);
+                  .make(discretisation_, problem_.scenario.method.values, progress, stop);
     method_->use_threads(options_.threads);
     make_meter();
     find_exact_map();
     State state = method_->initial_state();
     if (options_.start) {
-        auto adopted = method_->adopt(*options_.start);
+        auto adopted = method_->adopt(*options_.start, nullptr);
         if (!adopted)
             throw InputError("the start state is of '" + options_.start->layout + "', which does not fit '" +
                              state.layout + "'");
@@ -185,7 +185,7 @@ RunStatus Run::judge(const StepReport& report, std::string& note) {
         const Values& domain = problem_.scenario.domain.values;
         const bool straight = domain.has("geometry_order") && domain.integer("geometry_order") == 1;
         note = "the iteration has left all bounds; " +
-               std::string(straight ? "domain.geometry_order = 2" : "a smaller step") + " may help";
+               std::string(straight ? "domain.geometry_order = 2 or " : "") + "a smaller step may help";
         return RunStatus::diverged;
     }
     if (report.iteration - judged_from_ >= method.integer("max_iterations"))
@@ -243,10 +243,11 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         const Stopwatch watch;
         auto discretisation = new_domain ? prepare(problem, progress, stop) : discretisation_;
         auto method = catalogue_->method(problem.scenario.method.type)
-                          .make(discretisation, problem.scenario.method.values);
+                          .make(discretisation, problem.scenario.method.values, progress, stop);
         method->use_threads(options_.threads);
-        state = method->adopt(*state);
-        untangled = method->adopt(last_untangled_);
+        const bool same = *state == last_untangled_;
+        state = method->adopt(*state, discretisation_.get());
+        untangled = same ? state : method->adopt(last_untangled_, discretisation_.get());
         discretisation_ = std::move(discretisation);
         method_ = std::move(method);
         setup_seconds_ = watch.seconds();

@@ -79,7 +79,7 @@ TEST(Accelerated, GoesOnFromTheMiddleOfTheWay) {
     for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
     ASSERT_EQ(run.state.layout, run.layout(30));
     Driven other(accelerated_method(), 60, true);
-    other.state = *other.method->adopt(run.state);
+    other.state = *other.method->adopt(run.state, nullptr);
     EXPECT_EQ(other.state.layout, run.layout(30));
     other.begin(run.monitor);
     auto plane = PlaneQ2({60, true}); // its residual is that of the finest plane
@@ -98,14 +98,14 @@ TEST(Accelerated, AdoptsWhatTheRelaxationHasFound) {
     Driven coarse(relaxation_method(), 40, true), fine(accelerated_method(), 60, true);
     coarse.begin(monitor_of("ring", true));
     coarse.solve();
-    fine.state = *fine.method->adopt(coarse.state);
+    fine.state = *fine.method->adopt(coarse.state, nullptr);
     EXPECT_EQ(fine.state.layout, fine.layout(60));
     fine.begin(coarse.monitor);
     EXPECT_LT(fine.history[0].residual, 0.3);
     fine.each = [&] { EXPECT_EQ(fine.state.layout, fine.layout(60)); };
     fine.solve();
-    EXPECT_FALSE(fine.method->adopt({"sphere", {}}).has_value());
-    EXPECT_FALSE(fine.method->adopt({fine.layout(30), {{"phi", {1, 2}}}}).has_value());
+    EXPECT_FALSE(fine.method->adopt({"sphere", {}}, nullptr).has_value());
+    EXPECT_FALSE(fine.method->adopt({fine.layout(30), {{"phi", {1, 2}}}}, nullptr).has_value());
 }
 
 TEST(Accelerated, MovesNothingForAConstantMonitor) {

@@ -11,7 +11,7 @@ namespace gaspard {
 struct Driven {
     Driven(const MethodType& type, std::size_t cells, bool periodic)
         : plane(std::make_shared<PlaneQ2>(LineGrid{cells, periodic})),
-          method(type.make(plane, Values("method", type.rows))), state(method->initial_state()) {}
+          method(type.make(plane, Values("method", type.rows), {}, {})), state(method->initial_state()) {}
 
     void begin(std::shared_ptr<const Monitor> of) {
         monitor = std::move(of);

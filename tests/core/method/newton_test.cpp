@@ -148,9 +148,11 @@ class Wrong final : public Equation {
         : Equation(right->layout(), right->unknowns()), right_(std::move(right)) {}
     void use_threads(int) override {}
     double other_cpu_seconds() const override { return 0; }
-    std::optional<State> adopt(const State& other) override { return right_->adopt(other); }
+    std::optional<State> adopt(const State& other, const Discretisation* of) override {
+        return right_->adopt(other, of);
+    }
     State adopt(Equation& other, std::span<const double> phi) override { return right_->adopt(other, phi); }
-    std::unique_ptr<Equation> coarser() const override { return nullptr; }
+    std::unique_ptr<Equation> coarser(const Progress&, std::stop_token) const override { return nullptr; }
     Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override {
         return right_->evaluate(monitor, phi);
     }

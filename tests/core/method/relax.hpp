@@ -15,7 +15,7 @@ inline std::unique_ptr<Method> make_relaxation(std::shared_ptr<const Discretisat
     const MethodType type = relaxation_method();
     Values values("method", type.rows);
     values.set("step_size", step_size);
-    return type.make(std::move(plane), values);
+    return type.make(std::move(plane), values, {}, {});
 }
 
 /// One problem: from the identity map, step by step.

@@ -17,7 +17,7 @@ inline std::unique_ptr<Method> make_method(const std::string& name, std::shared_
     const MethodType type = name == "relaxation" ? relaxation_method() : accelerated_method();
     Values values("method", type.rows);
     if (step_size && values.has("step_size")) values.set("step_size", *step_size);
-    return type.make(std::move(of), values);
+    return type.make(std::move(of), values, {}, {});
 }
 
 struct OnSurface {

@@ -162,17 +162,17 @@ TEST_P(Relaxation, RecoversByItselfFromAStepThatIsTooLong) {
 TEST_P(Relaxation, GoesOnFromOtherMeshes) {
     const Relaxing coarse = off_centre(12, 40);
     Relaxing same = off_centre(12, 0), fine = off_centre(24, 0), finer = off_centre(31, 0);
-    EXPECT_EQ(same.method->adopt(coarse.state), coarse.state);
+    EXPECT_EQ(same.method->adopt(coarse.state, nullptr), coarse.state);
     for (Relaxing* run : {&fine, &finer}) {
-        const auto adopted = run->method->adopt(coarse.state);
+        const auto adopted = run->method->adopt(coarse.state, nullptr);
         ASSERT_TRUE(adopted.has_value());
         EXPECT_EQ(adopted->layout, run->state.layout);
         const Evaluation there = run->method->evaluate(*run->monitor, *adopted, {});
         EXPECT_LT(there.residual, 0.2 * run->history[0].residual); // far from the identity's
     }
     // And down again, to the very potential but for its mean.
-    fine.state = *fine.method->adopt(coarse.state);
-    const auto back = same.method->adopt(fine.state);
+    fine.state = *fine.method->adopt(coarse.state, nullptr);
+    const auto back = same.method->adopt(fine.state, nullptr);
     ASSERT_TRUE(back.has_value());
     same.method->evaluate(*same.monitor, *back, {});
     EXPECT_LT(largest_distance(same.x(), coarse.x()), 1e-12);
@@ -180,7 +180,7 @@ TEST_P(Relaxation, GoesOnFromOtherMeshes) {
 
 TEST_P(Relaxation, DoesNotTakeStatesOfAnotherKind) {
     Relaxing run = off_centre(12, 0);
-    const auto refuses = [&](State state) { return !run.method->adopt(state).has_value(); };
+    const auto refuses = [&](State state) { return !run.method->adopt(state, nullptr).has_value(); };
     State state = off_centre(16, 0).state;
     EXPECT_FALSE(refuses(state));
     State other = Relaxing(16, !periodic(), make_monitor("constant", space()), 0.1).state;

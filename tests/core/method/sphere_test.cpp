@@ -30,6 +30,30 @@ TEST(Sphere, StandsStillForAConstantMonitor) {
             }
 }
 
+TEST(Sphere, StandsStillToTheEndForAConstantMonitor) {
+    // Also at the step of the shipped scenarios, which for a constant is the limit of stability: there the
+    // residual does not get to 1e-8, and the nodes stay where they are all the same.
+    for (const std::optional<double> step : {std::optional<double>(), std::optional<double>(2.0)}) {
+        OnSurface run(sphere_setup({SphereCells::cubed, 16}), on_sphere("constant"), step);
+        for (int i = 0; i < 300 && run.history.back().residual >= 1e-8; ++i) {
+            run.step();
+            EXPECT_LT(largest_distance(run.x(), run.surface->mesh()->nodes), 1e-5);
+        }
+        if (!step) {
+            EXPECT_LT(run.history.back().residual, 1e-8);
+        }
+        EXPECT_EQ(run.quality().tangled_cells, 0u);
+    }
+}
+
+TEST(Sphere, StopsWhileCoarserMeshesAreMade) {
+    const auto surface = std::make_shared<SurfaceQ2>(sphere_setup({SphereCells::cubed, 32}));
+    const MethodType type = accelerated_method();
+    std::stop_source stop;
+    const auto progress = [&](double, std::string_view) { stop.request_stop(); };
+    EXPECT_THROW(type.make(surface, Values("method", type.rows), progress, stop.get_token()), Interrupted);
+}
+
 TEST(Sphere, KeepsNodesOnItAndItsArea) {
     for (const double radius : {1.0, 6371e3})
         for (const auto& grid : {small_cubed, small_icosahedral}) {
@@ -172,17 +196,20 @@ TEST(Sphere, AdoptsMapsOfOtherSpheres) {
                                    {SphereCells::cubed, 5},
                                    {SphereCells::icosahedral, 3}}) {
         OnSurface other(sphere_setup(grid), coarse.monitor, std::nullopt);
-        const auto adopted = other.method->adopt(coarse.state);
+        const auto adopted = other.method->adopt(coarse.state, nullptr);
         ASSERT_TRUE(adopted);
         EXPECT_EQ(adopted->layout, other.state.layout);
+        EXPECT_EQ(adopted, other.method->adopt(coarse.state, coarse.surface.get())) << "operators at hand";
+        EXPECT_EQ(adopted, other.method->adopt(coarse.state, other.surface.get())) << "of another mesh";
         EXPECT_LT(other.method->evaluate(*other.monitor, *adopted, {}).residual, 0.05);
         EXPECT_LT(other.deviation().vertices, 8e-3);
         EXPECT_EQ(other.quality().tangled_cells, 0u);
     }
     OnSurface same(sphere_setup({SphereCells::cubed, 8}), coarse.monitor, 2.0);
-    EXPECT_EQ(same.method->adopt(coarse.state), coarse.state);
-    EXPECT_FALSE(same.method->adopt({"plane periodic Q2 n=60", {{"phi", std::vector<double>(14400)}}}));
-    EXPECT_FALSE(same.method->adopt({coarse.state.layout, {{"phi", {1, 2}}}}));
+    EXPECT_EQ(same.method->adopt(coarse.state, nullptr), coarse.state);
+    EXPECT_FALSE(
+        same.method->adopt({"plane periodic Q2 n=60", {{"phi", std::vector<double>(14400)}}}, nullptr));
+    EXPECT_FALSE(same.method->adopt({coarse.state.layout, {{"phi", {1, 2}}}}, nullptr));
 }
 
 TEST(Sphere, ConvergesUnderRefinement) {

@@ -108,6 +108,35 @@ TEST_F(Follow, ABadMonitorIsOneSentenceAndTheRunGoesOn) {
     EXPECT_EQ(run.solve().status, RunStatus::converged);
 }
 
+TEST_F(Follow, AFunctionOfAnotherSpaceIsRefused) {
+    Scenario scenario = find_scenario(*catalogue, "sphere-x2");
+    apply_settings(*catalogue, scenario, {"domain.cells=6", "method.type=accelerated"});
+    gaspard::Run run(catalogue, scenario);
+    try {
+        run.follow(spot(0.5));
+        FAIL() << "a function of the periodic square";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "the monitor is a function of a periodic square, which domain 'cubed-sphere' is not");
+    }
+    EXPECT_EQ(run.scenario().monitor.type, "x-n") << "the run is as it was";
+    run.follow(function_monitor([](Vec3 p) { return 2 + p.z; }, run.space()));
+    EXPECT_EQ(run.solve().status, RunStatus::converged);
+    EXPECT_LT(*run.history().back().equidistribution, 0.05);
+}
+
+TEST_F(Follow, AnotherDomainCanBeChosenAfterwards) {
+    gaspard::Run run = make();
+    run.follow(function_monitor([](Vec3 p) { return 2 + std::sin(p.x); }, Space{SpaceKind::periodic_square}));
+    Scenario sphere = run.scenario();
+    apply_settings(*catalogue, sphere, {"domain.type=cubed-sphere"});
+    EXPECT_THROW(run.change(sphere), InputError) << "the function is of the square";
+    EXPECT_THROW(apply_settings(*catalogue, sphere, {"monitor.amplitude=3"}), InputError);
+    apply_settings(*catalogue, sphere, {"domain.type=plane", "domain.cells=30"});
+    EXPECT_EQ(run.change(sphere), "");
+    EXPECT_EQ(run.solve().status, RunStatus::converged);
+}
+
 TEST_F(Follow, WhatTheMonitorThrowsInAStepLeavesTheIterate) {
     for (const char* method : {"method.type=accelerated", "method.type=relaxation"}) {
         gaspard::Run run = make({method});
