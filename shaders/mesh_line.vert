@@ -1,21 +1,18 @@
 #version 330 core
 // A cell's edge as a rectangle on the screen, a little wider than the line, whose fragments know their distance from
 // it. Six vertices (two triangles) per segment; a segment of no length becomes a disc.
-uniform sampler2D computational;
-uniform sampler2D physical;
+#include "place.glsl"
 uniform usampler2D segments; // two points, and two at the far sides of the cells beside
 uniform bool flat_cells;         // as in mesh_fill.frag; of cells that are lines
 uniform usampler2D shown_cells; // which cell a segment belongs to
 uniform sampler2D cell_values;
 uniform mat4 clip;
-uniform float blend;
 uniform vec2 half_viewport; // half its size in pixels
 uniform float half_width;   // of the line, in pixels
 uniform vec2 fade;          // lines closer together than .x pixels vanish, beyond .y they are whole
 uniform float haze;         // how strongly an even tint, as dense as the lines, takes the place of vanished ones
 uniform float pieces;       // of an edge: how many segments it is drawn with
 uniform float pull;         // towards the viewer, in clip coordinates, so that faces do not hide their own edges
-uniform vec4 ball;          // as in mesh_fill.vert
 uniform vec3 viewer;        // as in mesh_fill.frag
 uniform vec2 limb;          // on a ball that turns away lines fade: gone at the cosine .x, whole from .y on
 
@@ -27,17 +24,7 @@ flat out float strength;
 flat out float softness; // 0 to 1: close lines are softer, so that none beat
 flat out vec3 tint; // half the width of the band it fills, its amount; at a border: on which side (1 or -1)
 
-vec4 row(sampler2D table, uint i) { return texelFetch(table, ivec2(int(i & 2047u), int(i >> 11)), 0); }
-
-vec3 between(vec3 from, vec3 to) {
-    vec3 straight = mix(from, to, blend);
-    if (ball.w == 0.0 || blend <= 0.0 || blend >= 1.0) return straight;
-    vec3 away = straight - ball.xyz;
-    float radius = mix(distance(from, ball.xyz), distance(to, ball.xyz), blend);
-    return ball.xyz + away * (radius / max(length(away), 1e-6 * ball.w));
-}
-
-vec3 point(uint i) { return between(row(computational, i).xyz, row(physical, i).xyz); }
+vec3 point(uint i) { return between(row(computational, int(i)).xyz, row(physical, int(i)).xyz); }
 vec3 clip_point(uint i) { return (clip * vec4(point(i), 1.0)).xyz; }
 
 /// Of a ball's cell that goes on behind the limb nobody sees how far it reaches.
@@ -84,7 +71,7 @@ void main() {
     place = vec2(mix(-reach, line_length + reach, side.x), mix(-reach, reach, side.y));
     vec2 spot = from + along * place.x + across * place.y;
     float t = line_length > 0.0 ? clamp(place.x / line_length, 0.0, 1.0) : 0.0;
-    value = flat_cells ? row(cell_values, texelFetch(shown_cells, ivec2(segment & 2047, segment >> 11), 0).r).r
-                       : mix(row(physical, ends.x).w, row(physical, ends.y).w, t);
+    value = flat_cells ? row(cell_values, int(texelFetch(shown_cells, ivec2(segment & 2047, segment >> 11), 0).r)).r
+                       : mix(row(physical, int(ends.x)).w, row(physical, int(ends.y)).w, t);
     gl_Position = vec4(spot / half_viewport, mix(a.z, b.z, t) - pull, 1.0);
 }

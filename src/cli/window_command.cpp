@@ -41,7 +41,7 @@ int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string
     WindowOptions options;
     options.settings = read_settings(file, options.complaints);
     Scenario scenario = find_scenario(*catalogue, name);
-    if (!name.ends_with(".toml")) scenario = for_window(std::move(scenario));
+    if (!name.ends_with(".toml")) scenario = for_window(*catalogue, std::move(scenario));
     look_as_before(*catalogue, scenario, options.settings.window);
     apply_settings(*catalogue, scenario, settings);
     check(*catalogue, scenario);

@@ -445,7 +445,6 @@ void MeshRenderer::draw_overlay(Frame frame, LineStyle style, float scale) {
     style.width = overlay_width * std::max(1.0F, 0.7F * scale);
     style.surface = {1, 1, 1, 1}; // whatever lies below, one ink
     style.haze = 0;
-    style.fade_begin *= 2, style.fade_end *= 2.6F; // only where there is room for two meshes
     style.limb_begin = limb_begin, style.limb_end = limb_end;
     if (!frame.planar) style.pull += overlay_pull;
     draw_lines(frame, overlay_edges_, style);

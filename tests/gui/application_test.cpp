@@ -185,11 +185,16 @@ TEST_F(ApplicationTest, RandomInputBreaksNothing) {
     for (const Action& row : actions())
         if (row.id != ActionId::export_files && row.id != ActionId::screenshot)
             keys.insert(keys.end(), row.keys.begin(), row.keys.end());
+    int changes = 0;
+    Scenario before = small_ring();
     for (int i = 0; i < 10000; ++i) {
         ImGuiIO& io = ImGui::GetIO();
-        if (draw_int(0, 3) == 0) // mostly where the sliders are
-            ui.move(static_cast<float>(draw_int(-20, draw_int(0, 1) ? 420 : 1420)),
-                    static_cast<float>(draw_int(-20, 920)));
+        if (draw_int(0, 7) == 0)
+            ui.move(static_cast<float>(draw_int(-20, 1420)), static_cast<float>(draw_int(-20, 920)));
+        if (const auto& items = application.items(); draw_int(0, 7) == 0 && !items.empty()) {
+            const auto item = std::next(items.begin(), draw_int(0, static_cast<int>(items.size()) - 1));
+            ui.move(item->second.center_x(), item->second.center_y());
+        }
         if (draw_int(0, 2) == 0) ui.button(draw_int(0, 1) == 1, draw_int(0, 2));
         if (draw_int(0, 9) == 0) ui.wheel(static_cast<float>(draw_int(-3, 3)));
         if (draw_int(0, 9) == 0) io.KeyCtrl = !io.KeyCtrl;
@@ -203,6 +208,7 @@ TEST_F(ApplicationTest, RandomInputBreaksNothing) {
         if (i % 200 == 0 && application.items().count("monitor.type") == 0)
             application.perform(ActionId::sidebar);
         frame();
+        if (run().scenario != before) ++changes, before = run().scenario;
         for (const Values* values : {&run().scenario.domain.values, &run().scenario.monitor.values})
             for (const auto& row : values->rows()) {
                 Values copy = *values;
@@ -210,7 +216,7 @@ TEST_F(ApplicationTest, RandomInputBreaksNothing) {
             }
     }
     EXPECT_NE(run().status.run, RunStatus::failed) << application.message().text;
-    EXPECT_NE(application.document().runs().front().scenario, small_ring()) << "the input reached nothing";
+    EXPECT_GT(changes, 20) << "the input reached hardly anything";
 }
 
 } // namespace
