@@ -14,6 +14,8 @@ uniform float haze;         // how strongly an even tint, as dense as the lines,
 uniform float pieces;       // of an edge: how many segments it is drawn with
 uniform float pull;         // towards the viewer, in clip coordinates, so that faces do not hide their own edges
 uniform vec3 viewer;        // as in mesh_fill.frag
+uniform float bent;         // of a map, which bends lines so that those ahead of one may be far: the least part of the
+                            // distance to the far side that counts as spacing
 uniform vec2 limb;          // on a ball that turns away lines fade: gone at the cosine .x, whole from .y on
 
 noperspective out vec2 place; // in pixels from the first point: along the line, across it
@@ -28,9 +30,10 @@ vec3 point(uint i) { return between(row(computational, int(i)).xyz, row(physical
 vec3 clip_point(uint i) { return (clip * vec4(point(i), 1.0)).xyz; }
 
 /// Of a ball's cell that goes on behind the limb nobody sees how far it reaches.
-float seen_spacing(uint far, float away) {
+float seen_spacing(uint far, vec2 from, vec2 across) {
     bool behind = ball.w > 0.0 && dot(point(far) - ball.xyz, viewer) < 0.0;
-    return behind ? 1e6 : abs(away);
+    vec2 away = clip_point(far).xy * half_viewport - from;
+    return behind ? 1e6 : max(abs(dot(away, across)), bent * length(away));
 }
 
 void main() {
@@ -51,8 +54,7 @@ void main() {
     tint = vec3(0.0);
     if (ends.z != ends.x) {
         float first = dot(clip_point(ends.z).xy * half_viewport - from, across);
-        float second = dot(clip_point(ends.w).xy * half_viewport - from, across);
-        float spacing = min(seen_spacing(ends.z, first), seen_spacing(ends.w, second));
+        float spacing = min(seen_spacing(ends.z, from, across), seen_spacing(ends.w, from, across));
         strength = smoothstep(fade.x, fade.y, spacing);
         softness = 1.0 - smoothstep(1.5 * fade.y, 3.0 * fade.y, spacing);
         // The lines that cross here stand about as close as this edge is long. What has vanished of both lines tints the

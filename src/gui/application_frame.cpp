@@ -205,8 +205,16 @@ void Application::draw_sidebar() {
             changed |= panel_.draw_section(kind, context, scenario);
         ImGui::Spacing();
     }
-    if (ImGui::CollapsingHeader("Runs", ImGuiTreeNodeFlags_DefaultOpen))
+    if (ImGui::CollapsingHeader("Runs", ImGuiTreeNodeFlags_DefaultOpen)) {
         if (run_list_.draw(document_, {theme_, scale_, items_})) perform(ActionId::keep);
+        const Action& row = action(ActionId::compare);
+        ImGui::SameLine();
+        ImGui::BeginDisabled(!possible(row.id));
+        if (ImGui::Button(std::string(row.label).c_str())) perform(row.id);
+        ImGui::EndDisabled();
+        remember_item(items_, "runs.compare");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(row.help).c_str());
+    }
     ImGui::Spacing();
     if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) draw_view(context);
     if (scenario.domain != run().scenario.domain) viewport().view.set("pick", std::string());

@@ -308,7 +308,8 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
     ScreenRect room = above_caption(plan, scale);
     for (const PlannedPicture& shown : plan.pictures) {
         if (shown.picture.map) draw_graticule(list, shown, theme, scale);
-        if (shown.picture.ball > 0) draw_rim(list, shown, theme, scale);
+        if (shown.picture.ball > 0 && shown.picture.mesh->kind.order > 1) // straight cells have none
+            draw_rim(list, shown, theme, scale);
         if (plan.pick && has(*shown.picture.mesh, *plan.pick))
             draw_mark(list, shown, *plan.pick, theme, scale);
         draw_title(list, shown.title, shown.rect, theme, scale);

@@ -61,6 +61,8 @@ std::vector<std::string> comparison_heads() {
 }
 
 std::vector<std::string> comparison_cells(const ComparisonRow& row) {
+    if (row.status == RunStatus::preparing)
+        return {row.method, "", "", "", "", "", "", std::string(status_name(row.status))};
     return {row.method,
             std::to_string(row.iterations),
             std::to_string(row.inner_iterations),

@@ -70,7 +70,8 @@ TEST_F(Comparison, TheTableSaysWhatTheHistoriesSay) {
 TEST_F(Comparison, WhatHasNotBegunHasNoNumbers) {
     const ComparisonRow row = comparison_row("auto", {});
     EXPECT_EQ(row.status, RunStatus::preparing);
-    EXPECT_EQ(comparison_cells(row)[5], "");
+    EXPECT_EQ(comparison_cells(row).size(), comparison_heads().size());
+    EXPECT_EQ(comparison_cells(row)[1], "");
 }
 
 } // namespace
