@@ -168,14 +168,22 @@ TEST_F(ApplicationTest, ThemeAndSizeAreChangedByKeysAndRemembered) {
 TEST_F(ApplicationTest, EverythingHasRoomAtTheSizeForProjectors) {
     ui.scale(1.7F);
     application.set_scale(1.7F);
-    ImGui::GetIO().DisplaySize = {1920, 1080};
-    for (int i = 0; i < 3; ++i) frame();
-    for (const char* key : {"action.run", "action.export", "scenario", "monitor.amplitude", "viewport",
-                            "plot.first", "plot.second", "status.0", "message"}) {
-        ASSERT_TRUE(application.items().count(key)) << key;
-        EXPECT_LE(application.items().find(key)->second.right, 1921) << key;
+    for (const ImVec2 size : {ImVec2{1920, 1080}, {1400, 900}}) {
+        ImGui::GetIO().DisplaySize = size;
+        for (int i = 0; i < 3; ++i) frame();
+        for (const char* key : {"action.run", "action.export", "scenario", "monitor.amplitude",
+                                "monitor.amplitude.input", "viewport", "plot.first", "plot.second",
+                                "plot.first.menu", "plot.second.menu", "status.0", "message"}) {
+            ASSERT_TRUE(application.items().count(key)) << key;
+            const ItemRectangle item = application.items().find(key)->second;
+            EXPECT_LE(item.right, size.x + 1) << key;
+            EXPECT_LE(item.bottom, size.y + 1) << key;
+        }
+        const float left = application.items().find("action.export")->second.right;
+        EXPECT_GT(application.items().find("scenario")->second.left, left);
+        EXPECT_GT(application.viewport_rectangle().width(), 500);
+        EXPECT_GT(application.items().find("plot.first.curves")->second.height(), 100);
     }
-    EXPECT_GT(application.viewport_rectangle().width(), 500);
 }
 
 TEST_F(ApplicationTest, RandomInputBreaksNothing) {
