@@ -1,8 +1,7 @@
 #version 330 core
 // An arrow from xi to x of one shown point, as a rectangle on the screen whose fragments know where in it they are.
 // Six vertices (two triangles) per arrow.
-uniform sampler2D computational; // as in mesh_line.vert
-uniform sampler2D physical;
+#include "place.glsl"
 uniform usampler2D segments; // one shown point each
 uniform mat4 clip;
 uniform vec2 half_viewport; // half its size in pixels
@@ -12,15 +11,13 @@ uniform float pull;         // towards the viewer, in clip coordinates, so that 
 noperspective out vec2 place; // in pixels from xi: along the arrow, across it
 flat out float arrow_length;
 
-vec4 row(sampler2D table, uint i) { return texelFetch(table, ivec2(int(i & 2047u), int(i >> 11)), 0); }
-
 void main() {
     int arrow = gl_VertexID / 6;
     int corner = gl_VertexID % 6;
     vec2 side = vec2(corner == 1 || corner == 2 || corner == 4, corner == 2 || corner == 4 || corner == 5);
 
     uint point = texelFetch(segments, ivec2(arrow & 2047, arrow >> 11), 0).r;
-    vec4 a = clip * vec4(row(computational, point).xyz, 1.0), b = clip * vec4(row(physical, point).xyz, 1.0);
+    vec4 a = clip * vec4(row(computational, int(point)).xyz, 1.0), b = clip * vec4(row(physical, int(point)).xyz, 1.0);
     vec2 from = a.xy * half_viewport, to = b.xy * half_viewport;
     arrow_length = distance(from, to);
     vec2 along = arrow_length > 0.0 ? (to - from) / arrow_length : vec2(1.0, 0.0);

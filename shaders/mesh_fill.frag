@@ -1,8 +1,7 @@
 #version 330 core
 // The inside of cells: a colour map or one colour, softly lit by a lamp at the viewer: what faces the viewer has its
 // colour, what turns away is darker.
-uniform sampler2D colours;
-uniform float logarithm;          // of the range's high end over its low one; 0: the range is linear
+#include "colour_map.glsl"
 uniform vec4 surface;             // used where its alpha is above zero
 uniform bool flat_cells;          // each cell has a value of its own
 uniform usampler2D shown_cells;   // which cell a triangle belongs to
@@ -19,12 +18,6 @@ out vec4 colour;
 float own_value() {
     uint cell = texelFetch(shown_cells, ivec2(gl_PrimitiveID & 2047, gl_PrimitiveID >> 11), 0).r;
     return texelFetch(cell_values, ivec2(int(cell & 2047u), int(cell >> 11)), 0).r;
-}
-
-vec3 colour_of(float place) {
-    float t = logarithm > 0.0 ? log(1.0 + max(place, 0.0) * (exp(logarithm) - 1.0)) / logarithm : place;
-    float last = float(textureSize(colours, 0).x) - 1.0;
-    return texture(colours, vec2((clamp(t, 0.0, 1.0) * last + 0.5) / (last + 1.0), 0.5)).rgb;
 }
 
 void main() {

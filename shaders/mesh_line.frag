@@ -1,8 +1,7 @@
 #version 330 core
 // Coverage of a pixel by a line with round ends. Into a LineLayer: light ink on dark colours, dark ink on light ones.
 // Straight into a picture: one ink for all, or the colour map.
-uniform sampler2D colours;
-uniform float logarithm; // as in mesh_fill.frag
+#include "colour_map.glsl"
 uniform bool by_map;
 uniform vec4 surface; // as in mesh_fill.frag
 uniform vec4 flat_ink; // straight into a picture if its alpha is above zero
@@ -16,12 +15,6 @@ flat in float strength;
 flat in float softness;
 flat in vec3 tint;
 out vec4 colour;
-
-vec3 colour_of(float place) {
-    float t = logarithm > 0.0 ? log(1.0 + max(place, 0.0) * (exp(logarithm) - 1.0)) / logarithm : place;
-    float last = float(textureSize(colours, 0).x) - 1.0;
-    return texture(colours, vec2((clamp(t, 0.0, 1.0) * last + 0.5) / (last + 1.0), 0.5)).rgb;
-}
 
 /// How much of a pixel lies on one side of an edge that is so far beyond its middle. A pixel is a square, or when soft a
 /// tent over two: with either, a line sheds the same ink on the pixels across it wherever it lies between them.

@@ -1,22 +1,21 @@
 #version 330 core
 // A cell's edge as a rectangle on the screen, a little wider than the line, whose fragments know their distance from
 // it. Six vertices (two triangles) per segment; a segment of no length becomes a disc.
-uniform sampler2D computational;
-uniform sampler2D physical;
+#include "place.glsl"
 uniform usampler2D segments; // two points, and two at the far sides of the cells beside
 uniform bool flat_cells;         // as in mesh_fill.frag; of cells that are lines
 uniform usampler2D shown_cells; // which cell a segment belongs to
 uniform sampler2D cell_values;
 uniform mat4 clip;
-uniform float blend;
 uniform vec2 half_viewport; // half its size in pixels
 uniform float half_width;   // of the line, in pixels
 uniform vec2 fade;          // lines closer together than .x pixels vanish, beyond .y they are whole
 uniform float haze;         // how strongly an even tint, as dense as the lines, takes the place of vanished ones
 uniform float pieces;       // of an edge: how many segments it is drawn with
 uniform float pull;         // towards the viewer, in clip coordinates, so that faces do not hide their own edges
-uniform vec4 ball;          // as in mesh_fill.vert
 uniform vec3 viewer;        // as in mesh_fill.frag
+uniform float bent;         // of a map, which bends lines so that those ahead of one may be far: the least part of the
+                            // distance to the far side that counts as spacing
 uniform vec2 limb;          // on a ball that turns away lines fade: gone at the cosine .x, whole from .y on
 
 noperspective out vec2 place; // in pixels from the first point: along the line, across it
@@ -27,23 +26,14 @@ flat out float strength;
 flat out float softness; // 0 to 1: close lines are softer, so that none beat
 flat out vec3 tint; // half the width of the band it fills, its amount; at a border: on which side (1 or -1)
 
-vec4 row(sampler2D table, uint i) { return texelFetch(table, ivec2(int(i & 2047u), int(i >> 11)), 0); }
-
-vec3 between(vec3 from, vec3 to) {
-    vec3 straight = mix(from, to, blend);
-    if (ball.w == 0.0 || blend <= 0.0 || blend >= 1.0) return straight;
-    vec3 away = straight - ball.xyz;
-    float radius = mix(distance(from, ball.xyz), distance(to, ball.xyz), blend);
-    return ball.xyz + away * (radius / max(length(away), 1e-6 * ball.w));
-}
-
-vec3 point(uint i) { return between(row(computational, i).xyz, row(physical, i).xyz); }
+vec3 point(uint i) { return between(row(computational, int(i)).xyz, row(physical, int(i)).xyz); }
 vec3 clip_point(uint i) { return (clip * vec4(point(i), 1.0)).xyz; }
 
 /// Of a ball's cell that goes on behind the limb nobody sees how far it reaches.
-float seen_spacing(uint far, float away) {
+float seen_spacing(uint far, vec2 from, vec2 across) {
     bool behind = ball.w > 0.0 && dot(point(far) - ball.xyz, viewer) < 0.0;
-    return behind ? 1e6 : abs(away);
+    vec2 away = clip_point(far).xy * half_viewport - from;
+    return behind ? 1e6 : max(abs(dot(away, across)), bent * length(away));
 }
 
 void main() {
@@ -64,8 +54,7 @@ void main() {
     tint = vec3(0.0);
     if (ends.z != ends.x) {
         float first = dot(clip_point(ends.z).xy * half_viewport - from, across);
-        float second = dot(clip_point(ends.w).xy * half_viewport - from, across);
-        float spacing = min(seen_spacing(ends.z, first), seen_spacing(ends.w, second));
+        float spacing = min(seen_spacing(ends.z, from, across), seen_spacing(ends.w, from, across));
         strength = smoothstep(fade.x, fade.y, spacing);
         softness = 1.0 - smoothstep(1.5 * fade.y, 3.0 * fade.y, spacing);
         // The lines that cross here stand about as close as this edge is long. What has vanished of both lines tints the
@@ -84,7 +73,7 @@ void main() {
     place = vec2(mix(-reach, line_length + reach, side.x), mix(-reach, reach, side.y));
     vec2 spot = from + along * place.x + across * place.y;
     float t = line_length > 0.0 ? clamp(place.x / line_length, 0.0, 1.0) : 0.0;
-    value = flat_cells ? row(cell_values, texelFetch(shown_cells, ivec2(segment & 2047, segment >> 11), 0).r).r
-                       : mix(row(physical, ends.x).w, row(physical, ends.y).w, t);
+    value = flat_cells ? row(cell_values, int(texelFetch(shown_cells, ivec2(segment & 2047, segment >> 11), 0).r)).r
+                       : mix(row(physical, int(ends.x)).w, row(physical, int(ends.y)).w, t);
     gl_Position = vec4(spot / half_viewport, mix(a.z, b.z, t) - pull, 1.0);
 }

@@ -41,6 +41,18 @@ void add_run(CLI::App& app, RunArguments& run) {
     command->add_flag("--quiet", run.quiet, "Print nothing but errors");
 }
 
+void add_compare(CLI::App& app, CompareArguments& compare) {
+    CLI::App* command =
+        app.add_subcommand("compare", "Several methods on one problem: a table and a picture");
+    command->add_option("SCENARIO", compare.scenario, "A built-in name or a .toml file")->required();
+    add_settings(*command, compare.settings);
+    command->add_option("--methods", compare.methods, "Methods, separated by commas (default: all)")
+        ->type_name("LIST");
+    command->add_option("--out", compare.out, "Where to write (default: ./gaspard-out/SCENARIO-methods)")
+        ->type_name("DIR");
+    command->add_flag("--no-render", compare.no_render, "Draw no picture");
+}
+
 int dispatch(int argc, char** argv) {
     CLI::App app("Gaspard: watch a mesh adapt", "gaspard");
     app.set_version_flag("--version", "gaspard " + std::string(version()));
@@ -58,6 +70,8 @@ int dispatch(int argc, char** argv) {
     add_settings(app, settings);
     app.add_option("--size", size, "Size of the window in pixels")->type_name("WxH");
     add_run(app, run);
+    CompareArguments compare;
+    add_compare(app, compare);
     CLI::App* list = app.add_subcommand("list", "What there is, with parameters and ranges");
     list->add_option("WHAT", what,
                      "scenarios, domains, monitors, methods, formats, view or output (default: all)");
@@ -91,6 +105,7 @@ int dispatch(int argc, char** argv) {
                                  "' has no effect: it goes after the command");
     const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
     if (app.got_subcommand("run")) return run_command(catalogue, run);
+    if (app.got_subcommand("compare")) return compare_command(catalogue, compare);
     if (app.got_subcommand(list)) return list_command(*catalogue, what);
     if (app.got_subcommand(show)) return show_command(*catalogue, show_scenario, show_settings);
     if (app.got_subcommand(reproduce))

@@ -21,7 +21,17 @@ struct RunArguments {
     bool no_render = false, whole_window = false, quiet = false;
 };
 
+/// What the options of `compare` say, unchecked.
+struct CompareArguments {
+    std::string scenario;
+    std::vector<std::string> settings;
+    std::optional<std::string> methods; ///< separated by commas; none: all that go with the scenario
+    std::string out;                    ///< empty: ./gaspard-out/SCENARIO-methods
+    bool no_render = false;
+};
+
 int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& arguments);
+int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArguments& arguments);
 int list_command(const Catalogue& catalogue, const std::string& what);
 int show_command(const Catalogue& catalogue, const std::string& scenario,
                  const std::vector<std::string>& settings);

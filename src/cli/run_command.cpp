@@ -88,6 +88,8 @@ void draw_view(std::shared_ptr<const Catalogue> catalogue, Run& run, const std::
     const Scenario& scenario = run.scenario();
     const auto width = static_cast<int>(scenario.view.integer("width"));
     const auto height = static_cast<int>(scenario.view.integer("height"));
+    if (const std::string note = missing_note(scenario.view, *run.snapshot()); !note.empty())
+        std::cerr << "gaspard: " << note << "\n";
     if (whole_window)
         return write_png(folder / "view.png",
                          render_whole_window(std::move(catalogue), {scenario, run.history(), run.snapshot()},

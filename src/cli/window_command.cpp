@@ -1,8 +1,8 @@
 #include "cli/commands.hpp"
 #include "core/base/error.hpp"
 #include "core/scenario/toml.hpp"
-#include "gui/viewport.hpp"
 #include "gui/document.hpp"
+#include "gui/viewport.hpp"
 #include "gui/window.hpp"
 
 #include <exception>
@@ -33,6 +33,19 @@ void look_as_before(const Catalogue& catalogue, Scenario& scenario, const Values
     }
 }
 
+/// Whether a setting names a value that the scenario's method has and the window's choice has not.
+bool ask_for_own_method(const std::vector<std::string>& settings, const Scenario& own,
+                        const Scenario& other) {
+    bool asked = false;
+    for (const std::string& setting : settings) {
+        if (setting.starts_with("method.type=")) return false; // that says which
+        if (!setting.starts_with("method.")) continue;
+        const std::string key = setting.substr(7, setting.find('=') - 7);
+        asked = asked || (own.method.values.has(key) && !other.method.values.has(key));
+    }
+    return asked;
+}
+
 } // namespace
 
 int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string& name,
@@ -41,7 +54,10 @@ int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string
     WindowOptions options;
     options.settings = read_settings(file, options.complaints);
     Scenario scenario = find_scenario(*catalogue, name);
-    if (!name.ends_with(".toml")) scenario = for_window(std::move(scenario));
+    if (!name.ends_with(".toml")) {
+        Scenario chosen = for_window(*catalogue, scenario);
+        if (!ask_for_own_method(settings, scenario, chosen)) scenario = std::move(chosen);
+    }
     look_as_before(*catalogue, scenario, options.settings.window);
     apply_settings(*catalogue, scenario, settings);
     check(*catalogue, scenario);

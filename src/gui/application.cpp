@@ -67,6 +67,7 @@ bool Application::collect() {
     for (SolverMessage& message : std::exchange(run().messages, {}))
         say({std::move(message.text), message.error});
     if (run().openings != openings_seen_) take_opening();
+    note_what_is_missing();
     const std::string note = closing_note(run());
     if (note != closing_note_ && !note.empty()) log_.add({note, false});
     closing_note_ = note;
@@ -83,12 +84,24 @@ bool Application::collect() {
     return news;
 }
 
+/// Said once for each mesh.
+void Application::note_what_is_missing() {
+    if (!run().snapshot || run().snapshot->mesh == looked_for_missing_) return;
+    looked_for_missing_ = run().snapshot->mesh;
+    const std::string note = missing_note(viewport().view, *run().snapshot);
+    if (!note.empty()) say({note, false});
+}
+
 bool Application::press_key(std::string_view key) {
     if (ImGui::GetIO().WantTextInput) return false;
     const Action* row = action_for_key(key);
-    if (!row || !possible(row->id)) return false;
+    if (!row) return false;
     const bool dialog = error_.open() || open_dialog_.open(); // it comes first
     if (dialog && row->id != ActionId::cancel) return false;
+    if (!possible(row->id)) {
+        if (const std::string why = obstacle(row->id); !why.empty()) say({why, false});
+        return false;
+    }
     perform(row->id);
     return true;
 }
@@ -101,7 +114,8 @@ bool Application::possible(ActionId id) {
     switch (id) {
     case ActionId::cancel:
         return ImGui::IsPopupOpen("", any_popup) || error_.open() || open_dialog_.open() || help_ ||
-               working() || !viewport().view.text("pick").empty();
+               working() || document_.comparing() || comparison_panel_.open() ||
+               !viewport().view.text("pick").empty();
     case ActionId::front:
     case ActionId::back:
     case ActionId::left:
@@ -115,6 +129,10 @@ bool Application::possible(ActionId id) {
         return run().snapshot && run().snapshot->mesh->space_dimension == 3 && !checked(ActionId::map);
     case ActionId::front_and_rear:
         return available("layout=front-and-rear");
+    case ActionId::runs:
+        return document_.runs().size() > 1;
+    case ActionId::compare:
+        return run().live();
     case ActionId::map:
         return available("layout=map");
     case ActionId::overlay:
@@ -126,6 +144,38 @@ bool Application::possible(ActionId id) {
     }
     if (id == ActionId::step) return !run().ended();
     return id != ActionId::keep || !run().history.empty();
+}
+
+/// Why an action that looks as if it did something does nothing here; empty where that is plain to see.
+std::string Application::obstacle(ActionId id) {
+    if (!run().snapshot) return {};
+    const std::string name(action(id).label);
+    switch (id) {
+    case ActionId::front:
+    case ActionId::back:
+    case ActionId::left:
+    case ActionId::right:
+    case ActionId::top:
+    case ActionId::bottom:
+    case ActionId::front_and_rear:
+        return name + " is for meshes in space; this one lies in the plane.";
+    case ActionId::runs:
+        return name + ": there is only one; K keeps this run, C compares methods.";
+    case ActionId::map:
+        return name + " is for meshes on a sphere.";
+    case ActionId::spin:
+        return name + (checked(ActionId::map) ? " is for a globe; M leads back from the map to it."
+                                              : " is for meshes in space; this one lies in the plane.");
+    case ActionId::overlay:
+        return name +
+               " is for monitors on a sphere that have an axis; the exact mesh of this one is not known.";
+    case ActionId::quadratic:
+        return name + ": only linear cells on a sphere can become quadratic; these are not.";
+    case ActionId::step:
+        return "The run has ended; " + describe_keys(action(ActionId::run_pause)) + " begins it again.";
+    default:
+        return {};
+    }
 }
 
 void Application::perform(ActionId id) {
@@ -143,15 +193,22 @@ void Application::perform(ActionId id) {
     case ActionId::cancel:
         return cancel();
     case ActionId::home:
-        return look_from("home");
+        return look_from(run().opened.view.text("direction"));
     case ActionId::front:
     case ActionId::back:
     case ActionId::left:
     case ActionId::right:
     case ActionId::top:
     case ActionId::bottom:
-        return look_from(std::string(action(id).name).c_str());
+        return look_from(std::string(action(id).name));
+    case ActionId::compare:
+        if (comparison_panel_.open())
+            comparison_panel_.close();
+        else
+            comparison_panel_.show();
+        return;
     case ActionId::side_by_side:
+    case ActionId::runs:
     case ActionId::front_and_rear:
     case ActionId::map:
         viewport().view.set("layout", std::string(checked(id) ? "single" : action(id).name));
@@ -211,7 +268,10 @@ void Application::perform(ActionId id) {
 bool Application::checked(ActionId id) const {
     const Values& view = document_.viewports().front().view;
     switch (id) {
+    case ActionId::compare:
+        return comparison_panel_.open();
     case ActionId::side_by_side:
+    case ActionId::runs:
     case ActionId::front_and_rear:
     case ActionId::map:
         return view.text("layout") == action(id).name;
@@ -248,6 +308,7 @@ bool Application::available(const std::string& choice) const {
 void Application::use_quadratic_cells() {
     Scenario scenario = run().scenario;
     scenario.domain.values.parse("geometry_order", "2");
+    viewport().view.set("pick", std::string());
     document_.change(0, scenario);
     document_.reset(0);
     message_ = {};
@@ -268,8 +329,8 @@ void Application::toggle(const char* setting) {
 
 void Application::toggle_view(const char* key) { viewport().view.set(key, !viewport().view.boolean(key)); }
 
-void Application::look_from(const char* direction) {
-    viewport().view.set("direction", std::string(direction));
+void Application::look_from(const std::string& direction) {
+    viewport().view.set("direction", direction);
     viewport_pane_.go_home(viewport());
 }
 
@@ -309,8 +370,12 @@ void Application::cancel() {
         open_dialog_.close();
     else if (help_)
         help_ = false;
+    else if (document_.comparing())
+        document_.cancel_comparison();
     else if (working())
         run().solver->cancel();
+    else if (comparison_panel_.open())
+        comparison_panel_.close();
     else
         viewport().view.set("pick", std::string());
 }
@@ -384,6 +449,23 @@ void Application::fulfil(const PlotWish& wish) {
     }
 }
 
+void Application::draw_comparison() {
+    using Wish = ComparisonPanel::Wish;
+    switch (comparison_panel_.draw(document_, *catalogue_, theme_, items_)) {
+    case Wish::none:
+        return;
+    case Wish::begin:
+        return document_.compare(comparison_panel_.chosen(document_, *catalogue_));
+    case Wish::cancel:
+        return document_.cancel_comparison();
+    case Wish::copy:
+        ImGui::SetClipboardText(comparison_csv(document_.comparison_rows()).c_str());
+        return say({"Copied the table of methods", false});
+    case Wish::meshes:
+        return perform(ActionId::runs);
+    }
+}
+
 void Application::save_plot(const std::function<Image(const Plot&)>& draw) {
     const auto plot = std::exchange(plot_picture_, std::nullopt);
     if (!plot) return;
@@ -437,7 +519,7 @@ void Application::take_opening() {
 }
 
 void Application::open_builtin(const std::string& name) {
-    open_scenario(for_window(find_scenario(*catalogue_, name)));
+    open_scenario(for_window(*catalogue_, find_scenario(*catalogue_, name)));
     message_ = {};
 }
 

@@ -8,6 +8,7 @@
 
 #include "gui/actions.hpp"
 #include "gui/background_writer.hpp"
+#include "gui/comparison_panel.hpp"
 #include "gui/dialogs.hpp"
 #include "gui/document.hpp"
 #include "gui/item_rectangles.hpp"
@@ -101,8 +102,10 @@ class Application {
     DocumentRun& run() { return document_.runs().front(); }
     DocumentViewport& viewport() { return document_.viewports().front(); }
     bool possible(ActionId id);
+    std::string obstacle(ActionId id);
     bool checked(ActionId id) const;
     bool working();
+    void note_what_is_missing();
     bool available(const std::string& choice) const;
     void use_quadratic_cells();
     void draw_remedy();
@@ -125,13 +128,15 @@ class Application {
     };
     void draw_edge(const char* name, const ItemRectangle& edge, const char* setting,
                    const EdgeTravel& travel);
+    bool note_has_room() const;
     void draw_status();
     void draw_log();
+    void draw_comparison();
     void draw_dialogs();
     void toggle_running();
     void toggle(const char* setting);
     void toggle_view(const char* key);
-    void look_from(const char* direction);
+    void look_from(const std::string& direction);
     void copy_camera();
     void paste_camera();
     const std::string& viewed_theme() { return viewport().view.text("theme"); }
@@ -159,8 +164,10 @@ class Application {
     ErrorDialog error_;
     OpenDialog open_dialog_;
     std::string closing_note_; ///< of the last end, which is in the log
+    std::shared_ptr<const Mesh> looked_for_missing_;
     std::uint64_t openings_seen_ = 0;
     std::filesystem::path opening_file_; ///< of the scenario on its way; empty: a built-in one
+    std::vector<Scenario> shipped_;      ///< for the list of them, once it has been opened
     ParameterPanel panel_;
     ItemRectangles items_;
     Layout layout_;
@@ -169,6 +176,7 @@ class Application {
     std::shared_ptr<TessellationCache> tessellations_ = std::make_shared<TessellationCache>();
     ViewportPane viewport_pane_{tessellations_};
     PlotPane plot_pane_;
+    ComparisonPanel comparison_panel_;
     RunList run_list_;
     std::optional<Plot> plot_picture_;
     std::string plot_name_; ///< of the file to come

@@ -20,6 +20,13 @@ constexpr const char* hint_in_space =
     "Drag to turn, turn the wheel to zoom, click a cell to know it, press F for the "
     "rear, H to see all. F1 shows all keys.";
 
+/// Whether one camera does for both meshes.
+bool look_alike(const DocumentRun& one, const DocumentRun& other) {
+    return one.snapshot && other.snapshot &&
+           one.snapshot->mesh->space_dimension == other.snapshot->mesh->space_dimension &&
+           one.scenario.domain.type == other.scenario.domain.type;
+}
+
 Icon icon_of(ActionId id) {
     switch (id) {
     case ActionId::run_pause:
@@ -52,12 +59,22 @@ void Application::frame() {
     arrange();
     const FrameContext context{theme_, scale_, items_};
     draw_toolbar();
-    viewport_pane_.frame(run(), viewport(), layout_.viewport, context);
+    viewport_pane_.say_in_corner(note_has_room() ? method_note(run(), *catalogue_) : std::string());
+    const bool with_handles = run().live() && !taking_screenshot_;
+    viewport_pane_.offer_handles(with_handles ? monitor_handles(run().scenario)
+                                              : std::vector<MonitorHandle>());
+    std::vector<const DocumentRun*> others;
+    for (const DocumentRun& other : document_.runs())
+        if (&other != &run() && !other.hidden && look_alike(other, run())) others.push_back(&other);
+    viewport_pane_.frame(run(), viewport(), layout_.viewport, context, others);
+    if (const auto move = viewport_pane_.take_handle_move())
+        document_.change(0, with_handle_at(run().scenario, move->handle, move->place));
     if (checked(ActionId::sidebar)) draw_sidebar();
     if (checked(ActionId::plots)) draw_plots(context);
     draw_edges();
     if (checked(ActionId::log)) draw_log();
     draw_remedy();
+    draw_comparison();
     draw_status();
     draw_dialogs();
 }
@@ -157,10 +174,20 @@ void Application::draw_scenarios() {
     const bool open = ImGui::BeginCombo("##scenario", run().title.c_str());
     remember_item(items_, "scenario");
     if (!open) return;
-    for (const BuiltinScenario& one : builtin_scenarios()) {
-        const std::string name(one.name);
-        if (ImGui::Selectable(name.c_str(), run().scenario.name == name)) open_builtin(name);
-        remember_item(items_, "scenario=" + name);
+    if (shipped_.empty())
+        for (const BuiltinScenario& one : builtin_scenarios())
+            shipped_.push_back(find_scenario(*catalogue_, std::string(one.name)));
+    float widest = 0;
+    for (const Scenario& one : shipped_) widest = std::max(widest, ImGui::CalcTextSize(one.title.c_str()).x);
+    for (const Scenario& one : shipped_) {
+        const bool chosen = ImGui::Selectable(("##" + one.name).c_str(), run().scenario.name == one.name);
+        remember_item(items_, "scenario=" + one.name);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", one.description.c_str());
+        ImGui::SameLine(0, 0);
+        ImGui::TextUnformatted(one.title.c_str());
+        ImGui::SameLine(widest + 2 * em);
+        ImGui::TextDisabled("%s", one.name.c_str());
+        if (chosen) open_builtin(one.name);
     }
     if (!settings_.recent.empty()) ImGui::Separator();
     for (const std::string& file : std::vector(settings_.recent))
@@ -178,10 +205,19 @@ void Application::draw_sidebar() {
             changed |= panel_.draw_section(kind, context, scenario);
         ImGui::Spacing();
     }
-    if (ImGui::CollapsingHeader("Runs", ImGuiTreeNodeFlags_DefaultOpen))
+    if (ImGui::CollapsingHeader("Runs", ImGuiTreeNodeFlags_DefaultOpen)) {
         if (run_list_.draw(document_, {theme_, scale_, items_})) perform(ActionId::keep);
+        const Action& row = action(ActionId::compare);
+        ImGui::SameLine();
+        ImGui::BeginDisabled(!possible(row.id));
+        if (ImGui::Button(std::string(row.label).c_str())) perform(row.id);
+        ImGui::EndDisabled();
+        remember_item(items_, "runs.compare");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(row.help).c_str());
+    }
     ImGui::Spacing();
     if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) draw_view(context);
+    if (scenario.domain != run().scenario.domain) viewport().view.set("pick", std::string());
     scenario.view = viewport().view;
     if (changed) {
         document_.change(0, scenario); // once per frame; of those that wait, the solver takes the newest
@@ -248,10 +284,17 @@ void Application::draw_edge(const char* name, const ItemRectangle& edge, const c
     ImGui::End();
 }
 
+/// Below the mesh; else what the method says stands in the bar along the window's edge.
+bool Application::note_has_room() const {
+    return layout_.viewport.height() > 26 * ImGui::GetFontSize();
+}
+
 void Application::draw_status() {
     begin_part("##status", layout_.status);
     const bool in_space = !pictures().empty() && !pictures().front().picture.planar();
-    draw_status_bar(run(), message_, in_space ? hint_in_space : hint, theme_, items_);
+    const std::string note = note_has_room() ? std::string() : method_note(run(), *catalogue_);
+    const char* help = in_space ? hint_in_space : hint;
+    draw_status_bar(run(), message_, note.empty() ? help : note, theme_, items_);
     ImGui::End();
 }
 

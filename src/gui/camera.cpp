@@ -109,7 +109,8 @@ std::string twelve_digits(double value) {
 [[noreturn]] void refuse_camera(std::string_view text, const std::string& why) {
     throw InputError(
         "the camera '" + std::string(text) + "' " + why +
-        "; a camera reads 'centre 0.5 0.5 0 height 1.2', and may go on with 'right 1 0 0 up 0 1 0'");
+        "; a camera reads 'centre 0.5 0.5 0 height 1.2', and may go on with 'right 1 0 0 up 0 1 0', which "
+        "alone shows all of a mesh");
 }
 
 std::vector<std::string_view> words_of(std::string_view text) {
@@ -187,6 +188,14 @@ void fit_points(Camera& camera, const std::vector<const Points*>& points, Size s
     const double x = (extent.left + extent.right) / 2 - dot(camera.right, camera.centre);
     const double y = (extent.bottom + extent.top) / 2 - dot(camera.up, camera.centre);
     camera.centre = camera.centre + x * camera.right + y * camera.up;
+    fit_extent(camera, extent, size, insets);
+}
+
+void fit_ball(Camera& camera, Vec3 middle, double radius, Size size, Insets insets) {
+    Extent extent;
+    for (const double side : {-radius, radius})
+        extent.add(camera, middle + side * camera.right), extent.add(camera, middle + side * camera.up);
+    camera.centre = middle;
     fit_extent(camera, extent, size, insets);
 }
 
@@ -274,12 +283,23 @@ void rotate(Camera& camera, Size size, Pixel by, Vec3 pivot) {
     turn_world(camera, axis, angle, pivot);
 }
 
+std::string format_axes(const Camera& camera) {
+    return "right " + three_numbers(camera.right) + " up " + three_numbers(camera.up);
+}
+
 std::string format_camera(const Camera& camera, Size size) {
     std::string text =
         "centre " + three_numbers(camera.centre) + " height " + twelve_digits(camera.scale * size.height);
     if (!(camera.right == Vec3{1, 0, 0} && camera.up == Vec3{0, 1, 0}))
-        text += " right " + three_numbers(camera.right) + " up " + three_numbers(camera.up);
+        text.append(" ").append(format_axes(camera));
     return text;
+}
+
+bool shows_all(std::string_view text) {
+    const auto words = words_of(text);
+    return !words.empty() && std::none_of(words.begin(), words.end(), [](std::string_view word) {
+        return word == "centre" || word == "center" || word == "height";
+    });
 }
 
 Camera parse_camera(std::string_view text, Size size) {
@@ -301,8 +321,10 @@ Camera parse_camera(std::string_view text, Size size) {
         if (part == std::end(parts)) refuse_camera(text, "has the word '" + std::string(word) + "'");
         if (!part->numbers.empty()) refuse_camera(text, "says '" + std::string(word) + "' twice");
     }
+    const bool axes_alone = parts[0].numbers.empty() && parts[1].numbers.empty() &&
+                            !parts[2].numbers.empty() && !parts[3].numbers.empty();
     for (const Part& p : parts) {
-        const bool optional = &p >= parts + 2 && p.numbers.empty();
+        const bool optional = p.numbers.empty() && (&p >= parts + 2 || axes_alone);
         if (!optional && (p.numbers.size() < p.least || p.numbers.size() > p.most))
             refuse_camera(text, "wants " + std::to_string(p.most) + (p.most == 1 ? " number" : " numbers") +
                                     " after '" + std::string(p.name) + "'");
@@ -311,7 +333,7 @@ Camera parse_camera(std::string_view text, Size size) {
         if (p.numbers.empty()) return otherwise;
         return Vec3{p.numbers[0], p.numbers[1], p.numbers.size() > 2 ? p.numbers[2] : 0};
     };
-    const double height = parts[1].numbers[0];
+    const double height = axes_alone ? 1 : parts[1].numbers[0];
     if (!(height > 0)) refuse_camera(text, "wants a height above 0");
     Camera camera{vector(parts[0], {}), height / size.height, vector(parts[2], {1, 0, 0}),
                   vector(parts[3], {0, 1, 0})};

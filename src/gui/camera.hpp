@@ -57,13 +57,20 @@ Camera home(const Box& box, Size size, Insets insets = {}, std::string_view dire
 /// Moves and scales a camera so that what it sees of all these points, which need not fill their box, fills
 /// what the insets leave. Leaves it as it is where no point is finite.
 void fit_points(Camera& camera, const std::vector<const Points*>& points, Size size, Insets insets);
+/// The same for a ball around `middle`, however it is turned.
+void fit_ball(Camera& camera, Vec3 middle, double radius, Size size, Insets insets);
 
 /// "centre 0.5 0.5 0 height 1.25", for cameras with other axes also "right 0 1 0 up 0 0 1": one line that
 /// fits a picture of any size, for it says how much of the world the picture's height shows. Reads back to
 /// the same text.
 std::string format_camera(const Camera& camera, Size size);
-/// Throws InputError with one sentence. Axes that are not quite orthonormal are made so; z may be left out.
+/// "right 0 1 0 up 0 0 1": all of the mesh from this side, however large the picture is.
+std::string format_axes(const Camera& camera);
+/// Throws InputError with one sentence. Axes that are not quite orthonormal are made so; z may be left out. A
+/// text of axes alone says nothing of centre and scale, which are then the origin and a height of 1.
 Camera parse_camera(std::string_view text, Size size);
+/// Whether a camera's text consists of axes alone.
+bool shows_all(std::string_view text);
 
 Pixel to_pixel(const Camera& camera, Size size, Vec3 world);
 /// The point under a pixel, in the plane through the camera's centre that faces the viewer.

@@ -72,7 +72,10 @@ std::optional<double> iteration_rate(const std::vector<StepReport>& history) {
     return (last.iteration - first->iteration) / seconds;
 }
 
-Scenario for_window(Scenario scenario) {
+Scenario for_window(const Catalogue& catalogue, Scenario scenario) {
+    const auto methods = methods_for(catalogue, scenario);
+    if (std::find(methods.begin(), methods.end(), "auto") != methods.end())
+        return with_method(catalogue, scenario, "auto");
     Values& method = scenario.method.values;
     if (method.has("step_size")) method.set("step_size", std::string("auto"));
     return scenario;
@@ -83,24 +86,30 @@ Document::Document(std::shared_ptr<const Catalogue> catalogue, std::function<voi
     : catalogue_(std::move(catalogue)), notify_(std::move(notify)),
       before_publishing_(std::move(before_publishing)) {}
 
-DocumentRun& Document::add(const Scenario& scenario) {
+DocumentRun Document::make_run(const Scenario& scenario) {
     DocumentRun run;
     run.number = ++last_number_;
     run.title = title_of(scenario);
     run.opened = run.scenario = scenario;
     run.name = describe_scenario(*catalogue_, scenario, scenario);
     run.colour = free_colour();
-    viewports_.push_back({.run = runs_.size(), .view = scenario.view});
-    return runs_.emplace_back(std::move(run));
+    return run;
 }
 
-void Document::open(const Scenario& scenario) {
+DocumentRun& Document::add(const Scenario& scenario) {
+    viewports_.push_back({.run = runs_.size(), .view = scenario.view});
+    return runs_.emplace_back(make_run(scenario));
+}
+
+void Document::open(const Scenario& scenario) { add(scenario).solver = make_solver(scenario); }
+
+std::unique_ptr<SolverThread> Document::make_solver(const Scenario& scenario) const {
     SolverThread::Options options;
     options.notify = notify_;
     options.before_publishing = before_publishing_;
     const unsigned cores = std::thread::hardware_concurrency(); // one of them is left to the window
     options.run.threads = cores > 2 ? static_cast<int>(cores) - 1 : 1;
-    add(scenario).solver = std::make_unique<SolverThread>(catalogue_, scenario, std::move(options));
+    return std::make_unique<SolverThread>(catalogue_, scenario, std::move(options));
 }
 
 void Document::show(const FinishedRun& finished) {
@@ -179,6 +188,7 @@ bool Document::collect() {
     bool news = false;
     for (DocumentRun& run : runs_)
         if (run.live()) news = collect(run) || news;
+    collect_comparison();
     return news;
 }
 
@@ -217,7 +227,7 @@ std::optional<std::size_t> Document::keep(std::size_t run) {
     kept.wants_to_run = false;
     kept.marked = source.marked;
     kept.colour = free_colour();
-    kept.name = free_name(kept);
+    kept.name = free_name(describe_scenario(*catalogue_, kept.opened, kept.scenario));
     runs_.push_back(std::move(kept));
     return runs_.size() - 1;
 }
@@ -231,15 +241,14 @@ void Document::remove(std::size_t run) {
     }
 }
 
-std::string Document::free_name(const DocumentRun& run) const {
+std::string Document::free_name(const std::string& wish) const {
     const auto taken = [&](const std::string& name) {
         return std::any_of(runs_.begin(), runs_.end(),
                            [&](const DocumentRun& other) { return !other.live() && other.name == name; });
     };
-    const std::string name = describe_scenario(*catalogue_, run.opened, run.scenario);
-    if (!taken(name)) return name;
+    if (!taken(wish)) return wish;
     for (int number = 2;; ++number)
-        if (const std::string numbered = name + " (" + std::to_string(number) + ")"; !taken(numbered))
+        if (const std::string numbered = wish + " (" + std::to_string(number) + ")"; !taken(numbered))
             return numbered;
 }
 

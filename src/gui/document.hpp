@@ -2,13 +2,16 @@
 // them. A document belongs to the window's thread; only a run's solver thread works elsewhere.
 #pragma once
 
+#include "core/session/comparison.hpp"
 #include "core/session/solver_thread.hpp"
 #include "gui/history_curves.hpp"
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gaspard {
@@ -67,8 +70,9 @@ struct DocumentViewport {
     Values view;         ///< colours, camera, what is picked: as in a scenario's view section
 };
 
-/// A shipped scenario as the window opens it: a pinned step gives way to one that chooses itself.
-Scenario for_window(Scenario scenario);
+/// A shipped scenario as the window opens it: its pinned method and step give way to `auto`, which chooses by
+/// itself, where that goes with it.
+Scenario for_window(const Catalogue& catalogue, Scenario scenario);
 
 /// Iterations per second over the last second of solving; nothing before the first iteration.
 std::optional<double> iteration_rate(const std::vector<StepReport>& history);
@@ -104,17 +108,41 @@ class Document {
     /// Removes a kept run. Viewports that looked at it look at the first run.
     void remove(std::size_t run);
 
+    /// Solves the first run's problem with each of these methods, one after the other, each as a run of its
+    /// own; the first run waits meanwhile. Takes the place of the comparison before.
+    void compare(std::vector<std::string> methods);
+    /// The method under way is interrupted; those that wait are forgotten.
+    void cancel_comparison();
+    bool comparing() const { return comparison_.now != 0; }
+    double comparison_progress() const; ///< 0 to 1
+    /// Of the methods that have begun, as far as their runs have not been removed.
+    std::vector<ComparisonRow> comparison_rows() const;
+
     std::vector<DocumentRun>& runs() { return runs_; }
     const std::vector<DocumentRun>& runs() const { return runs_; }
     std::vector<DocumentViewport>& viewports() { return viewports_; }
     const std::vector<DocumentViewport>& viewports() const { return viewports_; }
 
   private:
+    struct MethodComparison {
+        Scenario scenario;
+        std::deque<std::string> waiting;                          ///< methods
+        std::vector<std::pair<std::string, std::uint64_t>> begun; ///< methods and the numbers of their runs
+        std::size_t total = 0;
+        std::uint64_t now = 0; ///< the run under way; 0: none
+        bool resume = false;   ///< the first run was solving
+    };
+    DocumentRun make_run(const Scenario& scenario);
+    std::unique_ptr<SolverThread> make_solver(const Scenario& scenario) const;
     DocumentRun& add(const Scenario& scenario);
+    DocumentRun* run_numbered(std::uint64_t number);
+    void compare_next();
+    void collect_comparison();
+    static void let_rest(DocumentRun& run);
     bool collect(DocumentRun& run);
     void take_answer(DocumentRun& run);
     void finish_opening(DocumentRun& run);
-    std::string free_name(const DocumentRun& run) const;
+    std::string free_name(const std::string& wish) const;
     std::size_t free_colour() const;
 
     std::shared_ptr<const Catalogue> catalogue_;
@@ -122,6 +150,7 @@ class Document {
     std::function<void(const Snapshot&)> before_publishing_;
     std::vector<DocumentViewport> viewports_;
     std::uint64_t last_number_ = 0;
+    MethodComparison comparison_;
     std::vector<DocumentRun> runs_;
 };
 

@@ -53,8 +53,19 @@ std::string_view shader_source(const std::string& path) {
     check_failed("the shader is embedded");
 }
 
+/// GLSL has no includes of its own: a line #include "name.glsl" stands for that file.
+std::string with_includes(std::string_view source) {
+    constexpr std::string_view begin = "#include \"";
+    std::string text(source);
+    for (std::size_t at = 0; (at = text.find(begin, at)) != text.npos;) {
+        const std::size_t name = at + begin.size(), end = text.find('"', name);
+        text.replace(at, end + 1 - at, shader_source("shaders/" + text.substr(name, end - name)));
+    }
+    return text;
+}
+
 GlShader compile(const Gl& gl, GLenum stage, const std::string& path) {
-    const std::string_view source = shader_source(path);
+    const std::string source = with_includes(shader_source(path));
     GlShader shader(gl, gl.CreateShader(stage));
     const char* text = source.data();
     const auto length = static_cast<GLint>(source.size());

@@ -26,7 +26,7 @@ MeshPicture MapMaker::make(const MeshPicture& globe, double longitude) {
                        map_.map != projection;
     const bool coloured_anew = moved || globe.colouring != globe_.colouring;
     if (moved) {
-        made_ = map_sphere(globe.tessellation, *blended(globe), projection);
+        made_ = map_sphere(globe.tessellation, *blended(globe), projection, &made_);
         map_.tessellation = made_.tessellation;
         map_.computational = map_.physical = std::make_shared<const Points>(made_.points);
         map_.map = projection;

@@ -63,6 +63,7 @@ class PictureMaker {
         : cache_(std::move(cache)) {}
     /// `view`: values of view_rows(). Leaves out the arrows, for which one has to know the camera.
     MeshPicture make(const Snapshot& snapshot, const Values& view);
+    const std::shared_ptr<TessellationCache>& cache() const { return cache_; }
     /// What is known of the cells; of the snapshot last shown.
     ColouringMaker& cells() { return colouring_maker_; }
 

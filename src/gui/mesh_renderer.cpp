@@ -34,6 +34,7 @@ constexpr Fading plain_fading{1.5F, 3.8F, 1}, coloured_fading{1.6F, 5.5F, 0.015F
 constexpr float pull_pixels = 2;
 constexpr float overlay_width = 1, overlay_pull = 0.004F; // the second of half the view's depth
 constexpr float dusk = 0.42F;                             // as in mesh_fill.frag
+constexpr float bent = 0.3F;                              // as in mesh_line.vert
 constexpr float limb_begin = 0.04F, limb_end = 0.5F;
 
 void set_colour(const Gl& gl, GLint where, Colour c) { gl.Uniform4f(where, c.r, c.g, c.b, c.a); }
@@ -81,10 +82,10 @@ MeshRenderer::MeshRenderer(const Gl& gl)
     fill_ = {fill("clip"),        fill("blend"),      fill("clip_to_pixels"), fill("surface"),
              fill("logarithm"),   fill("flat_cells"), fill("ball"),           fill("viewer"),
              fill("round_cells"), fill("dusk")};
-    line_ = {line("clip"),       line("blend"),    line("half_viewport"), line("half_width"),
-             line("fade"),       line("haze"),     line("pieces"),        line("pull"),
-             line("surface"),    line("flat_ink"), line("logarithm"),     line("by_map"),
-             line("flat_cells"), line("ball"),     line("viewer"),        line("limb")};
+    line_ = {line("clip"),      line("blend"),  line("half_viewport"), line("half_width"), line("fade"),
+             line("haze"),      line("pieces"), line("pull"),          line("surface"),    line("flat_ink"),
+             line("logarithm"), line("by_map"), line("flat_cells"),    line("ball"),       line("viewer"),
+             line("limb"),      line("bent")};
     arrow_ = {arrow("clip"),      arrow("half_viewport"), arrow("head_width"), arrow("shaft_width"),
               arrow("rim_width"), arrow("pull"),          arrow("ink"),        arrow("rim")};
     for (const GlProgram* program : {&fill_program_, &line_program_, &arrow_program_}) {
@@ -328,6 +329,7 @@ void MeshRenderer::draw_lines(const Frame& frame, const LineSet& set, const Line
     gl_.Uniform4f(line_.ball, frame.ball.x, frame.ball.y, frame.ball.z, frame.ball.w);
     gl_.Uniform3f(line_.viewer, frame.viewer.x, frame.viewer.y, frame.viewer.z);
     gl_.Uniform2f(line_.limb, style.limb_begin, style.limb_end);
+    gl_.Uniform1f(line_.bent, shown_.map ? bent : 0);
     gl_.Uniform1i(line_.by_map, style.by_map ? 1 : 0);
     gl_.Uniform1i(line_.flat_cells, style.by_map && shown_.flat() ? 1 : 0);
     gl_.BindVertexArray(empty_array_.name());
@@ -445,7 +447,6 @@ void MeshRenderer::draw_overlay(Frame frame, LineStyle style, float scale) {
     style.width = overlay_width * std::max(1.0F, 0.7F * scale);
     style.surface = {1, 1, 1, 1}; // whatever lies below, one ink
     style.haze = 0;
-    style.fade_begin *= 2, style.fade_end *= 2.6F; // only where there is room for two meshes
     style.limb_begin = limb_begin, style.limb_end = limb_end;
     if (!frame.planar) style.pull += overlay_pull;
     draw_lines(frame, overlay_edges_, style);

@@ -11,6 +11,7 @@
 #include "gui/theme.hpp"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace gaspard {
@@ -69,8 +70,8 @@ class MeshRenderer {
         glm::vec3 clip_to_pixels;
         float blend = 1;
         bool planar = true;
-        float logarithm = 0; ///< as in mesh_fill.frag
-        glm::vec4 ball{0};   ///< as in mesh_fill.vert
+        float logarithm = 0; ///< as in colour_map.glsl
+        glm::vec4 ball{0};   ///< as in place.glsl
         glm::vec3 viewer{0, 0, 1};
     };
     struct FillUniforms {
@@ -78,7 +79,7 @@ class MeshRenderer {
     };
     struct LineUniforms {
         GLint clip, blend, half_viewport, half_width, fade, haze, pieces, pull, surface, flat_ink, logarithm,
-            by_map, flat_cells, ball, viewer, limb;
+            by_map, flat_cells, ball, viewer, limb, bent;
     };
     struct ArrowUniforms {
         GLint clip, half_viewport, head_width, shaft_width, rim_width, pull, ink, rim;
@@ -128,6 +129,20 @@ class MeshRenderer {
     Vec3 centre_;
     MeshPicture shown_; ///< what is on the card; holds its arrays, so that a pointer is a version
     std::size_t uploaded_bytes_ = 0;
+};
+
+/// A renderer for each of several meshes in one frame, so that none is sent anew because of the others.
+class MeshRenderers {
+  public:
+    explicit MeshRenderers(const Gl& gl) : gl_(gl) {}
+    MeshRenderer& at(std::size_t which) {
+        while (renderers_.size() <= which) renderers_.push_back(std::make_unique<MeshRenderer>(gl_));
+        return *renderers_[which];
+    }
+
+  private:
+    const Gl& gl_;
+    std::vector<std::unique_ptr<MeshRenderer>> renderers_;
 };
 
 } // namespace gaspard

@@ -342,37 +342,34 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
     return values.at(row.key) != before;
 }
 
-// A box before the slider hands the choice to the program; without a tick there is the slider.
+// A box hands the choice to the program; without a tick a slider follows it.
 void ParameterPanel::draw_number_or_auto(const PanelContext& context, const ParameterRow& row,
                                          const std::string& key, Values& values) {
     const Columns c = columns();
     const std::optional<double> number = values.real_or_auto(row.key);
     bool automatic = !number;
-    ImGui::SameLine(c.control - ImGui::GetFrameHeight() - 0.3F * ImGui::GetFontSize());
-    const bool switched = ImGui::Checkbox("##auto", &automatic);
+    const bool switched = ImGui::Checkbox("auto", &automatic);
     remember_item(context.items, key + ".auto");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("chosen by the program");
-    ImGui::SameLine(c.control);
     if (!number) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("auto");
         if (switched) values.set(row.key, rounded(row, value_at(row, 0.5)));
         return;
     }
+    const float box = ImGui::GetItemRectSize().x + 0.5F * ImGui::GetFontSize();
+    ImGui::SameLine(c.control + box);
     double typed = *number;
-    if (draw_number(context, row, key, typed)) values.set(row.key, typed);
+    if (draw_number(context, row, key, typed, box)) values.set(row.key, typed);
     if (switched) values.set(row.key, std::string("auto"));
 }
 
 bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,
-                                 double& value) {
+                                 double& value, float taken) {
     const Columns c = columns();
     bool changed = false;
     const bool bounded = std::isfinite(row.minimum) && std::isfinite(row.maximum);
     if (bounded) {
         double position = position_of(row, value);
         constexpr double first = 0, last = 1;
-        ImGui::SetNextItemWidth(c.slider_width);
+        ImGui::SetNextItemWidth(std::max(ImGui::GetFontSize(), c.slider_width - taken));
         const bool typing_wanted = ImGui::GetIO().KeyCtrl;
         const bool moved = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &position, &first, &last, "",
                                                ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);

@@ -45,8 +45,9 @@ class ParameterPanel {
                   const Scenario* scenario);
     void draw_number_or_auto(const PanelContext& context, const ParameterRow& row, const std::string& key,
                              Values& values);
+    /// `taken`: how much of the slider's room is not its own.
     bool draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,
-                     double& value);
+                     double& value, float taken = 0);
     bool draw_typed(const PanelContext& context, const ParameterRow& row, const std::string& key,
                     double& value);
 

@@ -279,6 +279,22 @@ std::optional<Pixel> middle_of(const Pick& pick, const MeshPicture& picture, con
     return Pixel{sum.x / static_cast<double>(sides.size()), sum.y / static_cast<double>(sides.size())};
 }
 
+bool faces_viewer(const Pick& pick, const MeshPicture& picture, const Camera& camera) {
+    if (picture.ball == 0) return true;
+    const Tessellation& t = *picture.tessellation;
+    const Vec3 viewer = towards_viewer(camera);
+    const auto faces = [&](std::uint32_t point) { return dot(shown_point(picture, point), viewer) > 0; };
+    if (pick.kind == Pick::Kind::node) {
+        const std::uint32_t point = point_of_node(t, pick.index);
+        return point != no_point && faces(point);
+    }
+    for (std::size_t i = 0; i < t.triangle_cells.size(); ++i)
+        if (t.triangle_cells[i] == pick.index)
+            for (std::size_t k = 0; k < 3; ++k)
+                if (faces(t.triangles[3 * i + k])) return true;
+    return false;
+}
+
 PickFacts facts_of(const Pick& pick, const Snapshot& snapshot, ColouringMaker& cells) {
     const Mesh& mesh = *snapshot.mesh;
     PickFacts facts = {{"", title_of(pick, mesh)},

@@ -44,6 +44,9 @@ std::vector<std::pair<Pixel, Pixel>> outline_of(const MeshPicture& picture, cons
 /// Where a node is seen, or the middle of a cell's outline; nothing if it is inside a solid.
 std::optional<Pixel> middle_of(const Pick& pick, const MeshPicture& picture, const Camera& camera, Size size);
 
+/// Whether the viewer sees any of it; on a ball its own other side hides it.
+bool faces_viewer(const Pick& pick, const MeshPicture& picture, const Camera& camera);
+
 /// What a card says: pairs of a name and a value, the first one a title without a name.
 using PickFacts = std::vector<std::pair<std::string, std::string>>;
 /// `cells` has seen the snapshot. A node tells the range of what belongs to the cells around it.

@@ -118,6 +118,7 @@ Image render_panels(const std::vector<Panel>& panels, int columns, int width, in
         Values view("view", view_rows());
         view.set("color", panel.colour);
         view.set("blend", panel.blend);
+        view.set("camera", panel.camera);
         view.set("histogram", false);
         canvas.mesh(*panel.snapshot, view, {.title = panel.title, .caption = false}, area);
     }

@@ -34,6 +34,7 @@ struct MeshPanel {
     std::shared_ptr<const Snapshot> snapshot;
     std::string colour = "none"; ///< as view.color
     double blend = 1;
+    std::string camera{}; ///< as view.camera
 };
 using Panel = std::variant<MeshPanel, Plot>;
 

@@ -1,6 +1,7 @@
 #include "gui/plot_pane.hpp"
 
 #include "gui/part_window.hpp"
+#include "gui/plot_text.hpp"
 #include "gui/plot_widget.hpp"
 
 #include <algorithm>
@@ -22,7 +23,8 @@ bool draw_list(const std::string& key, std::span<const Choice> all, Choice& chos
                ItemRectangles& items) {
     const Choice before = chosen;
     ImGui::SetNextItemWidth(width);
-    const std::string shown(label_of(chosen));
+    const std::string shown =
+        shortened(std::string(label_of(chosen)), width - 2 * ImGui::GetStyle().FramePadding.x);
     const bool open = ImGui::BeginCombo(("##" + key).c_str(), shown.c_str(), ImGuiComboFlags_NoArrowButton);
     remember_item(items, key);
     if (!open) return false;

@@ -19,6 +19,8 @@ const StepReport* last_measured(const std::vector<StepReport>& history) {
     return nullptr;
 }
 
+} // namespace
+
 ImVec4 tone_colour(const Theme& theme, Tone tone) {
     switch (tone) {
     case Tone::plain:
@@ -34,8 +36,6 @@ ImVec4 tone_colour(const Theme& theme, Tone tone) {
     }
     return to_imgui(theme.text);
 }
-
-} // namespace
 
 StatusCell describe_state(const SolverStatus& status, bool wants_to_run) {
     if (status.activity.starts_with("writing")) return {"State", "Writing", Tone::busy};
@@ -82,8 +82,19 @@ std::vector<StatusCell> status_cells(const DocumentRun& run) {
     return cells;
 }
 
+std::string method_note(const DocumentRun& run, const Catalogue& catalogue) {
+    for (std::size_t i = run.history.size(); i-- > 1;) {
+        const StepReport& report = run.history[i];
+        const bool of_values = report.iteration == run.history[i - 1].iteration; // that have changed
+        if (report.note.empty() || of_values) continue;
+        return catalogue.method(run.scenario.method.type).label + ", from iteration " +
+               std::to_string(report.iteration) + ": " + report.note;
+    }
+    return {};
+}
+
 std::string closing_note(const DocumentRun& run) {
-    if (run.history.empty() || !run.ended()) return {};
+    if (run.history.empty() || !run.ended() || run.status.run == RunStatus::converged) return {};
     std::string note = run.history.back().note;
     if (note.empty()) return {};
     note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));

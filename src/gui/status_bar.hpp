@@ -14,6 +14,8 @@ namespace gaspard {
 
 enum class Tone { plain, good, busy, warning, bad };
 
+ImVec4 tone_colour(const Theme& theme, Tone tone);
+
 /// One cell of the bar: what it is and how much.
 struct StatusCell {
     std::string label, value;
@@ -25,7 +27,10 @@ StatusCell describe_state(const SolverStatus& status, bool wants_to_run);
 /// State, iteration, residual, equidistribution, smallest Jacobian, tangled cells, rate: always as many, in
 /// order. Numbers that a report leaves out are taken from the last that has them.
 std::vector<StatusCell> status_cells(const DocumentRun& run);
-/// What the last report has to say, if the run has ended with a remark.
+/// What the method has last said of what it does: "Automatic, from iteration 9: Newton's method takes over";
+/// empty where it has said nothing.
+std::string method_note(const DocumentRun& run, const Catalogue& catalogue);
+/// What the last report has to say, if the run has ended with a remark about why it did not converge.
 std::string closing_note(const DocumentRun& run);
 
 /// Whether the run's cells are linear where they could be curved: domain.geometry_order is 1.

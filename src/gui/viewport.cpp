@@ -65,9 +65,21 @@ void draw_title(ImDrawList& list, const std::string& title, ScreenRect rect, con
     list.AddText(at, packed(theme.text), title.c_str());
 }
 
+/// Round a globe, whose limb may be as dark as what is behind it.
+void draw_rim(ImDrawList& list, const PlannedPicture& shown, const Theme& theme, float scale) {
+    const Pixel middle = to_pixel(shown.camera, shown.size(), pivot_of(shown.picture));
+    list.PushClipRect(shown.rect.min, shown.rect.max, true);
+    list.AddCircle(
+        {shown.rect.min.x + static_cast<float>(middle.x), shown.rect.min.y + static_cast<float>(middle.y)},
+        static_cast<float>(shown.picture.ball / shown.camera.scale), packed(theme.faint_text, 0.8F), 180,
+        1.3F * scale);
+    list.PopClipRect();
+}
+
 /// What is picked: a cell has an outline, a node a ring; dark on light on dark, to be seen on any colour.
 void draw_mark(ImDrawList& list, const PlannedPicture& shown, const Pick& pick, const Theme& theme,
                float scale) {
+    if (!faces_viewer(pick, shown.picture, shown.camera)) return;
     const auto on_screen = [&](Pixel p) {
         return ImVec2{shown.rect.min.x + static_cast<float>(p.x), shown.rect.min.y + static_cast<float>(p.y)};
     };
@@ -137,6 +149,18 @@ void draw_card(ImDrawList& list, const ViewportPlan& plan, ScreenRect room, cons
                      packed(title ? theme.accent : theme.text), value.c_str());
         y += line;
     }
+}
+
+void draw_remark(ImDrawList& list, const std::string& text, ScreenRect room, const Theme& theme,
+                 float scale) {
+    const float pad = 7 * scale;
+    const float width = std::min(std::max(1.0F, room.width() - 4 * pad), 30 * ImGui::GetFontSize());
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+    const ImVec2 low{room.min.x + pad, room.max.y - size.y - 3 * pad};
+    list.AddRectFilled(low, {low.x + size.x + 2 * pad, low.y + size.y + 2 * pad}, packed(theme.panel, 0.8F),
+                       4 * scale);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad, low.y + pad}, packed(theme.faint_text),
+                 text.c_str(), nullptr, width);
 }
 
 void draw_complaint(ImDrawList& list, const std::string& text, ScreenRect room, const Theme& theme,
@@ -216,7 +240,33 @@ static void draw_notes(ImDrawList& list, const ViewportPlan& plan, ScreenRect ro
     if (picture.overlay != nullptr) draw_note(list, room, theme.overlay, true, "exact mesh", theme, scale);
 }
 
-/// The map's outline, and degrees of latitude beside it.
+/// A line on the map through places at longitudes (from the map's middle) and latitudes in degrees.
+static std::vector<Vec3> map_line(const MapProjection& map, auto&& longitude_and_latitude) {
+    constexpr int pieces = 72;
+    constexpr double degree = std::numbers::pi / 180, inside = 1 - 1e-9; // of the cut, which is two lines
+    std::vector<Vec3> line;
+    for (int i = 0; i <= pieces; ++i) {
+        const auto [east, north] = longitude_and_latitude(static_cast<double>(i) / pieces);
+        const double l = map.longitude + inside * east * degree, p = north * degree;
+        line.push_back(to_map(map, {std::cos(p) * std::cos(l), std::cos(p) * std::sin(l), std::sin(p)}));
+    }
+    return line;
+}
+
+/// Every thirty degrees, whole ones of longitude, wherever the map's middle is.
+static std::vector<std::vector<Vec3>> graticule_lines(const MapProjection& map) {
+    std::vector<std::vector<Vec3>> lines;
+    const double middle = map.longitude * 180 / std::numbers::pi;
+    for (double north = -60; north <= 60; north += 30)
+        lines.push_back(map_line(map, [&](double t) { return std::pair(360 * t - 180, north); }));
+    for (double longitude = -180; longitude < 180; longitude += 30) {
+        const double east = std::remainder(longitude - middle, 360);
+        lines.push_back(map_line(map, [&](double t) { return std::pair(east, 180 * t - 90); }));
+    }
+    return lines;
+}
+
+/// The map's outline, longitudes and latitudes, and degrees beside them.
 static void draw_graticule(ImDrawList& list, const PlannedPicture& shown, const Theme& theme, float scale) {
     const MapProjection& map = *shown.picture.map;
     const auto on_screen = [&](Vec3 place) {
@@ -230,6 +280,12 @@ static void draw_graticule(ImDrawList& list, const PlannedPicture& shown, const 
                          ImDrawFlags_Closed, width * scale);
     };
     list.PushClipRect(shown.rect.min, shown.rect.max, true);
+    for (const auto& line : graticule_lines(map)) {
+        std::vector<ImVec2> points;
+        for (const Vec3 place : line) points.push_back(on_screen(place));
+        list.AddPolyline(points.data(), static_cast<int>(points.size()), packed(theme.accent, 0.4F), 0,
+                         scale);
+    }
     draw(theme.background, 1, 4);
     draw(theme.text, 0.85F, 1.6F);
     for (const double latitude : {-60.0, -30.0, 0.0, 30.0, 60.0}) {
@@ -252,16 +308,18 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
     ScreenRect room = above_caption(plan, scale);
     for (const PlannedPicture& shown : plan.pictures) {
         if (shown.picture.map) draw_graticule(list, shown, theme, scale);
-        if (plan.pick) draw_mark(list, shown, *plan.pick, theme, scale);
+        if (shown.picture.ball > 0 && shown.picture.mesh->kind.order > 1) // straight cells have none
+            draw_rim(list, shown, theme, scale);
+        if (plan.pick && has(*shown.picture.mesh, *plan.pick))
+            draw_mark(list, shown, *plan.pick, theme, scale);
         draw_title(list, shown.title, shown.rect, theme, scale);
     }
-    if (plan.pictures.size() > 1) {
-        const ScreenRect& second = plan.pictures[1].rect;
-        const bool beside = second.min.x > plan.pictures[0].rect.min.x;
-        list.AddRectFilled(second.min,
-                           beside ? ImVec2{second.min.x + 1, second.max.y}
-                                  : ImVec2{second.max.x, second.min.y + 1},
-                           packed(theme.border));
+    for (const PlannedPicture& shown : plan.pictures) { // lines between them
+        const ScreenRect& r = shown.rect;
+        if (r.min.x > plan.pictures[0].rect.min.x)
+            list.AddRectFilled(r.min, {r.min.x + 1, r.max.y}, packed(theme.border));
+        if (r.min.y > plan.pictures[0].rect.min.y)
+            list.AddRectFilled(r.min, {r.max.x, r.min.y + 1}, packed(theme.border));
     }
     if (const auto& colouring = plan.pictures.front().picture.colouring) {
         ScreenRect legend = room;
@@ -269,6 +327,7 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
         draw_legend(list, *colouring, plan.histogram, legend, theme, scale);
     }
     draw_notes(list, plan, room, theme, scale);
+    if (!plan.text.note.empty()) draw_remark(list, plan.text.note, room, theme, scale);
     if (plan.text.caption) draw_caption(list, plan, theme, scale);
     if (!plan.facts.empty()) {
         ScreenRect below_title = room;

@@ -13,10 +13,10 @@
 #include "gui/plot_widget.hpp"
 #include "gui/theme.hpp"
 
-#include <array>
 #include <imgui.h>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +27,7 @@ struct ViewportText {
     std::string subject{}; ///< what is solved: "plane, ring"; may be empty
     StepReport report{};
     bool caption = true; ///< whether the line at the bottom is drawn
+    std::string note{};  ///< in the lower left corner; may be empty
 };
 
 /// "plane, ring", "iteration 52", "residual 9.8×10⁻⁹", "equidistribution 0.0367", "converged": what the
@@ -44,9 +45,15 @@ struct PlannedPicture {
     Size size() const { return {static_cast<double>(rect.width()), static_cast<double>(rect.height())}; }
 };
 
+/// Another mesh to be shown beside a viewport's own.
+struct NamedSnapshot {
+    std::string title;
+    const Snapshot* snapshot = nullptr;
+};
+
 struct ViewportPlan {
     ScreenRect rect;
-    /// One, or two of one size, whose cameras are one, or look from both sides.
+    /// One, or more of one size, whose cameras are one, or look from both sides.
     std::vector<PlannedPicture> pictures;
     ViewportText text;
     std::optional<Pick> pick;
@@ -70,8 +77,10 @@ class ViewportPlanner {
 
     /// Needs a current ImGui frame, for the sizes of texts. `view`: values of view_rows(). Texts that cannot
     /// be read are as good as empty, but for a complaint.
+    ///
+    /// `others` come beside it where view.layout is "runs", in the colours of the first.
     ViewportPlan plan(const Snapshot& snapshot, const Values& view, const ViewportText& text, ScreenRect rect,
-                      float scale);
+                      float scale, std::span<const NamedSnapshot> others = {});
     /// Home is what showed the whole mesh when it was first seen, lest the picture tremble while it moves;
     /// from now on it is for the mesh of the next plan.
     void forget_home() { home_ = {}; }
@@ -83,10 +92,13 @@ class ViewportPlanner {
                      std::string& complaint);
     Camera turned(Camera camera, const MeshPicture& picture) const;
     void place_pictures(const MeshPicture& picture, const Values& view, ViewportPlan& plan, float scale);
+    void place_runs(const MeshPicture& picture, const Values& view, ViewportPlan& plan,
+                    std::span<const NamedSnapshot> others, float scale);
     void add_arrows(ViewportPlan& plan, float scale);
     void add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan);
 
     PictureMaker maker_;
+    std::vector<PictureMaker> other_makers_; ///< of the meshes beside it, in their order
     MapMaker map_maker_;
     double spun_ = 0;
     struct Home {
@@ -103,7 +115,7 @@ class ViewportPlanner {
         double width = 0, height = 0, spacing = 0;
         std::shared_ptr<const std::vector<std::uint32_t>> points;
     };
-    std::array<Arrows, 2> arrows_; ///< of the plan's pictures
+    std::vector<Arrows> arrows_; ///< of the plan's pictures
     struct Facts {
         std::shared_ptr<const Mesh> mesh;
         std::uint64_t version = 0;
@@ -114,6 +126,9 @@ class ViewportPlanner {
 
 /// Everything but the meshes, over them.
 void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale);
+
+/// A sentence about what the view asks for and this mesh has not, where that is no error; else empty.
+std::string missing_note(const Values& view, const Snapshot& snapshot);
 
 /// Throws InputError where a text of the view cannot be read, or a fixed range is empty. With a mesh also
 /// where the picked cell or node is none of it.

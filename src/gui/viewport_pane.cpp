@@ -14,6 +14,7 @@ namespace {
 
 constexpr float drag_threshold = 4; // pixels at scale 1: less is a click
 constexpr double pick_reach = 8;    // likewise
+constexpr double handle_reach = 11;
 constexpr double wheel_factor = 1.15;
 
 Pixel pixel_in(const PlannedPicture& shown, ImVec2 mouse) {
@@ -39,6 +40,26 @@ void recentre(Camera& camera, const PlannedPicture& shown, Vec3 where) {
     if (across > std::min(shown.size().width, shown.size().height)) camera.centre = pivot;
 }
 
+/// Whether a camera sees a ball as large and in the same place as another does.
+bool only_turned(const PlannedPicture& shown, const Camera& camera) {
+    constexpr double hardly = 1e-6; // pixels
+    const Vec3 pivot = pivot_of(shown.picture);
+    const Pixel before = to_pixel(shown.camera, shown.size(), pivot),
+                now = to_pixel(camera, shown.size(), pivot);
+    return shown.picture.ball > 0 && camera.scale == shown.camera.scale &&
+           std::hypot(before.x - now.x, before.y - now.y) < hardly;
+}
+
+/// "Newton: 11 iterations, converged"
+std::string title_among_others(const DocumentRun& run) {
+    if (run.history.empty()) return run.name;
+    const StepReport& last = run.history.back();
+    std::string text = run.name + ": " + std::to_string(last.iteration) + " iterations, ";
+    if (last.tangled_cells.value_or(0) > 0 && run.status.run != RunStatus::tangled)
+        text += std::to_string(*last.tangled_cells) + " tangled cells, ";
+    return text + std::string(status_name(run.status.run));
+}
+
 /// The button that is held; -1 for none.
 int held_button() {
     for (const int button : {0, 1, 2})
@@ -49,7 +70,7 @@ int held_button() {
 } // namespace
 
 void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, const ItemRectangle& area,
-                         const FrameContext& context) {
+                         const FrameContext& context, const std::vector<const DocumentRun*>& others) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     begin_part("##viewport", area,
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
@@ -59,12 +80,24 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                                ImGuiButtonFlags_MouseButtonRight);
     remember_item(context.items, "viewport");
-    if (plan_) steer(viewport.view, context.scale), turn(viewport.view);
+    if (plan_) {
+        if (!drag_handle(context.scale)) steer(viewport.view, context.scale);
+        turn(viewport.view);
+    }
     if (run.snapshot) {
-        const ViewportText text{.title = {}, .subject = run.title, .report = {}, .caption = false};
+        const bool among_others = viewport.view.text("layout") == "runs";
+        ViewportText text;
+        text.subject = among_others ? title_among_others(run) : run.title;
+        text.caption = false;
+        text.note = note_;
+        std::vector<NamedSnapshot> beside;
+        for (const DocumentRun* other : others)
+            if (among_others && other->snapshot)
+                beside.push_back({title_among_others(*other), other->snapshot.get()});
         plan_ = planner_.plan(*run.snapshot, viewport.view, text,
-                              {{area.left, area.top}, {area.right, area.bottom}}, context.scale);
+                              {{area.left, area.top}, {area.right, area.bottom}}, context.scale, beside);
         draw_viewport_overlay(*ImGui::GetWindowDrawList(), *plan_, context.theme, context.scale);
+        draw_handles(context);
         pictures_.clear();
         for (const PlannedPicture& shown : plan_->pictures)
             pictures_.push_back({shown.picture,
@@ -72,6 +105,58 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
                                  {shown.rect.min.x, shown.rect.min.y, shown.rect.max.x, shown.rect.max.y}});
     }
     ImGui::End();
+}
+
+std::optional<std::size_t> ViewportPane::handle_at(ImVec2 at, float scale) const {
+    const PlannedPicture& shown = picture_at(*plan_, at);
+    const Pixel pointer = pixel_in(shown, at);
+    for (std::size_t i = 0; i < handles_.size(); ++i)
+        if (const auto pixel = pixel_of(handles_[i], shown))
+            if (std::hypot(pixel->x - pointer.x, pixel->y - pointer.y) <
+                handle_reach * static_cast<double>(scale))
+                return i;
+    return std::nullopt;
+}
+
+/// A handle that the button was pressed on goes with the pointer, and the picture stays.
+bool ViewportPane::drag_handle(float scale) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemActivated())
+        held_ = ImGui::IsMouseDown(0) ? handle_at(io.MousePos, scale) : std::nullopt;
+    if (!held_ || *held_ >= handles_.size()) return false;
+    const bool ends = ImGui::IsItemDeactivated();
+    const ImVec2 clicked = io.MouseClickedPos[0];
+    const float x = io.MousePos.x - clicked.x, y = io.MousePos.y - clicked.y, far = drag_threshold * scale;
+    if ((ends || ImGui::IsItemActive()) && (dragging_ || x * x + y * y > far * far)) {
+        const bool moved = !std::exchange(dragging_, true) || io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+        const PlannedPicture& shown = picture_at(*plan_, clicked);
+        const auto place = place_under(handles_[*held_], shown, pixel_in(shown, io.MousePos));
+        if (place && moved) handle_move_ = {handles_[*held_], *place};
+    }
+    if (ImGui::IsItemActive()) return true;
+    held_.reset();
+    return std::exchange(dragging_, false); // without a drag it was a click
+}
+
+void ViewportPane::draw_handles(const FrameContext& context) {
+    const std::size_t none = handles_.size();
+    const bool hovered = !held_ && ImGui::IsItemHovered();
+    const std::size_t lit =
+        hovered ? handle_at(ImGui::GetIO().MousePos, context.scale).value_or(none) : held_.value_or(none);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (const PlannedPicture& shown : plan_->pictures) {
+        list.PushClipRect(shown.rect.min, shown.rect.max, true);
+        for (std::size_t i = 0; i < handles_.size(); ++i) {
+            const auto at = pixel_of(handles_[i], shown);
+            if (!at) continue;
+            const float x = shown.rect.min.x + static_cast<float>(at->x),
+                        y = shown.rect.min.y + static_cast<float>(at->y);
+            draw_handle(list, {x, y}, lit == i, context.theme, context.scale);
+            context.items["handle." + handles_[i].first] = {x, y, x, y};
+        }
+        list.PopClipRect();
+    }
+    if (lit < none) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
 }
 
 void ViewportPane::go_home(DocumentViewport& viewport) {
@@ -88,7 +173,9 @@ void ViewportPane::look_as(DocumentViewport& viewport, const std::string& camera
 /// A mesh in space goes on turning, unless the mouse holds it; where it stops it stays.
 void ViewportPane::turn(Values& view) {
     const PlannedPicture& front = plan_->pictures.front();
-    const double rate = front.picture.planar() ? 0 : view.real("spin") * std::numbers::pi / 180;
+    spinning_ = false;
+    if (front.picture.planar()) return; // a map waits; a globe goes on from where it was
+    const double rate = view.real("spin") * std::numbers::pi / 180;
     const std::string from = view.text("camera") + view.text("direction");
     if (from != spun_from_) spun_ = 0;
     spun_from_ = from;
@@ -116,8 +203,11 @@ void ViewportPane::fix_range(DocumentViewport& viewport) const {
 
 void ViewportPane::set_camera(Values& view, const PlannedPicture& shown, Camera camera) {
     if (camera == shown.camera && spun_ == 0) return;
+    // What showed the whole ball goes on doing so, also when the picture's size changes.
+    const std::string before = view.text(camera_key(shown.picture));
+    const bool whole = (before.empty() || shows_all(before)) && only_turned(shown, camera);
     if (shown.rear) camera = from_behind(camera, pivot_of(shown.picture));
-    view.set(camera_key(shown.picture), format_camera(camera, shown.size()));
+    view.set(camera_key(shown.picture), whole ? format_axes(camera) : format_camera(camera, shown.size()));
     spun_ = 0;
 }
 
@@ -130,7 +220,10 @@ void ViewportPane::steer(Values& view, float scale) {
         const int button = held_button();
         const float far = drag_threshold * scale;
         const bool begins = button >= 0 && !dragging_ && io.MouseDragMaxDistanceSqr[button] > far * far;
-        if (begins || dragging_) drag(view, picture_at(*plan_, io.MouseClickedPos[std::max(0, button)]));
+        // What was held back until it was clear that this is no click comes with the first step.
+        if (button >= 0 && (begins || dragging_))
+            drag(view, picture_at(*plan_, io.MouseClickedPos[button]), button,
+                 dragging_ ? io.MouseDelta : ImGui::GetMouseDragDelta(button, 0));
         dragging_ = dragging_ || begins;
     }
     const PlannedPicture& under = picture_at(*plan_, io.MousePos);
@@ -153,19 +246,20 @@ void ViewportPane::steer(Values& view, float scale) {
         dragging_ = true; // the button's release is no click
     }
     if (!ImGui::IsItemDeactivated()) return;
-    if (!dragging_ && hovered && ImGui::IsMouseReleased(0)) {
+    const ImVec2 clicked = io.MouseClickedPos[0];
+    const float x = io.MousePos.x - clicked.x, y = io.MousePos.y - clicked.y;
+    const bool moved = x * x + y * y > drag_threshold * drag_threshold * scale * scale;
+    if (!dragging_ && ImGui::IsMouseReleased(0) && moved) { // all of a drag since the last frame
+        drag(view, picture_at(*plan_, clicked), 0, {x, y});
+    } else if (!dragging_ && hovered && ImGui::IsMouseReleased(0)) {
         picked_before_ = view.text("pick");
         click(view, under, pixel_in(under, io.MousePos), scale);
     }
     dragging_ = false;
 }
 
-void ViewportPane::drag(Values& view, const PlannedPicture& shown) {
+void ViewportPane::drag(Values& view, const PlannedPicture& shown, int button, ImVec2 step) {
     const ImGuiIO& io = ImGui::GetIO();
-    const int button = held_button();
-    if (button < 0) return;
-    // What was held back until it was clear that this is no click comes with the first step.
-    const ImVec2 step = dragging_ ? io.MouseDelta : ImGui::GetMouseDragDelta(button, 0);
     const Pixel by{static_cast<double>(step.x), static_cast<double>(step.y)};
     Camera camera = shown.camera;
     if (shown.picture.planar() || button != 0 || io.KeyShift) {

@@ -8,11 +8,13 @@
 
 #include "gui/document.hpp"
 #include "gui/item_rectangles.hpp"
+#include "gui/monitor_handles.hpp"
 #include "gui/theme.hpp"
 #include "gui/viewport.hpp"
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gaspard {
@@ -36,8 +38,9 @@ class ViewportPane {
     explicit ViewportPane(std::shared_ptr<TessellationCache> cache) : planner_(std::move(cache)) {}
 
     /// Draws all but the meshes into a window of its own that fills `area`.
+    /// `others`: runs whose meshes are to be seen beside it, where the view's layout is "runs".
     void frame(const DocumentRun& run, DocumentViewport& viewport, const ItemRectangle& area,
-               const FrameContext& context);
+               const FrameContext& context, const std::vector<const DocumentRun*>& others = {});
     /// Shows the whole mesh again, however the viewport's size changes, from the view's direction.
     void go_home(DocumentViewport& viewport);
     /// Home is from now on for the mesh that is shown next.
@@ -46,6 +49,16 @@ class ViewportPane {
     std::string camera_text() const;
     /// Takes a camera's text as that of what is shown.
     void look_as(DocumentViewport& viewport, const std::string& camera);
+    /// What the next frames say in the lower left corner.
+    void say_in_corner(std::string note) { note_ = std::move(note); }
+    /// The handles of the next frames; the mouse may take hold of them.
+    void offer_handles(std::vector<MonitorHandle> handles) { handles_ = std::move(handles); }
+    struct HandleMove {
+        MonitorHandle handle;
+        Vec3 place; ///< where it is to be now
+    };
+    /// What the mouse has done to one since the last call.
+    std::optional<HandleMove> take_handle_move() { return std::exchange(handle_move_, std::nullopt); }
     /// The mesh turns by itself: the next frame differs from this one.
     bool spinning() const { return spinning_; }
     /// Choices of the view that what is shown has not, as "layout=map".
@@ -60,13 +73,20 @@ class ViewportPane {
   private:
     void steer(Values& view, float scale);
     void turn(Values& view);
-    void drag(Values& view, const PlannedPicture& shown);
+    void drag(Values& view, const PlannedPicture& shown, int button, ImVec2 step);
     void click(Values& view, const PlannedPicture& shown, Pixel pointer, float scale);
+    std::optional<std::size_t> handle_at(ImVec2 at, float scale) const;
+    bool drag_handle(float scale);
+    void draw_handles(const FrameContext& context);
     void set_camera(Values& view, const PlannedPicture& shown, Camera camera);
 
     ViewportPlanner planner_;
     std::optional<ViewportPlan> plan_; ///< of the last frame
     std::vector<ShownPicture> pictures_;
+    std::string note_;
+    std::vector<MonitorHandle> handles_;
+    std::optional<std::size_t> held_; ///< handle under the pressed button
+    std::optional<HandleMove> handle_move_;
     bool dragging_ = false;
     bool spinning_ = false;
     double spun_ = 0;           ///< in radians, since the view's camera was last set

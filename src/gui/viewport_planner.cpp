@@ -56,6 +56,7 @@ std::pair<ScreenRect, ScreenRect> halves(ScreenRect room) {
 /// The layout that the mesh can be shown in.
 std::string layout_of(const MeshPicture& picture, const Values& view) {
     const std::string& wish = view.text("layout");
+    if (wish == "runs") return "single"; // there are no others
     const bool fits = wish == "map" ? picture.ball > 0 : wish != "front-and-rear" || !picture.planar();
     return fits ? wish : "single";
 }
@@ -105,19 +106,26 @@ Vec3 pivot_of(const MeshPicture& picture) { return picture.ball > 0 ? Vec3{} : p
 
 Camera ViewportPlanner::camera_of(const MeshPicture& picture, const Values& view, Size size, Insets insets,
                                   std::string& complaint) {
+    const std::string& text = view.text(camera_key(picture));
+    std::optional<Camera> wish;
     try {
-        if (const std::string& text = view.text(camera_key(picture)); !text.empty())
-            return turned(parse_camera(text, size), picture);
+        if (!text.empty()) wish = parse_camera(text, size);
     } catch (const InputError& error) {
         complaint = error.what();
     }
+    if (wish && !shows_all(text)) return turned(*wish, picture);
     if (picture.map) return planar_home(picture.box, size, insets);
-    const std::string& direction = view.text("direction");
+    const std::string& direction = wish ? text : view.text("direction");
     if (home_.of == picture.mesh && home_.size == size && home_.insets == insets &&
         home_.direction == direction)
         return turned(home_.camera, picture);
-    home_ = {picture.mesh, size, insets, direction, home(picture.home_box, size, insets, direction)};
-    if (!picture.planar()) {
+    home_ = {picture.mesh, size, insets, direction,
+             home(picture.home_box, size, insets, view.text("direction"))};
+    if (picture.planar()) return home_.camera;
+    if (wish) home_.camera.right = wish->right, home_.camera.up = wish->up;
+    if (picture.ball > 0) {
+        fit_ball(home_.camera, pivot_of(picture), picture.ball, size, insets);
+    } else {
         home_.camera.centre = picture.home_box.centre();
         std::vector<const Points*> points{picture.computational.get()};
         if (!picture.burst) points.push_back(picture.physical.get());
@@ -152,7 +160,62 @@ void ViewportPlanner::place_pictures(const MeshPicture& picture, const Values& v
     plan.pictures = {std::move(left), std::move(right)};
 }
 
+namespace {
+
+/// So many columns that the parts are as wide as they are high, as nearly as can be.
+int columns_for(std::size_t count, ScreenRect room) {
+    const auto shorter = [&](int columns) {
+        const int rows = (static_cast<int>(count) + columns - 1) / columns;
+        return std::min(room.width() / static_cast<float>(columns), room.height() / static_cast<float>(rows));
+    };
+    int best = 1;
+    for (int columns = 2; columns <= static_cast<int>(count); ++columns)
+        if (shorter(columns) > shorter(best)) best = columns;
+    return best;
+}
+
+/// The view with the colours' range fixed to that of a picture, for others beside it.
+Values in_colours_of(const MeshPicture& picture, Values view) {
+    if (picture.colouring == nullptr) return view;
+    const ColourRange& range = picture.colouring->range;
+    if (!(range.low < range.high)) return view;
+    view.set("range", std::string("fixed"));
+    view.set("low", range.low);
+    view.set("high", range.high);
+    return view;
+}
+
+} // namespace
+
+void ViewportPlanner::place_runs(const MeshPicture& picture, const Values& view, ViewportPlan& plan,
+                                 std::span<const NamedSnapshot> others, float scale) {
+    ScreenRect room = above_caption(plan, scale);
+    if (picture.colouring != nullptr)
+        room.max.x -= std::round(legend_width(*picture.colouring, plan.histogram, scale));
+    const int columns = columns_for(others.size() + 1, room);
+    const int rows = (static_cast<int>(others.size()) + columns) / columns;
+    const ImVec2 part{std::floor(room.width() / static_cast<float>(columns)),
+                      std::floor(room.height() / static_cast<float>(rows))};
+    const Values like_first = in_colours_of(picture, view);
+    while (other_makers_.size() < others.size()) other_makers_.emplace_back(maker_.cache());
+    for (std::size_t i = 0; i <= others.size(); ++i) {
+        const auto column = static_cast<float>(static_cast<int>(i) % columns),
+                   row = static_cast<float>(static_cast<int>(i) / columns);
+        const ImVec2 corner{room.min.x + column * part.x, room.min.y + row * part.y};
+        plan.pictures.push_back(
+            {i == 0 ? picture : other_makers_[i - 1].make(*others[i - 1].snapshot, like_first),
+             {},
+             {corner, {corner.x + part.x, corner.y + part.y}},
+             i == 0 ? plan.text.subject : others[i - 1].title});
+    }
+    PlannedPicture& first = plan.pictures.front();
+    const Insets insets{.top = static_cast<double>(title_height(first.title, scale))};
+    first.camera = camera_of(picture, view, first.size(), insets, plan.complaint);
+    for (PlannedPicture& shown : plan.pictures) shown.camera = first.camera;
+}
+
 void ViewportPlanner::add_arrows(ViewportPlan& plan, float scale) {
+    arrows_.resize(std::max(arrows_.size(), plan.pictures.size()));
     for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
         PlannedPicture& shown = plan.pictures[i];
         Arrows& arrows = arrows_[i];
@@ -189,7 +252,7 @@ void ViewportPlanner::add_pick(const Snapshot& snapshot, const Values& view, Vie
 }
 
 ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view, const ViewportText& text,
-                                   ScreenRect rect, float scale) {
+                                   ScreenRect rect, float scale, std::span<const NamedSnapshot> others) {
     const MeshPicture picture = maker_.make(snapshot, view);
     ViewportPlan plan;
     plan.rect = rect;
@@ -198,10 +261,19 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
     if (picture.planar()) plan.unavailable.emplace_back("layout=front-and-rear");
     if (picture.ball == 0) plan.unavailable.emplace_back("layout=map");
     if (!snapshot.exact) plan.unavailable.emplace_back("overlay=exact");
-    place_pictures(picture, view, plan, scale);
+    if (view.text("layout") == "runs" && !others.empty())
+        place_runs(picture, view, plan, others, scale);
+    else
+        place_pictures(picture, view, plan, scale);
     if (view.boolean("arrows")) add_arrows(plan, scale);
     add_pick(snapshot, view, plan);
     return plan;
+}
+
+std::string missing_note(const Values& view, const Snapshot& snapshot) {
+    if (view.text("overlay") != "exact" || snapshot.exact) return {};
+    return "view.overlay = exact shows nothing: the exact mesh is known on a sphere only, for monitors that "
+           "have an axis";
 }
 
 void check_view(const Values& view, const Mesh* mesh) {

@@ -23,18 +23,24 @@ PixelRect pixels_of(const ItemRectangle& part, float density) {
     return {x, y, pixels(part.right) - x, pixels(part.bottom) - y};
 }
 
-void draw_window(const Gl& gl, const Application& application, MeshRenderer& meshes, ImGuiRenderer& interface,
-                 const WindowPixels& pixels, float zoom) {
+void draw_window(const Gl& gl, const Application& application, MeshRenderers& meshes,
+                 ImGuiRenderer& interface, const WindowPixels& pixels, float zoom) {
     const Theme& theme = application.theme();
     gl.Viewport(0, 0, pixels.width, pixels.height);
     gl.Disable(GL_SCISSOR_TEST);
     gl.ClearColor(theme.background.r, theme.background.g, theme.background.b, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    for (const ShownPicture& shown : application.pictures()) {
+    const auto& pictures = application.pictures();
+    for (const ShownPicture& shown : pictures) {
+        // One and the same mesh, as from front and rear, is sent once.
+        const auto first = std::find_if(pictures.begin(), pictures.end(), [&](const ShownPicture& one) {
+            return one.picture.physical == shown.picture.physical;
+        });
         Camera camera = shown.camera;
         camera.scale /= static_cast<double>(pixels.density);
-        meshes.draw(shown.picture, camera, pixels_of(shown.rectangle, pixels.density), pixels.height, theme,
-                    zoom * pixels.density);
+        meshes.at(static_cast<std::size_t>(first - pictures.begin()))
+            .draw(shown.picture, camera, pixels_of(shown.rectangle, pixels.density), pixels.height, theme,
+                  zoom * pixels.density);
     }
     interface.draw(*ImGui::GetDrawData());
 }
@@ -54,7 +60,7 @@ Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const Fini
     apply_theme(application.theme(), zoom);
     application.set_scale(zoom);
     ImGuiRenderer interface(gl);
-    MeshRenderer meshes(gl);
+    MeshRenderers meshes(gl);
     for (int frame = 0; frame < 3; ++frame) { // some sizes are known only in the frame after
         ImGui::NewFrame();
         application.frame();

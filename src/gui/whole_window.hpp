@@ -23,8 +23,8 @@ PixelRect pixels_of(const ItemRectangle& part, float density);
 
 /// Draws the frame that ImGui has just rendered, and the meshes below it, into the bound framebuffer. `zoom`:
 /// units of the window per unit of the theme.
-void draw_window(const Gl& gl, const Application& application, MeshRenderer& meshes, ImGuiRenderer& interface,
-                 const WindowPixels& pixels, float zoom);
+void draw_window(const Gl& gl, const Application& application, MeshRenderers& meshes,
+                 ImGuiRenderer& interface, const WindowPixels& pixels, float zoom);
 
 /// The window as it would show a run that has ended, drawn offscreen. Throws MachineError where there is no
 /// OpenGL.

@@ -326,6 +326,8 @@ class Window {
         glfwGetFramebufferSize(window_.get(), &width, &height);
         if (width <= 0 || height <= 0) return; // an icon
         ImGui_ImplGlfw_NewFrame();
+        // A click is seen in the frame after it: two that follow each other take four, however slow.
+        ImGui::GetIO().MouseDoubleClickTime = std::max(0.3F, 4 * ImGui::GetIO().DeltaTime);
         ImGui::NewFrame();
         application_->frame();
         ImGui::Render();
@@ -365,7 +367,7 @@ class Window {
     ImGuiSession imgui_;
     std::optional<ImGuiInput> input_;
     std::optional<ImGuiRenderer> interface_;
-    std::optional<MeshRenderer> meshes_;
+    std::optional<MeshRenderers> meshes_;
     Look look_;
     Place before_;                       ///< the window filled the screen
     std::map<std::string, Value> place_; ///< where it stood when it was closed, as in the settings

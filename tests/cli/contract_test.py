@@ -338,6 +338,12 @@ class Information(Contract):
             toml.write(text)
         self.assertEqual(gaspard("show", file).stdout, text)
 
+    def test_what_a_view_asks_for_in_vain_is_said(self):
+        result = self.run_quick("--set", "view.overlay=exact", render=True)
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        self.assertIn("view.overlay", result.stderr)
+
     def test_version_and_help(self):
         self.assertRegex(gaspard("--version").stdout, r"^gaspard \d+\.\d+\.\d+\n$")
         self.assertIn("reproduce", gaspard("--help").stdout)
@@ -354,10 +360,31 @@ class Information(Contract):
         for name in ("mcrae-fig2", "mcrae-fig3", "mcrae-fig13"):
             self.assertIn(name, gaspard("reproduce").stdout)
 
+    def test_compare_writes_table_histories_and_picture(self):
+        result = gaspard("compare", "plane-ring", *QUICK, "--methods", "newton,relaxation,auto", "--out", self.out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with open(self.path("comparison.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(list(rows[0]), ["method", "iterations", "inner_iterations", "cpu_seconds", "residual",
+                                         "equidistribution", "tangled_cells", "status"])
+        self.assertEqual([row["method"] for row in rows], ["newton", "relaxation", "auto"])
+        for row in rows:
+            self.assertEqual(row["status"], "converged")
+            self.assertIn(row["method"], result.stdout)
+            self.assertAlmostEqual(float(row["equidistribution"]), float(rows[0]["equidistribution"]), places=6)
+            with open(self.path(row["method"] + ".csv")) as file:
+                self.assertEqual(len(list(csv.DictReader(file))), int(row["iterations"]) + 1)
+        self.assertGreater(os.path.getsize(self.path("comparison.png")), 10000)
+        self.assertEqual(set(os.listdir(self.out)), {"comparison.csv", "comparison.png", "newton.csv", "relaxation.csv",
+                                                     "auto.csv"})
+        shutil.rmtree(self.out)
+        for methods, part in (("newtn", "newton"), ("auto,auto", "twice"), ("", "method")):
+            self.refused(gaspard("compare", "plane-ring", "--methods", methods, "--out", self.out), part)
+
     def test_the_readme_names_every_option(self):
         with open(README) as file:
             readme = file.read()
-        for command in ([], ["run"], ["list"], ["show"], ["reproduce"]):
+        for command in ([], ["run"], ["compare"], ["list"], ["show"], ["reproduce"]):
             for option in re.findall(r"--[a-z-]+", gaspard(*command, "--help").stdout):
                 self.assertIn(option, readme, "of gaspard " + " ".join(command))
 

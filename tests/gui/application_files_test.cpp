@@ -42,7 +42,7 @@ TEST_F(ApplicationTest, AnotherScenarioStartsFromItsOwnBeginning) {
     ASSERT_TRUE(wait_until([&] { return run().scenario.name != "plane-ring"; }));
     EXPECT_EQ(run().scenario.name, "plane-bell");
     EXPECT_EQ(solved_scenario().monitor.type, "bell");
-    EXPECT_FALSE(solved_scenario().method.values.real_or_auto("step_size")) << "the step chooses itself";
+    EXPECT_EQ(solved_scenario().method.type, "auto") << "the method chooses by itself";
     ASSERT_TRUE(wait_until([&] { return run().snapshot && run().snapshot->mesh->cell_count() == 3600; }));
 }
 

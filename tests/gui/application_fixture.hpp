@@ -1,4 +1,4 @@
-// An application around a small ring, with frames and input but without a window.
+// An application with frames and input but without a window: around a small ring, or around what a test says.
 #pragma once
 
 #include "core/scenario/toml.hpp"
@@ -13,16 +13,15 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <thread>
+#include <utility>
 
 namespace gaspard {
 
-class ApplicationTest : public testing::Test {
+class ApplicationFixture : public testing::Test {
   protected:
-    Scenario small_ring() const {
-        Scenario scenario = find_scenario(*catalogue, "plane-ring");
-        set_value(*catalogue, scenario, "domain.cells", std::int64_t{12});
-        return scenario;
-    }
+    ApplicationFixture(std::shared_ptr<const Catalogue> of, const Scenario& scenario)
+        : catalogue(std::move(of)), application(catalogue, scenario, {.output = folder}) {}
+
     void frame() {
         application.collect();
         ui.frame([this] { application.frame(); });
@@ -44,6 +43,12 @@ class ApplicationTest : public testing::Test {
         return false;
     }
     DocumentRun& run() { return application.document().runs().front(); }
+    Values& look() { return application.document().viewports().front().view; }
+    const ShownPicture& shown(std::size_t i = 0) { return application.pictures().at(i); }
+    static Size size_of(const ShownPicture& picture) {
+        return {static_cast<double>(picture.rectangle.width()),
+                static_cast<double>(picture.rectangle.height())};
+    }
     /// What the solver thread itself works with.
     Scenario solved_scenario() {
         const auto seen = std::make_shared<std::promise<Scenario>>(); // outlives a test that gave up waiting
@@ -59,8 +64,23 @@ class ApplicationTest : public testing::Test {
     TemporaryFolder temporary; ///< gone after the application has ended
     const std::filesystem::path folder = temporary.path();
     HeadlessUi ui;
-    std::shared_ptr<const Catalogue> catalogue = std::make_shared<Catalogue>(builtin_catalogue());
-    Application application{catalogue, small_ring(), {.output = folder}};
+    std::shared_ptr<const Catalogue> catalogue;
+    Application application;
+};
+
+class ApplicationTest : public ApplicationFixture {
+  protected:
+    ApplicationTest() : ApplicationTest(std::make_shared<Catalogue>(builtin_catalogue())) {}
+    Scenario small_ring() const { return small_ring(*catalogue); }
+
+  private:
+    explicit ApplicationTest(const std::shared_ptr<const Catalogue>& of)
+        : ApplicationFixture(of, small_ring(*of)) {}
+    static Scenario small_ring(const Catalogue& catalogue) {
+        Scenario scenario = find_scenario(catalogue, "plane-ring");
+        set_value(catalogue, scenario, "domain.cells", std::int64_t{12});
+        return scenario;
+    }
 };
 
 } // namespace gaspard

@@ -168,14 +168,22 @@ TEST_F(ApplicationTest, ThemeAndSizeAreChangedByKeysAndRemembered) {
 TEST_F(ApplicationTest, EverythingHasRoomAtTheSizeForProjectors) {
     ui.scale(1.7F);
     application.set_scale(1.7F);
-    ImGui::GetIO().DisplaySize = {1920, 1080};
-    for (int i = 0; i < 3; ++i) frame();
-    for (const char* key : {"action.run", "action.export", "scenario", "monitor.amplitude", "viewport",
-                            "plot.first", "plot.second", "status.0", "message"}) {
-        ASSERT_TRUE(application.items().count(key)) << key;
-        EXPECT_LE(application.items().find(key)->second.right, 1921) << key;
+    for (const ImVec2 size : {ImVec2{1920, 1080}, {1400, 900}}) {
+        ImGui::GetIO().DisplaySize = size;
+        for (int i = 0; i < 3; ++i) frame();
+        for (const char* key : {"action.run", "action.export", "scenario", "monitor.amplitude",
+                                "monitor.amplitude.input", "viewport", "plot.first", "plot.second",
+                                "plot.first.menu", "plot.second.menu", "status.0", "message"}) {
+            ASSERT_TRUE(application.items().count(key)) << key;
+            const ItemRectangle item = application.items().find(key)->second;
+            EXPECT_LE(item.right, size.x + 1) << key;
+            EXPECT_LE(item.bottom, size.y + 1) << key;
+        }
+        const float left = application.items().find("action.export")->second.right;
+        EXPECT_GT(application.items().find("scenario")->second.left, left);
+        EXPECT_GT(application.viewport_rectangle().width(), 500);
+        EXPECT_GT(application.items().find("plot.first.curves")->second.height(), 100);
     }
-    EXPECT_GT(application.viewport_rectangle().width(), 500);
 }
 
 TEST_F(ApplicationTest, RandomInputBreaksNothing) {
@@ -185,11 +193,16 @@ TEST_F(ApplicationTest, RandomInputBreaksNothing) {
     for (const Action& row : actions())
         if (row.id != ActionId::export_files && row.id != ActionId::screenshot)
             keys.insert(keys.end(), row.keys.begin(), row.keys.end());
+    int changes = 0;
+    Scenario before = small_ring();
     for (int i = 0; i < 10000; ++i) {
         ImGuiIO& io = ImGui::GetIO();
-        if (draw_int(0, 3) == 0) // mostly where the sliders are
-            ui.move(static_cast<float>(draw_int(-20, draw_int(0, 1) ? 420 : 1420)),
-                    static_cast<float>(draw_int(-20, 920)));
+        if (draw_int(0, 7) == 0)
+            ui.move(static_cast<float>(draw_int(-20, 1420)), static_cast<float>(draw_int(-20, 920)));
+        if (const auto& items = application.items(); draw_int(0, 7) == 0 && !items.empty()) {
+            const auto item = std::next(items.begin(), draw_int(0, static_cast<int>(items.size()) - 1));
+            ui.move(item->second.center_x(), item->second.center_y());
+        }
         if (draw_int(0, 2) == 0) ui.button(draw_int(0, 1) == 1, draw_int(0, 2));
         if (draw_int(0, 9) == 0) ui.wheel(static_cast<float>(draw_int(-3, 3)));
         if (draw_int(0, 9) == 0) io.KeyCtrl = !io.KeyCtrl;
@@ -203,6 +216,7 @@ TEST_F(ApplicationTest, RandomInputBreaksNothing) {
         if (i % 200 == 0 && application.items().count("monitor.type") == 0)
             application.perform(ActionId::sidebar);
         frame();
+        if (run().scenario != before) ++changes, before = run().scenario;
         for (const Values* values : {&run().scenario.domain.values, &run().scenario.monitor.values})
             for (const auto& row : values->rows()) {
                 Values copy = *values;
@@ -210,7 +224,7 @@ TEST_F(ApplicationTest, RandomInputBreaksNothing) {
             }
     }
     EXPECT_NE(run().status.run, RunStatus::failed) << application.message().text;
-    EXPECT_NE(application.document().runs().front().scenario, small_ring()) << "the input reached nothing";
+    EXPECT_GT(changes, 20) << "the input reached hardly anything";
 }
 
 } // namespace

@@ -50,6 +50,47 @@ TEST_F(ApplicationTest, TheMouseSteersTheCamera) {
     EXPECT_EQ(application.document().viewports()[0].view.text("pick"), "") << "and picks nothing";
 }
 
+TEST_F(ApplicationTest, ADragBetweenTwoFramesIsADragAndNoClick) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
+    frame();
+    const ItemRectangle view = application.items().find("viewport")->second;
+    const Camera before = shown().camera;
+    const float x = std::floor(view.center_x()), y = std::floor(view.center_y());
+    ui.move(x, y);
+    frame();
+    ui.button(true);
+    frame();
+    ui.move(x + 40, y - 30); // and the button comes up before the next frame
+    ui.button(false);
+    frame();
+    frame();
+    EXPECT_EQ(look().text("pick"), "");
+    const Pixel moved = to_pixel(shown().camera, size_of(shown()), before.centre);
+    EXPECT_NEAR(moved.x, size_of(shown()).width / 2 + 40, 1e-6);
+    EXPECT_NEAR(moved.y, size_of(shown()).height / 2 - 30, 1e-6);
+}
+
+TEST_F(ApplicationTest, KeysThatDoNothingHereSaySo) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
+    for (const char* key : {"F", "M", "X", "Q", "S", "1", "N"}) {
+        const std::size_t said = application.log().lines().size();
+        EXPECT_FALSE(application.press_key(key));
+        EXPECT_EQ(application.log().lines().size(), said + 1) << key;
+        EXPECT_TRUE(application.message().text.ends_with(".")) << key << ": " << application.message().text;
+        EXPECT_FALSE(application.message().error);
+    }
+}
+
+TEST_F(ApplicationTest, AnotherDomainHasOtherCellsSoThePickEnds) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
+    look().set("pick", std::string("cell 7"));
+    frame();
+    ui.drag(application.items().find("monitor.amplitude")->second, 0.5F, 0.55F, drawing());
+    EXPECT_EQ(look().text("pick"), "cell 7") << "the same cells";
+    ui.drag(application.items().find("domain.cells")->second, 0.3F, 0.4F, drawing());
+    EXPECT_EQ(look().text("pick"), "");
+}
+
 TEST_F(ApplicationTest, TheCameraIsCopiedAndPastedAsText) {
     ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
     application.press_key("H");

@@ -223,6 +223,29 @@ TEST(Camera, TextMeansTheSameInAPictureOfAnotherSize) {
     EXPECT_NEAR(in_large.y, 2 * in_small.y, 1e-9);
 }
 
+TEST(Camera, ATextOfAxesAloneMeansAllOfTheMesh) {
+    const Camera camera = home({{-1, -1, -1}, {1, 1, 1}}, {800, 600});
+    const std::string text = format_axes(camera);
+    EXPECT_TRUE(shows_all(text)) << text;
+    const Camera read = parse_camera(text, {800, 600});
+    EXPECT_EQ(read.right, camera.right);
+    EXPECT_EQ(read.up, camera.up);
+    EXPECT_EQ(format_axes(read), text);
+    EXPECT_FALSE(shows_all(""));
+    EXPECT_FALSE(shows_all(format_camera(camera, {800, 600})));
+    EXPECT_THROW(parse_camera("right 1 0 0", {800, 600}), InputError);
+}
+
+TEST(Camera, ABallFillsWhatIsFreeHoweverItIsTurned) {
+    for (const char* direction : {"home", "front", "top"}) {
+        Camera camera = spatial_home({{-2, -2, -2}, {2, 2, 2}}, {800, 600}, {}, direction);
+        fit_ball(camera, {}, 2, {800, 600}, {.right = 100});
+        EXPECT_NEAR(4 / camera.scale, 0.92 * 600, 1e-9);
+        EXPECT_NEAR(to_pixel(camera, {800, 600}, {}).x, 350, 1e-9);
+        EXPECT_NEAR(to_pixel(camera, {800, 600}, {}).y, 300, 1e-9);
+    }
+}
+
 TEST(Camera, TextMayBeTypedByHand) {
     const Camera camera = parse_camera("  center 1,2,3\theight 2 up 0 0 5 right 3 0 1e-3 ", {100, 100});
     EXPECT_EQ(camera.centre, (Vec3{1, 2, 3}));

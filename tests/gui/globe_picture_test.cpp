@@ -181,6 +181,28 @@ TEST(Globe, OfAnyRadiusLooksTheSame) {
     }
 }
 
+TEST(Globe, HasARimWhereItIsAsDarkAsWhatIsBehind) {
+    const Theme theme = dark_theme();
+    const auto byte = [](float part) { return static_cast<int>(std::lround(255 * part)); };
+    const std::array<int, 3> ground{byte(theme.background.r), byte(theme.background.g),
+                                    byte(theme.background.b)};
+    const Image image =
+        drawn(xn_globe(cubed_globe(8, 2), 16),
+              {{"camera", "centre 0 0 0 height 2.2 right 0 -1 0 up 0 0 1"}, {"lines", "false"}});
+    const double radius = image.height / 2.2; // seen from -x, where the monitor is lowest
+    for (int i = 0; i < 24; ++i) {
+        const double angle = 2 * std::numbers::pi * i / 24 + 0.1;
+        if (std::cos(angle) > 0.5 || std::sin(angle) < -0.8) continue; // under legend and caption
+        int most = 0;
+        for (double r = radius - 2; r <= radius + 2; r += 0.5) {
+            const int x = static_cast<int>(image.width / 2 + r * std::cos(angle)),
+                      y = static_cast<int>(image.height / 2 - r * std::sin(angle));
+            most = std::max(most, apart(pixel(image, x, y), ground));
+        }
+        EXPECT_GT(most, 50) << i;
+    }
+}
+
 TEST(Globe, TangledCellsShowWhereTheyAre) {
     const auto magenta = [](const Image& image) {
         int found = 0;

@@ -1,21 +1,15 @@
 // Globes and maps in a viewport: cameras, picking, and what the window lets one do with them.
+#include "application_fixture.hpp"
 #include "core/base/error.hpp"
 #include "fixtures/fixture_catalogue.hpp"
 #include "globes.hpp"
-#include "gui/application.hpp"
-#include "gui/headless_ui.hpp"
-#include "gui/scenes.hpp"
 #include "gui/status_bar.hpp"
-#include "gui/viewport.hpp"
+#include "plan_fixture.hpp"
 #include "support/messages.hpp"
-#include "support/temporary_folder.hpp"
 
-#include <chrono>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <numbers>
 #include <random>
-#include <thread>
 
 namespace gaspard {
 namespace {
@@ -32,21 +26,9 @@ Vec3 middle_of_cell(const Snapshot& snapshot, std::size_t cell) {
     return snapshot.x[static_cast<std::size_t>(snapshot.mesh->cell(cell)[8])];
 }
 
-class GlobeTest : public testing::Test {
+class GlobeTest : public PlanFixture {
   protected:
-    ViewportPlan plan(const Snapshot& snapshot) {
-        ViewportPlan made;
-        ui_.frame([&] {
-            made = planner_.plan(snapshot, view_, {.subject = "sphere"}, {{0, 0}, {900, 600}}, 1);
-            draw_viewport_overlay(*ImGui::GetBackgroundDrawList(), made, dark_theme(), 1);
-        });
-        return made;
-    }
-
-    Theme theme_ = dark_theme();
-    HeadlessUi ui_{1000, 800, &theme_};
-    ViewportPlanner planner_;
-    Values view_ = view("monitor");
+    GlobeTest() : PlanFixture("sphere", {{0, 0}, {900, 600}}) {}
 };
 
 TEST_F(GlobeTest, FrontAndRearTogetherShowEveryCellWhereItIs) {
@@ -144,6 +126,49 @@ TEST_F(GlobeTest, WhatAMeshHasNotIsUnavailableAndNotShown) {
               (std::vector<std::string>{"layout=front-and-rear", "layout=map", "overlay=exact"}));
     EXPECT_EQ(plan(cube_snapshot(3)).unavailable, (std::vector<std::string>{"layout=map", "overlay=exact"}));
     EXPECT_EQ(plan(beside_exact_globe(3)).unavailable, std::vector<std::string>());
+    EXPECT_EQ(missing_note(view_, ring_snapshot(4)), "");
+    view_.set("overlay", std::string("exact"));
+    EXPECT_NE(missing_note(view_, ring_snapshot(4)), "");
+    EXPECT_EQ(missing_note(view_, beside_exact_globe(3)), "");
+}
+
+TEST_F(GlobeTest, WhatIsPickedIsMarkedOnTheSideWhereItIs) {
+    view_.set("layout", std::string("front-and-rear"));
+    const Snapshot snapshot = xn_globe(cubed_globe(6, 2), 2);
+    const ViewportPlan both = plan(snapshot);
+    int beyond = 0;
+    for (std::uint32_t cell = 0; cell < snapshot.mesh->cell_count(); ++cell) {
+        const Vec3 middle = middle_of_cell(snapshot, cell);
+        const auto node = static_cast<std::uint32_t>(snapshot.mesh->cell(cell)[8]);
+        int marks = 0;
+        for (const PlannedPicture& shown : both.pictures) {
+            const double facing = dot(middle, towards_viewer(shown.camera));
+            EXPECT_EQ(faces_viewer({Pick::Kind::node, node}, shown.picture, shown.camera), facing > 0);
+            const bool marked = faces_viewer({Pick::Kind::cell, cell}, shown.picture, shown.camera);
+            if (facing > 0) {
+                EXPECT_TRUE(marked);
+            }
+            marks += marked ? 1 : 0;
+        }
+        if (marks == 1) ++beyond; // cells at the limb are seen from both sides
+    }
+    EXPECT_GT(beyond, static_cast<int>(snapshot.mesh->cell_count()) / 2);
+    EXPECT_TRUE(faces_viewer({Pick::Kind::cell, 0}, plan(ring_snapshot(4)).pictures[0].picture, {}));
+}
+
+TEST_F(GlobeTest, ACameraOfAxesAloneShowsTheWholeBallInAnyLayout) {
+    const Snapshot snapshot = xn_globe(cubed_globe(4, 2), 2);
+    view_.set("camera", std::string("right -1 0 0 up 0 0 1"));
+    for (const char* layout : {"single", "side-by-side", "front-and-rear"}) {
+        view_.set("layout", std::string(layout));
+        for (const ScreenRect rect : {ScreenRect{{0, 0}, {900, 600}}, {{0, 0}, {300, 700}}}) {
+            const PlannedPicture shown = plan(snapshot, view_, rect).pictures[0];
+            EXPECT_NEAR(norm(towards_viewer(shown.camera) - Vec3{0, 1, 0}), 0, 1e-12);
+            const double across = 2 / shown.camera.scale;
+            EXPECT_LE(across, std::min(shown.size().width, shown.size().height)) << layout;
+            EXPECT_GE(across, 0.45 * std::min(shown.size().width, shown.size().height)) << layout;
+        }
+    }
 }
 
 TEST_F(GlobeTest, TheExactMeshLiesOverTheComputedOne) {
@@ -201,48 +226,20 @@ TEST_F(GlobeTest, AnyCameraAndPixelPicksOnTheBallOrNothing) {
 }
 
 /// The fixture's sphere in the window.
-class GlobeApplicationTest : public testing::Test {
+class GlobeApplicationTest : public ApplicationFixture {
   protected:
-    static Scenario sphere(const Catalogue& catalogue, int order) {
+    GlobeApplicationTest() : GlobeApplicationTest(std::make_shared<Catalogue>(fixture_catalogue())) {}
+
+  private:
+    explicit GlobeApplicationTest(const std::shared_ptr<const Catalogue>& of)
+        : ApplicationFixture(of, sphere(*of)) {}
+    static Scenario sphere(const Catalogue& catalogue) {
         Scenario scenario = default_scenario(catalogue);
         apply_settings(catalogue, scenario,
-                       {"domain.type=sphere", "domain.cells=4",
-                        "domain.geometry_order=" + std::to_string(order), "monitor.type=constant",
-                        "method.type=smoothing", "method.max_iterations=3"});
+                       {"domain.type=sphere", "domain.cells=4", "domain.geometry_order=1",
+                        "monitor.type=constant", "method.type=smoothing", "method.max_iterations=3"});
         return scenario;
     }
-    void frame() {
-        application.collect();
-        ui.frame([this] { application.frame(); });
-    }
-    std::function<void()> drawing() {
-        return [this] {
-            application.collect();
-            application.frame();
-        };
-    }
-    template <class Condition>
-    bool wait_until(Condition condition) {
-        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-        while (std::chrono::steady_clock::now() < end) {
-            frame();
-            if (condition()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        }
-        return false;
-    }
-    DocumentRun& run() { return application.document().runs().front(); }
-    Values& look() { return application.document().viewports().front().view; }
-    const ShownPicture& shown(std::size_t i = 0) { return application.pictures().at(i); }
-    static Size size_of(const ShownPicture& picture) {
-        return {static_cast<double>(picture.rectangle.width()),
-                static_cast<double>(picture.rectangle.height())};
-    }
-
-    TemporaryFolder temporary;
-    HeadlessUi ui;
-    std::shared_ptr<const Catalogue> catalogue = std::make_shared<Catalogue>(fixture_catalogue());
-    Application application{catalogue, sphere(*catalogue, 1), {.output = temporary.path()}};
 };
 
 TEST_F(GlobeApplicationTest, TheBallFollowsTheMouseFromFrontAndRear) {
@@ -314,11 +311,19 @@ TEST_F(GlobeApplicationTest, SpinsOnlyWhenAskedAndStaysWhereItStops) {
     for (int i = 0; i < 5; ++i) frame();
     EXPECT_NEAR(norm(shown().camera.right - stopped.right), 0, 1e-12);
     EXPECT_NE(look().text("camera"), "");
+    for (const char* key : {"B", "F", "B"}) {
+        EXPECT_TRUE(application.press_key(key));
+        frame();
+        const Size here = size_of(shown());
+        EXPECT_LE(2 / shown().camera.scale, std::min(here.width, here.height)) << "all of it in any layout";
+        EXPECT_NEAR(norm(shown().camera.right - stopped.right), 0, 1e-9) << "turned as it was";
+    }
     EXPECT_TRUE(application.press_key("S"));
     EXPECT_TRUE(application.press_key("M"));
     frame();
     frame();
     EXPECT_FALSE(application.animating()) << "a map does not turn";
+    EXPECT_EQ(look().text("map_camera"), "");
 }
 
 TEST_F(GlobeApplicationTest, KeysChangeTheLayoutAndWhatIsNotThereDoesNothing) {
@@ -342,6 +347,7 @@ TEST_F(GlobeApplicationTest, KeysChangeTheLayoutAndWhatIsNotThereDoesNothing) {
     frame();
     EXPECT_FALSE(shown().picture.map);
     EXPECT_FALSE(application.press_key("X")) << "no exact mesh is known";
+    EXPECT_NE(application.message().text.find("exact mesh"), std::string::npos) << application.message().text;
 }
 
 TEST_F(GlobeApplicationTest, OffersQuadraticCellsWhereLinearOnesFail) {

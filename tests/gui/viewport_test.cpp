@@ -1,9 +1,7 @@
 // Plans of viewports: what stands where, from where it is seen, and what is said where a text makes no sense.
 #include "core/base/error.hpp"
-#include "gui/headless_ui.hpp"
 #include "gui/legend.hpp"
-#include "gui/scenes.hpp"
-#include "gui/viewport.hpp"
+#include "plan_fixture.hpp"
 #include "support/messages.hpp"
 
 #include <gtest/gtest.h>
@@ -13,21 +11,9 @@ namespace {
 
 const ScreenRect whole{{100, 50}, {901, 650}};
 
-class ViewportTest : public testing::Test {
+class ViewportTest : public PlanFixture {
   protected:
-    ViewportPlan plan(const Snapshot& snapshot, const Values& values, ScreenRect rect = whole) {
-        ViewportPlan made;
-        ui_.frame([&] {
-            made = planner_.plan(snapshot, values, {.subject = "plane"}, rect, 1);
-            draw_viewport_overlay(*ImGui::GetBackgroundDrawList(), made, dark_theme(), 1);
-        });
-        return made;
-    }
-
-    Theme theme_ = dark_theme();
-    HeadlessUi ui_{1000, 800, &theme_};
-    ViewportPlanner planner_;
-    Values view_ = view("monitor");
+    ViewportTest() : PlanFixture("plane", whole) {}
 };
 
 TEST_F(ViewportTest, SideBySideIsTwoPicturesOfOneSizeSeenByOneCamera) {
@@ -56,7 +42,7 @@ TEST_F(ViewportTest, SideBySideIsTwoPicturesOfOneSizeSeenByOneCamera) {
 }
 
 TEST_F(ViewportTest, HomeStaysWhileTheMeshMovesUntilItIsForgotten) {
-    Snapshot snapshot = sphere_snapshot(3);
+    Snapshot snapshot = cube_snapshot(3);
     const Camera before = plan(snapshot, view_).pictures[0].camera;
     for (double& x : snapshot.x.x) x += 5;
     ++snapshot.version;

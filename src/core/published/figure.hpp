@@ -14,6 +14,7 @@ namespace gaspard {
 struct FigurePanel {
     std::string title;
     std::variant<std::shared_ptr<const Snapshot>, Plot> content;
+    std::string camera{}; ///< of a mesh, as view.camera; empty: all of it
 };
 
 struct Figure {

@@ -2,7 +2,9 @@
 // the icosahedral sphere.
 #include "core/published/mcrae_runs.hpp"
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace gaspard {
 
@@ -71,7 +73,11 @@ Plot refinement(const Workshop& workshop, const Sequence& sequence, const std::s
 
 Reproduction figure12(const Workshop& workshop) {
     Reproduction result{{}, Figure{"The finest meshes: 57600 squares, 81920 triangles", {}}};
-    for (const Sequence* sequence : {&plane, &sphere}) {
+    // All of a mesh, too fine for its cells to be seen, and where it is finest: on the ring, at the crossing.
+    const std::pair<const Sequence*, std::array<std::string, 2>> looks[] = {
+        {&plane, {"", "centre 0.75 0.5 height 0.12"}},
+        {&sphere, {"right -1 0 0 up 0 0 1", "centre 0 1 0 height 0.24 right -1 0 0 up 0 0 1"}}};
+    for (const auto& [sequence, cameras] : looks) {
         const int finest = sequence->sizes.back();
         Run run = sequence->solved(workshop, finest);
         const StepReport& last = run.history().back();
@@ -80,7 +86,9 @@ Reproduction figure12(const Workshop& workshop) {
         result.rows.push_back({title, "smallest Jacobian", *last.min_jacobian});
         result.rows.push_back({title, "tangled cells", static_cast<double>(*last.tangled_cells), 0,
                                "the paper: no evidence whatsoever of mesh tangling"});
-        result.figure->panels.push_back({title, run.snapshot()});
+        const auto snapshot = run.snapshot();
+        result.figure->panels.push_back({title, snapshot, cameras[0]});
+        result.figure->panels.push_back({title + ", from close by", snapshot, cameras[1]});
     }
     return result;
 }

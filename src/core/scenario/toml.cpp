@@ -116,6 +116,23 @@ std::string to_toml(const Scenario& scenario) {
     return out.str();
 }
 
+/// By letters, but numbers in them by their size: x8 before x16.
+static bool comes_before(std::string_view a, std::string_view b) {
+    const auto [at, bt] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    std::size_t begin = static_cast<std::size_t>(at - a.begin());
+    const auto digit = [](std::string_view text, std::size_t i) {
+        return i < text.size() && text[i] >= '0' && text[i] <= '9';
+    };
+    while (begin > 0 && digit(a, begin - 1)) --begin;
+    const auto digits = [&](std::string_view text) {
+        std::size_t count = 0;
+        while (digit(text, begin + count)) ++count;
+        return count;
+    };
+    const std::size_t ours = digits(a), theirs = digits(b);
+    return ours > 0 && theirs > 0 && ours != theirs ? ours < theirs : a < b;
+}
+
 std::vector<BuiltinScenario> builtin_scenarios() {
     std::vector<BuiltinScenario> scenarios;
     constexpr std::string_view folder = "assets/scenarios/", ending = ".toml";
@@ -125,6 +142,8 @@ std::vector<BuiltinScenario> builtin_scenarios() {
             name.remove_suffix(ending.size());
             scenarios.push_back({name, file.bytes});
         }
+    std::sort(scenarios.begin(), scenarios.end(),
+              [](const auto& a, const auto& b) { return comes_before(a.name, b.name); });
     return scenarios;
 }
 

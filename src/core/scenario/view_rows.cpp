@@ -72,9 +72,9 @@ std::vector<ParameterRow> view_rows() {
         boolean("lines", "Lines", true, "the cells' edges"),
         boolean("arrows", "Arrows", false, "from xi to x, as many as there is room for"),
         choice(
-            "layout", "Layout", {"single", "side-by-side", "front-and-rear", "map"},
+            "layout", "Layout", {"single", "side-by-side", "front-and-rear", "map", "runs"},
             "side-by-side: computational and physical mesh; front-and-rear: a mesh in space from both sides; "
-            "map: a sphere on Hammer's equal-area map"),
+            "map: a sphere on Hammer's equal-area map; runs: in the window, the meshes of all runs"),
         {.key = "map_longitude",
          .label = "Map centre",
          .unit = "degrees",

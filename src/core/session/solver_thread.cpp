@@ -4,6 +4,14 @@
 
 namespace gaspard {
 
+namespace {
+
+constexpr double caught_up = 1e-2;   // residual of a mesh that shows the values it is for
+constexpr double near = 0.3;         // residual up to which a change of values is a small one
+constexpr double longest_wait = 0.1; // seconds
+
+} // namespace
+
 SolverThread::SolverThread(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, Options options)
     : catalogue_(std::move(catalogue)), scenario_(std::move(scenario)), options_(std::move(options)),
       running_(options_.start_running), reports_(options_.report_capacity),
@@ -62,8 +70,21 @@ Progress SolverThread::progress() {
 std::deque<Command> SolverThread::wait_for_commands(std::stop_token stop) {
     std::unique_lock lock(mutex_);
     const bool busy = run_ && run_->status() == RunStatus::running && running_;
+    const auto* change = commands_.empty() ? nullptr : std::get_if<ChangeCommand>(&commands_.front());
+    if (change && !change->anew && behind()) return {};
     if (!busy) wake_.wait(lock, stop, [&] { return !commands_.empty(); });
     return std::exchange(commands_, {});
+}
+
+/// The mesh has not caught up yet with values that it follows.
+bool SolverThread::behind() const {
+    if (!following_ || !running_ || !run_ || run_->status() != RunStatus::running) return false;
+    return run_->history().back().residual >= caught_up && since_change_.seconds() < longest_wait;
+}
+
+void SolverThread::begin_to_follow(bool was_solved) {
+    following_ = was_solved && run_->history().back().residual < near;
+    since_change_ = {};
 }
 
 void SolverThread::cancel() {
@@ -167,7 +188,10 @@ void SolverThread::publish(std::stop_token stop) {
     if (restarted) epoch_ = run_->epoch(), published_ = 0;
     const auto& history = run_->history();
     const bool news = published_ < history.size();
-    if (news) {
+    shown_ = shown_ && !news;
+    if (!shown_ && !behind()) {
+        shown_ = true;
+        following_ = false;
         auto snapshot = run_->snapshot();
         if (options_.before_publishing) options_.before_publishing(*snapshot);
         latest_.put(std::move(snapshot));
@@ -196,6 +220,7 @@ void SolverThread::execute(Command command, std::stop_token stop) {
         }
         void operator()(ResetCommand&) {
             if (!self.run_) return;
+            self.following_ = false;
             self.publish(stop); // what the old history has gained
             self.run_->reset();
         }
@@ -234,11 +259,16 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
             running_ = running_ || command.anew;
             refused = !prepare(stop);
         } else {
+            const bool solved = run_->history().back().residual < caught_up &&
+                                run_->scenario().domain == command.scenario.domain;
             refused = !cancellable(stop, [&](const Activity& activity) {
                 const std::string message = run_->change(command.scenario, activity.progress, activity.stop);
-                if (!message.empty()) say(message);
+                if (!message.empty() && !command.anew) say(message); // what begins anew keeps no map
             });
-            if (refused) say("Cancelled; the values are as they were before.");
+            if (refused)
+                say("Cancelled; the values are as they were before.");
+            else
+                begin_to_follow(solved);
         }
         if (!refused && command.anew) begin_anew(stop);
     } catch (const InputError& error) { // the run goes on with its old values
@@ -255,6 +285,7 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
 }
 
 void SolverThread::begin_anew(std::stop_token stop) {
+    following_ = false;
     publish(stop); // what the old history has gained
     run_->reset();
     running_ = true;

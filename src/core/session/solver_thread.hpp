@@ -1,6 +1,11 @@
 // A run on a thread of its own: commands in; out come the newest snapshot and every report.
+//
+// Values that change a little while a solved mesh is shown, as when the hand drags the monitor, are followed:
+// the next snapshot, and the next values, wait until the mesh has caught up with these ones (a residual below
+// 1e-2), a tenth of a second at most. So what is seen is adapted, and the last values win.
 #pragma once
 
+#include "core/base/stopwatch.hpp"
 #include "core/session/channel.hpp"
 #include "core/session/run.hpp"
 
@@ -111,6 +116,8 @@ class SolverThread {
     void fail(const std::string& message);
     void update(const std::function<void(SolverStatus&)>& change);
     Progress progress();
+    bool behind() const;
+    void begin_to_follow(bool was_solved);
     std::deque<Command> take_commands();
     std::deque<Command> wait_for_commands(std::stop_token stop);
 
@@ -120,6 +127,9 @@ class SolverThread {
     std::unique_ptr<Run> run_;  ///< touched by the solver thread only
     std::size_t published_ = 0; ///< rows of the run's history already in the queue
     int epoch_ = 0;             ///< of the history they belong to
+    bool shown_ = false;        ///< the newest iterate is the newest snapshot
+    bool following_ = false;    ///< values have moved a little since the last snapshot ...
+    Stopwatch since_change_;    ///< ... so long ago
     bool running_ = false;
 
     Latest<Snapshot> latest_;

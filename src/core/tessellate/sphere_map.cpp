@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -24,7 +25,7 @@ struct Axes {
 
 /// `q`: of unit length, in the map's axes; `east`: 1 or -1, the side on which it is shown.
 Vec3 project(Vec3 q, double east, double radius) {
-    const double level = std::hypot(q.x, q.y); // the cosine of the latitude
+    const double level = std::sqrt(q.x * q.x + q.y * q.y); // the cosine of the latitude
     // level (1 - cos l) and level (1 + cos l), none of which loses digits
     const double far = q.x > 0 ? q.y * q.y / (level + q.x) : level - q.x;
     const double near = q.x > 0 ? level + q.x : level - q.x > 0 ? q.y * q.y / (level - q.x) : 0;
@@ -50,26 +51,28 @@ class Cutter {
         }
     }
 
-    void cut_triangles(Tessellation& shape) {
-        const std::size_t count = shape.triangle_cells.size();
+    void cut_triangles() {
+        const std::size_t count = globe_.triangle_cells.size();
         for (std::size_t i = 0; i < count; ++i) {
             const std::array corners = {globe_.triangles[3 * i], globe_.triangles[3 * i + 1],
                                         globe_.triangles[3 * i + 2]};
             if (east_[corners[0]] == east_[corners[1]] && east_[corners[1]] == east_[corners[2]]) continue;
-            cut_triangle(shape, i, corners);
+            cut_triangle(i, corners);
         }
     }
 
-    void cut_segments(Tessellation& shape) {
-        const std::size_t count = shape.segments.size() / 2;
+    void cut_segments() {
+        const std::size_t count = globe_.segments.size() / 2;
+        MapEdits& edits = out_.edits;
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint32_t a = globe_.segments[2 * i], b = globe_.segments[2 * i + 1];
             if (east_[a] == east_[b]) continue;
             const Crossing cross = crossing(a, b);
             if (cross.place.x >= 0) continue;
-            shape.segments[2 * i + 1] = add(cross, side_of(places_[a]));
-            shape.segments.insert(shape.segments.end(), {add(cross, side_of(places_[b])), b});
-            shape.segment_sides.insert(shape.segment_sides.end(),
+            edits.replaced_segments.insert(edits.replaced_segments.end(),
+                                           {static_cast<std::uint32_t>(i), add(cross, side_of(places_[a]))});
+            edits.segments.insert(edits.segments.end(), {add(cross, side_of(places_[b])), b});
+            edits.segment_sides.insert(edits.segment_sides.end(),
                                        {globe_.segment_sides[2 * i], globe_.segment_sides[2 * i + 1]});
         }
     }
@@ -101,7 +104,7 @@ class Cutter {
     }
 
     /// A triangle with corners at both sides of the plane of the cut.
-    void cut_triangle(Tessellation& shape, std::size_t i, const std::array<std::uint32_t, 3>& corners) {
+    void cut_triangle(std::size_t i, const std::array<std::uint32_t, 3>& corners) {
         std::size_t lone = 0; // the corner that is alone at its side
         while (east_[corners[lone]] == east_[corners[(lone + 1) % 3]] ||
                east_[corners[lone]] == east_[corners[(lone + 2) % 3]])
@@ -122,18 +125,18 @@ class Cutter {
             }
             polygons[alone ? 0 : 1] = std::move(polygon);
         }
+        MapEdits& edits = out_.edits;
         bool replaced = false;
         for (const auto& polygon : polygons)
             for (std::size_t k = 2; k < polygon.size(); ++k) {
                 const std::array triangle = {polygon[0], polygon[k - 1], polygon[k]};
-                if (!replaced) {
-                    std::copy(triangle.begin(), triangle.end(),
-                              shape.triangles.begin() + static_cast<std::ptrdiff_t>(3 * i));
-                    replaced = true;
-                } else {
-                    shape.triangles.insert(shape.triangles.end(), triangle.begin(), triangle.end());
-                    shape.triangle_cells.push_back(globe_.triangle_cells[i]);
-                }
+                auto& list = replaced ? edits.triangles : edits.replaced_triangles;
+                if (replaced)
+                    edits.triangle_cells.push_back(globe_.triangle_cells[i]);
+                else
+                    list.push_back(static_cast<std::uint32_t>(i));
+                list.insert(list.end(), triangle.begin(), triangle.end());
+                replaced = true;
             }
     }
 
@@ -143,6 +146,33 @@ class Cutter {
     std::vector<Vec3> places_; ///< in the map's axes
     std::vector<char> east_;
 };
+
+std::shared_ptr<const Tessellation> edited(const std::shared_ptr<const Tessellation>& globe,
+                                           const MapEdits& edits, std::size_t points) {
+    auto shape = std::make_shared<Tessellation>();
+    shape->base = globe;
+    shape->cuts = globe->cuts;
+    const auto joined = [](const std::vector<std::uint32_t>& first,
+                           const std::vector<std::uint32_t>& second) {
+        std::vector<std::uint32_t> all;
+        all.reserve(first.size() + second.size());
+        all.insert(all.end(), first.begin(), first.end());
+        all.insert(all.end(), second.begin(), second.end());
+        return all;
+    };
+    shape->triangles = joined(globe->triangles, edits.triangles);
+    shape->triangle_cells = joined(globe->triangle_cells, edits.triangle_cells);
+    shape->segments = joined(globe->segments, edits.segments);
+    shape->segment_sides = joined(globe->segment_sides, edits.segment_sides);
+    const auto& triangles = edits.replaced_triangles;
+    for (std::size_t i = 0; i < triangles.size(); i += 4)
+        std::copy_n(&triangles[i + 1], 3, &shape->triangles[std::size_t{3} * triangles[i]]);
+    const auto& segments = edits.replaced_segments;
+    for (std::size_t i = 0; i < segments.size(); i += 2)
+        shape->segments[std::size_t{2} * segments[i] + 1] = segments[i + 1];
+    shape->point_count = points;
+    return shape;
+}
 
 /// From longitude (from the middle) and latitude, in radians.
 Vec3 place_at(double longitude, double latitude) {
@@ -179,21 +209,15 @@ std::vector<Vec3> map_outline(const MapProjection& projection) {
 }
 
 SphereMap map_sphere(const std::shared_ptr<const Tessellation>& globe, const Points& points,
-                     const MapProjection& projection) {
+                     const MapProjection& projection, const SphereMap* last) {
     GASPARD_CHECK(points.size() == globe->point_count);
     SphereMap map;
     Cutter cutter(*globe, points, projection, map);
-    auto shape = std::make_shared<Tessellation>();
-    shape->base = globe;
-    shape->cuts = globe->cuts;
-    shape->triangles = globe->triangles;
-    shape->triangle_cells = globe->triangle_cells;
-    shape->segments = globe->segments;
-    shape->segment_sides = globe->segment_sides;
-    cutter.cut_triangles(*shape);
-    cutter.cut_segments(*shape);
-    shape->point_count = map.points.size();
-    map.tessellation = std::move(shape);
+    cutter.cut_triangles();
+    cutter.cut_segments();
+    const bool as_before = last && last->tessellation && last->tessellation->base == globe &&
+                           last->edits == map.edits && last->points.size() == map.points.size();
+    map.tessellation = as_before ? last->tessellation : edited(globe, map.edits, map.points.size());
     return map;
 }
 

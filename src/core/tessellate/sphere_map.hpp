@@ -35,16 +35,26 @@ struct MapCut {
     std::uint32_t a = 0, b = 0;
     double t = 0;
 };
+/// How a map's triangles and lines differ from the globe's: what has been replaced, and what has been added.
+struct MapEdits {
+    std::vector<std::uint32_t> replaced_triangles; ///< a triangle and its three points now
+    std::vector<std::uint32_t> triangles, triangle_cells;
+    std::vector<std::uint32_t> replaced_segments; ///< a segment and its second point now
+    std::vector<std::uint32_t> segments, segment_sides;
+    friend bool operator==(const MapEdits&, const MapEdits&) = default;
+};
 struct SphereMap {
     /// Triangles, lines and cells as on the globe, but for those that are cut. The first points are the
     /// globe's (`base`), then come those on the cut.
     std::shared_ptr<const Tessellation> tessellation;
     std::vector<MapCut> cuts;
     Points points;
+    MapEdits edits;
 };
-/// `points`: the globe's shown points, none of which lies at the origin.
+/// `points`: the globe's shown points, none of which lies at the origin. `last`: a map of the same globe,
+/// whose tessellation is taken over where the same triangles and lines are cut.
 SphereMap map_sphere(const std::shared_ptr<const Tessellation>& globe, const Points& points,
-                     const MapProjection& projection);
+                     const MapProjection& projection, const SphereMap* last = nullptr);
 /// Values of the globe's shown points and, between them, those at the cuts.
 std::vector<double> map_values(const SphereMap& map, std::span<const double> globe);
 

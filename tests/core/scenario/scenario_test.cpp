@@ -42,6 +42,19 @@ TEST_F(ScenarioTest, EveryBuiltinScenarioPassesAndPinsMethodAndStep) {
     EXPECT_EQ(find_scenario(catalogue, "walls-ring").domain.values.text("boundary"), "walls");
 }
 
+TEST_F(ScenarioTest, NamesAreSortedAndNumbersInThemBySize) {
+    std::vector<std::string> names;
+    for (const auto& builtin : builtin_scenarios()) names.emplace_back(builtin.name);
+    const auto place = [&](const char* name) { return std::find(names.begin(), names.end(), name); };
+    EXPECT_LT(place("plane-bell"), place("plane-ring"));
+    EXPECT_LT(place("plane-ring"), place("sphere-cross"));
+    EXPECT_LT(place("sphere-cross"), place("sphere-x2"));
+    EXPECT_LT(place("sphere-x2"), place("sphere-x4"));
+    EXPECT_LT(place("sphere-x4"), place("sphere-x8"));
+    EXPECT_LT(place("sphere-x8"), place("sphere-x16"));
+    EXPECT_LT(place("sphere-x16"), place("walls-ring"));
+}
+
 TEST_F(ScenarioTest, TomlReadsBackToTheSameScenario) {
     Scenario scenario = find_scenario(catalogue, "plane-bell");
     apply_settings(catalogue, scenario,

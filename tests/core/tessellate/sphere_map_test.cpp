@@ -119,6 +119,24 @@ TEST_P(MapOf, CellsOnTheCutAppearAtBothSidesWithTheirOwnArea) {
     }
 }
 
+TEST_P(MapOf, WhatIsCutAsBeforeKeepsItsTrianglesAndLines) {
+    const Mesh mesh = cubed_sphere_mesh(5);
+    const auto globe = std::make_shared<const Tessellation>(tessellate(mesh, 3));
+    const Points points = shown_points(*globe, mesh.nodes);
+    const SphereMap first = map_sphere(globe, points, projection_);
+    EXPECT_EQ(map_sphere(globe, points, projection_, &first).tessellation, first.tessellation);
+    for (const double turned : {1e-3, 0.3}) {
+        const MapProjection other{1, projection_.longitude + turned};
+        const SphereMap anew = map_sphere(globe, points, other),
+                        after = map_sphere(globe, points, other, &first);
+        EXPECT_EQ(after.tessellation->triangles, anew.tessellation->triangles);
+        EXPECT_EQ(after.tessellation->triangle_cells, anew.tessellation->triangle_cells);
+        EXPECT_EQ(after.tessellation->segments, anew.tessellation->segments);
+        EXPECT_EQ(after.tessellation->segment_sides, anew.tessellation->segment_sides);
+        EXPECT_EQ(after.points.x, anew.points.x);
+    }
+}
+
 TEST_P(MapOf, PointsOnTheCutLieBetweenTheirParents) {
     const Mesh mesh = cubed_sphere_mesh(5);
     const auto globe = std::make_shared<const Tessellation>(tessellate(mesh, 3));

@@ -1,0 +1,127 @@
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/interrupt_watch.hpp"
+#include "core/base/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/image.hpp"
+#include "core/io/run_files.hpp"
+#include "core/scenario/toml.hpp"
+#include "core/session/comparison.hpp"
+#include "core/session/run.hpp"
+#include "gui/picture.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+namespace gaspard {
+
+namespace {
+
+std::vector<std::string> split(const std::string& list) {
+    std::vector<std::string> names(1);
+    for (const char letter : list) {
+        if (letter == ',')
+            names.emplace_back();
+        else
+            names.back() += letter;
+    }
+    return names;
+}
+
+std::vector<std::string> chosen_methods(const Catalogue& catalogue, const Scenario& scenario,
+                                        const std::optional<std::string>& list) {
+    if (!list) return methods_for(catalogue, scenario);
+    std::vector<std::string> names;
+    for (const std::string& name : split(*list)) {
+        catalogue.method(name); // throws where there is none
+        if (std::find(names.begin(), names.end(), name) != names.end())
+            throw InputError("--methods names '" + name + "' twice");
+        check(catalogue, with_method(catalogue, scenario, name));
+        names.push_back(name);
+    }
+    return names;
+}
+
+void print_cells(const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const char* cell = cells[i].c_str();
+        if (i == 0)
+            std::printf("%-14s", cell);
+        else if (i + 1 < cells.size())
+            std::printf("%18s", cell);
+        else
+            std::printf("  %s\n", cell);
+    }
+    std::fflush(stdout);
+}
+
+/// What all methods made of it: the curves and the meshes.
+struct Outcome {
+    Plot residual{"Residual", {"iteration", false}, {"normalised residual", true}, {}};
+    Plot against_time{"Residual against time", {"CPU seconds", true}, {"normalised residual", true}, {}};
+    std::vector<Panel> meshes;
+
+    void add(const std::string& method, Run& run, const std::string& status) {
+        Curve curve{method, {}, {}}, timed{method, {}, {}};
+        for (const StepReport& report : run.history()) {
+            curve.x.push_back(report.iteration), curve.y.push_back(report.residual);
+            if (report.cpu_seconds <= 0) continue;
+            timed.x.push_back(report.cpu_seconds), timed.y.push_back(report.residual);
+        }
+        curve.colour = timed.colour = meshes.size();
+        residual.curves.push_back(std::move(curve));
+        against_time.curves.push_back(std::move(timed));
+        meshes.emplace_back(MeshPanel{.title = method + ": " + status,
+                                      .snapshot = run.snapshot(),
+                                      .colour = "monitor",
+                                      .blend = 1,
+                                      .camera = run.scenario().view.text("camera")});
+    }
+    Image draw() const {
+        std::vector<Panel> panels{residual, against_time};
+        panels.insert(panels.end(), meshes.begin(), meshes.end());
+        const int columns = panels.size() > 4 ? 4 : 2;
+        const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
+        return render_panels(panels, columns, 600 * columns, 600 * rows);
+    }
+};
+
+} // namespace
+
+int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArguments& arguments) {
+    const InterruptWatch interrupt;
+    Scenario scenario = find_scenario(*catalogue, arguments.scenario);
+    apply_settings(*catalogue, scenario, arguments.settings);
+    check(*catalogue, scenario);
+    const auto methods = chosen_methods(*catalogue, scenario, arguments.methods);
+    const std::filesystem::path folder =
+        arguments.out.empty() ? std::filesystem::path("gaspard-out") / (scenario.name + "-methods")
+                              : std::filesystem::path(arguments.out);
+    check_writable(folder);
+    std::vector<ComparisonRow> rows;
+    Outcome outcome;
+    print_cells(comparison_heads());
+    // One after the other, so that none takes the time of another.
+    for (const std::string& method : methods) {
+        if (interrupt.token().stop_requested()) break;
+        try {
+            Run run(catalogue, with_method(*catalogue, scenario, method),
+                    {.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))}, {},
+                    interrupt.token());
+            run.solve(interrupt.token());
+            rows.push_back(comparison_row(method, run.history()));
+            print_cells(comparison_cells(rows.back()));
+            write_atomically(folder / (method + ".csv"), history_csv(run.history()));
+            outcome.add(method, run, std::string(status_name(run.status())));
+        } catch (const Interrupted&) { // before its first iteration
+            break;
+        }
+    }
+    write_atomically(folder / "comparison.csv", comparison_csv(rows));
+    if (!arguments.no_render && !rows.empty()) write_png(folder / "comparison.png", outcome.draw());
+    std::printf("files in %s\n", folder.string().c_str());
+    return interrupt.token().stop_requested() ? exit_code(RunStatus::interrupted) : 0;
+}
+
+} // namespace gaspard

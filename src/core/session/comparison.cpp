@@ -1,0 +1,89 @@
+#include "core/session/comparison.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace gaspard {
+
+namespace {
+
+std::string fixed(double number, int decimals) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*f", decimals, number);
+    return text;
+}
+
+std::string two_digits(double number) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.1e", number);
+    return text;
+}
+
+} // namespace
+
+std::vector<std::string> methods_for(const Catalogue& catalogue, const Scenario& scenario) {
+    std::vector<std::string> names;
+    for (const MethodType& type : catalogue.methods)
+        if (find_capability(catalogue, with_method(catalogue, scenario, type.name)))
+            names.push_back(type.name);
+    return names;
+}
+
+Scenario with_method(const Catalogue& catalogue, const Scenario& scenario, const std::string& method) {
+    Scenario changed = scenario;
+    if (method == scenario.method.type) return changed;
+    changed.method = method_section(catalogue, method);
+    for (const ParameterRow& row : common_method_rows())
+        if (scenario.method.values.has(row.key))
+            changed.method.values.set(row.key, scenario.method.values.at(row.key));
+    return changed;
+}
+
+ComparisonRow comparison_row(const std::string& method, const std::vector<StepReport>& history) {
+    ComparisonRow row{.method = method};
+    if (history.empty()) return row;
+    for (const StepReport& report : history) row.inner_iterations += report.inner_iterations;
+    const StepReport& last = history.back();
+    row.iterations = last.iteration;
+    row.cpu_seconds = last.cpu_seconds;
+    row.residual = last.residual;
+    row.status = last.status;
+    const auto measured = std::find_if(history.rbegin(), history.rend(),
+                                       [](const StepReport& report) { return report.equidistribution; });
+    if (measured != history.rend())
+        row.equidistribution = measured->equidistribution, row.tangled_cells = measured->tangled_cells;
+    return row;
+}
+
+std::vector<std::string> comparison_heads() {
+    return {"method",   "iterations",       "inner iterations", "CPU seconds",
+            "residual", "equidistribution", "tangled cells",    "status"};
+}
+
+std::vector<std::string> comparison_cells(const ComparisonRow& row) {
+    if (row.status == RunStatus::preparing)
+        return {row.method, "", "", "", "", "", "", std::string(status_name(row.status))};
+    return {row.method,
+            std::to_string(row.iterations),
+            std::to_string(row.inner_iterations),
+            fixed(row.cpu_seconds, 3),
+            two_digits(row.residual),
+            row.equidistribution ? fixed(*row.equidistribution, 6) : "",
+            row.tangled_cells ? std::to_string(*row.tangled_cells) : "",
+            std::string(status_name(row.status))};
+}
+
+std::string comparison_csv(const std::vector<ComparisonRow>& rows) {
+    std::string text =
+        "method,iterations,inner_iterations,cpu_seconds,residual,equidistribution,tangled_cells,status\n";
+    for (const ComparisonRow& row : rows)
+        text += row.method + ',' + std::to_string(row.iterations) + ',' +
+                std::to_string(row.inner_iterations) + ',' + format_number(row.cpu_seconds) + ',' +
+                format_number(row.residual) + ',' +
+                (row.equidistribution ? format_number(*row.equidistribution) : "") + ',' +
+                (row.tangled_cells ? std::to_string(*row.tangled_cells) : "") + ',' +
+                std::string(status_name(row.status)) + '\n';
+    return text;
+}
+
+} // namespace gaspard

@@ -1,0 +1,100 @@
+#include "gui/monitor_handles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+const ParameterRow& row_of(const Values& values, const std::string& key) {
+    return *std::find_if(values.rows().begin(), values.rows().end(),
+                         [&](const ParameterRow& row) { return row.key == key; });
+}
+
+double rounded(double value, double digits) { return std::round(value * digits) / digits; }
+
+/// Within the range of its row, or round it.
+void put(Values& values, const std::string& key, double value, bool periodic) {
+    const ParameterRow& row = row_of(values, key);
+    const double span = row.maximum - row.minimum;
+    if (periodic && span > 0) value -= span * std::floor((value - row.minimum) / span);
+    values.set(key, std::clamp(value, row.minimum, row.maximum));
+}
+
+} // namespace
+
+std::vector<MonitorHandle> monitor_handles(const Scenario& scenario) {
+    const Values& values = scenario.monitor.values;
+    std::vector<MonitorHandle> handles;
+    const auto other_key = [&](const std::string& key, std::string_view ending, const char* other) {
+        if (!key.ends_with(ending)) return std::string();
+        const std::string second = key.substr(0, key.size() - ending.size()) + other;
+        return values.has(second) ? second : std::string();
+    };
+    for (const ParameterRow& row : values.rows()) {
+        if (const std::string y = other_key(row.key, "_x", "_y"); !y.empty())
+            handles.push_back({row.key, y, false, {values.real(row.key), values.real(y), 0}});
+        if (const std::string second = other_key(row.key, "_latitude", "_longitude"); !second.empty()) {
+            const double p = values.real(row.key) * degree, l = values.real(second) * degree;
+            handles.push_back(
+                {row.key, second, true, {std::cos(p) * std::cos(l), std::cos(p) * std::sin(l), std::sin(p)}});
+        }
+    }
+    return handles;
+}
+
+Scenario with_handle_at(const Scenario& scenario, const MonitorHandle& handle, Vec3 place) {
+    Scenario moved = scenario;
+    Values& values = moved.monitor.values;
+    if (handle.on_sphere) {
+        const double latitude = std::atan2(place.z, std::hypot(place.x, place.y)) / degree;
+        put(values, handle.first, rounded(latitude, 100), false);
+        put(values, handle.second, rounded(std::atan2(place.y, place.x) / degree, 100), true);
+        return moved;
+    }
+    const Values& domain = scenario.domain.values;
+    const bool periodic = domain.has("boundary") && domain.text("boundary") == "periodic";
+    put(values, handle.first, rounded(place.x, 10000), periodic);
+    put(values, handle.second, rounded(place.y, 10000), periodic);
+    return moved;
+}
+
+std::optional<Pixel> pixel_of(const MonitorHandle& handle, const PlannedPicture& shown) {
+    const MeshPicture& picture = shown.picture;
+    if (picture.blend <= 0) return std::nullopt;
+    if (picture.map && handle.on_sphere)
+        return to_pixel(shown.camera, shown.size(), to_map(*picture.map, handle.place));
+    if (handle.on_sphere != (picture.ball > 0)) return std::nullopt;
+    if (!handle.on_sphere) return to_pixel(shown.camera, shown.size(), handle.place);
+    if (dot(handle.place, towards_viewer(shown.camera)) <= 0) return std::nullopt;
+    return to_pixel(shown.camera, shown.size(), picture.ball * handle.place);
+}
+
+std::optional<Vec3> place_under(const MonitorHandle& handle, const PlannedPicture& shown, Pixel pixel) {
+    const MeshPicture& picture = shown.picture;
+    const Vec3 there = to_world(shown.camera, shown.size(), pixel);
+    if (picture.map) return from_map(*picture.map, there);
+    if (!handle.on_sphere) return there;
+    const Vec3 viewer = towards_viewer(shown.camera);
+    const Vec3 in_picture = (1 / picture.ball) * (there - dot(there, viewer) * viewer);
+    const double away = norm(in_picture);
+    if (away >= 1) return (1 / away) * in_picture;
+    return in_picture + std::sqrt(1 - away * away) * viewer;
+}
+
+void draw_handle(ImDrawList& list, ImVec2 at, bool lit, const Theme& theme, float scale) {
+    const float radius = (lit ? 9.0F : 7.0F) * scale, arm = 4 * scale;
+    const std::pair<float, ImU32> strokes[] = {{4.5F, packed(theme.background, lit ? 1.0F : 0.75F)},
+                                               {lit ? 2.2F : 1.6F, packed(theme.text, lit ? 1.0F : 0.8F)}};
+    for (const auto& [width, ink] : strokes) {
+        list.AddCircle(at, radius, ink, 32, width * scale);
+        list.AddLine({at.x - arm, at.y}, {at.x + arm, at.y}, ink, width * scale);
+        list.AddLine({at.x, at.y - arm}, {at.x, at.y + arm}, ink, width * scale);
+    }
+}
+
+} // namespace gaspard

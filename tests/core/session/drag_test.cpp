@@ -1,0 +1,103 @@
+// A monitor that is dragged across the plane, as the window does it with the mouse: values of a centre that
+// moves by 0.1 of the domain a second, sixty times a second. What comes out must be smooth to look at and
+// adapted.
+#include "core/base/stopwatch.hpp"
+#include "core/scenario/toml.hpp"
+#include "core/session/solver_thread.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <gtest/gtest.h>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace gaspard {
+namespace {
+
+struct Drag {
+    int snapshots = 0;
+    double seconds = 0, worst = 0; ///< residual
+    double longest = 0;            ///< seconds between two snapshots
+    double solved = -1;            ///< seconds after release until the residual is below 1e-8; -1: never
+};
+
+Drag drag(const std::string& scenario_name, const std::string& method, double seconds) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Scenario scenario = find_scenario(*catalogue, scenario_name);
+    apply_settings(*catalogue, scenario, {"method.type=" + method, "monitor.center_x=0.4"});
+
+    std::mutex mutex;
+    bool dragging = false;
+    Drag result;
+    Stopwatch since_last;
+    SolverThread::Options options;
+    options.before_publishing = [&](const Snapshot& snapshot) {
+        std::lock_guard lock(mutex);
+        if (!dragging) return;
+        ++result.snapshots;
+        result.worst = std::max(result.worst, snapshot.report.residual);
+        result.longest = std::max(result.longest, since_last.seconds());
+        since_last = {};
+    };
+    SolverThread solver(catalogue, scenario, std::move(options));
+    const auto wait = [&](double most) {
+        const Stopwatch watch;
+        std::uint64_t number = solver.status().answered;
+        for (; watch.seconds() < most; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+            solver.drain();
+            if (solver.status().run == RunStatus::converged && solver.status().answered == number)
+                return true;
+        }
+        return false;
+    };
+    EXPECT_TRUE(wait(60)) << "solved before the drag";
+
+    std::uint64_t number = 0;
+    const Stopwatch watch;
+    {
+        std::lock_guard lock(mutex);
+        dragging = true;
+        since_last = {};
+    }
+    while (watch.seconds() < seconds) {
+        scenario.monitor.values.set("center_x", 0.4 + 0.1 * watch.seconds());
+        solver.post(ChangeCommand{scenario, ++number});
+        solver.drain();
+        std::this_thread::sleep_for(std::chrono::microseconds(16667));
+    }
+    {
+        std::lock_guard lock(mutex);
+        dragging = false;
+        result.seconds = watch.seconds();
+    }
+    const Stopwatch released;
+    for (; released.seconds() < 10; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+        solver.drain();
+        const SolverStatus status = solver.status();
+        if (status.answered == number && status.run == RunStatus::converged) {
+            result.solved = released.seconds();
+            break;
+        }
+    }
+    std::printf("%s, %s: %.0f snapshots/s, at most %.0f ms apart, residual at most %.1e, 1e-8 after %.3f s\n",
+                scenario_name.c_str(), method.c_str(), result.snapshots / result.seconds,
+                1000 * result.longest, result.worst, result.solved);
+    return result;
+}
+
+TEST(Dragging, TheMeshFollowsTheMonitor) {
+    for (const auto& [scenario, method] :
+         {std::pair("plane-ring", "auto"), std::pair("plane-bell", "auto"), std::pair("walls-ring", "auto"),
+          std::pair("plane-ring", "newton"), std::pair("plane-ring", "accelerated")}) {
+        const Drag result = drag(scenario, method, 1);
+        EXPECT_GE(result.snapshots, 30 * result.seconds) << scenario << ", " << method;
+        EXPECT_LT(result.worst, 1e-2) << scenario << ", " << method;
+        EXPECT_GE(result.solved, 0) << scenario << ", " << method;
+        EXPECT_LT(result.solved, 1) << scenario << ", " << method;
+    }
+}
+
+} // namespace
+} // namespace gaspard

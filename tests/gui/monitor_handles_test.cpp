@@ -1,0 +1,129 @@
+// Centres of monitors that the mouse takes along.
+#include "application_fixture.hpp"
+#include "globes.hpp"
+#include "gui/monitor_handles.hpp"
+#include "plan_fixture.hpp"
+
+#include <cmath>
+
+namespace gaspard {
+namespace {
+
+class HandleTest : public PlanFixture {
+  protected:
+    HandleTest() : PlanFixture("", {{0, 0}, {900, 600}}) {}
+    Scenario with(const std::string& name, const std::vector<std::string>& settings) const {
+        Scenario scenario = find_scenario(catalogue, name);
+        apply_settings(catalogue, scenario, settings);
+        return scenario;
+    }
+    const Catalogue catalogue = builtin_catalogue();
+};
+
+TEST_F(HandleTest, EveryPlaceOfAMonitorHasOne) {
+    const auto ring = monitor_handles(with("plane-ring", {"monitor.center_x=0.3"}));
+    ASSERT_EQ(ring.size(), 1U);
+    EXPECT_EQ(ring[0].place, (Vec3{0.3, 0.5, 0}));
+    const auto cross = monitor_handles(find_scenario(catalogue, "sphere-cross"));
+    ASSERT_EQ(cross.size(), 2U);
+    EXPECT_NEAR(norm(cross[0].place - Vec3{std::sqrt(0.75), 0, 0.5}), 0, 1e-12);
+    EXPECT_TRUE(monitor_handles(with("plane-ring", {"monitor.type=constant"})).empty());
+}
+
+TEST_F(HandleTest, MovesRoundAPeriodicPlaneAndStaysWithinWalls) {
+    const Scenario periodic = find_scenario(catalogue, "plane-ring");
+    const auto handle = monitor_handles(periodic).front();
+    const Scenario moved = with_handle_at(periodic, handle, {1.25, -0.125, 0});
+    EXPECT_EQ(moved.monitor.values.real("center_x"), 0.25);
+    EXPECT_EQ(moved.monitor.values.real("center_y"), 0.875);
+    EXPECT_NO_THROW(check(catalogue, moved));
+    const Scenario walls = with_handle_at(find_scenario(catalogue, "walls-ring"), handle, {1.25, -0.125, 0});
+    EXPECT_EQ(walls.monitor.values.real("center_x"), 1);
+    EXPECT_EQ(walls.monitor.values.real("center_y"), 0);
+    const Scenario sphere = find_scenario(catalogue, "sphere-x2");
+    const auto pole = monitor_handles(sphere).front();
+    for (const Vec3 place : {Vec3{0, 0, 1}, {0, 0, -1}, {-1, 0, 0}, {0.6, -0.8, 0}}) {
+        const Scenario there = with_handle_at(sphere, pole, place);
+        EXPECT_NEAR(norm(monitor_handles(there).front().place - place), 0, 2e-4);
+        EXPECT_NO_THROW(check(catalogue, there));
+    }
+}
+
+TEST_F(HandleTest, APixelMeansThePlaceThatIsSeenThere) {
+    MonitorHandle handle = monitor_handles(find_scenario(catalogue, "plane-ring")).front();
+    const PlannedPicture plane = plan(ring_snapshot(8)).pictures[0];
+    const auto there = pixel_of(handle, plane);
+    ASSERT_TRUE(there);
+    EXPECT_NEAR(norm(*place_under(handle, plane, *there) - handle.place), 0, 1e-9);
+
+    handle = monitor_handles(find_scenario(catalogue, "sphere-x2")).front();
+    EXPECT_FALSE(pixel_of(handle, plane)) << "of another domain";
+    const Snapshot globe = xn_globe(cubed_globe(4, 2), 2);
+    for (const char* layout : {"single", "map", "front-and-rear"}) {
+        view_.set("layout", std::string(layout));
+        int seen = 0;
+        for (const PlannedPicture& shown : plan(globe).pictures)
+            for (int i = 0; i < 12; ++i) {
+                const double l = 0.55 * i, p = 0.2 * i - 1.1;
+                handle.place = {std::cos(p) * std::cos(l), std::cos(p) * std::sin(l), std::sin(p)};
+                const auto pixel = pixel_of(handle, shown);
+                if (!pixel) continue;
+                ++seen;
+                const auto back = place_under(handle, shown, *pixel);
+                ASSERT_TRUE(back);
+                EXPECT_NEAR(norm((1 / norm(*back)) * *back - handle.place), 0, 1e-6) << layout;
+            }
+        EXPECT_GE(seen, layout == std::string("single") ? 3 : 12) << layout;
+    }
+    view_.set("layout", std::string("single"));
+    const PlannedPicture shown = plan(globe).pictures[0];
+    EXPECT_NEAR(norm(*place_under(handle, shown, {0, 0})), 1, 1e-12) << "beside the globe its limb";
+    EXPECT_NEAR(dot(*place_under(handle, shown, {0, 0}), towards_viewer(shown.camera)), 0, 1e-12);
+}
+
+using HandleApplicationTest = ApplicationTest;
+
+TEST_F(HandleApplicationTest, TheMeshFollowsADraggedCentre) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
+    frame();
+    const Camera before = shown().camera;
+    const ItemRectangle centre = application.items().find("handle.center_x")->second;
+    ui.move(centre.left, centre.top);
+    frame();
+    ui.button(true);
+    frame();
+    const float step = static_cast<float>(0.02 / before.scale);
+    for (int i = 1; i <= 10; ++i) {
+        ui.move(centre.left + static_cast<float>(i) * step, centre.top - static_cast<float>(i) * step);
+        frame();
+    }
+    ui.button(false);
+    frame();
+    frame();
+    EXPECT_NEAR(run().scenario.monitor.values.real("center_x"), 0.7, 0.01);
+    EXPECT_NEAR(run().scenario.monitor.values.real("center_y"), 0.7, 0.01);
+    EXPECT_EQ(shown().camera, before) << "the picture stays";
+    EXPECT_EQ(look().text("pick"), "") << "nothing is picked";
+    ASSERT_TRUE(wait_until([&] { return run().answered == run().asked && run().ended(); }));
+    EXPECT_EQ(run().status.run, RunStatus::converged);
+    EXPECT_EQ(run().status.scenario->monitor, run().scenario.monitor);
+    const ItemRectangle now = application.items().find("handle.center_x")->second;
+    EXPECT_NEAR(now.left, centre.left + 10 * step, 1.5F);
+
+    ui.drag(application.viewport_rectangle(), 0.3F, 0.4F, drawing()); // beside it
+    frame();
+    EXPECT_NE(shown().camera, before) << "pans as ever";
+}
+
+TEST_F(HandleApplicationTest, AClickOnAHandlePicksWhatLiesBelow) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
+    frame();
+    const Scenario before = run().scenario;
+    ui.click(application.items().find("handle.center_x")->second, drawing());
+    frame();
+    EXPECT_EQ(run().scenario, before);
+    EXPECT_NE(look().text("pick"), "");
+}
+
+} // namespace
+} // namespace gaspard
