@@ -79,9 +79,14 @@ std::string summary_json(Run& run) {
     json["peak_memory_bytes"] = peak_memory_bytes();
     json["version"] = version();
     int inner = 0;
-    for (const auto& row : run.history()) inner += row.inner_iterations;
+    std::string notes;
+    for (const auto& row : run.history()) {
+        inner += row.inner_iterations;
+        if (row.note.empty()) continue;
+        notes += (notes.empty() ? "" : "; ") + std::to_string(row.iteration) + ": " + row.note;
+    }
     json["inner_iterations"] = inner;
-    json["note"] = last.note;
+    json["note"] = notes; // of all iterations that have one
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t memory = 10;      ///< differences that Anderson's method remembers
 constexpr double least_convexity = 0.1; ///< of that before a step; less is not taken
 constexpr double largest_growth = 10;   ///< of the residual in a step
+constexpr int longest_wait = 4;         ///< plain steps between two attempts of Anderson's
 
 class AndersonStepper final : public Stepper {
   public:
@@ -22,6 +23,7 @@ class AndersonStepper final : public Stepper {
         anderson_.emplace(equation.unknowns(), memory);
         direction_.resize(equation.unknowns());
         next_.resize(equation.unknowns());
+        failures_ = waiting_ = 0;
     }
 
     Iterate step(const Monitor& monitor, std::vector<double>& phi, const Iterate& now,
@@ -30,18 +32,30 @@ class AndersonStepper final : public Stepper {
             return next.evaluation.residual < largest_growth * now.evaluation.residual &&
                    next.shape.convexity > least_convexity * now.shape.convexity;
         };
+        bool forget = false;
         double length = stable_step(now.shape);
         equation_->direction(direction_);
         anderson_->propose(phi, direction_, equation_->residual(), length, next_);
         std::swap(phi, next_); // next_ keeps the iterate from which the step is made
-        Iterate next = look(*equation_, monitor, phi);
-        next.evaluation.step_size = length;
-        if (acceptable(next)) return next;
+        Iterate next;
+        if (waiting_ == 0) {
+            next = look(*equation_, monitor, phi);
+            next.evaluation.step_size = length;
+            if (acceptable(next)) {
+                failures_ = 0;
+                return next;
+            }
+            waiting_ = std::min(failures_, longest_wait);
+            ++failures_;
+            forget = true;
+        } else {
+            --waiting_;
+        }
 
         // A plain one; shorter, as long as there is convexity to lose.
         int halvings = now.shape.convexity > 0 ? 4 : 0;
         if (anderson_->count() == 0) length /= 2, halvings = std::max(0, halvings - 1);
-        anderson_->forget_differences();
+        if (forget) anderson_->forget_differences();
         for (;; length /= 2, --halvings) {
             for (std::size_t i = 0; i < phi.size(); ++i) phi[i] = next_[i] + length * direction_[i];
             next = look(*equation_, monitor, phi);
@@ -54,6 +68,7 @@ class AndersonStepper final : public Stepper {
     Equation* equation_ = nullptr;
     std::optional<Anderson> anderson_;
     std::vector<double> direction_, next_;
+    int failures_ = 0, waiting_ = 0; ///< of his steps in a row; plain steps to make before the next one
 };
 
 } // namespace

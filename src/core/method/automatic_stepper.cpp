@@ -1,8 +1,9 @@
 // Chooses between Anderson's steps and Newton's by what the iterations show, never by clocks, so that runs
 // repeat. Anderson's are tried first, as they cost least. After some of them, what is still ahead is
 // predicted from the rate at which the residual has decreased; where Newton's method is expected to be done
-// with less work, it takes over and stays until the mesh is done. Work is counted in evaluations of the
-// equation, of which an inner iteration of the linear solver is worth two.
+// with less work, it takes over and stays until the mesh is done. Near a solution its work follows from the
+// condition of the linearised equation. Far from one it has to go along its path, which begins at the uniform
+// mesh; so it takes over only after Anderson's method has had as many iterations as that path is worth.
 #include "core/method/stepper.hpp"
 
 #include <algorithm>
@@ -16,7 +17,11 @@ namespace gaspard {
 namespace {
 
 constexpr std::size_t window = 8; ///< iterations over which the rate is taken
-constexpr double inner_work = 2;  ///< of an inner iteration
+constexpr double far = 0.3;       ///< a residual from which Newton's method has to go along its path
+// Measured, in Anderson's iterations: Newton's path for a monitor of contrast c is worth path_work log c; an
+// inner iteration inner_work, a step of Newton's step_work on top of those. For each decade of the residual
+// it takes condition^inner_growth inner iterations, roughly.
+constexpr double path_work = 30, inner_work = 1.4, inner_growth = 0.4, step_work = 2.5;
 
 class AutomaticStepper final : public Stepper {
   public:
@@ -25,20 +30,37 @@ class AutomaticStepper final : public Stepper {
     void begin(Equation& equation, double target) override {
         equation_ = &equation;
         target_ = target;
+        iterations_ = 0;
         choose(false);
-        begun_ = false;
     }
 
     Iterate step(const Monitor& monitor, std::vector<double>& phi, const Iterate& now,
                  std::stop_token stop) override {
         std::string note;
-        if (!std::exchange(begun_, true)) note = "accelerated relaxation first";
+        Iterate from = now;
+        if (iterations_ == 0) {
+            note = "accelerated relaxation first";
+            condition_ = condition(now);
+            may_start_anew_ = std::all_of(phi.begin(), phi.end(), [](double value) { return value == 0; });
+        }
         if (!use_newton_ && newton_is_worth_it(now)) {
             choose(true);
             note = "Newton's method takes over";
+            if (now.evaluation.residual > far && may_start_anew_) {
+                note += " from the uniform mesh on";
+                from = start_anew(monitor, phi);
+            }
         }
-        Iterate next = (use_newton_ ? newton_ : anderson_)->step(monitor, phi, now, stop);
-        next.lost = false; // Newton's method relaxes then, and tries again
+        Iterate next = (use_newton_ ? newton_ : anderson_)->step(monitor, phi, from, stop);
+        if (next.lost && may_start_anew_) {
+            next.evaluation.note += "; Newton's method from the uniform mesh on";
+            const Evaluation lost = next.evaluation;
+            next = start_anew(monitor, phi);
+            next.evaluation.step_size = lost.step_size;
+            next.evaluation.inner_iterations = lost.inner_iterations;
+            next.evaluation.note = lost.note;
+        }
+        ++iterations_;
         residuals_.push_back(next.evaluation.residual);
         if (residuals_.size() > window + 1) residuals_.pop_front();
         if (!note.empty() && !next.evaluation.note.empty()) note += "; ";
@@ -47,29 +69,52 @@ class AutomaticStepper final : public Stepper {
     }
 
   private:
+    /// Newton's path begins at the uniform mesh.
+    Iterate start_anew(const Monitor& monitor, std::vector<double>& phi) {
+        may_start_anew_ = false;
+        choose(true);
+        std::fill(phi.begin(), phi.end(), 0.0);
+        return look(*equation_, monitor, phi);
+    }
+
     void choose(bool newton) {
         use_newton_ = newton;
         residuals_.clear();
         (newton ? newton_ : anderson_)->begin(*equation_, target_);
     }
 
+    /// Of the linearised equation relative to the Laplacian; of the monitor, for the uniform mesh.
+    static double condition(const Iterate& now) {
+        constexpr double not_convex = 1e4; // where it is not defined
+        return now.shape.slowest > 0 ? now.shape.fastest / now.shape.slowest : not_convex;
+    }
+
     bool newton_is_worth_it(const Iterate& now) const {
         const double residual = now.evaluation.residual;
-        if (residuals_.size() <= window || !(now.shape.slowest > 0)) return false;
+        if (residuals_.size() <= window) return false;
         const double rate = std::pow(residual / residuals_.front(), 1.0 / static_cast<double>(window));
-        const double far = std::log(target_ / residual);
-        const double anderson = rate < 1 ? far / std::log(rate) : std::numeric_limits<double>::infinity();
-        // Inner iterations grow with the root of the condition number, which the preconditioner halves.
-        const double inner = 4 + 2 * std::sqrt(now.shape.fastest / now.shape.slowest);
-        const double steps =
-            residual < 0.3 ? 1 + std::log2(far / std::log(residual)) : 8 - 2 * std::log(residual);
-        return anderson > inner_work * inner * steps;
+        const auto anderson = [&](double to) {
+            if (residual <= to) return 0.0;
+            return rate < 1 ? std::log(to / residual) / std::log(rate)
+                            : std::numeric_limits<double>::infinity();
+        };
+        if (residual > far) {
+            const double path = path_work * std::log(condition_);
+            return iterations_ > path && anderson(far) > path / 2;
+        }
+        const double inner =
+            inner_work * std::pow(condition(now), inner_growth) * std::log10(residual / target_);
+        const double steps = 1 + std::log2(std::max(1.0, std::log(target_ / residual) / std::log(residual)));
+        return anderson(target_) > inner + step_work * steps;
     }
 
     Equation* equation_ = nullptr;
     double target_ = 0;
     std::unique_ptr<Stepper> anderson_, newton_;
-    bool use_newton_ = false, begun_ = false;
+    bool use_newton_ = false;
+    int iterations_ = 0;           ///< on this mesh
+    bool may_start_anew_ = false;  ///< the way has begun at the uniform mesh, and not gone back there
+    double condition_ = 0;         ///< before it
     std::deque<double> residuals_; ///< of the last iterates, on this mesh
 };
 

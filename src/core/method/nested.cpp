@@ -75,7 +75,7 @@ Evaluation Nested::step(const Monitor& monitor, State& state, std::stop_token st
     const Evaluation update = now_.evaluation;
     const bool late = iterations_here_ >= coarse_iterations;
     const bool lost = now_.lost || !(update.residual < hopeless);
-    const bool arrived = update.residual < enough_ || (late && update.residual < far);
+    const bool arrived = update.residual < enough_ || ((late || lost) && update.residual < far);
     if (level_ > 0 && (arrived || late || lost) && !stop.stop_requested()) go_up(arrived, monitor, state);
     Evaluation evaluation = now_.evaluation;
     evaluation.step_size = update.step_size;
@@ -117,7 +117,7 @@ void Nested::go_to(std::size_t level, const std::vector<double>& phi, const Moni
 void Nested::go_up(bool arrived, const Monitor& monitor, State& state) {
     const std::size_t next = level_ - 1;
     if (arrived) go_to(next, here().potential(state), monitor, state);
-    if (arrived && now_.shape.convexity > 0) {
+    if (arrived && (now_.shape.convexity > 0 || now_.evaluation.residual < far)) {
         if (level_ > 0 && now_.evaluation.residual < enough_)
             go_up(true, monitor, state); // nothing to do here
         return;

@@ -23,13 +23,13 @@ namespace {
 
 constexpr double least_convexity = 0.1; ///< of that before a step; less is not taken
 constexpr double close = 0.3;           ///< residual of m^t up to which a step has led to a solution for m^t
-constexpr double aim = 0.05;            ///< residual of m^t that the next t is chosen for
+constexpr double aim = 0.1;             ///< residual of m^t that the next t is chosen for
 constexpr double shortest = 1.0 / 64;   ///< part of a step that is tried
 constexpr double least_advance = 1e-3;  ///< of t
-constexpr double loosest = 1e-2;        ///< tolerance of the linear solver
+constexpr double loosest = 0.1;         ///< tolerance of the linear solver
 constexpr std::size_t memory = 30;      ///< of GMRES
-constexpr int most_inner = 300;
-constexpr int shortest_rest = 8, longest_rest = 128; ///< relaxations between two attempts
+constexpr int most_inner = 300, most_inner_far = 100; ///< near a solution, else
+constexpr int shortest_rest = 8, longest_rest = 128;  ///< relaxations between two attempts
 
 std::string power(double t) {
     char text[32];
@@ -83,11 +83,13 @@ class NewtonStepper final : public Stepper {
         equation_->linearise(monitor, Equation::Linearised::fully);
         // As exact as convergence can make use of, and as the last step needs.
         const double tolerance = std::clamp(residual, std::min(loosest, 0.1 * target_ / residual), loosest);
-        const auto result = gmres_->solve([&](auto v, auto out) { equation_->derivative(v, out); },
-                                          [&](auto v, auto out) { equation_->precondition(v, out); },
-                                          equation_->residual(), update_, {tolerance, most_inner}, stop);
+        const bool far = residual > close; // where many iterations mean that there is a better way
+        const auto result =
+            gmres_->solve([&](auto v, auto out) { equation_->derivative(v, out); },
+                          [&](auto v, auto out) { equation_->precondition(v, out); }, equation_->residual(),
+                          update_, {tolerance, far ? most_inner_far : most_inner}, stop);
         inner_ += result.iterations;
-        return std::isfinite(result.residual);
+        return std::isfinite(result.residual) && (result.converged || !far);
     }
     void go(std::vector<double>& phi, double length) {
         for (std::size_t i = 0; i < phi.size(); ++i) phi[i] = before_[i] + length * update_[i];

@@ -10,10 +10,11 @@ MonitorType x_n_monitor();
 MonitorType cross_monitor();
 MonitorType ring_and_bell_monitor();
 MonitorType random_bells_monitor();
+MonitorType random_waves_monitor();
 
 std::vector<MonitorType> monitor_types() {
-    return {ring_monitor(),  bell_monitor(),          constant_monitor(),    x_n_monitor(),
-            cross_monitor(), ring_and_bell_monitor(), random_bells_monitor()};
+    return {ring_monitor(),  bell_monitor(),          constant_monitor(),     x_n_monitor(),
+            cross_monitor(), ring_and_bell_monitor(), random_bells_monitor(), random_waves_monitor()};
 }
 
 } // namespace gaspard

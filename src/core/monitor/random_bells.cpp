@@ -4,17 +4,12 @@
 //   A_i = A a_i, 1/4 <= a_i <= 1;   B_i = B b_i, 1/2 <= b_i <= 2;   c_i uniform over the domain
 #include "core/monitor/geodesic.hpp"
 #include "core/monitor/radial.hpp"
+#include "core/monitor/random.hpp"
 #include "core/monitor/sum.hpp"
-
-#include <numbers>
-#include <random>
 
 namespace gaspard {
 
 namespace {
-
-/// Uniform in [0, 1); the standard's distributions differ between libraries, its generators do not.
-double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
 std::shared_ptr<const Monitor> make_random_bells(const Values& values, const Space& space) {
     std::mt19937_64 random(static_cast<std::uint64_t>(values.integer("seed")));
@@ -24,10 +19,8 @@ std::shared_ptr<const Monitor> make_random_bells(const Values& values, const Spa
         const double sharpness = values.real("sharpness") * std::exp2(2 * uniform(random) - 1);
         const double u = uniform(random), v = uniform(random);
         if (space.kind == SpaceKind::sphere) {
-            const double z = 2 * u - 1, across = std::sqrt(1 - z * z), angle = 2 * std::numbers::pi * v;
-            const Vec3 centre{across * std::cos(angle), across * std::sin(angle), z};
             bells.push_back(std::make_shared<GeodesicMonitor<SechProfile>>(
-                1.0, SechProfile{amplitude, sharpness, 0}, std::vector{centre}));
+                1.0, SechProfile{amplitude, sharpness, 0}, std::vector{direction_from(u, v)}));
         } else {
             bells.push_back(std::make_shared<SechMonitor>(
                 SechMonitor::Parameters{amplitude, sharpness, 0, {u, v, 0}}, space));
@@ -52,23 +45,16 @@ MonitorType random_bells_monitor() {
                     ParameterRow sharpness = sharpness_row(sphere ? 10.0 : 100.0, "0.94 / sqrt(B)",
                                                            sphere ? "1/radian^2" : "1/length^2");
                     sharpness.help = "larger is narrower; the bells have between half and twice of it";
-                    return std::vector<ParameterRow>{
-                        {.key = "seed",
-                         .label = "Seed",
-                         .kind = ParameterKind::integer,
-                         .minimum = 0,
-                         .maximum = 1e9,
-                         .default_value = std::int64_t{1},
-                         .help = "chooses places, heights and widths; the option --seed of run sets it"},
-                        {.key = "count",
-                         .label = "Bells",
-                         .kind = ParameterKind::integer,
-                         .minimum = 1,
-                         .maximum = 100,
-                         .default_value = std::int64_t{8},
-                         .help = "how many there are"},
-                        amplitude,
-                        sharpness};
+                    return std::vector<ParameterRow>{seed_row("places, heights and widths"),
+                                                     {.key = "count",
+                                                      .label = "Bells",
+                                                      .kind = ParameterKind::integer,
+                                                      .minimum = 1,
+                                                      .maximum = 100,
+                                                      .default_value = std::int64_t{8},
+                                                      .help = "how many there are"},
+                                                     amplitude,
+                                                     sharpness};
                 },
             .make = make_random_bells};
 }

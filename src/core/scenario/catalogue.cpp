@@ -42,7 +42,7 @@ std::string boundary_of(const Scenario& scenario) {
 Capability plane_capability() {
     return {.domain = "plane",
             .boundaries = {"periodic", "walls"},
-            .monitors = {"ring", "bell", "ring-and-bell", "random-bells", "constant"},
+            .monitors = {"ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant"},
             .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
             .prepare = [](const Values& domain, const Progress& progress,
                           std::stop_token) -> std::shared_ptr<const Discretisation> {
@@ -55,7 +55,8 @@ Capability plane_capability() {
 Capability sphere_capability(const std::string& domain_type) {
     return {.domain = domain_type,
             .boundaries = {},
-            .monitors = {"x-n", "cross", "ring", "bell", "ring-and-bell", "random-bells", "constant"},
+            .monitors = {"x-n", "cross", "ring", "bell", "ring-and-bell", "random-bells", "random-waves",
+                         "constant"},
             .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
             .prepare = [](const Values& domain, const Progress& progress,
                           std::stop_token stop) -> std::shared_ptr<const Discretisation> {

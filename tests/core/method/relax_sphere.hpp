@@ -14,10 +14,14 @@ namespace gaspard {
 /// The method with its step size, or with "auto".
 inline std::unique_ptr<Method> make_method(const std::string& name, std::shared_ptr<const Discretisation> of,
                                            std::optional<double> step_size) {
-    const MethodType type = name == "relaxation" ? relaxation_method() : accelerated_method();
-    Values values("method", type.rows);
-    if (step_size && values.has("step_size")) values.set("step_size", *step_size);
-    return type.make(std::move(of), values, {}, {});
+    for (const MethodType& type :
+         {relaxation_method(), accelerated_method(), newton_method(), automatic_method()}) {
+        if (type.name != name) continue;
+        Values values("method", type.rows);
+        if (step_size && values.has("step_size")) values.set("step_size", *step_size);
+        return type.make(std::move(of), values, {}, {});
+    }
+    return nullptr;
 }
 
 struct OnSurface {

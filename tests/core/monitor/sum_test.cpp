@@ -2,6 +2,7 @@
 #include "core/monitor/sum.hpp"
 #include "support/built_in.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -79,9 +80,28 @@ TEST(RandomBells, AreThoseOfTheFirstDay) { // the numbers of MT19937-64, from an
     EXPECT_NEAR(values[0], 208.5201017, 1e-6);
 }
 
+TEST(RandomWaves, HaveTheContrastAskedForAndFitThePeriodicSquare) {
+    for (const auto& [name, space] : places) {
+        SCOPED_TRACE(name);
+        const auto monitor = make_monitor("random-waves", space, {{"seed", 5}, {"contrast", 300}});
+        const Points x = points_of(space);
+        const auto m = values_of(*monitor, x);
+        EXPECT_NE(m, values_of(*make_monitor("random-waves", space, {{"seed", 6}, {"contrast", 300}}), x));
+        const auto [least, largest] = std::minmax_element(m.begin(), m.end());
+        EXPECT_GT(*least, 0.8);
+        EXPECT_LT(*largest, 300 * 1.3);
+        EXPECT_GT(*largest / *least, 10);
+        if (space.kind == SpaceKind::sphere) continue;
+        Points moved = x;
+        for (std::size_t i = 0; i < x.size(); ++i) moved.set(i, x[i] + Vec3{1, -2, 0});
+        const auto same = values_of(*monitor, moved);
+        for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(same[i], m[i], 1e-10 * m[i]);
+    }
+}
+
 TEST(Sums, HaveTheGradientsOfTheirValues) {
     for (const auto& [name, space] : places)
-        for (const char* type : {"ring-and-bell", "random-bells"}) {
+        for (const char* type : {"ring-and-bell", "random-bells", "random-waves"}) {
             const auto monitor = make_monitor(type, space);
             const Points x = points_of(space);
             Points gradients;
