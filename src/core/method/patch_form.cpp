@@ -38,12 +38,22 @@ std::vector<double> transferred(const KnotVector& from, const KnotVector& to, st
 
 PatchForm::PatchForm(std::shared_ptr<const SplineDomain> domain, Formulation formulation, std::size_t cells)
     : domain_(std::move(domain)), formulation_(formulation), cells_(cells),
-      form_(make_form(domain_->degree(), cells, formulation)), nodes_(form_->line(), domain_->node_lines()),
-      room_(form_->make_room()) {}
+      form_(make_form(domain_->degree(), cells, formulation)), identity_(form_->identity()),
+      nodes_(form_->line(), domain_->node_lines()), room_(form_->make_room()) {}
 
 std::string PatchForm::layout() const {
     return std::string("spline ") + (formulation_ == Formulation::standard ? "standard" : "mixed") +
            " p=" + std::to_string(domain_->degree()) + " n=" + std::to_string(cells_);
+}
+
+void PatchForm::add_identity(std::span<const double> phi, std::span<double> whole) const {
+    for (std::size_t i = 0; i < identity_.size(); ++i) whole[i] = phi[i] + identity_[i];
+}
+
+std::vector<double> PatchForm::without_identity(std::span<const double> whole) const {
+    std::vector<double> phi(whole.begin(), whole.end());
+    for (std::size_t i = 0; i < identity_.size(); ++i) phi[i] -= identity_[i];
+    return phi;
 }
 
 std::vector<double> PatchForm::adopt(const std::string& layout, std::span<const double> phi) const {
@@ -63,10 +73,10 @@ std::vector<double> PatchForm::adopt(const std::string& layout, std::span<const 
     return transferred(from, form_->space(), phi);
 }
 
-void PatchForm::positions(std::span<const double> phi, Points& x) {
+void PatchForm::positions(std::span<const double> whole, Points& x) {
     const std::size_t side = nodes_.points.size();
     psi_.resize(side * side);
-    form_->expand(phi, SplineForm::Border::given, nodes_, 2, room_);
+    form_->expand(whole, SplineForm::Border::given, nodes_, 2, room_);
     for (std::size_t j = 0; j < side; ++j)
         form_->row(nodes_, j, 2, {&psi_.x[j * side], &psi_.y[j * side], nullptr, nullptr, nullptr}, room_);
     if (formulation_ == Formulation::mixed) // but for the rounding of a sum
@@ -77,14 +87,14 @@ void PatchForm::positions(std::span<const double> phi, Points& x) {
     domain_->map()->points(psi_, x);
 }
 
-PatchForm::Measures PatchForm::measure(const Monitor& monitor, std::span<const double> phi) {
+PatchForm::Measures PatchForm::measure(const Monitor& monitor, std::span<const double> whole) {
     const PatchSource of_patch = source(monitor);
     Measures result;
     const SplineLine& line = form_->line();
     const std::size_t n = line.points.size();
     std::vector<double> xx(n), xy(n), yy(n), f(n);
     psi_.resize(n);
-    form_->expand(phi, SplineForm::Border::given, form_->quadrature(), map_fields, room_);
+    form_->expand(whole, SplineForm::Border::given, form_->quadrature(), map_fields, room_);
     for (std::size_t j = 0; j < n; ++j) {
         form_->row(form_->quadrature(), j, map_fields,
                    {psi_.x.data(), psi_.y.data(), xx.data(), xy.data(), yy.data()}, room_);
@@ -109,7 +119,7 @@ PatchForm::Measures PatchForm::measure(const Monitor& monitor, std::span<const d
     result.min_jacobian = 1e300, result.max_jacobian = -1e300;
     for (auto* row : {&xx, &xy, &yy}) row->resize(shown);
     psi_.resize(shown);
-    form_->expand(phi, SplineForm::Border::given, grid, map_fields, room_);
+    form_->expand(whole, SplineForm::Border::given, grid, map_fields, room_);
     for (std::size_t j = 0; j < shown; ++j) {
         form_->row(grid, j, map_fields, {psi_.x.data(), psi_.y.data(), xx.data(), xy.data(), yy.data()},
                    room_);

@@ -21,11 +21,14 @@ class PatchForm {
     std::string layout() const; ///< "spline standard p=3 n=32"
     PatchSource source(const Monitor& monitor) const { return {monitor, *domain_->map(), form_->line()}; }
 
+    /// Phi = phi + the potential of the identity; states hold phi, which is 0 where no node has moved.
+    void add_identity(std::span<const double> phi, std::span<double> whole) const;
+    std::vector<double> without_identity(std::span<const double> whole) const;
     /// phi on this mesh, from one of another (exact where this one is a refinement of it); empty where a
     /// layout means no such thing.
     std::vector<double> adopt(const std::string& layout, std::span<const double> phi) const;
     /// F(Psi) at the nodes of the domain's mesh. In the mixed form those at the border stand there exactly.
-    void positions(std::span<const double> phi, Points& x);
+    void positions(std::span<const double> whole, Points& x);
 
     /// As the paper prints and defines them.
     struct Measures {
@@ -37,13 +40,14 @@ class PatchForm {
         double max_jacobian = 0;
         double border_error = 0; ///< largest |(Psi - xi) . n| on that grid's border
     };
-    Measures measure(const Monitor& monitor, std::span<const double> phi);
+    Measures measure(const Monitor& monitor, std::span<const double> whole);
 
   private:
     std::shared_ptr<const SplineDomain> domain_;
     Formulation formulation_;
     std::size_t cells_;
     std::shared_ptr<const SplineForm> form_;
+    std::vector<double> identity_;
     SplineGrid nodes_;
     SplineForm::Room room_;
     Points psi_;

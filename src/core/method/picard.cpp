@@ -37,19 +37,24 @@ class Picard final : public Method {
         next_.clear();
     }
 
-    State initial_state() const override { return state_of(0, levels_[0].form->form()->identity()); }
+    State initial_state() const override {
+        return {levels_[0].form->layout(),
+                {{"phi", std::vector<double>(levels_[0].form->form()->unknowns(), 0.0)}}};
+    }
 
     std::optional<State> adopt(const State& other) override {
         if (other.arrays.size() != 1 || other.arrays[0].name != "phi") return std::nullopt;
         auto phi = levels_[0].form->adopt(other.layout, other.arrays[0].values);
         if (phi.empty()) return std::nullopt;
-        return state_of(0, std::move(phi));
+        return State{levels_[0].form->layout(), {{"phi", std::move(phi)}}};
     }
 
     Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token) override {
         level_ = level_of(state);
-        phi_ = state.arrays[0].values;
-        at_start_ = level_ == 0 && phi_ == initial_state().arrays[0].values;
+        const auto& phi = state.arrays[0].values;
+        at_start_ = level_ == 0 && std::all_of(phi.begin(), phi.end(), [](double v) { return v == 0; });
+        whole_.resize(phi.size());
+        levels_[level_].form->add_identity(phi, whole_);
         iterate(monitor);
         return report();
     }
@@ -58,30 +63,33 @@ class Picard final : public Method {
         GASPARD_CHECK(level_of(state) == level_);
         if (std::exchange(at_start_, false) && multilevel_) go_to_coarsest(monitor);
         if (next_.empty()) iterate(monitor);
-        phi_.swap(next_);
+        whole_.swap(next_);
         next_.clear();
         const bool arrived = residual_ < std::max(coarse_tolerance, tolerance_);
         Evaluation evaluation = report();
         if (level_ > 0 && arrived) {
             const auto& from = *levels_[level_].form;
             --level_;
-            phi_ = levels_[level_].form->adopt(from.layout(), phi_);
+            const auto phi = levels_[level_].form->adopt(from.layout(), from.without_identity(whole_));
+            whole_.resize(phi.size());
+            levels_[level_].form->add_identity(phi, whole_);
             iterate(monitor);
             evaluation = report();
             evaluation.note = "on " + std::to_string(levels_[level_].form->cells()) + " cells from here";
         }
-        state = state_of(level_, phi_);
+        const PatchForm& here = *levels_[level_].form;
+        state = {here.layout(), {{"phi", here.without_identity(whole_)}}};
         evaluation.step_size = 1;
         return evaluation;
     }
 
     const Points& positions() override {
-        levels_[level_].form->positions(phi_, positions_);
+        levels_[level_].form->positions(whole_, positions_);
         return positions_;
     }
 
     std::vector<Measure> measures(const Monitor& monitor) override {
-        const auto m = levels_[level_].form->measure(monitor, phi_);
+        const auto m = levels_[level_].form->measure(monitor, whole_);
         return {{"err", m.err_printed},
                 {"err_absolute", m.err_defined},
                 {"qual", m.qual_det},
@@ -101,9 +109,6 @@ class Picard final : public Method {
         Bfo bfo(form->form(), shift_);
         return {std::move(form), std::move(bfo)};
     }
-    State state_of(std::size_t level, std::vector<double> phi) const {
-        return {levels_[level].form->layout(), {{"phi", std::move(phi)}}};
-    }
     std::size_t level_of(const State& state) const {
         for (std::size_t level = 0; level < levels_.size(); ++level)
             if (levels_[level].form->layout() == state.layout) {
@@ -118,10 +123,10 @@ class Picard final : public Method {
         Level& here = levels_[level_];
         const PatchSource source = here.form->source(monitor);
         sigma_ = source.sigma();
-        next_.resize(phi_.size());
-        here.bfo.iterate(source, phi_, next_);
-        increment_.resize(phi_.size());
-        for (std::size_t i = 0; i < phi_.size(); ++i) increment_[i] = next_[i] - phi_[i];
+        next_.resize(whole_.size());
+        here.bfo.iterate(source, whole_, next_);
+        increment_.resize(whole_.size());
+        for (std::size_t i = 0; i < whole_.size(); ++i) increment_[i] = next_[i] - whole_[i];
         residual_ = here.form->form()->norm_without_mean(increment_);
     }
     Evaluation report() const { return {.residual = residual_, .theta = sigma_}; }
@@ -131,7 +136,7 @@ class Picard final : public Method {
             levels_.push_back(make_level(levels_.back().form->cells() / 2));
         if (levels_.size() == 1) return;
         level_ = levels_.size() - 1;
-        phi_ = levels_[level_].form->form()->identity();
+        whole_ = levels_[level_].form->form()->identity();
         iterate(monitor);
     }
 
@@ -143,7 +148,7 @@ class Picard final : public Method {
     // Of the state last looked at:
     std::size_t level_ = 0;
     bool at_start_ = false;
-    std::vector<double> phi_, next_, increment_; ///< next_ = T(phi_), or empty
+    std::vector<double> whole_, next_, increment_; ///< Phi, T(Phi) or empty, their difference
     double residual_ = 0, sigma_ = 0;
     Points positions_;
 };
