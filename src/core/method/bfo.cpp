@@ -50,17 +50,25 @@ void Bfo::read_rows(std::size_t y, std::size_t rows, const SplineForm::Room& roo
     }
 }
 
+void Bfo::clear_rows(std::size_t count) {
+    psi_ = Points(count);
+    for (auto* array : {&xx_, &xy_, &yy_}) std::fill(array->begin(), array->end(), 0.0);
+}
+
 Bfo::Shape Bfo::iterate(const JacobianSource& source, std::span<const double> phi, std::span<double> next) {
     const SplineLine& line = form_->line();
     const std::size_t points = line.points.size();
-    form_->expand(phi, SplineForm::Border::given, form_->quadrature(), map_fields, room_);
+    if (!phi.empty()) form_->expand(phi, SplineForm::Border::given, form_->quadrature(), map_fields, room_);
     form_->begin_load(room_);
     double integral = 0;
     // Of the coefficients' extremes: the smallest eigenvalue, and the extremes of eigenvalue / G.
     double convexity = std::numeric_limits<double>::infinity(), least = convexity, most = -convexity;
     for (std::size_t y = 0; y < points; y += band()) {
         const std::size_t rows = std::min(band(), points - y), count = rows * points;
-        read_rows(y, rows, room_);
+        if (phi.empty())
+            clear_rows(count);
+        else
+            read_rows(y, rows, room_);
         source.values(y, psi_, std::span(f_).first(count));
         const double *xx = xx_.data(), *xy = xy_.data(), *yy = yy_.data(), *f = f_.data();
         double* __restrict g = g_.data();

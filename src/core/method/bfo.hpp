@@ -40,7 +40,7 @@ class Bfo {
         /// Extreme eigenvalues of phi - T(phi) linearised with f fixed: 1 - s (eigenvalue of grad Psi) / G.
         double slowest = 0, fastest = 0;
     };
-    /// next = T(phi).
+    /// next = T(phi); of an empty phi, where Psi is 0 everywhere, at the border too: the paper's start.
     Shape iterate(const JacobianSource& source, std::span<const double> phi, std::span<double> next);
     /// r = A (T(phi) - phi), A the matrix of the Poisson problem, from both.
     void residual(std::span<const double> phi, std::span<const double> next, std::span<double> r);
@@ -55,6 +55,7 @@ class Bfo {
   private:
     /// So many rows of quadrature points are worked on at once.
     std::size_t band() const { return form_->line().upper.degree + std::size_t{1}; }
+    void clear_rows(std::size_t count);
     void read_rows(std::size_t y, std::size_t rows, const SplineForm::Room& room);
 
     std::shared_ptr<const SplineForm> form_;

@@ -61,11 +61,12 @@ double error(const SplineForm& form, std::span<const double> phi) {
 /// Iterates phi; how often.
 int iterate(Bfo& bfo, std::vector<double>& phi, double enough, int least) {
     const Source source(bfo.form().line());
-    std::vector<double> next(phi.size()), increment(phi.size());
+    std::vector<double> next(bfo.form().unknowns()), increment(next.size());
     int iterations = 0;
     for (double residual = 1; iterations < most && (residual >= enough || iterations < least);) {
         bfo.iterate(source, phi, next);
-        for (std::size_t i = 0; i < phi.size(); ++i) increment[i] = next[i] - phi[i];
+        phi.resize(next.size()); // from Psi = 0: phi is 0
+        for (std::size_t i = 0; i < next.size(); ++i) increment[i] = next[i] - phi[i];
         residual = bfo.form().norm_without_mean(increment);
         phi.swap(next);
         ++iterations;
@@ -90,8 +91,7 @@ ManufacturedResult solve_manufactured(const ManufacturedChoice& choice) {
         const std::shared_ptr<const SplineForm> form = choice.formulation == Formulation::standard
                                                            ? make_standard_form(line, trace(line))
                                                            : make_mixed_form(line, trace(line));
-        phi = l == 0 ? std::vector<double>(form->unknowns(), 0.0)
-                     : insert_knots({{before, before}}, phi, {{form->space(), form->space()}});
+        if (l > 0) phi = insert_knots({{before, before}}, phi, {{form->space(), form->space()}});
         before = form->space();
         Bfo bfo(form, choice.penalty);
         const bool last = l + 1 == levels.size();

@@ -106,7 +106,7 @@ PatchForm::Measures PatchForm::measure(const Monitor& monitor, std::span<const d
             const double far = dx * dx + dy * dy;
             result.err_printed += weight * (det / f[i] - 1) * (det / f[i] - 1);
             result.err_defined += weight * (det - f[i]) * (det - f[i]);
-            result.qual_det += weight * far / det;
+            result.qual_det += weight * far / std::abs(det);
             result.qual_f += weight * far / f[i];
         }
     }
