@@ -40,8 +40,10 @@ class Bfo {
         /// Extreme eigenvalues of phi - T(phi) linearised with f fixed: 1 - s (eigenvalue of grad Psi) / G.
         double slowest = 0, fastest = 0;
     };
-    /// next = T(phi); of an empty phi, where Psi is 0 everywhere, at the border too: the paper's start.
-    Shape iterate(const JacobianSource& source, std::span<const double> phi, std::span<double> next);
+    /// next = T(phi); of an empty phi, where Psi is 0 everywhere, at the border too: the paper's start. Fills
+    /// `shape` where somebody wants to know.
+    void iterate(const JacobianSource& source, std::span<const double> phi, std::span<double> next,
+                 Shape* shape = nullptr);
     /// r = A (T(phi) - phi), A the matrix of the Poisson problem, from both.
     void residual(std::span<const double> phi, std::span<const double> next, std::span<double> r);
     /// u with A u = r.
@@ -55,6 +57,8 @@ class Bfo {
   private:
     /// So many rows of quadrature points are worked on at once.
     std::size_t band() const { return form_->line().upper.degree + std::size_t{1}; }
+    /// G of a band of `count` points.
+    void fill_g(std::size_t count);
     void clear_rows(std::size_t count);
     void read_rows(std::size_t y, std::size_t rows, const SplineForm::Room& room);
 

@@ -52,7 +52,7 @@ std::unique_ptr<Equation> SplineEquation::coarser() const {
 Evaluation SplineEquation::evaluate(const Monitor& monitor, std::span<const double> phi) {
     const PatchSource source = patch_->source(monitor);
     patch_->add_identity(phi, whole_);
-    shape_ = bfo_.iterate(source, whole_, next_);
+    bfo_.iterate(source, whole_, next_, &shape_);
     bfo_.residual(whole_, next_, residual_);
     patch_->positions(whole_, positions_);
     return {.residual = std::sqrt(dot(residual_, residual_)) / unit_, .theta = source.sigma()};
