@@ -104,7 +104,7 @@ TEST_P(PatchMonitors, HaveTheValuesOfTheirFormulas) {
     std::vector<double> values(x.size());
     monitor->values(x, values);
     for (std::size_t i = 0; i < x.size(); ++i)
-        EXPECT_NEAR(values[i], static_cast<double>(GetParam().formula(x.x[i], x.y[i], x.z[i])), 1e-12);
+        EXPECT_NEAR(values[i], static_cast<double>(GetParam().formula(x.x[i], x.y[i], x.z[i])), 1e-11);
 }
 
 TEST_P(PatchMonitors, HaveTheGradientsOfTheirDifferences) {
@@ -121,12 +121,13 @@ TEST_P(PatchMonitors, HaveTheGradientsOfTheirDifferences) {
             if (axis == 2 && x.z[i] == 0) continue; // of a flat formula
             constexpr Real h = 1e-8L;
             const Real forward = (at(h) - at(0)) / h, backward = (at(0) - at(-h)) / h;
-            if (std::abs(forward - backward) > 0.1L) { // the crease is within reach
+            if (std::abs(forward - backward) >
+                0.01L * std::max(1.0L, std::abs(forward))) { // the crease is within reach
                 ++creases;
                 continue;
             }
             const double ours = axis == 0 ? gradients.x[i] : axis == 1 ? gradients.y[i] : gradients.z[i];
-            EXPECT_NEAR(ours, static_cast<double>((at(h) - at(-h)) / (2 * h)), 1e-6);
+            EXPECT_NEAR(ours, static_cast<double>((at(h) - at(-h)) / (2 * h)), 1e-6 + 1e-8 * std::abs(ours));
         }
     EXPECT_LT(creases, 5u);
 }
