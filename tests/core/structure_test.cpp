@@ -27,8 +27,9 @@ const std::map<std::string, Rooms>& allowed() {
         room("linear", {"base"});
         room("monitor", {"mesh", "linear"});
         room("fem", {"mesh", "linear"});
+        room("spline", {"fem"});
         room("diagnostics", {"monitor", "fem"});
-        room("method", {"monitor", "fem", "diagnostics"});
+        room("method", {"monitor", "spline", "diagnostics"});
         room("scenario", {"method"});
         room("session", {"scenario"});
         room("tessellate", {"session"});

@@ -72,6 +72,7 @@ std::string summary_json(Run& run) {
     json["max_jacobian"] = or_null(last.max_jacobian);
     json["exact_rms"] = or_null(last.exact_rms);
     json["exact_rms_nodes"] = or_null(last.exact_rms_nodes);
+    for (const auto& measure : last.measures) json["measures"][measure.name] = measure.value;
     json["setup_seconds"] = run.setup_seconds();
     json["solve_seconds"] = last.seconds;
     json["cpu_seconds"] = last.cpu_seconds;

@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/method/plane_equation.hpp"
+#include "core/method/spline_equation.hpp"
 #include "core/method/surface_equation.hpp"
 
 #include <algorithm>
@@ -29,6 +30,8 @@ std::unique_ptr<Equation> make_equation(std::shared_ptr<const Discretisation> di
         return std::make_unique<PlaneEquation>(std::move(plane));
     if (auto surface = std::dynamic_pointer_cast<const SurfaceQ2>(discretisation))
         return std::make_unique<SurfaceEquation>(std::move(surface));
+    if (auto patch = std::dynamic_pointer_cast<const SplineDomain>(discretisation))
+        return std::make_unique<SplineEquation>(std::move(patch));
     check_failed("the discretisation is of a domain with a Monge-Ampere equation");
 }
 

@@ -37,6 +37,13 @@ struct Evaluation {
     std::string note{};       ///< a sentence for people, where something is to be said of it
 };
 
+/// A number by which a paper judges its own maps.
+struct Measure {
+    std::string name;
+    double value = 0;
+    friend bool operator==(const Measure&, const Measure&) = default;
+};
+
 class Method {
   public:
     virtual ~Method() = default;
@@ -54,6 +61,8 @@ class Method {
     virtual Evaluation step(const Monitor& monitor, State& state, std::stop_token stop) = 0;
     /// Where the mesh's nodes stand for the state last evaluated, in physical coordinates.
     virtual const Points& positions() = 0;
+    /// Further numbers of the state last evaluated, as the method's source defines them.
+    virtual std::vector<Measure> measures(const Monitor&) { return {}; }
     /// New values of the method's own parameters; the state stays.
     virtual void configure(const Values& values) = 0;
     /// At most so many, the caller's own included; results do not depend on it.
@@ -82,5 +91,7 @@ MethodType accelerated_method();
 MethodType quasi_newton_method();
 MethodType newton_method();
 MethodType automatic_method();
+MethodType picard_method();
+MethodType picard_mixed_method();
 
 } // namespace gaspard

@@ -2,7 +2,7 @@
 
 namespace gaspard {
 
-// Each stands in a file of its own.
+// Each stands in a file of its own, or with its like.
 MonitorType ring_monitor();
 MonitorType bell_monitor();
 MonitorType constant_monitor();
@@ -11,10 +11,18 @@ MonitorType cross_monitor();
 MonitorType ring_and_bell_monitor();
 MonitorType random_bells_monitor();
 MonitorType random_waves_monitor();
+MonitorType circle_monitor();
+MonitorType spiral_monitor();
+MonitorType three_circles_monitor();
+MonitorType two_circles_monitor();
+MonitorType cosine_waves_monitor();
+MonitorType sine_waves_monitor();
 
 std::vector<MonitorType> monitor_types() {
-    return {ring_monitor(),  bell_monitor(),          constant_monitor(),     x_n_monitor(),
-            cross_monitor(), ring_and_bell_monitor(), random_bells_monitor(), random_waves_monitor()};
+    return {ring_monitor(),         bell_monitor(),          constant_monitor(),      x_n_monitor(),
+            cross_monitor(),        ring_and_bell_monitor(), random_bells_monitor(),  random_waves_monitor(),
+            circle_monitor(),       spiral_monitor(),        three_circles_monitor(), two_circles_monitor(),
+            cosine_waves_monitor(), sine_waves_monitor()};
 }
 
 } // namespace gaspard

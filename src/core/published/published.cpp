@@ -7,7 +7,11 @@
 
 namespace gaspard {
 
-std::vector<Recipe> recipes() { return mcrae_recipes(); }
+std::vector<Recipe> recipes() {
+    std::vector<Recipe> all = mcrae_recipes();
+    for (auto& one : bahari_recipes()) all.push_back(std::move(one));
+    return all;
+}
 
 Recipe find_recipe(std::string_view id) {
     std::vector<std::string> known;

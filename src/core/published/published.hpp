@@ -46,5 +46,8 @@ std::string published_csv(const std::vector<PublishedRow>& rows);
 /// The recipes of McRae, Cotter, Budd, "Optimal-transport-based mesh adaptivity on the plane and sphere using
 /// finite elements", SIAM J. Sci. Comput. 40 (2018).
 std::vector<Recipe> mcrae_recipes();
+/// Those of Bahari, Habbal, Ratnani, Sonnendruecker, "Adaptive isogeometric analysis using optimal transport
+/// and their fast solvers", Comput. Methods Appl. Mech. Engrg. 418 (2024).
+std::vector<Recipe> bahari_recipes();
 
 } // namespace gaspard

@@ -5,6 +5,7 @@
 #include "core/fem/surface_q2.hpp"
 #include "core/scenario/output_rows.hpp"
 #include "core/scenario/view_rows.hpp"
+#include "core/spline/spline_domain.hpp"
 
 #include <algorithm>
 
@@ -67,6 +68,19 @@ Capability sphere_capability(const std::string& domain_type) {
             }};
 }
 
+Capability spline_capability(const std::string& domain_type) {
+    return {.domain = domain_type,
+            .boundaries = {},
+            .monitors = {"circle", "spiral", "three-circles", "two-circles", "cosine-waves", "sine-waves",
+                         "ring", "bell", "ring-and-bell", "random-bells", "constant"},
+            .methods = {"picard", "picard-mixed", "newton", "accelerated", "auto"},
+            .prepare = [domain_type](const Values& domain, const Progress& progress,
+                                     std::stop_token) -> std::shared_ptr<const Discretisation> {
+                if (progress) progress(0, "preparing the patch");
+                return make_spline_domain(domain_type, domain);
+            }};
+}
+
 } // namespace
 
 const DomainType& Catalogue::domain(std::string_view name) const {
@@ -80,14 +94,20 @@ const MethodType& Catalogue::method(std::string_view name) const {
 }
 
 Catalogue builtin_catalogue() {
-    return {.domains = {plane_domain(), cubed_sphere_domain(), icosahedral_sphere_domain()},
-            .monitors = monitor_types(),
-            .methods = {relaxation_method(), accelerated_method(), quasi_newton_method(), newton_method(),
-                        automatic_method()},
-            .capabilities = {plane_capability(), sphere_capability("cubed-sphere"),
-                             sphere_capability("icosahedral-sphere")},
-            .view_rows = view_rows(),
-            .output_rows = output_rows()};
+    Catalogue catalogue{.domains = {plane_domain(), cubed_sphere_domain(), icosahedral_sphere_domain()},
+                        .monitors = monitor_types(),
+                        .methods = {relaxation_method(), accelerated_method(), quasi_newton_method(),
+                                    newton_method(), automatic_method(), picard_method(),
+                                    picard_mixed_method()},
+                        .capabilities = {plane_capability(), sphere_capability("cubed-sphere"),
+                                         sphere_capability("icosahedral-sphere")},
+                        .view_rows = view_rows(),
+                        .output_rows = output_rows()};
+    for (auto& domain : spline_domains()) {
+        catalogue.capabilities.push_back(spline_capability(domain.name));
+        catalogue.domains.push_back(std::move(domain));
+    }
+    return catalogue;
 }
 
 Section domain_section(const Catalogue& catalogue, std::string_view type) {

@@ -206,6 +206,7 @@ void Run::measure(StepReport& report) {
     report.min_jacobian = quality.min_jacobian;
     report.max_jacobian = quality.max_jacobian;
     report.tangled_cells = quality.tangled_cells;
+    report.measures = method_->measures(*problem_.monitor);
     if (exact_) {
         const auto [vertices, nodes] =
             exact_deviation(*discretisation_->mesh(), method_->positions(), *exact_);

@@ -11,6 +11,7 @@
 
 #include "core/base/points.hpp"
 #include "core/mesh/mesh.hpp"
+#include "core/method/method.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -48,6 +49,7 @@ struct StepReport {
     std::optional<double> exact_rms{}, exact_rms_nodes{};
     std::optional<double> min_jacobian{}, max_jacobian{};
     std::optional<std::size_t> tangled_cells{};
+    std::vector<Measure> measures{}; ///< further ones, of the method (Method::measures)
     int inner_iterations = 0; ///< of the linear solver, for this update
     double seconds = 0;       ///< cumulative wall time of solving
     double cpu_seconds = 0;   ///< cumulative CPU time of all threads that solve

@@ -201,7 +201,7 @@ void randomise(Values& values, std::mt19937& random) {
 TEST(Monitors, ArePositiveForAllParametersInRange) {
     std::mt19937 random(4);
     const Points x = random_points(200, -1, 2, 5);
-    ASSERT_EQ(monitor_types().size(), 8u);
+    ASSERT_EQ(monitor_types().size(), 14u);
     for (const MonitorType& type : monitor_types())
         for (int trial = 0; trial < 200; ++trial)
             for (const Space& space : {plain, torus, sphere}) {

@@ -1,0 +1,50 @@
+// CPU time per Picard iteration in splines, the circle of example 5.3 on the square, without measuring the
+// mesh: what bench/peers/bahari_numpy/timing.py does. One line per case: form, degree, cells, milliseconds.
+#include "core/method/patch_form.hpp"
+#include "support/built_in.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+
+namespace {
+
+using namespace gaspard;
+
+double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// The fastest of some rounds of ten iterations from phi = 0 (where Psi is no map yet, as in the peer).
+double milliseconds(Formulation formulation, int degree, std::size_t cells) {
+    const auto domain = std::make_shared<SplineDomain>(degree, cells, square_map());
+    const PatchForm patch(domain, formulation, cells);
+    const auto monitor = make_monitor("circle", {});
+    const PatchSource source = patch.source(*monitor);
+    Bfo bfo(patch.form());
+    double best = 1e300;
+    for (int round = 0; round < 7; ++round) {
+        std::vector<double> phi(patch.form()->unknowns(), 0.0), next(phi), increment(phi);
+        double residual = 0;
+        constexpr int iterations = 10;
+        const double start = process_seconds();
+        for (int k = 0; k < iterations; ++k) {
+            bfo.iterate(source, phi, next);
+            for (std::size_t i = 0; i < phi.size(); ++i) increment[i] = next[i] - phi[i];
+            residual = patch.form()->norm_without_mean(increment);
+            phi.swap(next);
+        }
+        best = std::min(best, (process_seconds() - start) / iterations);
+        if (!(residual < 1)) std::printf("no convergence: %g\n", residual);
+    }
+    return 1e3 * best;
+}
+
+} // namespace
+
+int main() {
+    for (const auto& [formulation, name] :
+         {std::pair{Formulation::standard, "std"}, std::pair{Formulation::mixed, "mix"}})
+        for (const int degree : {3, 5})
+            for (const std::size_t cells : {16u, 32u, 64u, 128u, 256u})
+                std::printf("%s %d %zu %.4f\n", name, degree, cells,
+                            milliseconds(formulation, degree, cells));
+}

@@ -1,0 +1,179 @@
+#include "core/method/bfo.hpp"
+
+#include "core/base/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double delta = 2; // of (5.5), which is d! in two dimensions
+
+/// Smallest and largest eigenvalue of a symmetric matrix.
+struct Eigenvalues {
+    double smallest, largest;
+};
+inline Eigenvalues eigenvalues(double xx, double xy, double yy) {
+    const double mean = (xx + yy) / 2, half = (xx - yy) / 2;
+    const double radius = std::sqrt(half * half + xy * xy);
+    return {mean - radius, mean + radius};
+}
+
+// In eight sums side by side, so that none waits for the one before.
+double weighted_sum(std::span<const double> weights, const double* values) {
+    std::array<double, 8> sums{};
+    std::size_t i = 0;
+    for (; i + 8 <= weights.size(); i += 8)
+        for (std::size_t k = 0; k < 8; ++k) sums[k] += weights[i + k] * values[i + k];
+    for (; i < weights.size(); ++i) sums[0] += weights[i] * values[i];
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+} // namespace
+
+Bfo::Bfo(std::shared_ptr<const SplineForm> form, double shift)
+    : form_(std::move(form)), shift_(shift), room_(form_->make_room()) {
+    const std::size_t most = band() * form_->line().points.size();
+    psi_.resize(most);
+    slope_.resize(most);
+    for (auto* array : {&xx_, &xy_, &yy_, &f_, &g_}) array->resize(most);
+    load_.resize(form_->unknowns());
+    g_load_.resize(form_->unknowns());
+}
+
+void Bfo::read_rows(std::size_t y, std::size_t rows, const SplineForm::Room& room) {
+    const std::size_t points = form_->line().points.size();
+    psi_.resize(rows * points);
+    for (std::size_t r = 0; r < rows; ++r) {
+        const std::size_t at = r * points;
+        form_->row(form_->quadrature(), y + r, map_fields,
+                   {&psi_.x[at], &psi_.y[at], &xx_[at], &xy_[at], &yy_[at]}, room);
+    }
+}
+
+void Bfo::clear_rows(std::size_t count) {
+    psi_ = Points(count);
+    for (auto* array : {&xx_, &xy_, &yy_}) std::fill(array->begin(), array->end(), 0.0);
+}
+
+void Bfo::fill_g(std::size_t count) {
+    const double *xx = xx_.data(), *xy = xy_.data(), *yy = yy_.data(), *f = f_.data();
+    double* __restrict g = g_.data();
+    for (std::size_t i = 0; i < count; ++i) {
+        const double trace = xx[i] + yy[i], determinant = xx[i] * yy[i] - xy[i] * xy[i];
+        const double square = trace * trace + delta * (f[i] - determinant);
+        g[i] = std::sqrt(square > 0 ? square : 0.0 * square); // what is not a number stays so
+    }
+}
+
+void Bfo::iterate(const JacobianSource& source, std::span<const double> phi, std::span<double> next,
+                  Shape* shape) {
+    const SplineLine& line = form_->line();
+    const std::size_t points = line.points.size();
+    if (!phi.empty()) form_->expand(phi, SplineForm::Border::given, form_->quadrature(), map_fields, room_);
+    form_->begin_load(room_);
+    double integral = 0;
+    // Extremes of the eigenvalues, and of eigenvalue / G.
+    double convexity = std::numeric_limits<double>::infinity(), least = convexity, most = -convexity;
+    for (std::size_t y = 0; y < points; y += band()) {
+        const std::size_t rows = std::min(band(), points - y), count = rows * points;
+        if (phi.empty())
+            clear_rows(count);
+        else
+            read_rows(y, rows, room_);
+        source.values(y, psi_, std::span(f_).first(count));
+        fill_g(count);
+        for (std::size_t i = 0; shape && i < count; ++i) {
+            const auto [smallest, largest] = eigenvalues(xx_[i], xy_[i], yy_[i]);
+            convexity = std::min(convexity, smallest);
+            least = std::min(least, smallest / g_[i]);
+            most = std::max(most, largest / g_[i]);
+        }
+        for (std::size_t r = 0; r < rows; ++r) {
+            integral += line.weights[y + r] * weighted_sum(line.weights, &g_[r * points]);
+            form_->load_row(y + r, &g_[r * points], room_);
+        }
+    }
+    form_->end_load(load_, room_);
+    const double scale = form_->border_flux() / integral;
+    const auto border = form_->border_load();
+    for (std::size_t i = 0; i < load_.size(); ++i) load_[i] = border[i] - scale * load_[i];
+    form_->poisson().solve(load_, next, shift_, room_.poisson);
+    if (shape) *shape = {convexity, 1 - scale * most, 1 - scale * least};
+}
+
+void Bfo::residual(std::span<const double> phi, std::span<const double> next, std::span<double> r) {
+    for (std::size_t i = 0; i < load_.size(); ++i) load_[i] = next[i] - phi[i];
+    form_->poisson().multiply(load_, r, room_.poisson);
+}
+
+void Bfo::poisson(std::span<const double> r, std::span<double> u) {
+    form_->poisson().solve(r, u, shift_, room_.poisson);
+}
+
+// G^2 = t^2 + delta (f - det):  2 G dG = 2 t dt + delta (df - ddet),
+// ddet = xx dyy + yy dxx - 2 xy dxy.
+void Bfo::linearise(const JacobianSource& source, std::span<const double> phi, bool moving) {
+    const SplineLine& line = form_->line();
+    const std::size_t points = line.points.size();
+    for (auto& part : parts_) part.resize(points * points);
+    form_->expand(phi, SplineForm::Border::given, form_->quadrature(), map_fields, room_);
+    form_->begin_load(room_);
+    g_integral_ = 0;
+    for (std::size_t y = 0; y < points; y += band()) {
+        const std::size_t rows = std::min(band(), points - y), count = rows * points;
+        read_rows(y, rows, room_);
+        if (moving)
+            source.gradients(y, psi_, std::span(f_).first(count), slope_);
+        else
+            source.values(y, psi_, std::span(f_).first(count));
+        fill_g(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double xx = xx_[i], xy = xy_[i], yy = yy_[i], trace = xx + yy;
+            const double inverse = g_[i] > 0 ? 1 / g_[i] : 0; // where G is cut off, it does not change
+            const std::size_t at = y * points + i;
+            parts_[0][at] = moving ? delta / 2 * slope_.x[i] * inverse : 0;
+            parts_[1][at] = moving ? delta / 2 * slope_.y[i] * inverse : 0;
+            parts_[2][at] = (trace - delta / 2 * yy) * inverse;
+            parts_[3][at] = delta * xy * inverse;
+            parts_[4][at] = (trace - delta / 2 * xx) * inverse;
+        }
+        for (std::size_t r = 0; r < rows; ++r) {
+            g_integral_ += line.weights[y + r] * weighted_sum(line.weights, &g_[r * points]);
+            form_->load_row(y + r, &g_[r * points], room_);
+        }
+    }
+    form_->end_load(g_load_, room_);
+}
+
+// d(s G) = s (dG - G (integral of dG) / (integral of G)).
+void Bfo::derivative(std::span<const double> w, std::span<double> out) {
+    const SplineLine& line = form_->line();
+    const std::size_t points = line.points.size();
+    form_->expand(w, SplineForm::Border::zero, form_->quadrature(), map_fields, room_);
+    form_->begin_load(room_);
+    double integral = 0;
+    for (std::size_t y = 0; y < points; y += band()) {
+        const std::size_t rows = std::min(band(), points - y);
+        read_rows(y, rows, room_);
+        for (std::size_t i = 0; i < rows * points; ++i) {
+            const std::size_t at = y * points + i;
+            g_[i] = parts_[0][at] * psi_.x[i] + parts_[1][at] * psi_.y[i] + parts_[2][at] * xx_[i] +
+                    parts_[3][at] * xy_[i] + parts_[4][at] * yy_[i];
+        }
+        for (std::size_t r = 0; r < rows; ++r) {
+            integral += line.weights[y + r] * weighted_sum(line.weights, &g_[r * points]);
+            form_->load_row(y + r, &g_[r * points], room_);
+        }
+    }
+    form_->end_load(load_, room_);
+    const double scale = form_->border_flux() / g_integral_, part = integral / g_integral_;
+    form_->poisson().multiply(w, out, room_.poisson);
+    for (std::size_t i = 0; i < load_.size(); ++i) out[i] += scale * (load_[i] - part * g_load_[i]);
+}
+
+} // namespace gaspard

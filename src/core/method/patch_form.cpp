@@ -1,0 +1,143 @@
+#include "core/method/patch_form.hpp"
+
+#include "core/base/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace gaspard {
+
+namespace {
+
+constexpr std::size_t shown = 100; // points per direction for extremes of the Jacobian, as in the paper
+
+std::shared_ptr<const SplineForm> make_form(int degree, std::size_t cells, Formulation formulation) {
+    const SplineLine line(uniform_knots(degree, cells));
+    const NormalTrace trace = identity_trace(line);
+    return formulation == Formulation::standard ? make_standard_form(line, trace)
+                                                : make_mixed_form(line, trace);
+}
+
+/// phi in the space of `to`, both directions.
+std::vector<double> transferred(const KnotVector& from, const KnotVector& to, std::span<const double> phi) {
+    const LineMatrix along = transfer(from, to);
+    std::vector<double> half(from.size() * to.size(), 0.0), all(to.size() * to.size(), 0.0);
+    for (std::size_t j = 0; j < from.size(); ++j)
+        for (std::size_t i = 0; i < to.size(); ++i)
+            for (std::size_t k = 0; k < from.size(); ++k)
+                half[j * to.size() + i] += along(i, k) * phi[j * from.size() + k];
+    for (std::size_t j = 0; j < to.size(); ++j)
+        for (std::size_t k = 0; k < from.size(); ++k)
+            for (std::size_t i = 0; along(j, k) != 0 && i < to.size(); ++i)
+                all[j * to.size() + i] += along(j, k) * half[k * to.size() + i];
+    return all;
+}
+
+} // namespace
+
+PatchForm::PatchForm(std::shared_ptr<const SplineDomain> domain, Formulation formulation, std::size_t cells)
+    : domain_(std::move(domain)), formulation_(formulation), cells_(cells),
+      form_(make_form(domain_->degree(), cells, formulation)), identity_(form_->identity()),
+      nodes_(form_->line(), domain_->node_lines()), room_(form_->make_room()) {}
+
+std::string PatchForm::layout() const {
+    return std::string("spline ") + (formulation_ == Formulation::standard ? "standard" : "mixed") +
+           " p=" + std::to_string(domain_->degree()) + " n=" + std::to_string(cells_);
+}
+
+void PatchForm::add_identity(std::span<const double> phi, std::span<double> whole) const {
+    for (std::size_t i = 0; i < identity_.size(); ++i) whole[i] = phi[i] + identity_[i];
+}
+
+std::vector<double> PatchForm::without_identity(std::span<const double> whole) const {
+    std::vector<double> phi(whole.begin(), whole.end());
+    for (std::size_t i = 0; i < identity_.size(); ++i) phi[i] -= identity_[i];
+    return phi;
+}
+
+std::vector<double> PatchForm::adopt(const std::string& layout, std::span<const double> phi) const {
+    char kind[9] = {};
+    int degree = 0, cells = 0, end = 0;
+    if (std::sscanf(layout.c_str(), "spline %8s p=%d n=%d%n", kind, &degree, &cells, &end) != 3 ||
+        static_cast<std::size_t>(end) != layout.size())
+        return {};
+    const bool mixed = std::string(kind) == "mixed";
+    if ((!mixed && std::string(kind) != "standard") || degree < 2 || degree > highest_degree || cells < 1 ||
+        cells > 100000)
+        return {};
+    KnotVector from = uniform_knots(degree, static_cast<std::size_t>(cells));
+    if (mixed) from = derivative_space(from);
+    if (phi.size() != from.size() * from.size()) return {};
+    if (from == form_->space()) return {phi.begin(), phi.end()};
+    return transferred(from, form_->space(), phi);
+}
+
+void PatchForm::positions(std::span<const double> whole, Points& x) {
+    const std::size_t side = nodes_.points.size();
+    psi_.resize(side * side);
+    form_->expand(whole, SplineForm::Border::given, nodes_, 2, room_);
+    for (std::size_t j = 0; j < side; ++j)
+        form_->row(nodes_, j, 2, {&psi_.x[j * side], &psi_.y[j * side], nullptr, nullptr, nullptr}, room_);
+    if (formulation_ == Formulation::mixed) // but for the rounding of a sum
+        for (std::size_t k = 0; k < side; ++k) {
+            psi_.x[k * side] = psi_.y[k] = 0;
+            psi_.x[k * side + side - 1] = psi_.y[(side - 1) * side + k] = 1;
+        }
+    domain_->map()->points(psi_, x);
+}
+
+PatchForm::Measures PatchForm::measure(const Monitor& monitor, std::span<const double> whole) {
+    const PatchSource of_patch = source(monitor);
+    Measures result;
+    const SplineLine& line = form_->line();
+    const std::size_t n = line.points.size();
+    std::vector<double> xx(n), xy(n), yy(n), f(n);
+    psi_.resize(n);
+    form_->expand(whole, SplineForm::Border::given, form_->quadrature(), map_fields, room_);
+    for (std::size_t j = 0; j < n; ++j) {
+        form_->row(form_->quadrature(), j, map_fields,
+                   {psi_.x.data(), psi_.y.data(), xx.data(), xy.data(), yy.data()}, room_);
+        of_patch.values(j, psi_, f);
+        for (std::size_t i = 0; i < n; ++i) {
+            const double weight = line.weights[i] * line.weights[j];
+            const double det = xx[i] * yy[i] - xy[i] * xy[i];
+            const double dx = psi_.x[i] - line.points[i], dy = psi_.y[i] - line.points[j];
+            const double far = dx * dx + dy * dy;
+            result.err_printed += weight * (det / f[i] - 1) * (det / f[i] - 1);
+            result.err_defined += weight * (det - f[i]) * (det - f[i]);
+            result.qual_det += weight * far / std::abs(det);
+            result.qual_f += weight * far / f[i];
+        }
+    }
+    for (double* square : {&result.err_printed, &result.err_defined, &result.qual_det, &result.qual_f})
+        *square = std::sqrt(*square); // not a number where a Jacobian is negative
+
+    std::vector<double> at(shown);
+    for (std::size_t i = 0; i < shown; ++i) at[i] = static_cast<double>(i) / (shown - 1);
+    const SplineGrid grid(line, at);
+    result.min_jacobian = 1e300, result.max_jacobian = -1e300;
+    for (auto* row : {&xx, &xy, &yy}) row->resize(shown);
+    psi_.resize(shown);
+    form_->expand(whole, SplineForm::Border::given, grid, map_fields, room_);
+    for (std::size_t j = 0; j < shown; ++j) {
+        form_->row(grid, j, map_fields, {psi_.x.data(), psi_.y.data(), xx.data(), xy.data(), yy.data()},
+                   room_);
+        const auto note = [&](double error) {
+            result.border_error = std::max(result.border_error, std::abs(error));
+        };
+        note(psi_.x[0]);
+        note(psi_.x[shown - 1] - 1);
+        for (std::size_t i = 0; i < shown; ++i) {
+            if (j == 0) note(psi_.y[i]);
+            if (j == shown - 1) note(psi_.y[i] - 1);
+            if (i == 0 || j == 0 || i == shown - 1 || j == shown - 1) continue;
+            const double det = xx[i] * yy[i] - xy[i] * xy[i];
+            result.min_jacobian = std::min(result.min_jacobian, det);
+            result.max_jacobian = std::max(result.max_jacobian, det);
+        }
+    }
+    return result;
+}
+
+} // namespace gaspard

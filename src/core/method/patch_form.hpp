@@ -1,0 +1,56 @@
+// A form on a patch: where its map puts the nodes of the mesh, and how good it is by the measures of Bahari
+// et al.
+#pragma once
+
+#include "core/method/patch_source.hpp"
+#include "core/spline/spline_domain.hpp"
+
+namespace gaspard {
+
+enum class Formulation { standard, mixed };
+
+/// One form on a patch, with n cells or fewer than its mesh has.
+class PatchForm {
+  public:
+    PatchForm(std::shared_ptr<const SplineDomain> domain, Formulation formulation, std::size_t cells);
+
+    const std::shared_ptr<const SplineForm>& form() const { return form_; }
+    const SplineDomain& domain() const { return *domain_; }
+    Formulation formulation() const { return formulation_; }
+    std::size_t cells() const { return cells_; }
+    std::string layout() const; ///< "spline standard p=3 n=32"
+    PatchSource source(const Monitor& monitor) const { return {monitor, *domain_->map(), form_->line()}; }
+
+    /// Phi = phi + the potential of the identity; states hold phi, which is 0 where no node has moved.
+    void add_identity(std::span<const double> phi, std::span<double> whole) const;
+    std::vector<double> without_identity(std::span<const double> whole) const;
+    /// phi on this mesh, from one of another (exact where this one is a refinement of it); empty where a
+    /// layout means no such thing.
+    std::vector<double> adopt(const std::string& layout, std::span<const double> phi) const;
+    /// F(Psi) at the nodes of the domain's mesh. In the mixed form those at the border stand there exactly.
+    void positions(std::span<const double> whole, Points& x);
+
+    /// As the paper prints and defines them.
+    struct Measures {
+        double err_printed = 0;  ///< L2 norm of det / f - 1, which the paper's tables show
+        double err_defined = 0;  ///< L2 norm of det - f, (5.6)
+        double qual_det = 0;     ///< root of the integral of |Psi - xi|^2 / det
+        double qual_f = 0;       ///< the same over f, (5.6)
+        double min_jacobian = 0; ///< of Psi, on a grid of 100 x 100 points without the outermost
+        double max_jacobian = 0;
+        double border_error = 0; ///< largest |(Psi - xi) . n| on that grid's border
+    };
+    Measures measure(const Monitor& monitor, std::span<const double> whole);
+
+  private:
+    std::shared_ptr<const SplineDomain> domain_;
+    Formulation formulation_;
+    std::size_t cells_;
+    std::shared_ptr<const SplineForm> form_;
+    std::vector<double> identity_;
+    SplineGrid nodes_;
+    SplineForm::Room room_;
+    Points psi_;
+};
+
+} // namespace gaspard

@@ -1,0 +1,197 @@
+// The methods of Bahari, Habbal, Ratnani, Sonnendruecker (2024): the iteration phi <- T(phi) of
+// method/bfo.hpp in the standard form, (4.2) to (4.5), and in the mixed one, (6.1) to (6.9).
+//
+// The residual is the L2 norm of the last increment of phi, without its mean; of a start, of the increment
+// that comes next. From the identity, the way begins on 16 cells and goes up by knot insertion, mesh by mesh
+// (remark 4.1). An iteration is one update, on whatever mesh.
+#include "core/base/check.hpp"
+#include "core/method/method.hpp"
+#include "core/method/patch_form.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+constexpr std::size_t coarsest = 16;      // cells
+constexpr double coarse_tolerance = 1e-5; // of the increment, on all meshes but the finest
+
+class Picard final : public Method {
+  public:
+    Picard(std::shared_ptr<const SplineDomain> domain, Formulation formulation, const Values& values)
+        : domain_(std::move(domain)), formulation_(formulation) {
+        levels_.push_back(make_level(domain_->cells()));
+        configure(values);
+    }
+
+    void configure(const Values& values) override {
+        tolerance_ = values.has("tolerance") ? values.real("tolerance") : 1e-8;
+        multilevel_ = values.text("start") == "multilevel";
+        const double shift = values.has("penalty") ? values.real("penalty") : 0;
+        if (shift == shift_) return;
+        shift_ = shift;
+        for (Level& level : levels_) level.bfo = Bfo(level.form->form(), shift_);
+        next_.clear();
+    }
+
+    State initial_state() const override {
+        return {levels_[0].form->layout(),
+                {{"phi", std::vector<double>(levels_[0].form->form()->unknowns(), 0.0)}}};
+    }
+
+    std::optional<State> adopt(const State& other, const Discretisation*) override {
+        if (other.arrays.size() != 1 || other.arrays[0].name != "phi") return std::nullopt;
+        auto phi = levels_[0].form->adopt(other.layout, other.arrays[0].values);
+        if (phi.empty()) return std::nullopt;
+        return State{levels_[0].form->layout(), {{"phi", std::move(phi)}}};
+    }
+
+    Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token) override {
+        level_ = level_of(state);
+        const auto& phi = state.arrays[0].values;
+        at_start_ = level_ == 0 && std::all_of(phi.begin(), phi.end(), [](double v) { return v == 0; });
+        whole_.resize(phi.size());
+        levels_[level_].form->add_identity(phi, whole_);
+        iterate(monitor);
+        return report();
+    }
+
+    Evaluation step(const Monitor& monitor, State& state, std::stop_token) override {
+        GASPARD_CHECK(level_of(state) == level_);
+        if (std::exchange(at_start_, false) && multilevel_) go_to_coarsest(monitor);
+        if (next_.empty()) iterate(monitor);
+        whole_.swap(next_);
+        next_.clear();
+        const bool arrived = residual_ < std::max(coarse_tolerance, tolerance_);
+        Evaluation evaluation = report();
+        if (level_ > 0 && arrived) {
+            const auto& from = *levels_[level_].form;
+            --level_;
+            const auto phi = levels_[level_].form->adopt(from.layout(), from.without_identity(whole_));
+            whole_.resize(phi.size());
+            levels_[level_].form->add_identity(phi, whole_);
+            iterate(monitor);
+            evaluation = report();
+            evaluation.note = "on " + std::to_string(levels_[level_].form->cells()) + " cells from here";
+        }
+        const PatchForm& here = *levels_[level_].form;
+        state = {here.layout(), {{"phi", here.without_identity(whole_)}}};
+        evaluation.step_size = 1;
+        return evaluation;
+    }
+
+    const Points& positions() override {
+        levels_[level_].form->positions(whole_, positions_);
+        return positions_;
+    }
+
+    std::vector<Measure> measures(const Monitor& monitor) override {
+        const auto m = levels_[level_].form->measure(monitor, whole_);
+        return {{"err", m.err_printed},
+                {"err_absolute", m.err_defined},
+                {"qual", m.qual_det},
+                {"qual_f", m.qual_f},
+                {"min_jacobian_psi", m.min_jacobian},
+                {"max_jacobian_psi", m.max_jacobian},
+                {"border_error", m.border_error}};
+    }
+
+  private:
+    struct Level {
+        std::unique_ptr<PatchForm> form;
+        Bfo bfo;
+    };
+    Level make_level(std::size_t cells) const {
+        auto form = std::make_unique<PatchForm>(domain_, formulation_, cells);
+        Bfo bfo(form->form(), shift_);
+        return {std::move(form), std::move(bfo)};
+    }
+    std::size_t level_of(const State& state) const {
+        for (std::size_t level = 0; level < levels_.size(); ++level)
+            if (levels_[level].form->layout() == state.layout) {
+                GASPARD_CHECK(state.arrays.size() == 1 &&
+                              state.arrays[0].values.size() == levels_[level].form->form()->unknowns());
+                return level;
+            }
+        check_failed("the state is of this method");
+    }
+    /// Fills next_ and measures the increment.
+    void iterate(const Monitor& monitor) {
+        Level& here = levels_[level_];
+        const PatchSource source = here.form->source(monitor);
+        sigma_ = source.sigma();
+        next_.resize(whole_.size());
+        here.bfo.iterate(source, whole_, next_);
+        increment_.resize(whole_.size());
+        for (std::size_t i = 0; i < whole_.size(); ++i) increment_[i] = next_[i] - whole_[i];
+        residual_ = here.form->form()->norm_without_mean(increment_);
+    }
+    Evaluation report() const { return {.residual = residual_, .theta = sigma_}; }
+
+    void go_to_coarsest(const Monitor& monitor) {
+        while (levels_.back().form->cells() % 2 == 0 && levels_.back().form->cells() / 2 >= coarsest)
+            levels_.push_back(make_level(levels_.back().form->cells() / 2));
+        if (levels_.size() == 1) return;
+        level_ = levels_.size() - 1;
+        whole_ = levels_[level_].form->form()->identity();
+        iterate(monitor);
+    }
+
+    std::shared_ptr<const SplineDomain> domain_;
+    Formulation formulation_;
+    std::vector<Level> levels_; ///< the first is the one that is asked for; others when they are needed
+    double shift_ = 0, tolerance_ = 0;
+    bool multilevel_ = true;
+    // Of the state last looked at:
+    std::size_t level_ = 0;
+    bool at_start_ = false;
+    std::vector<double> whole_, next_, increment_; ///< Phi, T(Phi) or empty, their difference
+    double residual_ = 0, sigma_ = 0;
+    Points positions_;
+};
+
+MethodType picard_type(Formulation formulation, std::string name, std::string label, std::string help) {
+    std::vector<ParameterRow> rows = {
+        {.key = "start",
+         .label = "Start",
+         .kind = ParameterKind::choice,
+         .default_value = std::string("multilevel"),
+         .choices = {"multilevel", "identity"},
+         .help = "multilevel: from coarser meshes up; identity: on the mesh itself from the beginning"}};
+    if (formulation == Formulation::standard)
+        rows.push_back({.key = "penalty",
+                        .label = "Penalty",
+                        .symbol = "eps",
+                        .minimum = 0,
+                        .maximum = 1e-2,
+                        .default_value = 0.0,
+                        .help = "of phi's mean, 1e-8 in the paper; 0 leaves the mean out exactly"});
+    return {.name = std::move(name),
+            .label = std::move(label),
+            .help = std::move(help),
+            .rows = std::move(rows),
+            .make = [formulation](std::shared_ptr<const Discretisation> discretisation, const Values& values,
+                                  const Progress&, std::stop_token) -> std::unique_ptr<Method> {
+                auto domain = std::dynamic_pointer_cast<const SplineDomain>(std::move(discretisation));
+                GASPARD_CHECK(domain != nullptr);
+                return std::make_unique<Picard>(std::move(domain), formulation, values);
+            }};
+}
+
+} // namespace
+
+MethodType picard_method() {
+    return picard_type(
+        Formulation::standard, "picard", "Picard",
+        "the fixed-point iteration of Benamou, Froese and Oberman: each step a Poisson problem");
+}
+
+MethodType picard_mixed_method() {
+    return picard_type(Formulation::mixed, "picard-mixed", "Picard, mixed",
+                       "the same with the map as an unknown of its own: borders are kept exactly");
+}
+
+} // namespace gaspard

@@ -1,0 +1,75 @@
+#include "core/method/spline_equation.hpp"
+
+#include "core/linear/reduce.hpp"
+
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+constexpr std::size_t coarsest = 16; // cells
+
+/// |<v, 2>| over all functions v.
+double size_of_divergence(const SplineForm& form) {
+    auto room = form.make_room();
+    const std::size_t points = form.line().points.size();
+    const std::vector<double> two(points, 2.0);
+    std::vector<double> load(form.unknowns());
+    form.begin_load(room);
+    for (std::size_t y = 0; y < points; ++y) form.load_row(y, two.data(), room);
+    form.end_load(load, room);
+    return std::sqrt(dot(load, load));
+}
+
+} // namespace
+
+SplineEquation::SplineEquation(std::shared_ptr<const SplineDomain> domain, std::size_t cells)
+    : SplineEquation(domain, std::make_unique<PatchForm>(domain, Formulation::standard, cells)) {}
+
+SplineEquation::SplineEquation(std::shared_ptr<const SplineDomain> domain, std::unique_ptr<PatchForm> patch)
+    : Equation(patch->layout(), patch->form()->unknowns()), domain_(std::move(domain)),
+      patch_(std::move(patch)), bfo_(patch_->form()), unit_(size_of_divergence(*patch_->form())),
+      whole_(unknowns()), next_(unknowns()), residual_(unknowns()) {}
+
+std::optional<State> SplineEquation::adopt(const State& other, const Discretisation*) {
+    if (other.arrays.size() != 1 || other.arrays[0].name != "phi") return std::nullopt;
+    auto phi = patch_->adopt(other.layout, other.arrays[0].values);
+    if (phi.empty()) return std::nullopt;
+    return state_of(std::move(phi));
+}
+
+State SplineEquation::adopt(Equation& other, std::span<const double> phi) {
+    return state_of(patch_->adopt(other.layout(), phi));
+}
+
+std::unique_ptr<Equation> SplineEquation::coarser(const Progress&, std::stop_token) const {
+    const std::size_t cells = patch_->cells();
+    if (cells % 2 != 0 || cells / 2 < coarsest) return nullptr;
+    return std::make_unique<SplineEquation>(domain_, cells / 2);
+}
+
+Evaluation SplineEquation::evaluate(const Monitor& monitor, std::span<const double> phi) {
+    const PatchSource source = patch_->source(monitor);
+    patch_->add_identity(phi, whole_);
+    bfo_.iterate(source, whole_, next_, &shape_);
+    bfo_.residual(whole_, next_, residual_);
+    patch_->positions(whole_, positions_);
+    return {.residual = std::sqrt(dot(residual_, residual_)) / unit_, .theta = source.sigma()};
+}
+
+void SplineEquation::move(std::span<const double> phi) {
+    std::vector<double> whole(phi.size());
+    patch_->add_identity(phi, whole);
+    patch_->positions(whole, positions_);
+}
+
+void SplineEquation::direction(std::span<double> u) {
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = next_[i] - whole_[i];
+}
+
+void SplineEquation::linearise(const Monitor& monitor, Linearised how) {
+    bfo_.linearise(patch_->source(monitor), whole_, how == Linearised::fully);
+}
+
+} // namespace gaspard

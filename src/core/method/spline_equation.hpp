@@ -1,0 +1,52 @@
+// The standard form on a patch as an equation for phi = Phi - |xi|^2 / 2, Psi = grad Phi:
+//
+//   r_v = <Psi . n, v> at the border - <s G(Phi), v> - <grad Phi, grad v>
+//
+// Its solution is the fixed point of the method picard; direction() is Picard's increment, so that a
+// relaxation with the step 1 is that method. The residual is |r| / |<v, 2>|, 2 being the divergence of the
+// identity.
+#pragma once
+
+#include "core/method/equation.hpp"
+#include "core/method/patch_form.hpp"
+
+namespace gaspard {
+
+class SplineEquation final : public Equation {
+  public:
+    explicit SplineEquation(std::shared_ptr<const SplineDomain> domain)
+        : SplineEquation(domain, domain->cells()) {}
+    /// With fewer cells than the domain's mesh has.
+    SplineEquation(std::shared_ptr<const SplineDomain> domain, std::size_t cells);
+
+    void use_threads(int) override {} // it works alone
+    double other_cpu_seconds() const override { return 0; }
+
+    std::optional<State> adopt(const State& other, const Discretisation* of) override;
+    State adopt(Equation& other, std::span<const double> phi) override;
+    std::unique_ptr<Equation> coarser(const Progress& progress, std::stop_token stop) const override;
+
+    Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override;
+    const Points& positions() const override { return positions_; }
+    void move(std::span<const double> phi) override;
+    std::span<const double> residual() const override { return residual_; }
+    Ellipticity ellipticity() const override { return {shape_.convexity, shape_.slowest, shape_.fastest}; }
+    void direction(std::span<double> u) override;
+
+    void linearise(const Monitor& monitor, Linearised how) override;
+    void derivative(std::span<const double> w, std::span<double> out) override { bfo_.derivative(w, out); }
+    void precondition(std::span<const double> r, std::span<double> u) override { bfo_.poisson(r, u); }
+
+  private:
+    SplineEquation(std::shared_ptr<const SplineDomain> domain, std::unique_ptr<PatchForm> patch);
+
+    std::shared_ptr<const SplineDomain> domain_;
+    std::unique_ptr<PatchForm> patch_;
+    Bfo bfo_;
+    double unit_ = 0; ///< |<v, 2>|
+    Points positions_;
+    Bfo::Shape shape_;
+    std::vector<double> whole_, next_, residual_; ///< Phi, T(Phi), r
+};
+
+} // namespace gaspard

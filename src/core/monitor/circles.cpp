@@ -1,0 +1,176 @@
+// Circles with a crease, Bahari et al. (2024), examples 5.3, 5.5 and 7.5:
+//
+//   m(x) = 1 + sum of A_i exp( -B | |x - c_i|^2 - r_i^2 | )
+//
+// and smooth ones, examples 5.6 and 7.9, where the paper prints 5 / sech for 5 sech^2.
+#include "core/base/exponential.hpp"
+#include "core/monitor/formula.hpp"
+#include "core/monitor/radial.hpp"
+
+#include <array>
+#include <numbers>
+
+namespace gaspard {
+
+namespace {
+
+struct Circle {
+    double amplitude = 0, radius_squared = 0;
+    Vec3 centre;
+};
+
+template <std::size_t count>
+struct CreasedCircles {
+    std::array<Circle, count> circles;
+    double sharpness;
+
+    double value(Vec3 x) const {
+        double sum = 1;
+        for (const Circle& c : circles)
+            sum += c.amplitude *
+                   exponential(-sharpness * std::abs(dot(x - c.centre, x - c.centre) - c.radius_squared));
+        return sum;
+    }
+    Vec3 gradient(Vec3 x) const {
+        Vec3 sum;
+        for (const Circle& c : circles) {
+            const Vec3 d = x - c.centre;
+            const double t = dot(d, d) - c.radius_squared;
+            const double side = t > 0 ? 1 : t < 0 ? -1 : 0;
+            sum = sum + (-2 * side * sharpness * c.amplitude * exponential(-sharpness * std::abs(t))) * d;
+        }
+        return sum;
+    }
+    void check() const {
+        for (const Circle& c : circles) check_amplitude(c.amplitude, -1);
+    }
+};
+
+struct SmoothCircles {
+    std::array<Circle, 2> circles;
+    double sharpness;
+
+    double value(Vec3 x) const {
+        double sum = 1;
+        for (const Circle& c : circles) {
+            const Vec3 d = x - c.centre;
+            sum += c.amplitude * sech_squared(sharpness * (dot(d, d) - c.radius_squared));
+        }
+        return sum;
+    }
+    Vec3 gradient(Vec3 x) const {
+        Vec3 sum;
+        for (const Circle& c : circles) {
+            const Vec3 d = x - c.centre;
+            const double t = sharpness * (dot(d, d) - c.radius_squared);
+            sum = sum + (-4 * c.amplitude * sharpness * std::tanh(t) * sech_squared(t)) * d;
+        }
+        return sum;
+    }
+    void check() const {
+        for (const Circle& c : circles) check_amplitude(c.amplitude, -1);
+    }
+};
+
+ParameterRow positive_amplitude(double value, const std::string& where) {
+    ParameterRow row = amplitude_row(1000, value, where);
+    row.minimum = 0; // sums of them stay positive
+    return row;
+}
+
+ParameterRow creased_sharpness(double value) {
+    ParameterRow row = sharpness_row(value, "0.35 / (B r)");
+    return row;
+}
+
+} // namespace
+
+MonitorType circle_monitor() {
+    return {.name = "circle",
+            .label = "Circle",
+            .help = "small cells along a circle, smallest at a crease",
+            .equation = "m(x) = 1 + A exp( -B | |x - c|^2 - r^2 | )",
+            .rows =
+                [](const Space&) {
+                    std::vector<ParameterRow> rows = {amplitude_row(1000, 5, "on the circle"),
+                                                      creased_sharpness(50),
+                                                      {.key = "radius",
+                                                       .label = "Radius",
+                                                       .symbol = "r",
+                                                       .unit = "length",
+                                                       .minimum = 0,
+                                                       .maximum = 10,
+                                                       .default_value = 0.3,
+                                                       .help = "of the circle"}};
+                    for (auto& row : center_in_space_rows({0.5, 0.5, 0})) rows.push_back(std::move(row));
+                    return rows;
+                },
+            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+                const double r = v.real("radius");
+                return std::make_shared<FormulaMonitor<CreasedCircles<1>>>(CreasedCircles<1>{
+                    {Circle{v.real("amplitude"), r * r, center_in_space(v)}}, v.real("sharpness")});
+            }};
+}
+
+MonitorType three_circles_monitor() {
+    return {
+        .name = "three-circles",
+        .label = "Three circles",
+        .help = "a face with two ears in the unit disk, with a mouth or without",
+        .equation =
+            "m(x) = 1 + sum of A exp( -B | |x - c_i|^2 - r_i^2 | ) + A_m exp( -B | |x - c_m|^2 - r_m^2 | )",
+        .rows =
+            [](const Space&) {
+                ParameterRow mouth = positive_amplitude(0, "on the mouth");
+                mouth.key = "mouth";
+                mouth.label = "Mouth";
+                mouth.symbol = "A_m";
+                return std::vector<ParameterRow>{positive_amplitude(5, "on the circles"),
+                                                 creased_sharpness(100), mouth};
+            },
+        .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            const double a = v.real("amplitude");
+            return std::make_shared<FormulaMonitor<CreasedCircles<4>>>(CreasedCircles<4>{
+                {Circle{a, 0.1, {0.45, 0.4, 0}}, Circle{a, 0.2, {0, 0, 0}}, Circle{a, 0.1, {-0.45, 0.4, 0}},
+                 Circle{v.real("mouth"), 0.4, {0, -1.25, 0}}},
+                v.real("sharpness")});
+        }};
+}
+
+MonitorType two_circles_monitor() {
+    return {
+        .name = "two-circles",
+        .label = "Two circles",
+        .help = "small cells along two large circles (spheres, in space) that cross",
+        .equation = "m(x) = 1 + sum of A sech^2( B (|x - c_i|^2 - r^2) ), c_i = (+-sqrt(3)/2, 1/2, c3)",
+        .rows =
+            [](const Space&) {
+                return std::vector<ParameterRow>{
+                    positive_amplitude(5, "on the circles"),
+                    sharpness_row(5, "0.44 / (B r)"),
+                    {.key = "radius",
+                     .label = "Radius",
+                     .symbol = "r",
+                     .unit = "length",
+                     .minimum = 0,
+                     .maximum = 10,
+                     .default_value = std::numbers::pi / 2,
+                     .help = "of both circles"},
+                    {.key = "center_z",
+                     .label = "Centre z",
+                     .symbol = "c3",
+                     .minimum = -10,
+                     .maximum = 10,
+                     .default_value = 0.0,
+                     .help =
+                         "of both spheres, for surfaces in space: 1/2 on the Moebius strip of the source"}};
+            },
+        .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            const double a = v.real("amplitude"), r = v.real("radius"), z = v.real("center_z");
+            const double x = std::sqrt(3.0) / 2;
+            return std::make_shared<FormulaMonitor<SmoothCircles>>(SmoothCircles{
+                {Circle{a, r * r, {x, 0.5, z}}, Circle{a, r * r, {-x, 0.5, z}}}, v.real("sharpness")});
+        }};
+}
+
+} // namespace gaspard

@@ -1,0 +1,151 @@
+// A spiral and waves, Bahari et al. (2024): examples 5.4 (where the paper prints 20 r for 20 r^2), 7.3, 7.8
+// and 7.7 (where sin(2 pi/3) is a constant, as it is printed).
+#include "core/base/exponential.hpp"
+#include "core/monitor/formula.hpp"
+#include "core/monitor/radial.hpp"
+
+#include <numbers>
+
+namespace gaspard {
+
+namespace {
+
+using std::numbers::pi;
+
+/// r cos(angle - w), w = k r^2, is dx cos w + dy sin w.
+struct Spiral {
+    double amplitude, sharpness, winding;
+    Vec3 centre;
+
+    double value(Vec3 x) const {
+        const double dx = x.x - centre.x, dy = x.y - centre.y, w = winding * (dx * dx + dy * dy);
+        const double t = sharpness * (dx * std::cos(w) + dy * std::sin(w));
+        return 1 + amplitude / (1 + t * t);
+    }
+    Vec3 gradient(Vec3 x) const {
+        const double dx = x.x - centre.x, dy = x.y - centre.y, w = winding * (dx * dx + dy * dy);
+        const double c = std::cos(w), s = std::sin(w);
+        const double t = sharpness * (dx * c + dy * s), dw = sharpness * (dy * c - dx * s);
+        const double factor = -2 * amplitude * t / ((1 + t * t) * (1 + t * t));
+        return {factor * (sharpness * c + dw * 2 * winding * dx),
+                factor * (sharpness * s + dw * 2 * winding * dy), 0};
+    }
+    void check() const { check_amplitude(amplitude, -1); }
+};
+
+struct CosineWaves {
+    double frequency; ///< waves per length
+    Vec3 centre;
+
+    double value(Vec3 x) const { return 1 / (2 + std::cos(2 * pi * frequency * norm(x - centre))); }
+    Vec3 gradient(Vec3 x) const {
+        const Vec3 d = x - centre;
+        const double k = 2 * pi * frequency, r = norm(d), m = value(x);
+        if (r == 0) return {};
+        return (m * m * k * std::sin(k * r) / r) * d;
+    }
+    void check() const {}
+};
+
+struct SineWaves {
+    double amplitude, sharpness;
+
+    double value(Vec3 x) const {
+        const double s = 0.25 * std::sin(2 * pi * x.x), upper = x.y - 0.5 - factor() * s,
+                     lower = x.y - 0.25 - s;
+        return 1 + amplitude * (exponential(-sharpness * std::abs(upper)) +
+                                exponential(-sharpness * std::abs(lower)));
+    }
+    Vec3 gradient(Vec3 x) const {
+        const double s = 0.25 * std::sin(2 * pi * x.x), slope = 0.5 * pi * std::cos(2 * pi * x.x);
+        const auto part = [&](double t, double steepness) {
+            const double d = (t > 0   ? -1
+                              : t < 0 ? 1
+                                      : 0) *
+                             amplitude * sharpness * exponential(-sharpness * std::abs(t));
+            return d * Vec3{-steepness * slope, 1, 0};
+        };
+        return part(x.y - 0.5 - factor() * s, factor()) + part(x.y - 0.25 - s, 1);
+    }
+    void check() const { check_amplitude(amplitude, -0.5); }
+
+  private:
+    static double factor() { return std::sqrt(3.0) / 2; } // sin(2 pi / 3)
+};
+
+} // namespace
+
+MonitorType spiral_monitor() {
+    return {.name = "spiral",
+            .label = "Spiral",
+            .help = "small cells along the arms of a spiral",
+            .equation = "m(x) = 1 + A / (1 + (B r cos(angle - k r^2))^2), r and angle seen from c",
+            .rows =
+                [](const Space&) {
+                    std::vector<ParameterRow> rows = {amplitude_row(1000, 9, "on the arms"),
+                                                      sharpness_row(10, "1/B", "1/length"),
+                                                      {.key = "winding",
+                                                       .label = "Winding",
+                                                       .symbol = "k",
+                                                       .unit = "1/length^2",
+                                                       .minimum = 0,
+                                                       .maximum = 200,
+                                                       .default_value = 20.0,
+                                                       .help = "how tight the arms are"}};
+                    for (auto& row : center_in_space_rows({0.7, 0.5, 0}))
+                        if (row.key != "center_z") rows.push_back(std::move(row));
+                    return rows;
+                },
+            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+                return std::make_shared<FormulaMonitor<Spiral>>(
+                    Spiral{v.real("amplitude"),
+                           v.real("sharpness"),
+                           v.real("winding"),
+                           {v.real("center_x"), v.real("center_y"), 0}});
+            }};
+}
+
+MonitorType cosine_waves_monitor() {
+    return {.name = "cosine-waves",
+            .label = "Cosine waves",
+            .help = "rings around a point, three to one",
+            .equation = "m(x) = 1 / (2 + cos(2 pi k |x - c|))",
+            .rows =
+                [](const Space&) {
+                    std::vector<ParameterRow> rows = {{.key = "frequency",
+                                                       .label = "Frequency",
+                                                       .symbol = "k",
+                                                       .unit = "1/length",
+                                                       .minimum = 0.1,
+                                                       .maximum = 20,
+                                                       .scale = ParameterScale::logarithmic,
+                                                       .default_value = 4.0,
+                                                       .help = "rings per length"}};
+                    for (auto& row : center_in_space_rows({0.5, 0.5, 0})) rows.push_back(std::move(row));
+                    return rows;
+                },
+            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+                return std::make_shared<FormulaMonitor<CosineWaves>>(
+                    CosineWaves{v.real("frequency"), center_in_space(v)});
+            }};
+}
+
+MonitorType sine_waves_monitor() {
+    return {.name = "sine-waves",
+            .label = "Sine waves",
+            .help = "small cells along two waves, smallest at a crease",
+            .equation = "m(x) = 1 + A exp( -B |y - 1/2 - sin(2 pi x) sin(2 pi/3) / 4| ) "
+                        "+ A exp( -B |y - 1/4 - sin(2 pi x) / 4| )",
+            .rows =
+                [](const Space&) {
+                    ParameterRow amplitude = amplitude_row(1000, 5, "on the waves");
+                    amplitude.minimum = 0;
+                    return std::vector<ParameterRow>{amplitude, sharpness_row(50, "0.7 / B", "1/length")};
+                },
+            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+                return std::make_shared<FormulaMonitor<SineWaves>>(
+                    SineWaves{v.real("amplitude"), v.real("sharpness")});
+            }};
+}
+
+} // namespace gaspard

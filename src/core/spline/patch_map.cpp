@@ -1,0 +1,92 @@
+#include "core/spline/patch_map.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace gaspard {
+
+namespace {
+
+using std::numbers::pi;
+
+/// A point of the surface and the derivatives there.
+struct Place {
+    Vec3 x, first, second;
+};
+
+/// A map from a function of (xi1, xi2) that returns the place; the compiler leaves out what is not used.
+template <int dimension, class Formula>
+class FormulaMap final : public PatchMap {
+  public:
+    int space_dimension() const override { return dimension; }
+    void points(const Points& xi, Points& x) const override {
+        x.resize(xi.size());
+        for (std::size_t i = 0; i < xi.size(); ++i) x.set(i, Formula::at(xi.x[i], xi.y[i]).x);
+    }
+    void tangents(const Points& xi, Points& first, Points& second) const override {
+        first.resize(xi.size());
+        second.resize(xi.size());
+        for (std::size_t i = 0; i < xi.size(); ++i) {
+            const Place place = Formula::at(xi.x[i], xi.y[i]);
+            first.set(i, place.first);
+            second.set(i, place.second);
+        }
+    }
+    bool is_identity() const override { return Formula::identity; }
+};
+
+struct Square {
+    static constexpr bool identity = true;
+    static Place at(double a, double b) { return {{a, b, 0}, {1, 0, 0}, {0, 1, 0}}; }
+};
+
+struct Disk {
+    static constexpr bool identity = false;
+    static Place at(double a, double b) {
+        const double u = 2 * a - 1, v = 2 * b - 1;
+        const double su = std::sqrt(1 - u * u / 2), sv = std::sqrt(1 - v * v / 2);
+        return {{u * sv, v * su, 0}, {2 * sv, -u * v / su, 0}, {-u * v / sv, 2 * su, 0}};
+    }
+};
+
+struct QuarterAnnulus {
+    static constexpr bool identity = false;
+    static Place at(double a, double b) {
+        const double r = 0.5 + 0.5 * a, c = std::cos(pi / 2 * b), s = std::sin(pi / 2 * b);
+        return {{r * c, r * s, 0}, {0.5 * c, 0.5 * s, 0}, {-pi / 2 * r * s, pi / 2 * r * c, 0}};
+    }
+};
+
+struct TorusPart {
+    static constexpr bool identity = false;
+    static Place at(double a, double b) {
+        const double cu = std::cos(pi * a), su = std::sin(pi * a);
+        const double cv = std::cos(1.5 * pi * b), sv = std::sin(1.5 * pi * b), r = 3 + cv;
+        return {{r * cu, r * su, sv},
+                {-pi * r * su, pi * r * cu, 0},
+                {-1.5 * pi * sv * cu, -1.5 * pi * sv * su, 1.5 * pi * cv}};
+    }
+};
+
+struct Moebius {
+    static constexpr bool identity = false;
+    static Place at(double a, double b) {
+        const double u = 2 * pi * a, v = b - 0.5, cu = std::cos(u), su = std::sin(u);
+        const double ch = std::cos(u / 2), sh = std::sin(u / 2), r = 1 + v * ch, slope = -v * sh / 2;
+        return {{r * cu, r * su, v * sh},
+                2 * pi * Vec3{slope * cu - r * su, slope * su + r * cu, v * ch / 2},
+                {ch * cu, ch * su, sh}};
+    }
+};
+
+} // namespace
+
+std::shared_ptr<const PatchMap> square_map() { return std::make_shared<FormulaMap<2, Square>>(); }
+std::shared_ptr<const PatchMap> disk_map() { return std::make_shared<FormulaMap<2, Disk>>(); }
+std::shared_ptr<const PatchMap> quarter_annulus_map() {
+    return std::make_shared<FormulaMap<2, QuarterAnnulus>>();
+}
+std::shared_ptr<const PatchMap> torus_part_map() { return std::make_shared<FormulaMap<3, TorusPart>>(); }
+std::shared_ptr<const PatchMap> moebius_map() { return std::make_shared<FormulaMap<3, Moebius>>(); }
+
+} // namespace gaspard

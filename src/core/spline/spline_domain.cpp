@@ -1,0 +1,119 @@
+#include "core/spline/spline_domain.hpp"
+
+#include "core/base/check.hpp"
+#include "core/spline/patch_file.hpp"
+
+namespace gaspard {
+
+namespace {
+
+Mesh patch_mesh(std::size_t cells, const std::vector<double>& line, const PatchMap& map) {
+    const std::size_t side = line.size();
+    Points xi(side * side);
+    for (std::size_t j = 0; j < side; ++j)
+        for (std::size_t i = 0; i < side; ++i) xi.set(j * side + i, {line[i], line[j], 0});
+    Mesh mesh{.kind = {CellShape::quadrilateral, 2},
+              .space_dimension = map.space_dimension(),
+              .nodes = {},
+              .cells = {}};
+    map.points(xi, mesh.nodes);
+    mesh.cells.reserve(9 * cells * cells);
+    constexpr std::size_t local[9][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0},
+                                         {2, 1}, {1, 2}, {0, 1}, {1, 1}}; // as in VTK
+    for (std::size_t row = 0; row < cells; ++row)
+        for (std::size_t column = 0; column < cells; ++column)
+            for (const auto& [i, j] : local)
+                mesh.cells.push_back(static_cast<std::int32_t>((2 * row + j) * side + 2 * column + i));
+    return mesh;
+}
+
+/// A shipped patch: its name, and its map.
+struct Shipped {
+    const char* name;
+    const char* label;
+    const char* help;
+    std::shared_ptr<const PatchMap> (*map)();
+};
+
+constexpr const char* from_file = "spline-patch";
+
+const std::vector<Shipped>& shipped() {
+    static const std::vector<Shipped> all = {
+        {"spline-square", "Spline square", "the unit square in splines", square_map},
+        {"spline-disk", "Spline disk", "the unit disk, from a square", disk_map},
+        {"spline-annulus", "Spline annulus", "a quarter of an annulus of radii 1/2 and 1",
+         quarter_annulus_map},
+        {"spline-torus", "Spline torus", "a part of a torus of radii 3 and 1, a surface in space",
+         torus_part_map},
+        {"spline-moebius", "Moebius strip", "a strip of width 1 with half a twist, cut open", moebius_map}};
+    return all;
+}
+
+std::vector<ParameterRow> rows() {
+    return {{.key = "cells",
+             .label = "Cells per side",
+             .symbol = "n",
+             .kind = ParameterKind::integer,
+             .minimum = 4,
+             .maximum = 256,
+             .scale = ParameterScale::logarithmic,
+             .default_value = std::int64_t{32},
+             .help = "the patch has n x n cells"},
+            {.key = "degree",
+             .label = "Degree",
+             .symbol = "p",
+             .kind = ParameterKind::integer,
+             .minimum = 2,
+             .maximum = highest_degree,
+             .default_value = std::int64_t{3},
+             .help = "of the splines, which have p - 1 continuous derivatives"}};
+}
+
+Space flat(const Values&) { return {SpaceKind::euclidean}; }
+
+} // namespace
+
+SplineDomain::SplineDomain(int degree, std::size_t cells, std::shared_ptr<const PatchMap> map)
+    : degree_(degree), cells_(cells), map_(std::move(map)) {
+    GASPARD_CHECK(map_ != nullptr && cells_ >= 1 && degree_ >= 2 && degree_ <= highest_degree);
+    mesh_ = std::make_shared<const Mesh>(patch_mesh(cells_, node_lines(), *map_));
+}
+
+std::size_t SplineDomain::unknowns() const {
+    const std::size_t size = cells_ + static_cast<std::size_t>(degree_);
+    return size * size;
+}
+
+std::vector<double> SplineDomain::node_lines() const {
+    std::vector<double> line(2 * cells_ + 1);
+    for (std::size_t i = 0; i < line.size(); ++i)
+        line[i] = static_cast<double>(i) / static_cast<double>(2 * cells_);
+    return line;
+}
+
+std::vector<DomainType> spline_domains() {
+    std::vector<DomainType> types;
+    for (const auto& one : shipped()) types.push_back({one.name, one.label, one.help, rows(), flat});
+    std::vector<ParameterRow> with_file = rows();
+    with_file.push_back({.key = "file",
+                         .label = "File",
+                         .kind = ParameterKind::text,
+                         .default_value = std::string(),
+                         .help = "a patch as JSON (docs/splines.md); none: the unit disk as NURBS"});
+    types.push_back({from_file, "Patch from a file",
+                     "splines or NURBS with control points, in the plane or in space", with_file, flat});
+    return types;
+}
+
+std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, const Values& values) {
+    const auto degree = static_cast<int>(values.integer("degree"));
+    const auto cells = static_cast<std::size_t>(values.integer("cells"));
+    for (const auto& one : shipped())
+        if (type == one.name) return std::make_shared<SplineDomain>(degree, cells, one.map());
+    GASPARD_CHECK(type == from_file);
+    const std::string& file = values.text("file");
+    return std::make_shared<SplineDomain>(degree, cells,
+                                          patch_map(file.empty() ? nurbs_disk() : read_patch(file)));
+}
+
+} // namespace gaspard

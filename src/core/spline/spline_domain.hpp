@@ -1,0 +1,41 @@
+// A patch cut into n x n cells, with the splines in which its mesh is sought; and the kinds of patch that a
+// user can choose.
+#pragma once
+
+#include "core/mesh/discretisation.hpp"
+#include "core/mesh/domain_type.hpp"
+#include "core/spline/patch_map.hpp"
+#include "core/spline/spline_forms.hpp"
+
+#include <string>
+
+namespace gaspard {
+
+class SplineDomain final : public Discretisation {
+  public:
+    SplineDomain(int degree, std::size_t cells, std::shared_ptr<const PatchMap> map);
+
+    /// Quadrilaterals of order 2 with nodes on the patch, (2 n + 1)^2 of them, fastest in xi1.
+    std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
+    /// Of the standard form.
+    std::size_t unknowns() const override;
+
+    int degree() const { return degree_; }
+    std::size_t cells() const { return cells_; }
+    std::shared_ptr<const PatchMap> map() const { return map_; }
+    /// Where the nodes stand along each direction of the parameter square.
+    std::vector<double> node_lines() const;
+
+  private:
+    int degree_;
+    std::size_t cells_;
+    std::shared_ptr<const PatchMap> map_;
+    std::shared_ptr<const Mesh> mesh_;
+};
+
+/// The square, the disk, the quarter annulus, the torus part, the Moebius strip, and a patch from a file.
+std::vector<DomainType> spline_domains();
+/// Throws InputError where a file is no patch.
+std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, const Values& values);
+
+} // namespace gaspard

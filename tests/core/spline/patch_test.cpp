@@ -1,0 +1,145 @@
+#include "core/base/error.hpp"
+#include "core/spline/patch_file.hpp"
+#include "core/spline/spline_domain.hpp"
+#include "support/messages.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace gaspard {
+namespace {
+
+Points random_points(std::size_t n, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> number(0, 1);
+    Points points(n);
+    for (std::size_t i = 0; i < n; ++i) points.set(i, {number(random), number(random), 0});
+    return points;
+}
+
+struct Named {
+    const char* name;
+    std::shared_ptr<const PatchMap> map;
+};
+void PrintTo(const Named& named, std::ostream* out) { *out << named.name; }
+
+class PatchMaps : public testing::TestWithParam<Named> {};
+INSTANTIATE_TEST_SUITE_P(All, PatchMaps,
+                         testing::Values(Named{"square", square_map()}, Named{"disk", disk_map()},
+                                         Named{"annulus", quarter_annulus_map()},
+                                         Named{"torus", torus_part_map()}, Named{"moebius", moebius_map()},
+                                         Named{"nurbs", patch_map(nurbs_disk())}),
+                         [](const auto& map) { return std::string(map.param.name); });
+
+TEST_P(PatchMaps, HaveTheTangentsOfTheirDifferences) {
+    const PatchMap& map = *GetParam().map;
+    const Points xi = random_points(200, 3);
+    Points first, second;
+    map.tangents(xi, first, second);
+    constexpr double h = 1e-5;
+    for (std::size_t i = 0; i < xi.size(); ++i) {
+        Points around(4), x;
+        around.set(0, xi[i] + Vec3{h, 0, 0}), around.set(1, xi[i] - Vec3{h, 0, 0});
+        around.set(2, xi[i] + Vec3{0, h, 0}), around.set(3, xi[i] - Vec3{0, h, 0});
+        map.points(around, x);
+        EXPECT_LT(norm((1 / (2 * h)) * (x[0] - x[1]) - first[i]), 2e-8);
+        EXPECT_LT(norm((1 / (2 * h)) * (x[2] - x[3]) - second[i]), 2e-8);
+        EXPECT_TRUE(map.space_dimension() == 3 || x.z[0] == 0);
+    }
+}
+
+TEST(PatchMaps, StandOnTheirSurfaces) {
+    Points xi = random_points(200, 4), x;
+    moebius_map()->points(xi, x); // the middle line is the unit circle, and the two ends are one, turned over
+    Points ends(4), at;
+    ends.set(0, {0, 0.2, 0}), ends.set(1, {1, 0.8, 0}), ends.set(2, {0.3, 0.5, 0}),
+        ends.set(3, {0.7, 0.5, 0});
+    moebius_map()->points(ends, at);
+    EXPECT_LT(norm(at[0] - at[1]), 1e-14);
+    EXPECT_NEAR(norm(at[2]), 1, 1e-14);
+    EXPECT_NEAR(norm(at[3]), 1, 1e-14);
+    torus_part_map()->points(xi, x);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double around = std::hypot(x.x[i], x.y[i]) - 3;
+        EXPECT_NEAR(std::hypot(around, x.z[i]), 1, 1e-14);
+    }
+    quarter_annulus_map()->points(xi, x);
+    for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(norm(x[i]), 0.5 + 0.5 * xi.x[i], 1e-14);
+}
+
+TEST(NurbsDisk, HasAnExactCircleAsItsBorder) {
+    for (const auto& map : {patch_map(nurbs_disk()), disk_map()}) {
+        Points xi(400), x;
+        for (std::size_t i = 0; i < 100; ++i) {
+            const double t = static_cast<double>(i) / 99;
+            xi.set(4 * i, {t, 0, 0}), xi.set(4 * i + 1, {t, 1, 0});
+            xi.set(4 * i + 2, {0, t, 0}), xi.set(4 * i + 3, {1, t, 0});
+        }
+        map->points(xi, x);
+        for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(norm(x[i]), 1, 1e-14);
+    }
+}
+
+TEST(SplinePatches, StayTheSameWhenKnotsAreInserted) {
+    const SplinePatch disk = nurbs_disk();
+    TensorSpace fine = disk.space;
+    fine.directions[0].knots = {0, 0, 0, 0.3, 0.3, 0.7, 1, 1, 1};
+    fine.directions[1].knots = {0, 0, 0, 0.5, 1, 1, 1};
+    const SplinePatch finer = insert_knots(disk, fine);
+    ASSERT_EQ(finer.control.size(), 24u);
+    const Points xi = random_points(300, 5);
+    Points before, after;
+    patch_map(disk)->points(xi, before);
+    patch_map(finer)->points(xi, after);
+    for (std::size_t i = 0; i < xi.size(); ++i) EXPECT_LT(norm(before[i] - after[i]), 1e-14);
+}
+
+TEST(PatchFile, ReadsBack) {
+    const SplinePatch disk = nurbs_disk();
+    EXPECT_EQ(parse_patch(patch_json(disk), "disk.json"), disk);
+}
+
+TEST(PatchFile, MovesKnotsAndTakesMissingWeightsForOne) {
+    const SplinePatch patch = parse_patch(
+        R"({"degrees": [1, 1], "knots": [[2, 2, 3, 4, 4], [0, 0, 5, 5]],
+            "control_points": [[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1, 7]]})",
+        "strip.json");
+    EXPECT_EQ(patch.space.directions[0].knots, (std::vector<double>{0, 0, 0.5, 1, 1}));
+    EXPECT_EQ(patch.weights, std::vector<double>(6, 1.0));
+    EXPECT_EQ(patch_map(patch)->space_dimension(), 3);
+}
+
+TEST(PatchFile, SaysWhatIsWrong) {
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"{", "parse error"},
+        {"[]", "object"},
+        {R"({"degrees": [1, 1]})", "'knots'"},
+        {R"({"degrees": [1], "knots": [[0,0,1,1]], "control_points": []})", "two"},
+        {R"({"degrees": [9, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": []})", "1 to 7"},
+        {R"({"degrees": [1, 2], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": []})", "knots[1]"},
+        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,0,0]], "control_points": []})", "knots[1]"},
+        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[]], "control_points": []})", "knots[1]"},
+        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": [[0,0]]})",
+         "4 control points"},
+        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": [[0,0],[1,0],[0,1],[1]]})",
+         "control_points[3]"},
+        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": [[0,0],[1,0],[0,1],[1,"a"]]})",
+         "control_points[3]"},
+        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": [[0,0],[1,0],[0,1],[1,1]],
+             "weights": [1, 1, 1, 0]})",
+         "positive"},
+        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": [[0,0],[1,0],[0,1],[1,1]],
+             "weights": [1, 1]})",
+         "as many weights"}};
+    for (const auto& [text, part] : cases) {
+        const std::string message = message_of<InputError>([&] { parse_patch(text, "bad.json"); });
+        EXPECT_NE(message.find("bad.json"), std::string::npos) << message;
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    }
+    EXPECT_NE(message_of<InputError>([] { read_patch("/no/such/file.json"); }).find("/no/such"),
+              std::string::npos);
+}
+
+} // namespace
+} // namespace gaspard
