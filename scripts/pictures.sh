@@ -21,4 +21,5 @@ picture sphere-x16 sphere-x16 --size 1400x740 --set view.layout=front-and-rear -
   --set view.theme=light
 picture sphere-cross sphere-cross --size 1200x900 --set view.theme=light --set view.histogram=false \
   --set view.camera="centre 0.05 0.02 -0.04 height 2.25 right -0.9272 0.3746 0 up -0.09 -0.2226 0.9707"
+picture spline-moebius spline-moebius --size 1200x700 --set view.theme=light --set view.histogram=false --set domain.cells=48
 picture sphere-map sphere-cross --size 1200x640 --set view.theme=light --set view.layout=map --set view.map_longitude=90

@@ -15,6 +15,7 @@ namespace gaspard {
 
 /// Throw InputError that says what is missing or wrong, and where. Knots are moved to [0, 1].
 SplinePatch parse_patch(std::string_view json, const std::string& origin);
+/// JSON, or what G+Smo writes where the name ends in .xml.
 SplinePatch read_patch(const std::filesystem::path& file);
 /// Reads back to the same patch.
 std::string patch_json(const SplinePatch& patch);

@@ -99,7 +99,7 @@ std::vector<DomainType> spline_domains() {
                          .label = "File",
                          .kind = ParameterKind::text,
                          .default_value = std::string(),
-                         .help = "a patch as JSON (docs/splines.md); none: the unit disk as NURBS"});
+                         .help = "a patch as JSON (docs/splines.md) or G+Smo's .xml; none: the unit disk as NURBS"});
     types.push_back({from_file, "Patch from a file",
                      "splines or NURBS with control points, in the plane or in space", with_file, flat});
     return types;

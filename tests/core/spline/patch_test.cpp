@@ -1,5 +1,6 @@
 #include "core/base/error.hpp"
 #include "core/spline/patch_file.hpp"
+#include "core/spline/patch_xml.hpp"
 #include "core/spline/spline_domain.hpp"
 #include "support/messages.hpp"
 
@@ -108,6 +109,72 @@ TEST(PatchFile, MovesKnotsAndTakesMissingWeightsForOne) {
     EXPECT_EQ(patch.space.directions[0].knots, (std::vector<double>{0, 0, 0.5, 1, 1}));
     EXPECT_EQ(patch.weights, std::vector<double>(6, 1.0));
     EXPECT_EQ(patch_map(patch)->space_dimension(), 3);
+}
+
+const std::string smo = R"(<?xml version="1.0" encoding="UTF-8"?>
+<xml>
+ <!-- <Geometry type="TensorBSpline2"> of which nothing counts </Geometry> -->
+ <Geometry type="BSpline" id="3"><Basis type="BSplineBasis"><KnotVector degree="1">0 0 1 1</KnotVector></Basis>
+  <coefs geoDim="1">0 1</coefs></Geometry>
+ <Geometry type="TensorNurbs2" id="0">
+  <Basis type="TensorNurbsBasis2">
+   <Basis type="TensorBSplineBasis2">
+    <Basis type="BSplineBasis" index="0">
+     <KnotVector degree="1">0 0 2 2 </KnotVector>
+    </Basis>
+    <Basis type="BSplineBasis" index="1">
+     <KnotVector degree="2">0 0 0 1 1 1 </KnotVector>
+    </Basis>
+   </Basis>
+   <weights>
+1
+1
+0.7071067811865476
+0.7071067811865476
+1
+1
+</weights>
+  </Basis>
+  <coefs geoDim="2">1 0 
+2 0 
+1 1 
+2 2 
+0 1 
+0 2 
+</coefs>
+ </Geometry>
+</xml>
+)";
+
+TEST(PatchXml, IsReadAsGSmoWritesIt) { // a quarter of an annulus of radii 1 and 2
+    const SplinePatch patch = parse_patch_xml(smo, "annulus.xml");
+    EXPECT_EQ(patch.space.directions[0].knots, (std::vector<double>{0, 0, 1, 1}));
+    EXPECT_EQ(patch.space.directions[1].degree, 2);
+    const Points xi = random_points(100, 8);
+    Points x;
+    patch_map(patch)->points(xi, x);
+    for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(norm(x[i]), 1 + xi.x[i], 1e-14);
+}
+
+TEST(PatchXml, SaysWhatIsWrong) {
+    const auto complaint = [](const std::string& from, const std::string& to) {
+        std::string text = smo;
+        text.replace(text.find(from), from.size(), to);
+        return message_of<InputError>([&] { parse_patch_xml(text, "bad.xml"); });
+    };
+    const auto expect = [&](const std::string& from, const std::string& to, const std::string& part) {
+        const std::string message = complaint(from, to);
+        EXPECT_NE(message.find("bad.xml"), std::string::npos) << message;
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    };
+    expect("TensorNurbs2", "TensorNurbs3", "TensorBSpline2");
+    expect("degree=\"2\"", "degree=\"8\"", "1 to 7");
+    expect("degree=\"2\"", "order=\"2\"", "1 to 7");
+    expect("0 0 0 1 1 1", "0 0 0 1 1 x", "list of numbers");
+    expect("0 0 0 1 1 1", "0 0 1 1 1", "knots[1]");
+    expect("0 1 \n0 2", "0 1 \n0", "no whole number");
+    expect("0.7071067811865476\n", "", "as many weights");
+    expect("</coefs>\n </Geometry>", "</Geometry>", "coefs");
 }
 
 TEST(PatchFile, SaysWhatIsWrong) {

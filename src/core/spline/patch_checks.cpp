@@ -1,0 +1,45 @@
+#include "core/spline/patch_checks.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/parameter.hpp"
+
+#include <cmath>
+
+namespace gaspard {
+
+void not_a_patch(const std::string& origin, const std::string& what) {
+    throw InputError(origin + " is no patch: " + what);
+}
+
+KnotVector checked_direction(double degree, std::vector<double> knots, const std::string& which,
+                             const std::string& origin) {
+    if (!(degree >= 1 && degree <= highest_degree) || degree != std::floor(degree))
+        not_a_patch(origin, "degrees have to be whole numbers from 1 to " + std::to_string(highest_degree));
+    KnotVector space{static_cast<int>(degree), std::move(knots)};
+    if (!space.knots.empty()) {
+        const double first = space.knots.front(), last = space.knots.back(), length = last - first;
+        for (double& knot : space.knots) knot = knot == last ? (length > 0 ? 1 : 0) : (knot - first) / length;
+    }
+    if (!is_open(space))
+        not_a_patch(origin, "knots[" + which +
+                                "] has to ascend and to be open: the first and the last knot " +
+                                std::to_string(space.degree + 1) + " times for degree " +
+                                std::to_string(space.degree) + ", none more often");
+    return space;
+}
+
+void check_patch(const SplinePatch& patch, const std::string& origin) {
+    const std::size_t n = patch.space.size();
+    if (patch.control.size() != n)
+        not_a_patch(origin, "the knots are for " + std::to_string(n) + " control points, and there are " +
+                                std::to_string(patch.control.size()));
+    for (std::size_t i = 0; i < n; ++i)
+        if (!std::isfinite(norm(patch.control[i])))
+            not_a_patch(origin, "control point " + std::to_string(i) + " is not finite");
+    if (patch.weights.size() != n) not_a_patch(origin, "there have to be as many weights as control points");
+    for (const double w : patch.weights)
+        if (!(w > 0) || !std::isfinite(w))
+            not_a_patch(origin, "weights have to be positive, and one is " + format_number(w));
+}
+
+} // namespace gaspard
