@@ -2,6 +2,7 @@
 #include "core/base/error.hpp"
 #include "core/method/manufactured.hpp"
 #include "core/method/spline_equation.hpp"
+#include "core/method/spline_map.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
 #include "support/built_in.hpp"
@@ -208,6 +209,26 @@ TEST_P(Equations, TakeStatesOfOtherMeshesAndForms) {
     EXPECT_TRUE(fine.adopt("plane periodic Q2 n=60", phi).empty());
     EXPECT_TRUE(fine.adopt(coarse.layout() + " ", phi).empty());
     EXPECT_TRUE(fine.adopt("spline standard p=3 n=7", std::vector<double>(3)).empty());
+}
+
+TEST_P(Equations, TellTheirMapsAsSplines) {
+    for (const std::string method : {"picard", "picard-mixed", "newton"}) {
+        gaspard::Run run(
+            catalogue(),
+            scenario("spline-circle", {"domain.cells=16", "domain.degree=" + std::to_string(GetParam()),
+                                       "method.type=" + method}));
+        run.solve();
+        const auto map = spline_map(run.state());
+        ASSERT_TRUE(map.has_value());
+        const Points x = run.snapshot()->x;
+        for (std::size_t i = 0; i < x.size(); i += 5) { // on the square the mesh is Psi itself
+            const Vec3 xi = run.discretisation().mesh()->nodes[i];
+            EXPECT_NEAR(evaluate((*map)[0].space, (*map)[0].coefficients, xi), x.x[i], 1e-13);
+            EXPECT_NEAR(evaluate((*map)[1].space, (*map)[1].coefficients, xi), x.y[i], 1e-13);
+        }
+    }
+    EXPECT_FALSE(spline_map({"plane periodic Q2 n=60", {{"phi", {}}}}).has_value());
+    EXPECT_FALSE(spline_map({"spline mixed p=3 n=4", {{"phi", {1, 2}}}}).has_value());
 }
 
 // ---- orders
