@@ -5,6 +5,7 @@
 #include "core/method/spline_map.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
+#include "core/spline/patch_file.hpp"
 #include "support/built_in.hpp"
 
 #include <cmath>
@@ -102,6 +103,25 @@ TEST(PicardMixed, KeepsTheSquaresSidesToTheLastBit) {
         EXPECT_EQ(x.y[k], 0);
         EXPECT_EQ(x.y[(side - 1) * side + k], 1);
     }
+}
+
+TEST(PatchFiles, MayChangeUnderTheirMesh) {
+    // A control point moves: the map of the square is the start for the new patch.
+    SplinePatch patch = nurbs_disk();
+    const auto with_patch = [&] {
+        Scenario chosen = scenario("spline-two-circles", {"domain.type=spline-patch", "domain.cells=16"});
+        chosen.domain.values.set("file", patch_json(patch));
+        return chosen;
+    };
+    gaspard::Run run(catalogue(), with_patch());
+    run.solve();
+    const int first = run.history().back().iteration;
+    patch.control.set(4, {0.05, -0.02, 0});
+    EXPECT_EQ(run.change(with_patch()), "");
+    EXPECT_LT(run.history().back().residual, 1e-2);
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::converged);
+    EXPECT_LT(run.history().back().iteration - first, first);
 }
 
 // ---- the equation, and Newton's method
