@@ -1,6 +1,7 @@
 #include "core/spline/spline_domain.hpp"
 
 #include "core/base/check.hpp"
+#include "core/spline/patch_checks.hpp"
 #include "core/spline/patch_file.hpp"
 
 namespace gaspard {
@@ -112,7 +113,9 @@ std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, 
     for (const auto& one : shipped())
         if (type == one.name) return std::make_shared<SplineDomain>(degree, cells, one.map());
     GASPARD_CHECK(type == from_file);
-    return std::make_shared<SplineDomain>(degree, cells, patch_map(find_patch(values.text("file"))));
+    const auto map = patch_map(find_patch(values.text("file")));
+    check_regular(*map, "domain.file");
+    return std::make_shared<SplineDomain>(degree, cells, map);
 }
 
 } // namespace gaspard
