@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/base/version.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/spline_map_file.hpp"
 #include "core/io/state_file.hpp"
 
 #include <exception>
@@ -95,7 +96,7 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
                      const Progress& progress, std::stop_token stop) {
     run.complete();
     std::exception_ptr first;
-    const double all = 3 + static_cast<double>(formats.size());
+    const double all = 4 + static_cast<double>(formats.size());
     double done = 0;
     const auto attempt = [&](const std::string& what, const auto& write) {
         if (stop.stop_requested()) throw Interrupted();
@@ -109,6 +110,8 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
     attempt("history.csv", [&] { write_atomically(folder / "history.csv", history_csv(run.history())); });
     attempt("summary.json", [&] { write_atomically(folder / "summary.json", summary_json(run)); });
     attempt("state.bin", [&] { write_state(folder / "state.bin", run.state()); });
+    if (const auto map = spline_map_json(run.state()))
+        attempt("map.json", [&] { write_atomically(folder / "map.json", *map); });
     const auto snapshot = run.snapshot();
     const RunResult result{*snapshot, run.history(), run.space(), colour_choice(run.scenario().view),
                            run.scenario().output.real("curve_tolerance")};

@@ -12,13 +12,6 @@ namespace {
 
 constexpr std::size_t shown = 100; // points per direction for extremes of the Jacobian, as in the paper
 
-std::shared_ptr<const SplineForm> make_form(int degree, std::size_t cells, Formulation formulation) {
-    const SplineLine line(uniform_knots(degree, cells));
-    const NormalTrace trace = identity_trace(line);
-    return formulation == Formulation::standard ? make_standard_form(line, trace)
-                                                : make_mixed_form(line, trace);
-}
-
 /// phi in the space of `to`, both directions.
 std::vector<double> transferred(const KnotVector& from, const KnotVector& to, std::span<const double> phi) {
     const LineMatrix along = transfer(from, to);
@@ -36,15 +29,34 @@ std::vector<double> transferred(const KnotVector& from, const KnotVector& to, st
 
 } // namespace
 
+std::string spline_layout(const SplineLayout& layout) {
+    return std::string("spline ") + (layout.formulation == Formulation::standard ? "standard" : "mixed") +
+           " p=" + std::to_string(layout.degree) + " n=" + std::to_string(layout.cells);
+}
+
+std::optional<SplineLayout> parse_spline_layout(const std::string& text) {
+    constexpr int most_cells = 100000;
+    char kind[9] = {};
+    int degree = 0, cells = 0;
+    if (std::sscanf(text.c_str(), "spline %8s p=%d n=%d", kind, &degree, &cells) != 3) return std::nullopt;
+    if (degree < 2 || degree > highest_degree || cells < 1 || cells > most_cells) return std::nullopt;
+    const SplineLayout layout{std::string(kind) == "mixed" ? Formulation::mixed : Formulation::standard,
+                              degree, static_cast<std::size_t>(cells)};
+    if (spline_layout(layout) != text) return std::nullopt; // another kind, or more behind it
+    return layout;
+}
+
+std::unique_ptr<SplineForm> make_form(const SplineLayout& layout) {
+    const SplineLine line(uniform_knots(layout.degree, layout.cells));
+    const NormalTrace trace = identity_trace(line);
+    return layout.formulation == Formulation::standard ? make_standard_form(line, trace)
+                                                       : make_mixed_form(line, trace);
+}
+
 PatchForm::PatchForm(std::shared_ptr<const SplineDomain> domain, Formulation formulation, std::size_t cells)
     : domain_(std::move(domain)), formulation_(formulation), cells_(cells),
-      form_(make_form(domain_->degree(), cells, formulation)), identity_(form_->identity()),
+      form_(make_form({formulation, domain_->degree(), cells})), identity_(form_->identity()),
       nodes_(form_->line(), domain_->node_lines()), room_(form_->make_room()) {}
-
-std::string PatchForm::layout() const {
-    return std::string("spline ") + (formulation_ == Formulation::standard ? "standard" : "mixed") +
-           " p=" + std::to_string(domain_->degree()) + " n=" + std::to_string(cells_);
-}
 
 void PatchForm::add_identity(std::span<const double> phi, std::span<double> whole) const {
     for (std::size_t i = 0; i < identity_.size(); ++i) whole[i] = phi[i] + identity_[i];
@@ -57,17 +69,10 @@ std::vector<double> PatchForm::without_identity(std::span<const double> whole) c
 }
 
 std::vector<double> PatchForm::adopt(const std::string& layout, std::span<const double> phi) const {
-    char kind[9] = {};
-    int degree = 0, cells = 0, end = 0;
-    if (std::sscanf(layout.c_str(), "spline %8s p=%d n=%d%n", kind, &degree, &cells, &end) != 3 ||
-        static_cast<std::size_t>(end) != layout.size())
-        return {};
-    const bool mixed = std::string(kind) == "mixed";
-    if ((!mixed && std::string(kind) != "standard") || degree < 2 || degree > highest_degree || cells < 1 ||
-        cells > 100000)
-        return {};
-    KnotVector from = uniform_knots(degree, static_cast<std::size_t>(cells));
-    if (mixed) from = derivative_space(from);
+    const auto other = parse_spline_layout(layout);
+    if (!other) return {};
+    KnotVector from = uniform_knots(other->degree, other->cells);
+    if (other->formulation == Formulation::mixed) from = derivative_space(from);
     if (phi.size() != from.size() * from.size()) return {};
     if (from == form_->space()) return {phi.begin(), phi.end()};
     return transferred(from, form_->space(), phi);

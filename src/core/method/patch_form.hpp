@@ -5,9 +5,23 @@
 #include "core/method/patch_source.hpp"
 #include "core/spline/spline_domain.hpp"
 
+#include <optional>
+#include <string>
+
 namespace gaspard {
 
 enum class Formulation { standard, mixed };
+
+/// What the layout of a patch's State says: "spline standard p=3 n=32".
+struct SplineLayout {
+    Formulation formulation = Formulation::standard;
+    int degree = 3;
+    std::size_t cells = 0;
+};
+std::string spline_layout(const SplineLayout& layout);
+std::optional<SplineLayout> parse_spline_layout(const std::string& text);
+/// On equal cells, with the identity at the border.
+std::unique_ptr<SplineForm> make_form(const SplineLayout& layout);
 
 /// One form on a patch, with n cells or fewer than its mesh has.
 class PatchForm {
@@ -18,7 +32,7 @@ class PatchForm {
     const SplineDomain& domain() const { return *domain_; }
     Formulation formulation() const { return formulation_; }
     std::size_t cells() const { return cells_; }
-    std::string layout() const; ///< "spline standard p=3 n=32"
+    std::string layout() const { return spline_layout({formulation_, domain_->degree(), cells_}); }
     PatchSource source(const Monitor& monitor) const { return {monitor, *domain_->map(), form_->line()}; }
 
     /// Phi = phi + the potential of the identity; states hold phi, which is 0 where no node has moved.

@@ -3,7 +3,9 @@
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gaspard {
 
@@ -40,6 +42,28 @@ void check_patch(const SplinePatch& patch, const std::string& origin) {
     for (const double w : patch.weights)
         if (!(w > 0) || !std::isfinite(w))
             not_a_patch(origin, "weights have to be positive, and one is " + format_number(w));
+}
+
+void check_regular(const PatchMap& map, const std::string& origin) {
+    constexpr std::size_t side = 64; // looked at in the middles of so many squares a side
+    constexpr double least = 1e-9;   // of the largest Jacobian
+    Points xi(side * side), first, second;
+    for (std::size_t i = 0; i < xi.size(); ++i)
+        xi.set(i, {(static_cast<double>(i % side) + 0.5) / side, (static_cast<double>(i / side) + 0.5) / side,
+                   0});
+    map.tangents(xi, first, second);
+    double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
+    std::size_t where = 0;
+    for (std::size_t i = 0; i < xi.size(); ++i) {
+        const Vec3 normal = cross(first[i], second[i]);
+        const double jacobian = map.space_dimension() == 2 ? normal.z : norm(normal);
+        if (jacobian < smallest) smallest = jacobian, where = i;
+        largest = std::max(largest, jacobian);
+    }
+    const double size = std::max(std::abs(smallest), std::abs(largest));
+    if (!(smallest > least * size) && !(largest < -least * size))
+        not_a_patch(origin, "it folds or has no area, for example at xi = (" + format_number(xi.x[where]) +
+                                ", " + format_number(xi.y[where]) + ")");
 }
 
 } // namespace gaspard

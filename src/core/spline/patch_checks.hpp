@@ -14,4 +14,7 @@ KnotVector checked_direction(double degree, std::vector<double> knots, const std
 /// As many control points and weights as the knots want; weights positive; all finite.
 void check_patch(const SplinePatch& patch, const std::string& origin);
 
+/// The map has an area wherever one looks, and in the plane the same side up.
+void check_regular(const PatchMap& map, const std::string& origin);
+
 } // namespace gaspard

@@ -77,6 +77,11 @@ SplinePatch read_patch(const std::filesystem::path& file) {
                                       : parse_patch(text, file.string());
 }
 
+SplinePatch find_patch(const std::string& json_or_file) {
+    if (json_or_file.empty()) return nurbs_disk();
+    return json_or_file.front() == '{' ? parse_patch(json_or_file, "domain.file") : read_patch(json_or_file);
+}
+
 std::string patch_json(const SplinePatch& patch) {
     nlohmann::ordered_json json;
     for (const auto& direction : patch.space.directions) {

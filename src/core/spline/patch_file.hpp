@@ -17,6 +17,8 @@ namespace gaspard {
 SplinePatch parse_patch(std::string_view json, const std::string& origin);
 /// JSON, or what G+Smo writes where the name ends in .xml.
 SplinePatch read_patch(const std::filesystem::path& file);
+/// From a text that is a patch itself, as JSON, or the name of a file with one; empty: the disk below.
+SplinePatch find_patch(const std::string& json_or_file);
 /// Reads back to the same patch.
 std::string patch_json(const SplinePatch& patch);
 

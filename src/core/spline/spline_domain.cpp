@@ -1,6 +1,7 @@
 #include "core/spline/spline_domain.hpp"
 
 #include "core/base/check.hpp"
+#include "core/spline/patch_checks.hpp"
 #include "core/spline/patch_file.hpp"
 
 namespace gaspard {
@@ -99,7 +100,8 @@ std::vector<DomainType> spline_domains() {
                          .label = "File",
                          .kind = ParameterKind::text,
                          .default_value = std::string(),
-                         .help = "a patch as JSON (docs/splines.md) or G+Smo's .xml; none: the unit disk as NURBS"});
+                         .help = "a patch as JSON (docs/splines.md) or G+Smo's .xml, or the JSON itself; "
+                                 "none: the unit disk as NURBS"});
     types.push_back({from_file, "Patch from a file",
                      "splines or NURBS with control points, in the plane or in space", with_file, flat});
     return types;
@@ -111,9 +113,9 @@ std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, 
     for (const auto& one : shipped())
         if (type == one.name) return std::make_shared<SplineDomain>(degree, cells, one.map());
     GASPARD_CHECK(type == from_file);
-    const std::string& file = values.text("file");
-    return std::make_shared<SplineDomain>(degree, cells,
-                                          patch_map(file.empty() ? nurbs_disk() : read_patch(file)));
+    const auto map = patch_map(find_patch(values.text("file")));
+    check_regular(*map, "domain.file");
+    return std::make_shared<SplineDomain>(degree, cells, map);
 }
 
 } // namespace gaspard

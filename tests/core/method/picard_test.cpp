@@ -2,8 +2,10 @@
 #include "core/base/error.hpp"
 #include "core/method/manufactured.hpp"
 #include "core/method/spline_equation.hpp"
+#include "core/method/spline_map.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
+#include "core/spline/patch_file.hpp"
 #include "support/built_in.hpp"
 
 #include <cmath>
@@ -101,6 +103,25 @@ TEST(PicardMixed, KeepsTheSquaresSidesToTheLastBit) {
         EXPECT_EQ(x.y[k], 0);
         EXPECT_EQ(x.y[(side - 1) * side + k], 1);
     }
+}
+
+TEST(PatchFiles, MayChangeUnderTheirMesh) {
+    // A control point moves: the map of the square is the start for the new patch.
+    SplinePatch patch = nurbs_disk();
+    const auto with_patch = [&] {
+        Scenario chosen = scenario("spline-two-circles", {"domain.type=spline-patch", "domain.cells=16"});
+        chosen.domain.values.set("file", patch_json(patch));
+        return chosen;
+    };
+    gaspard::Run run(catalogue(), with_patch());
+    run.solve();
+    const int first = run.history().back().iteration;
+    patch.control.set(4, {0.05, -0.02, 0});
+    EXPECT_EQ(run.change(with_patch()), "");
+    EXPECT_LT(run.history().back().residual, 1e-2);
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::converged);
+    EXPECT_LT(run.history().back().iteration - first, first);
 }
 
 // ---- the equation, and Newton's method
@@ -208,6 +229,26 @@ TEST_P(Equations, TakeStatesOfOtherMeshesAndForms) {
     EXPECT_TRUE(fine.adopt("plane periodic Q2 n=60", phi).empty());
     EXPECT_TRUE(fine.adopt(coarse.layout() + " ", phi).empty());
     EXPECT_TRUE(fine.adopt("spline standard p=3 n=7", std::vector<double>(3)).empty());
+}
+
+TEST_P(Equations, TellTheirMapsAsSplines) {
+    for (const std::string method : {"picard", "picard-mixed", "newton"}) {
+        gaspard::Run run(
+            catalogue(),
+            scenario("spline-circle", {"domain.cells=16", "domain.degree=" + std::to_string(GetParam()),
+                                       "method.type=" + method}));
+        run.solve();
+        const auto map = spline_map(run.state());
+        ASSERT_TRUE(map.has_value());
+        const Points x = run.snapshot()->x;
+        for (std::size_t i = 0; i < x.size(); i += 5) { // on the square the mesh is Psi itself
+            const Vec3 xi = run.discretisation().mesh()->nodes[i];
+            EXPECT_NEAR(evaluate((*map)[0].space, (*map)[0].coefficients, xi), x.x[i], 1e-13);
+            EXPECT_NEAR(evaluate((*map)[1].space, (*map)[1].coefficients, xi), x.y[i], 1e-13);
+        }
+    }
+    EXPECT_FALSE(spline_map({"plane periodic Q2 n=60", {{"phi", {}}}}).has_value());
+    EXPECT_FALSE(spline_map({"spline mixed p=3 n=4", {{"phi", {1, 2}}}}).has_value());
 }
 
 // ---- orders

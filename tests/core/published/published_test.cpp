@@ -70,6 +70,21 @@ TEST(Published, Figure9IsATangledMesh) {
     EXPECT_LT(snapshot->report.residual, 2); // before it blows up
 }
 
+TEST(Published, TablesOfBahariHaveThePapersNumbersBesideOurs) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    for (const int table : {1, 3, 4, 5, 6, 7, 9, 10, 11, 12, 13, 14, 15})
+        EXPECT_NO_THROW(find_recipe("bahari-table" + std::to_string(table)));
+    EXPECT_THROW(find_recipe("bahari-table2"), InputError); // of three dimensions
+    std::stop_source source;
+    int solved = 0;
+    const auto first_row_only = [&](const std::string&) {
+        if (++solved == 2) source.request_stop();
+    };
+    EXPECT_THROW(find_recipe("bahari-table3").make(catalogue, first_row_only, source.get_token()),
+                 Interrupted);
+    EXPECT_EQ(solved, 2);
+}
+
 TEST(Published, StopsWhenAsked) {
     const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
     std::stop_source source;

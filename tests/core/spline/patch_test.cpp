@@ -177,6 +177,24 @@ TEST(PatchXml, SaysWhatIsWrong) {
     expect("</coefs>\n </Geometry>", "</Geometry>", "coefs");
 }
 
+TEST(PatchFile, IsRefusedWhereItFoldsOrHasNoArea) {
+    Values values("domain", spline_domains().back().rows);
+    const auto with_corners = [&](const std::string& corners) {
+        values.set("file", R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": )" +
+                               corners + "}");
+        return make_spline_domain("spline-patch", values);
+    };
+    EXPECT_NO_THROW(with_corners("[[0,0],[1,0],[0,1],[1,1]]"));
+    EXPECT_NO_THROW(with_corners("[[1,0],[0,0],[1,1],[0,1]]")); // the other side up
+    EXPECT_NO_THROW(with_corners("[[0,0,1],[0,1,0],[1,0,0],[1,1,1]]"));
+    for (const char* bad :
+         {"[[0,0],[1,0],[1,1],[0,1]]", "[[1,0],[1,0],[1,1],[1,1]]", "[[0,0,1],[0,0,2],[0,0,3],[0,0,4]]"})
+        EXPECT_NE(message_of<InputError>([&] { with_corners(bad); }).find("folds or has no area"),
+                  std::string::npos);
+    values.set("file", std::string());
+    EXPECT_NO_THROW(make_spline_domain("spline-patch", values)); // singular at its corners only
+}
+
 TEST(PatchFile, SaysWhatIsWrong) {
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"{", "parse error"},

@@ -1,0 +1,46 @@
+#include "core/method/spline_map.hpp"
+
+#include "core/method/patch_form.hpp"
+
+namespace gaspard {
+
+namespace {
+
+using Map = std::array<SplineFunction, 2>;
+
+/// Both derivatives of a function of S^p (x) S^p.
+Map gradient(const KnotVector& line, std::span<const double> phi) {
+    const std::size_t n = line.size();
+    const KnotVector lower = derivative_space(line);
+    Map map{SplineFunction{{{lower, line}}, {}}, SplineFunction{{{line, lower}}, {}}};
+    map[1].coefficients.resize(n * (n - 1));
+    std::vector<double> column(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto along = derivative_coefficients(line, phi.subspan(k * n, n));
+        map[0].coefficients.insert(map[0].coefficients.end(), along.begin(), along.end());
+        for (std::size_t j = 0; j < n; ++j) column[j] = phi[j * n + k];
+        const auto across = derivative_coefficients(line, column);
+        for (std::size_t j = 0; j + 1 < n; ++j) map[1].coefficients[j * n + k] = across[j];
+    }
+    return map;
+}
+
+} // namespace
+
+std::optional<Map> spline_map(const State& state) {
+    const auto layout = parse_spline_layout(state.layout);
+    if (!layout || state.arrays.size() != 1) return std::nullopt;
+    const auto form = make_form(*layout);
+    std::vector<double> whole = form->identity();
+    const auto& phi = state.arrays[0].values;
+    if (phi.size() != whole.size()) return std::nullopt;
+    for (std::size_t i = 0; i < whole.size(); ++i) whole[i] += phi[i];
+    const SplineLine& line = form->line();
+    if (layout->formulation == Formulation::standard) return gradient(line.upper, whole);
+    auto room = form->make_room();
+    form->expand(whole, SplineForm::Border::given, SplineGrid(line, {0}), 2, room);
+    return Map{SplineFunction{{{line.upper, line.lower}}, room.first},
+               SplineFunction{{{line.lower, line.upper}}, room.second}};
+}
+
+} // namespace gaspard
