@@ -30,7 +30,7 @@ class AutomaticStepper final : public Stepper {
     void begin(Equation& equation, double target) override {
         equation_ = &equation;
         target_ = target;
-        iterations_ = 0;
+        iterations_ = 0, near_ = 0;
         choose(false);
     }
 
@@ -61,6 +61,7 @@ class AutomaticStepper final : public Stepper {
             next.evaluation.note = lost.note;
         }
         ++iterations_;
+        near_ = next.evaluation.residual > far ? 0 : near_ + 1;
         residuals_.push_back(next.evaluation.residual);
         if (residuals_.size() > window + 1) residuals_.pop_front();
         if (!note.empty() && !next.evaluation.note.empty()) note += "; ";
@@ -102,6 +103,7 @@ class AutomaticStepper final : public Stepper {
             const double path = path_work * std::log(condition_);
             return iterations_ > path && anderson(far) > path / 2;
         }
+        if (near_ <= window) return false; // the rate is still that of the way there
         const double inner =
             inner_work * std::pow(condition(now), inner_growth) * std::log10(residual / target_);
         const double steps = 1 + std::log2(std::max(1.0, std::log(target_ / residual) / std::log(residual)));
@@ -113,6 +115,7 @@ class AutomaticStepper final : public Stepper {
     std::unique_ptr<Stepper> anderson_, newton_;
     bool use_newton_ = false;
     int iterations_ = 0;           ///< on this mesh
+    std::size_t near_ = 0;         ///< how many of the last iterates are not far from a solution
     bool may_start_anew_ = false;  ///< the way has begun at the uniform mesh, and not gone back there
     double condition_ = 0;         ///< before it
     std::deque<double> residuals_; ///< of the last iterates, on this mesh

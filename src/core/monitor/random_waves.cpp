@@ -123,7 +123,7 @@ MonitorType random_waves_monitor() {
                                                       .symbol = "k",
                                                       .unit = sphere ? "1/radian" : "waves a side",
                                                       .minimum = 1,
-                                                      .maximum = 20,
+                                                      .maximum = 8,
                                                       .scale = ParameterScale::logarithmic,
                                                       .default_value = sphere ? 5.0 : 2.0,
                                                       .help = "of the shortest waves; larger is finer"}};
