@@ -159,7 +159,7 @@ TEST_F(WindowTest, AResizedWindowDrawsItsPictureAtTheNewSize) {
     press("e");
     const auto summary = out("plane-ring") / "summary.json";
     ASSERT_TRUE(eventually([&] { return std::filesystem::exists(summary); }));
-    EXPECT_EQ(nlohmann::json::parse(text_of(summary))["method"]["step_size"], "auto");
+    EXPECT_EQ(nlohmann::json::parse(text_of(summary))["method"]["type"], "auto");
     for (const auto& [width, height] : {std::pair{1000, 700}, {1400, 900}, {900, 600}}) {
         display.xdotool({"windowsize", window, std::to_string(width), std::to_string(height)});
         std::this_thread::sleep_for(700ms);
