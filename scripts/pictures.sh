@@ -14,6 +14,9 @@ picture() { # name, then what `gaspard run` is given
   echo "docs/$name.png"
 }
 
+"$gaspard" compare plane-bell --methods relaxation,auto --out "$drawn/compare" > "$drawn/table"
+mv "$drawn/compare/comparison.png" "$here/docs/compare.png"
+echo docs/compare.png
 picture window plane-bell --whole-window --size 1400x900
 picture side-by-side plane-ring --size 1400x640 --set view.layout=side-by-side --set view.color=equidistribution \
   --set view.theme=light --set domain.cells=40

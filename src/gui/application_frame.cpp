@@ -285,9 +285,7 @@ void Application::draw_edge(const char* name, const ItemRectangle& edge, const c
 }
 
 /// Below the mesh; else what the method says stands in the bar along the window's edge.
-bool Application::note_has_room() const {
-    return layout_.viewport.height() > 26 * ImGui::GetFontSize();
-}
+bool Application::note_has_room() const { return layout_.viewport.height() > 26 * ImGui::GetFontSize(); }
 
 void Application::draw_status() {
     begin_part("##status", layout_.status);
@@ -338,10 +336,14 @@ void Application::draw_log() {
 
 void Application::draw_dialogs() {
     const SolverStatus& status = run().status;
-    if (working())
+    if (working()) {
         if (draw_progress(status.activity.empty() ? "preparing" : status.activity, status.progress,
                           layout_.viewport, items_))
             run().solver->cancel();
+    } else if (document_.comparing() && !comparison_panel_.open()) {
+        if (draw_progress("comparing methods", document_.comparison_progress(), layout_.viewport, items_))
+            document_.cancel_comparison();
+    }
     draw_help(help_, theme_);
     if (error_.open()) // two at once would close each other
         error_.draw(items_);

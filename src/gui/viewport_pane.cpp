@@ -107,14 +107,19 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
     ImGui::End();
 }
 
+/// Where a picture shows a handle; other runs have monitors of their own.
+std::optional<Pixel> ViewportPane::seen(const MonitorHandle& handle, const PlannedPicture& shown) const {
+    if (shown.picture.physical != plan_->pictures.front().picture.physical) return std::nullopt;
+    return pixel_of(handle, shown);
+}
+
 std::optional<std::size_t> ViewportPane::handle_at(ImVec2 at, float scale) const {
     const PlannedPicture& shown = picture_at(*plan_, at);
     const Pixel pointer = pixel_in(shown, at);
+    const double reach = handle_reach * static_cast<double>(scale);
     for (std::size_t i = 0; i < handles_.size(); ++i)
-        if (const auto pixel = pixel_of(handles_[i], shown))
-            if (std::hypot(pixel->x - pointer.x, pixel->y - pointer.y) <
-                handle_reach * static_cast<double>(scale))
-                return i;
+        if (const auto pixel = seen(handles_[i], shown))
+            if (std::hypot(pixel->x - pointer.x, pixel->y - pointer.y) < reach) return i;
     return std::nullopt;
 }
 
@@ -147,7 +152,7 @@ void ViewportPane::draw_handles(const FrameContext& context) {
     for (const PlannedPicture& shown : plan_->pictures) {
         list.PushClipRect(shown.rect.min, shown.rect.max, true);
         for (std::size_t i = 0; i < handles_.size(); ++i) {
-            const auto at = pixel_of(handles_[i], shown);
+            const auto at = seen(handles_[i], shown);
             if (!at) continue;
             const float x = shown.rect.min.x + static_cast<float>(at->x),
                         y = shown.rect.min.y + static_cast<float>(at->y);

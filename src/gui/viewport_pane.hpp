@@ -75,6 +75,7 @@ class ViewportPane {
     void turn(Values& view);
     void drag(Values& view, const PlannedPicture& shown, int button, ImVec2 step);
     void click(Values& view, const PlannedPicture& shown, Pixel pointer, float scale);
+    std::optional<Pixel> seen(const MonitorHandle& handle, const PlannedPicture& shown) const;
     std::optional<std::size_t> handle_at(ImVec2 at, float scale) const;
     bool drag_handle(float scale);
     void draw_handles(const FrameContext& context);

@@ -56,6 +56,9 @@ TEST_F(CompareTest, EveryMethodSolvesTheProblemAndAllAreSeenTogether) {
         EXPECT_EQ(one.camera, application.pictures().front().camera);
         EXPECT_EQ(size_of(one), size_of(application.pictures().front()));
     }
+    const ItemRectangle centre = item("handle.center_x"), own = shown(0).rectangle;
+    EXPECT_TRUE(centre.left > own.left && centre.left < own.right && centre.top < own.bottom)
+        << "only the present run's monitor can be moved";
     ui.click(item("compare.copy"), drawing());
     EXPECT_EQ(std::string(ImGui::GetClipboardText()), comparison_csv(rows));
 
@@ -99,6 +102,7 @@ TEST_F(CompareTest, IsCancelledAndTheRunGoesOn) {
         return application.document().runs().size() == 2 &&
                application.document().runs()[1].history.size() > 3;
     }));
+    EXPECT_EQ(application.items().count("progress"), 1U) << "also where the panel is closed";
     EXPECT_TRUE(application.press_key("Escape"));
     EXPECT_FALSE(application.document().comparing());
     const auto rows = application.document().comparison_rows();

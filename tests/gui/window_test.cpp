@@ -55,13 +55,15 @@ class WindowTest : public testing::Test {
         std::filesystem::remove_all(folder);
     }
 
-    void start(const std::string& scenario, int width, int height) {
+    void start(const std::string& scenario, int width, int height,
+               const std::vector<std::string>& options = {}) {
         ChildProcess::Setup setup;
         setup.command = {GASPARD_PROGRAM, scenario};
         if (width > 0) // else: as it was remembered
             for (const auto& word :
                  {std::string("--size"), std::to_string(width) + "x" + std::to_string(height)})
                 setup.command.push_back(word);
+        setup.command.insert(setup.command.end(), options.begin(), options.end());
         setup.environment = {{"DISPLAY", display.name()},
                              {"WAYLAND_DISPLAY", ""},
                              {"XDG_CONFIG_HOME", (folder / "config").string()}};
@@ -159,7 +161,7 @@ TEST_F(WindowTest, AResizedWindowDrawsItsPictureAtTheNewSize) {
     press("e");
     const auto summary = out("plane-ring") / "summary.json";
     ASSERT_TRUE(eventually([&] { return std::filesystem::exists(summary); }));
-    EXPECT_EQ(nlohmann::json::parse(text_of(summary))["method"]["step_size"], "auto");
+    EXPECT_EQ(nlohmann::json::parse(text_of(summary))["method"]["type"], "auto");
     for (const auto& [width, height] : {std::pair{1000, 700}, {1400, 900}, {900, 600}}) {
         display.xdotool({"windowsize", window, std::to_string(width), std::to_string(height)});
         std::this_thread::sleep_for(700ms);
@@ -173,6 +175,16 @@ TEST_F(WindowTest, AResizedWindowDrawsItsPictureAtTheNewSize) {
         std::filesystem::remove(file);
     }
     ASSERT_TRUE(program->running());
+}
+
+TEST_F(WindowTest, APinnedMethodStaysWhereASettingSpeaksOfIt) {
+    start("plane-ring", 1000, 700, {"--set", "method.step_size=0.05"});
+    press("e");
+    const auto summary = out("plane-ring") / "summary.json";
+    ASSERT_TRUE(eventually([&] { return std::filesystem::exists(summary); })) << text_of(folder / "log");
+    const auto method = nlohmann::json::parse(text_of(summary))["method"];
+    EXPECT_EQ(method["type"], "relaxation");
+    EXPECT_EQ(method["step_size"], 0.05);
 }
 
 TEST_F(WindowTest, ItDrawsWhatIsDrawnOffscreen) {

@@ -86,7 +86,10 @@ std::vector<ParameterRow> view_rows() {
                "exact: the lines of the exact mesh over the computed one, where the exact map is known"),
         choice("direction", "Direction", {"home", "front", "back", "left", "right", "top", "bottom"},
                "where a mesh in space is seen from; z points up"),
-        text("camera", "Camera", "where one looks from, as copied from the window; empty: all of the mesh"),
+        text("camera", "Camera",
+             "where one looks from, as copied from the window; empty: all of the mesh; axes alone ('right 0 "
+             "1 0 up 0 0 "
+             "1'): all of it, seen so"),
         text("map_camera", "Map camera", "where one looks at the map from; empty: all of it"),
         {.key = "spin",
          .label = "Spin",

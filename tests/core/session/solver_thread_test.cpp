@@ -309,6 +309,44 @@ TEST_F(SolverThreadTest, AnOpeningThatIsCancelledOrRefusedLeavesTheRunAsItWas) {
     EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const SolverEvent& e) { return e.restarted; }));
 }
 
+TEST_F(SolverThreadTest, AnotherScenarioIsNoMapThatCouldNotBeKept) {
+    SolverThread thread(catalogue, scenario(), {});
+    ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+    Scenario sphere = find_scenario(*catalogue, "sphere-x2");
+    apply_settings(*catalogue, sphere, {"domain.cells=4"});
+    thread.post(ChangeCommand{sphere, 1, true});
+    ASSERT_TRUE(eventually([&] { return thread.status().answered == 1; }));
+    EXPECT_TRUE(thread.take_messages().empty());
+    thread.post(ChangeCommand{scenario(), 2}); // of the same run's values
+    ASSERT_TRUE(eventually([&] { return thread.status().answered == 2; }));
+    const auto messages = thread.take_messages();
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_NE(messages[0].text.find("map"), std::string::npos) << messages[0].text;
+}
+
+TEST_F(SolverThreadTest, ASnapshotThatWasHeldBackComesWithAPauseAndAtTheEnd) {
+    Scenario slow = scenario({"method.step_size=0.01", "monitor.amplitude=2"}); // far from caught up in one step
+    SolverThread thread(catalogue, slow, {});
+    ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+    for (const bool pause : {true, false}) {
+        thread.drain();
+        apply_settings(*catalogue, slow, {std::string("monitor.center_x=") + (pause ? "0.505" : "0.5")});
+        thread.post(ChangeCommand{slow, pause ? 1U : 2U});
+        if (pause) thread.post(PauseCommand{});
+        settle(thread);
+        if (pause) {
+            ASSERT_TRUE(eventually([&] { return thread.status().paused; }));
+        } else {
+            thread.post(StartCommand{});
+            ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+        }
+        const auto events = thread.drain();
+        ASSERT_FALSE(events.empty());
+        EXPECT_EQ(thread.latest()->report.iteration, events.back().report.iteration);
+        EXPECT_EQ(thread.latest()->report.residual, events.back().report.residual);
+    }
+}
+
 TEST_F(SolverThreadTest, ATaskThatWaitsWhenTheThreadEndsIsStillDone) {
     for (int i = 0; i < 20; ++i) {
         std::atomic<bool> done = false;

@@ -1,0 +1,53 @@
+#include "core/spline/control_points.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/parameter.hpp"
+
+#include <charconv>
+
+namespace gaspard {
+
+namespace {
+
+/// Takes a number from the front of a text; false where there is none.
+bool take_number(std::string_view& text, double& number) {
+    const auto begin = text.find_first_not_of(' ');
+    if (begin == std::string_view::npos) return false;
+    const auto [end, code] = std::from_chars(text.data() + begin, text.data() + text.size(), number);
+    if (code != std::errc() || !std::isfinite(number)) return false;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return true;
+}
+
+} // namespace
+
+Points parse_control_points(std::string_view text, std::size_t count) {
+    Points control;
+    while (true) {
+        const auto comma = text.find(',');
+        std::string_view one = text.substr(0, comma);
+        Vec3 point;
+        if (!take_number(one, point.x) || !take_number(one, point.y) ||
+            one.find_first_not_of(' ') != std::string_view::npos)
+            throw InputError(
+                "domain.control_points wants points of two numbers, as in \"0 0, 1 0.5\", not '" +
+                std::string(text.substr(0, comma)) + "'");
+        control.resize(control.size() + 1);
+        control.set(control.size() - 1, point);
+        if (comma == std::string_view::npos) break;
+        text.remove_prefix(comma + 1);
+    }
+    if (control.size() != count)
+        throw InputError("domain.control_points has " + std::to_string(control.size()) +
+                         " points, and the patch " + std::to_string(count));
+    return control;
+}
+
+std::string format_control_points(const Points& control) {
+    std::string text;
+    for (std::size_t i = 0; i < control.size(); ++i)
+        text += (i == 0 ? "" : ", ") + format_number(control.x[i]) + ' ' + format_number(control.y[i]);
+    return text;
+}
+
+} // namespace gaspard
