@@ -121,7 +121,7 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
     const Scenario scenario = scenario_of(*catalogue, arguments);
     check(*catalogue, scenario);
     check_view(scenario.view);
-    const auto formats = parse_formats(scenario.output.text("formats"));
+    const auto formats = formats_of(scenario);
     RunOptions options{.threads = threads_of(arguments)};
     if (arguments.start) options.start = read_state(*arguments.start);
     const std::filesystem::path folder = arguments.out.empty()

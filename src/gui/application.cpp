@@ -405,7 +405,9 @@ void Application::export_files() {
         [board = board_, folder = output_folder(),
          names = run().scenario.output.text("formats")](Run& solved, const Activity& activity) {
             report_outcome(*board, [&] {
-                const auto formats = parse_formats(names);
+                Scenario chosen = solved.scenario();
+                chosen.output.set("formats", names);
+                const auto formats = formats_of(chosen);
                 check_writable(folder);
                 write_run_files(folder, solved, formats, activity.progress, activity.stop);
                 return "Exported to " + folder.string();

@@ -61,8 +61,14 @@ void Application::frame() {
     draw_toolbar();
     viewport_pane_.say_in_corner(note_has_room() ? method_note(run(), *catalogue_) : std::string());
     const bool with_handles = run().live() && !taking_screenshot_;
-    viewport_pane_.offer_handles(with_handles ? monitor_handles(run().scenario)
-                                              : std::vector<MonitorHandle>());
+    std::vector<MonitorHandle> handles;
+    if (with_handles) {
+        handles = monitor_handles(run().scenario);
+        if (run().snapshot)
+            for (auto& one : control_handles(run().scenario, *run().snapshot))
+                handles.push_back(std::move(one));
+    }
+    viewport_pane_.offer_handles(std::move(handles));
     std::vector<const DocumentRun*> others;
     for (const DocumentRun& other : document_.runs())
         if (&other != &run() && !other.hidden && look_alike(other, run())) others.push_back(&other);

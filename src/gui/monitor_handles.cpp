@@ -1,5 +1,8 @@
 #include "gui/monitor_handles.hpp"
 
+#include "core/base/error.hpp"
+#include "core/spline/control_points.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +12,7 @@ namespace gaspard {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
+constexpr const char* control_key = "control_points";
 
 const ParameterRow& row_of(const Values& values, const std::string& key) {
     return *std::find_if(values.rows().begin(), values.rows().end(),
@@ -47,8 +51,30 @@ std::vector<MonitorHandle> monitor_handles(const Scenario& scenario) {
     return handles;
 }
 
+std::vector<MonitorHandle> control_handles(const Scenario& scenario, const Snapshot& snapshot) {
+    const Values& values = scenario.domain.values;
+    if (!snapshot.control || !values.has(control_key)) return {};
+    auto control = snapshot.control;
+    try {
+        if (const std::string& text = values.text(control_key); !text.empty())
+            control = std::make_shared<const Points>(parse_control_points(text, control->size()));
+    } catch (const InputError&) { // it is being typed, or of another patch
+        return {};
+    }
+    std::vector<MonitorHandle> handles;
+    for (std::size_t i = 0; i < control->size(); ++i)
+        handles.push_back({control_key, {}, false, (*control)[i], control, i});
+    return handles;
+}
+
 Scenario with_handle_at(const Scenario& scenario, const MonitorHandle& handle, Vec3 place) {
     Scenario moved = scenario;
+    if (handle.control) {
+        Points control = *handle.control;
+        control.set(handle.number, {rounded(place.x, 10000), rounded(place.y, 10000), 0});
+        moved.domain.values.set(control_key, format_control_points(control));
+        return moved;
+    }
     Values& values = moved.monitor.values;
     if (handle.on_sphere) {
         const double latitude = std::atan2(place.z, std::hypot(place.x, place.y)) / degree;
@@ -69,6 +95,7 @@ std::optional<Pixel> pixel_of(const MonitorHandle& handle, const PlannedPicture&
     if (picture.map && handle.on_sphere)
         return to_pixel(shown.camera, shown.size(), to_map(*picture.map, handle.place));
     if (handle.on_sphere != (picture.ball > 0)) return std::nullopt;
+    if (!handle.on_sphere && !picture.planar()) return std::nullopt; // a surface in space
     if (!handle.on_sphere) return to_pixel(shown.camera, shown.size(), handle.place);
     if (dot(handle.place, towards_viewer(shown.camera)) <= 0) return std::nullopt;
     return to_pixel(shown.camera, shown.size(), picture.ball * handle.place);
@@ -86,11 +113,24 @@ std::optional<Vec3> place_under(const MonitorHandle& handle, const PlannedPictur
     return in_picture + std::sqrt(1 - away * away) * viewer;
 }
 
-void draw_handle(ImDrawList& list, ImVec2 at, bool lit, const Theme& theme, float scale) {
+std::string item_name(const MonitorHandle& handle) {
+    std::string name = "handle." + handle.first;
+    if (handle.control) name += '.' + std::to_string(handle.number);
+    return name;
+}
+
+/// A monitor's place is a circle with a cross, a control point a square.
+void draw_handle(const MonitorHandle& handle, ImDrawList& list, ImVec2 at, bool lit, const Theme& theme,
+                 float scale) {
     const float radius = (lit ? 9.0F : 7.0F) * scale, arm = 4 * scale;
     const std::pair<float, ImU32> strokes[] = {{4.5F, packed(theme.background, lit ? 1.0F : 0.75F)},
                                                {lit ? 2.2F : 1.6F, packed(theme.text, lit ? 1.0F : 0.8F)}};
     for (const auto& [width, ink] : strokes) {
+        if (handle.control) {
+            const float half = (lit ? 5.5F : 4.0F) * scale;
+            list.AddRect({at.x - half, at.y - half}, {at.x + half, at.y + half}, ink, 0, 0, width * scale);
+            continue;
+        }
         list.AddCircle(at, radius, ink, 32, width * scale);
         list.AddLine({at.x - arm, at.y}, {at.x + arm, at.y}, ink, width * scale);
         list.AddLine({at.x, at.y - arm}, {at.x, at.y + arm}, ink, width * scale);

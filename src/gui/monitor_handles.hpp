@@ -1,5 +1,6 @@
-// The places of a monitor that the mouse can drag: centres and poles, as far as its values have any. On the
-// plane they are values "..._x" and "..._y", on a sphere "..._latitude" and "..._longitude" in degrees.
+// Places that the mouse can drag: centres and poles of a monitor, as far as its values have any (in the plane
+// "..._x" and "..._y", on a sphere "..._latitude" and "..._longitude" in degrees), and the control points of
+// a patch in the plane.
 #pragma once
 
 #include "core/scenario/scenario.hpp"
@@ -14,10 +15,14 @@ namespace gaspard {
 struct MonitorHandle {
     std::string first, second; ///< keys: x and y, or latitude and longitude
     bool on_sphere = false;
-    Vec3 place; ///< in the plane, or of unit length
+    Vec3 place;                              ///< in the plane, or of unit length
+    std::shared_ptr<const Points> control{}; ///< all of the patch, where this is a control point
+    std::size_t number = 0;                  ///< which of them
 };
 
 std::vector<MonitorHandle> monitor_handles(const Scenario& scenario);
+/// Of the patch that a snapshot is of, or as the scenario has moved its points since.
+std::vector<MonitorHandle> control_handles(const Scenario& scenario, const Snapshot& snapshot);
 /// The scenario with a handle's place moved: beyond the border of a periodic plane it comes in at the other
 /// side, at a wall it stays.
 Scenario with_handle_at(const Scenario& scenario, const MonitorHandle& handle, Vec3 place);
@@ -28,6 +33,9 @@ std::optional<Pixel> pixel_of(const MonitorHandle& handle, const PlannedPicture&
 /// beside a map nothing.
 std::optional<Vec3> place_under(const MonitorHandle& handle, const PlannedPicture& shown, Pixel pixel);
 
-void draw_handle(ImDrawList& list, ImVec2 at, bool lit, const Theme& theme, float scale);
+void draw_handle(const MonitorHandle& handle, ImDrawList& list, ImVec2 at, bool lit, const Theme& theme,
+                 float scale);
+/// "handle.center_x", "handle.control_points.3"
+std::string item_name(const MonitorHandle& handle);
 
 } // namespace gaspard

@@ -127,7 +127,7 @@ std::optional<std::size_t> ViewportPane::handle_at(ImVec2 at, float scale) const
 bool ViewportPane::drag_handle(float scale) {
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActivated())
-        held_ = ImGui::IsMouseDown(0) ? handle_at(io.MousePos, scale) : std::nullopt;
+        held_ = ImGui::IsMouseDown(0) ? handle_at(io.MouseClickedPos[0], scale) : std::nullopt;
     if (!held_ || *held_ >= handles_.size()) return false;
     const bool ends = ImGui::IsItemDeactivated();
     const ImVec2 clicked = io.MouseClickedPos[0];
@@ -156,8 +156,8 @@ void ViewportPane::draw_handles(const FrameContext& context) {
             if (!at) continue;
             const float x = shown.rect.min.x + static_cast<float>(at->x),
                         y = shown.rect.min.y + static_cast<float>(at->y);
-            draw_handle(list, {x, y}, lit == i, context.theme, context.scale);
-            context.items["handle." + handles_[i].first] = {x, y, x, y};
+            draw_handle(handles_[i], list, {x, y}, lit == i, context.theme, context.scale);
+            context.items[item_name(handles_[i])] = {x, y, x, y};
         }
         list.PopClipRect();
     }

@@ -1,8 +1,12 @@
 #include "core/io/formats.hpp"
 
+#include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/io/atomic_file.hpp"
 #include "core/io/svg.hpp"
+#include "core/spline/patch_file.hpp"
+#include "core/spline/patch_xml.hpp"
 #include "core/tessellate/colouring.hpp"
 #include "core/tessellate/fine_tessellation.hpp"
 
@@ -52,6 +56,12 @@ void write_ugrid_files(const std::filesystem::path& folder, const RunResult& res
     const Snapshot& snapshot = result.snapshot;
     write_ugrid(folder / "computational.ugrid.nc", snapshot, snapshot.mesh->nodes, "computational mesh");
     write_ugrid(folder / "adapted.ugrid.nc", snapshot, snapshot.x, "adapted mesh");
+}
+
+void write_patch_files(const std::filesystem::path& folder, const RunResult& result) {
+    GASPARD_CHECK(result.patch != nullptr);
+    write_atomically(folder / "adapted-patch.json", patch_json(*result.patch));
+    write_atomically(folder / "adapted-patch.xml", patch_xml(*result.patch));
 }
 
 Plot against_iteration(std::string title, const std::string& y) {
@@ -132,6 +142,13 @@ const std::vector<Format>& formats() {
          "UGRID 1.0 in NetCDF: straight-edged cells with their fields, on spheres by longitude and latitude",
          {"computational.ugrid.nc", "adapted.ugrid.nc"},
          &write_ugrid_files},
+        {"patch",
+         "of spline patches: the adapted mesh as control points, in JSON and as G+Smo's XML: for "
+         "isogeometric codes, "
+         "and for domain.file",
+         {"adapted-patch.json", "adapted-patch.xml"},
+         &write_patch_files,
+         true},
         {"svg",
          "vector graphics for papers: the adapted mesh, residual and equidistribution",
          {"adapted.svg", "residual.svg", "equidistribution.svg"},
@@ -162,6 +179,15 @@ std::vector<const Format*> parse_formats(std::string_view list) {
         if (comma == std::string_view::npos) return chosen;
         list.remove_prefix(comma + 1);
     }
+}
+
+std::vector<const Format*> formats_of(const Scenario& scenario) {
+    auto chosen = parse_formats(scenario.output.text("formats"));
+    for (const Format* format : chosen)
+        if (format->splines_only && !scenario.domain.values.has("degree"))
+            throw InputError("format '" + format->name + "' is for spline patches, which domain '" +
+                             scenario.domain.type + "' is not");
+    return chosen;
 }
 
 } // namespace gaspard

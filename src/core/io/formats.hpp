@@ -15,6 +15,7 @@
 
 namespace gaspard {
 
+struct SplinePatch;
 struct Tessellation;
 
 /// Corner vertices and straight-edged faces in the cells' order, at the given positions. Coordinates read
@@ -59,6 +60,7 @@ struct RunResult {
     Space space;                                      ///< of the domain: whether its sides are the same
     ColourChoice colours{};                           ///< of the view
     double curve_tolerance = default_curve_tolerance; ///< of tessellated files, relative to the mesh's size
+    std::shared_ptr<const SplinePatch> patch{}; ///< the mesh as splines; null where it is not made of any
 };
 
 struct Format {
@@ -66,6 +68,7 @@ struct Format {
     std::string help;               ///< one line
     std::vector<std::string> files; ///< the names it writes into the output folder
     void (*write)(const std::filesystem::path& folder, const RunResult& result);
+    bool splines_only = false; ///< for domains of splines
 };
 
 const std::vector<Format>& formats();
@@ -73,5 +76,7 @@ const std::vector<Format>& formats();
 bool exports(const Scenario& scenario, std::string_view format);
 /// Parses "obj,glb". Throws InputError for an unknown name, with the nearest.
 std::vector<const Format*> parse_formats(std::string_view list);
+/// Those of a scenario. Throws InputError too where one has nothing to write of its domain.
+std::vector<const Format*> formats_of(const Scenario& scenario);
 
 } // namespace gaspard

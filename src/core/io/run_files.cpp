@@ -6,6 +6,8 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/spline_map_file.hpp"
 #include "core/io/state_file.hpp"
+#include "core/method/spline_map.hpp"
+#include "core/spline/spline_domain.hpp"
 
 #include <exception>
 #include <nlohmann/json.hpp>
@@ -34,6 +36,13 @@ std::uint64_t peak_memory_bytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
+}
+
+std::shared_ptr<const SplinePatch> patch_of(const Run& run) {
+    const auto* domain = dynamic_cast<const SplineDomain*>(&run.discretisation());
+    if (!domain) return nullptr;
+    auto patch = adapted_patch(run.state(), *domain->map());
+    return patch ? std::make_shared<const SplinePatch>(std::move(*patch)) : nullptr;
 }
 
 } // namespace
@@ -113,8 +122,12 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
     if (const auto map = spline_map_json(run.state()))
         attempt("map.json", [&] { write_atomically(folder / "map.json", *map); });
     const auto snapshot = run.snapshot();
-    const RunResult result{*snapshot, run.history(), run.space(), colour_choice(run.scenario().view),
-                           run.scenario().output.real("curve_tolerance")};
+    const RunResult result{*snapshot,
+                           run.history(),
+                           run.space(),
+                           colour_choice(run.scenario().view),
+                           run.scenario().output.real("curve_tolerance"),
+                           patch_of(run)};
     for (const auto* format : formats) attempt(format->files.front(), [&] { format->write(folder, result); });
     if (first) std::rethrow_exception(first);
 }

@@ -20,6 +20,8 @@ class Discretisation {
     virtual ~Discretisation() = default;
     /// The computational mesh, whose nodes a method moves.
     virtual std::shared_ptr<const Mesh> mesh() const = 0;
+    /// Of a patch in the plane whose control points a user may move; null for others.
+    virtual std::shared_ptr<const Points> control_points() const { return nullptr; }
     /// How many numbers an iteration determines.
     virtual std::size_t unknowns() const = 0;
 };

@@ -43,4 +43,22 @@ std::optional<Map> spline_map(const State& state) {
                SplineFunction{{{line.lower, line.upper}}, room.second}};
 }
 
+std::optional<SplinePatch> adapted_patch(const State& state, const PatchMap& map) {
+    const auto psi = spline_map(state);
+    if (!psi) return std::nullopt;
+    const SplineLayout layout = *parse_spline_layout(state.layout);
+    const auto breaks = uniform_knots(layout.degree, layout.cells).breaks();
+    const KnotVector line = open_knots(layout.degree, breaks, layout.degree - 2);
+    const auto at = greville(line);
+    Points there(at.size() * at.size()), x;
+    for (std::size_t j = 0; j < at.size(); ++j)
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            const Vec3 xi{at[i], at[j], 0};
+            there.set(j * at.size() + i, {evaluate((*psi)[0].space, (*psi)[0].coefficients, xi),
+                                          evaluate((*psi)[1].space, (*psi)[1].coefficients, xi), 0});
+        }
+    map.points(there, x);
+    return patch_through({{line, line}}, x);
+}
+
 } // namespace gaspard

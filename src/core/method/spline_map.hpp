@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/method/method.hpp"
-#include "core/spline/tensor_space.hpp"
+#include "core/spline/spline_patch.hpp"
 
 #include <array>
 #include <optional>
@@ -19,5 +19,8 @@ struct SplineFunction {
 /// derivatives; in S^p (x) S^p-1 and S^p-1 (x) S^p of the mixed one. Nothing for states that are not of a
 /// patch.
 std::optional<std::array<SplineFunction, 2>> spline_map(const State& state);
+/// The mesh itself, F(Psi), as splines of the state's degree p on its cells, twice at every inner knot, as
+/// Psi is: those that agree at the Greville points. Exact where F is affine, else to order p + 1.
+std::optional<SplinePatch> adapted_patch(const State& state, const PatchMap& map);
 
 } // namespace gaspard

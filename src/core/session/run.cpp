@@ -279,6 +279,7 @@ std::shared_ptr<const Snapshot> Run::snapshot() {
     snapshot->mesh = discretisation_->mesh();
     snapshot->x = method_->positions();
     snapshot->exact = exact_;
+    snapshot->control = discretisation_->control_points();
     Field monitor{"monitor", "", FieldPlace::node, std::vector<double>(snapshot->x.size())};
     problem_.monitor->values(snapshot->x, monitor.values);
     snapshot->fields.push_back(std::move(monitor));

@@ -50,9 +50,9 @@ struct StepReport {
     std::optional<double> min_jacobian{}, max_jacobian{};
     std::optional<std::size_t> tangled_cells{};
     std::vector<Measure> measures{}; ///< further ones, of the method (Method::measures)
-    int inner_iterations = 0; ///< of the linear solver, for this update
-    double seconds = 0;       ///< cumulative wall time of solving
-    double cpu_seconds = 0;   ///< cumulative CPU time of all threads that solve
+    int inner_iterations = 0;        ///< of the linear solver, for this update
+    double seconds = 0;              ///< cumulative wall time of solving
+    double cpu_seconds = 0;          ///< cumulative CPU time of all threads that solve
     RunStatus status = RunStatus::running;
     std::string note{}; ///< a sentence for people, where something is to be said
 };
@@ -73,6 +73,7 @@ struct Snapshot {
     Points x;                         ///< where the nodes stand, in the mesh's numbering
     std::shared_ptr<const Points>
         exact{}; ///< where they would stand in the exact solution; null where unknown
+    std::shared_ptr<const Points> control{}; ///< control points that may be moved; null where there are none
     std::vector<Field> fields;
     StepReport report;
     std::uint64_t version = 0; ///< grows with every iterate

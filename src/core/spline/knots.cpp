@@ -206,4 +206,11 @@ LineMatrix transfer(const KnotVector& from, const KnotVector& to) {
     return {to.size(), from.size(), {solved.data(), solved.data() + solved.size()}};
 }
 
+LineMatrix interpolation(const KnotVector& space) {
+    const auto n = static_cast<Eigen::Index>(space.size());
+    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> solved =
+        collocation(space, greville(space)).partialPivLu().solve(Eigen::MatrixXd::Identity(n, n));
+    return {space.size(), space.size(), {solved.data(), solved.data() + solved.size()}};
+}
+
 } // namespace gaspard

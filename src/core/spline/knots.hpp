@@ -64,5 +64,7 @@ LineMatrix insertion(const KnotVector& coarse, const KnotVector& fine);
 /// Coefficients in `to` of splines in `from`: by insertion where that is exact, else those that agree at the
 /// Greville points of `to`.
 LineMatrix transfer(const KnotVector& from, const KnotVector& to);
+/// Of values at the Greville points of a space (degree >= 1), the coefficients of the splines that have them.
+LineMatrix interpolation(const KnotVector& space);
 
 } // namespace gaspard

@@ -1,7 +1,9 @@
 #include "core/spline/patch_xml.hpp"
 
+#include "core/base/parameter.hpp"
 #include "core/spline/patch_checks.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 
@@ -107,6 +109,37 @@ SplinePatch parse_patch_xml(std::string_view xml, const std::string& origin) {
         patch.weights = numbers(weights->content, "<weights>", origin);
     check_patch(patch, origin);
     return patch;
+}
+
+std::string patch_xml(const SplinePatch& patch) {
+    const auto& w = patch.weights;
+    const bool rational = std::any_of(w.begin(), w.end(), [](double one) { return one != 1; });
+    const auto& z = patch.control.z;
+    const bool flat = std::all_of(z.begin(), z.end(), [](double one) { return one == 0; });
+    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<xml>\n";
+    text +=
+        std::string(" <Geometry type=\"") + (rational ? "TensorNurbs2" : "TensorBSpline2") + "\" id=\"0\">\n";
+    if (rational) text += "  <Basis type=\"TensorNurbsBasis2\">\n";
+    text += "  <Basis type=\"TensorBSplineBasis2\">\n";
+    for (std::size_t d = 0; d < 2; ++d) {
+        const KnotVector& line = patch.space.directions[d];
+        text += "   <Basis type=\"BSplineBasis\" index=\"" + std::to_string(d) +
+                "\">\n    <KnotVector degree=\"" + std::to_string(line.degree) + "\">";
+        for (const double knot : line.knots) text += format_number(knot) + ' ';
+        text += "</KnotVector>\n   </Basis>\n";
+    }
+    text += "  </Basis>\n";
+    if (rational) {
+        text += "  <weights>\n";
+        for (const double one : w) text += format_number(one) + '\n';
+        text += "  </weights>\n  </Basis>\n";
+    }
+    text += std::string("  <coefs geoDim=\"") + (flat ? "2" : "3") + "\">\n";
+    for (std::size_t i = 0; i < patch.control.size(); ++i) {
+        const Vec3 c = patch.control[i];
+        text += format_number(c.x) + ' ' + format_number(c.y) + (flat ? "" : ' ' + format_number(c.z)) + '\n';
+    }
+    return text + "  </coefs>\n </Geometry>\n</xml>\n";
 }
 
 } // namespace gaspard

@@ -11,5 +11,7 @@ namespace gaspard {
 
 /// Throws InputError that says what is missing or wrong. Knots are moved to [0, 1].
 SplinePatch parse_patch_xml(std::string_view xml, const std::string& origin);
+/// Reads back to the same patch. Three coordinates where one z differs from 0; NURBS where weights differ.
+std::string patch_xml(const SplinePatch& patch);
 
 } // namespace gaspard

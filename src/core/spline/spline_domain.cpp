@@ -1,6 +1,7 @@
 #include "core/spline/spline_domain.hpp"
 
 #include "core/base/check.hpp"
+#include "core/spline/control_points.hpp"
 #include "core/spline/patch_checks.hpp"
 #include "core/spline/patch_file.hpp"
 
@@ -74,8 +75,9 @@ Space flat(const Values&) { return {SpaceKind::euclidean}; }
 
 } // namespace
 
-SplineDomain::SplineDomain(int degree, std::size_t cells, std::shared_ptr<const PatchMap> map)
-    : degree_(degree), cells_(cells), map_(std::move(map)) {
+SplineDomain::SplineDomain(int degree, std::size_t cells, std::shared_ptr<const PatchMap> map,
+                           std::shared_ptr<const Points> control)
+    : degree_(degree), cells_(cells), map_(std::move(map)), control_(std::move(control)) {
     GASPARD_CHECK(map_ != nullptr && cells_ >= 1 && degree_ >= 2 && degree_ <= highest_degree);
     mesh_ = std::make_shared<const Mesh>(patch_mesh(cells_, node_lines(), *map_));
 }
@@ -96,12 +98,20 @@ std::vector<DomainType> spline_domains() {
     std::vector<DomainType> types;
     for (const auto& one : shipped()) types.push_back({one.name, one.label, one.help, rows(), flat});
     std::vector<ParameterRow> with_file = rows();
-    with_file.push_back({.key = "file",
-                         .label = "File",
-                         .kind = ParameterKind::text,
-                         .default_value = std::string(),
-                         .help = "a patch as JSON (docs/splines.md) or G+Smo's .xml, or the JSON itself; "
-                                 "none: the unit disk as NURBS"});
+    with_file.push_back(
+        {.key = "file",
+         .label = "File",
+         .kind = ParameterKind::text,
+         .default_value = std::string(),
+         .help = "a patch as JSON (docs/splines.md) or G+Smo's .xml, or the JSON itself; none: the unit "
+                 "disk as NURBS"});
+    with_file.push_back(
+        {.key = "control_points",
+         .label = "Control points",
+         .kind = ParameterKind::text,
+         .default_value = std::string(),
+         .help = "of a patch in the plane, instead of the file's: \"x y, x y, ...\"; in the window, "
+                 "drag them"});
     types.push_back({from_file, "Patch from a file",
                      "splines or NURBS with control points, in the plane or in space", with_file, flat});
     return types;
@@ -113,9 +123,18 @@ std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, 
     for (const auto& one : shipped())
         if (type == one.name) return std::make_shared<SplineDomain>(degree, cells, one.map());
     GASPARD_CHECK(type == from_file);
-    const auto map = patch_map(find_patch(values.text("file")));
+    SplinePatch patch = find_patch(values.text("file"));
+    const bool flat = patch_map(patch)->space_dimension() == 2;
+    if (const std::string& points = values.text("control_points"); !points.empty()) {
+        if (!flat)
+            throw InputError(
+                "domain.control_points is for patches in the plane, and domain.file is of one in space");
+        patch.control = parse_control_points(points, patch.control.size());
+    }
+    auto control = flat ? std::make_shared<const Points>(patch.control) : nullptr;
+    const auto map = patch_map(std::move(patch));
     check_regular(*map, "domain.file");
-    return std::make_shared<SplineDomain>(degree, cells, map);
+    return std::make_shared<SplineDomain>(degree, cells, map, std::move(control));
 }
 
 } // namespace gaspard

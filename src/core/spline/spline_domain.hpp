@@ -13,10 +13,12 @@ namespace gaspard {
 
 class SplineDomain final : public Discretisation {
   public:
-    SplineDomain(int degree, std::size_t cells, std::shared_ptr<const PatchMap> map);
+    SplineDomain(int degree, std::size_t cells, std::shared_ptr<const PatchMap> map,
+                 std::shared_ptr<const Points> control = nullptr);
 
     /// Quadrilaterals of order 2 with nodes on the patch, (2 n + 1)^2 of them, fastest in xi1.
     std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
+    std::shared_ptr<const Points> control_points() const override { return control_; }
     /// Of the standard form.
     std::size_t unknowns() const override;
 
@@ -30,6 +32,7 @@ class SplineDomain final : public Discretisation {
     int degree_;
     std::size_t cells_;
     std::shared_ptr<const PatchMap> map_;
+    std::shared_ptr<const Points> control_;
     std::shared_ptr<const Mesh> mesh_;
 };
 

@@ -93,6 +93,27 @@ SplinePatch insert_knots(const SplinePatch& patch, const TensorSpace& fine) {
     return result;
 }
 
+SplinePatch patch_through(const TensorSpace& space, const Points& x) {
+    GASPARD_CHECK(space.directions.size() == 2 && x.size() == space.size());
+    const std::size_t m = space.directions[0].size(), n = space.directions[1].size();
+    const LineMatrix along = interpolation(space.directions[0]), across = interpolation(space.directions[1]);
+    SplinePatch patch{space, Points(m * n), std::vector<double>(m * n, 1.0)};
+    Points half(m * n);
+    for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < m; ++i) {
+            Vec3 sum;
+            for (std::size_t k = 0; k < m; ++k) sum = sum + along(i, k) * x[j * m + k];
+            half.set(j * m + i, sum);
+        }
+    for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < m; ++i) {
+            Vec3 sum;
+            for (std::size_t k = 0; k < n; ++k) sum = sum + across(j, k) * half[k * m + i];
+            patch.control.set(j * m + i, sum);
+        }
+    return patch;
+}
+
 std::shared_ptr<const PatchMap> patch_map(SplinePatch patch) {
     return std::make_shared<Map>(std::move(patch));
 }

@@ -16,6 +16,9 @@ struct SplinePatch {
 
 /// The same surface with more knots; `fine` refines the patch's space.
 SplinePatch insert_knots(const SplinePatch& patch, const TensorSpace& fine);
+/// The splines that are x at the Greville points of their space, fastest in the first direction.
+SplinePatch patch_through(const TensorSpace& space, const Points& x);
+
 /// The map of a patch, whose weights are positive and whose numbers fit together.
 std::shared_ptr<const PatchMap> patch_map(SplinePatch patch);
 
