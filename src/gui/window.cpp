@@ -9,15 +9,18 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <backends/imgui_impl_glfw.h>
 #include <cctype>
 #include <cmath>
+#include <deque>
 #include <imgui.h>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace gaspard {
@@ -121,12 +124,20 @@ std::string key_name(int key, int scancode, int modifiers) {
     return prefix + static_cast<char>(std::toupper(static_cast<unsigned char>(printed[0])));
 }
 
+/// A button of the mouse that went down or up.
+struct ButtonChange {
+    int button = 0;
+    bool down = false;
+    ImVec2 at;
+};
+
 /// What has happened since the loop last looked.
 struct Happenings {
     std::atomic<bool> news = false; ///< set on any thread
     bool input = false;
-    std::vector<std::string> keys;
-    std::vector<std::string> dropped; ///< files
+    ImVec2 pointer;
+    std::deque<std::variant<std::string, ButtonChange>> inputs; ///< keys and buttons, in their order
+    std::vector<std::string> dropped;                           ///< files
 };
 
 Happenings& happenings_of(GLFWwindow* window) {
@@ -138,11 +149,19 @@ void install_callbacks(GLFWwindow* window, Happenings& happenings) {
     glfwSetWindowUserPointer(window, &happenings);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int event, int modifiers) {
         happenings_of(w).input = true;
-        if (event == GLFW_PRESS) happenings_of(w).keys.push_back(key_name(key, scancode, modifiers));
+        if (event == GLFW_PRESS) happenings_of(w).inputs.emplace_back(key_name(key, scancode, modifiers));
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { happenings_of(w).input = true; });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { happenings_of(w).input = true; });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { happenings_of(w).input = true; });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+        happenings_of(w).input = true;
+        happenings_of(w).pointer = {static_cast<float>(x), static_cast<float>(y)};
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int event, int) {
+        happenings_of(w).input = true;
+        if (button >= 0 && button < ImGuiMouseButton_COUNT)
+            happenings_of(w).inputs.emplace_back(
+                ButtonChange{button, event == GLFW_PRESS, happenings_of(w).pointer});
+    });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { happenings_of(w).input = true; });
     glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { happenings_of(w).input = true; });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { happenings_of(w).input = true; });
@@ -216,7 +235,7 @@ class Window {
             wait();
             happenings_.news = false; // before collecting: what comes after wakes the next round
             application_->collect();
-            for (const auto& key : std::exchange(happenings_.keys, {})) application_->press_key(key);
+            press_keys();
             for (const auto& file : std::exchange(happenings_.dropped, {})) application_->open_file(file);
             if (wanted_look() != look_) {
                 style();
@@ -288,6 +307,32 @@ class Window {
         application_->set_scale(zoom());
     }
 
+    /// Up to the next button of the mouse, which comes first.
+    void press_keys() {
+        auto& inputs = happenings_.inputs;
+        for (; !inputs.empty() && std::holds_alternative<std::string>(inputs.front()); inputs.pop_front())
+            application_->press_key(std::get<std::string>(inputs.front()));
+    }
+
+    /// In a frame ImGui sees the pointer at one place and one change of a button. Where frames are slow, more
+    /// may have happened in between; it comes in the frames that follow.
+    void follow_buttons() {
+        ImGuiIO& io = ImGui::GetIO();
+        auto& inputs = happenings_.inputs;
+        if (const auto* change = inputs.empty() ? nullptr : std::get_if<ButtonChange>(&inputs.front())) {
+            const bool dragged = !change->down && (change->at.x != pointer_.x || change->at.y != pointer_.y);
+            io.MousePos = pointer_ = change->at;
+            if (!dragged) { // else it is let go in the next frame
+                buttons_[static_cast<std::size_t>(change->button)] = change->down;
+                inputs.pop_front();
+            }
+            frames_due_ = settling_frames;
+        } else {
+            pointer_ = io.MousePos;
+        }
+        std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
+    }
+
     void follow_fullscreen() {
         const bool full = glfwGetWindowMonitor(window_.get()) != nullptr;
         if (full == application_->fullscreen()) return;
@@ -326,6 +371,7 @@ class Window {
         glfwGetFramebufferSize(window_.get(), &width, &height);
         if (width <= 0 || height <= 0) return; // an icon
         ImGui_ImplGlfw_NewFrame();
+        follow_buttons();
         // A click is seen in the frame after it: two that follow each other take four, however slow.
         ImGui::GetIO().MouseDoubleClickTime = std::max(0.3F, 4 * ImGui::GetIO().DeltaTime);
         ImGui::NewFrame();
@@ -372,6 +418,8 @@ class Window {
     Place before_;                       ///< the window filled the screen
     std::map<std::string, Value> place_; ///< where it stood when it was closed, as in the settings
     std::string title_;                  ///< of what is shown
+    ImVec2 pointer_;                     ///< in the last frame, like the buttons
+    std::array<bool, ImGuiMouseButton_COUNT> buttons_{};
     int frames_due_ = settling_frames;
     double begun_ = 0, drawing_seconds_ = 0; ///< of the last frame
     std::optional<Application> application_;

@@ -301,9 +301,8 @@ TEST_F(SolverThreadTest, AnOpeningThatIsCancelledOrRefusedLeavesTheRunAsItWas) {
     slow = false;
     thread.post(ChangeCommand{scenario({"domain.cells=16"}), 3, true});
     // A snapshot is there before the status that belongs to it, and before its reports: each is waited for.
-    ASSERT_TRUE(eventually([&] {
-        return thread.status().answered == 3 && thread.status().run == RunStatus::converged;
-    }));
+    ASSERT_TRUE(eventually(
+        [&] { return thread.status().answered == 3 && thread.status().run == RunStatus::converged; }));
     EXPECT_EQ(thread.latest()->mesh->cell_count(), 256);
     const auto events = thread.drain();
     EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const SolverEvent& e) { return e.restarted; }));
@@ -325,7 +324,8 @@ TEST_F(SolverThreadTest, AnotherScenarioIsNoMapThatCouldNotBeKept) {
 }
 
 TEST_F(SolverThreadTest, ASnapshotThatWasHeldBackComesWithAPauseAndAtTheEnd) {
-    Scenario slow = scenario({"method.step_size=0.01", "monitor.amplitude=2"}); // far from caught up in one step
+    Scenario slow =
+        scenario({"method.step_size=0.01", "monitor.amplitude=2"}); // far from caught up in one step
     SolverThread thread(catalogue, slow, {});
     ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
     for (const bool pause : {true, false}) {
