@@ -16,7 +16,8 @@ import xml.etree.ElementTree
 PROGRAM = None
 README = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "README.md")
 QUICK = ["--set", "domain.cells=12"]
-ALL_FORMATS = "obj,glb,obj-curved,glb-curved,vtu,msh,ply,ugrid,svg"
+ALL_FORMATS = "obj,glb,obj-curved,glb-curved,vtu,msh,ply,ugrid,patch,svg"
+PLANE_FORMATS = ALL_FORMATS.replace("patch,", "")
 
 
 def gaspard(*arguments, cwd=None, environment=None, limit=None, timeout=120):
@@ -108,7 +109,7 @@ class Runs(Contract):
                  "adapted.svg", "residual.svg", "equidistribution.svg", "state.bin", "view.png",
                  "computational-curved.obj", "adapted-curved.obj", "adapted-curved.glb", "computational.ugrid.nc",
                  "adapted.ugrid.nc"]
-        formats = ("--formats", ALL_FORMATS)
+        formats = ("--formats", PLANE_FORMATS)
         self.run_quick(*formats, render=True)
         first = {name: self.bytes(name) for name in names}
         self.run_quick(*formats, "--threads", "2", render=True)
@@ -152,6 +153,29 @@ class Runs(Contract):
         self.assertEqual(history[1]["equidistribution"], "")
         self.assertNotEqual(history[10]["equidistribution"], "")
         self.assertNotEqual(history[-1]["equidistribution"], "")
+
+    def test_a_patch_that_was_written_is_a_domain(self):
+        points = "domain.control_points=0 0, 2 0, 0 1, 2 1.5"
+        square = json.dumps({"degrees": [1, 1], "knots": [[0, 0, 1, 1]] * 2,
+                             "control_points": [[0, 0], [1, 0], [0, 1], [1, 1]]})
+        chosen = ("--set", "domain.type=spline-patch", "--set", "domain.cells=12", "--set", "domain.file=" + square)
+        result = gaspard("run", "spline-circle", "--out", self.out, "--no-render", "--quiet", "--formats", "patch",
+                         *chosen, "--set", points)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        with open(self.path("adapted-patch.json")) as file:
+            patch = json.load(file)
+        self.assertEqual(patch["degrees"], [3, 3])
+        for corner, place in ((0, [0, 0]), (-1, [2, 1.5])):
+            for had, wanted in zip(patch["control_points"][corner], place):
+                self.assertAlmostEqual(had, wanted, places=2)
+        for name in ("adapted-patch.json", "adapted-patch.xml"):
+            again = gaspard("run", "spline-circle", "--out", os.path.join(self.out, "again"), "--no-render", "--quiet",
+                            "--formats", "obj", *chosen, "--set", "domain.file=" + self.path(name))
+            self.assertEqual((again.returncode, again.stderr), (0, ""))
+        self.refused(gaspard("run", "spline-circle", "--out", self.out, *chosen, "--set", "domain.control_points=1 2"),
+                     "has 1 points, and the patch 4")
+        self.refused(gaspard("run", "spline-circle", "--out", self.out, *chosen, "--set", "domain.control_points=1, 2"),
+                     "points of two numbers")
 
     def test_formats_and_size(self):
         result = self.run_quick("--formats", "obj", "--size", "320x240", render=True)
@@ -218,6 +242,7 @@ class BadInput(Contract):
         self.refused(self.run_quick(name="plane-rin"), "'plane-ring'")
         self.refused(self.run_quick("--formats", "obj,gld"), "'glb'")
         self.refused(self.run_quick("--formats", "obj,"), "between its commas")
+        self.refused(self.run_quick("--formats", "obj,patch"), "for spline patches")
         self.refused(gaspard("list", "monitor"), "'monitors'")
         self.refused(gaspard("reproduce", "mcrae-fig20", "--out", self.out), "'mcrae-fig2'")
         self.refused(gaspard("show", "plane-bel"), "'plane-bell'")
@@ -269,7 +294,7 @@ class BadInput(Contract):
 
 class Machine(Contract):
     def test_a_full_disk_is_one_sentence_and_leaves_nothing_half_written(self):
-        result = self.run_quick("--formats", ALL_FORMATS, limit=2000)
+        result = self.run_quick("--formats", PLANE_FORMATS, limit=2000)
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
         self.assertIn("File too large", result.stderr)

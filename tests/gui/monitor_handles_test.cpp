@@ -81,6 +81,30 @@ TEST_F(HandleTest, APixelMeansThePlaceThatIsSeenThere) {
     EXPECT_NEAR(dot(*place_under(handle, shown, {0, 0}), towards_viewer(shown.camera)), 0, 1e-12);
 }
 
+TEST_F(HandleTest, ControlPointsOfAPatchInThePlane) {
+    const auto scenario = with("spline-circle", {"domain.type=spline-patch"});
+    Snapshot snapshot = ring_snapshot(4);
+    EXPECT_TRUE(control_handles(scenario, snapshot).empty()) << "of another domain";
+    Points corners(4);
+    corners.set(1, {1, 0, 0}), corners.set(2, {0, 1, 0}), corners.set(3, {1, 1, 0});
+    snapshot.control = std::make_shared<const Points>(corners);
+    const auto handles = control_handles(scenario, snapshot);
+    ASSERT_EQ(handles.size(), 4U);
+    EXPECT_EQ(item_name(handles[3]), "handle.control_points.3");
+    const Scenario moved = with_handle_at(scenario, handles[3], {1.23456789, 0.5, 0});
+    EXPECT_EQ(moved.domain.values.text("control_points"), "0 0, 1 0, 0 1, 1.2346 0.5");
+    // The next drag goes on from there, also while the snapshot is still the old one.
+    EXPECT_EQ(control_handles(moved, snapshot)[3].place, (Vec3{1.2346, 0.5, 0}));
+    EXPECT_TRUE(
+        control_handles(with("spline-circle", {"domain.type=spline-patch", "domain.control_points=1 2"}),
+                        snapshot)
+            .empty());
+    const PlannedPicture shown = plan(snapshot).pictures[0];
+    const auto pixel = pixel_of(handles[1], shown);
+    ASSERT_TRUE(pixel);
+    EXPECT_NEAR(norm(*place_under(handles[1], shown, *pixel) - handles[1].place), 0, 1e-9);
+}
+
 using HandleApplicationTest = ApplicationTest;
 
 TEST_F(HandleApplicationTest, TheMeshFollowsADraggedCentre) {

@@ -55,8 +55,20 @@ class Picard final : public Method {
         at_start_ = level_ == 0 && std::all_of(phi.begin(), phi.end(), [](double v) { return v == 0; });
         whole_.resize(phi.size());
         levels_[level_].form->add_identity(phi, whole_);
+        if (level_ == 0) {
+            iterate(monitor);
+            return report();
+        }
+        // What is said of a map is said of the mesh that was asked for, or a coarse one might end a run.
+        const std::size_t coarse = level_;
+        const std::vector<double> of_state = whole_;
+        go_to(0);
         iterate(monitor);
-        return report();
+        const Evaluation evaluation = report();
+        level_ = coarse;
+        whole_ = of_state;
+        next_.clear();
+        return evaluation;
     }
 
     Evaluation step(const Monitor& monitor, State& state, std::stop_token) override {
@@ -68,11 +80,7 @@ class Picard final : public Method {
         const bool arrived = residual_ < std::max(coarse_tolerance, tolerance_);
         Evaluation evaluation = report();
         if (level_ > 0 && arrived) {
-            const auto& from = *levels_[level_].form;
-            --level_;
-            const auto phi = levels_[level_].form->adopt(from.layout(), from.without_identity(whole_));
-            whole_.resize(phi.size());
-            levels_[level_].form->add_identity(phi, whole_);
+            go_to(level_ - 1);
             iterate(monitor);
             evaluation = report();
             evaluation.note = "on " + std::to_string(levels_[level_].form->cells()) + " cells from here";
@@ -128,6 +136,14 @@ class Picard final : public Method {
         increment_.resize(whole_.size());
         for (std::size_t i = 0; i < whole_.size(); ++i) increment_[i] = next_[i] - whole_[i];
         residual_ = here.form->form()->norm_without_mean(increment_);
+    }
+    /// The same map on another mesh.
+    void go_to(std::size_t level) {
+        const PatchForm &from = *levels_[level_].form, &to = *levels_[level].form;
+        const auto phi = to.adopt(from.layout(), from.without_identity(whole_));
+        whole_.resize(phi.size());
+        to.add_identity(phi, whole_);
+        level_ = level;
     }
     Evaluation report() const { return {.residual = residual_, .theta = sigma_}; }
 

@@ -30,10 +30,12 @@ Map gradient(const KnotVector& line, std::span<const double> phi) {
 std::optional<Map> spline_map(const State& state) {
     const auto layout = parse_spline_layout(state.layout);
     if (!layout || state.arrays.size() != 1) return std::nullopt;
+    const auto& phi = state.arrays[0].values;
+    const std::size_t size = layout->cells + static_cast<std::size_t>(layout->degree) -
+                             (layout->formulation == Formulation::mixed ? 1 : 0);
+    if (phi.size() != size * size) return std::nullopt;
     const auto form = make_form(*layout);
     std::vector<double> whole = form->identity();
-    const auto& phi = state.arrays[0].values;
-    if (phi.size() != whole.size()) return std::nullopt;
     for (std::size_t i = 0; i < whole.size(); ++i) whole[i] += phi[i];
     const SplineLine& line = form->line();
     if (layout->formulation == Formulation::standard) return gradient(line.upper, whole);

@@ -65,7 +65,7 @@ class SplineForm {
         FastDiagonalisation::Room poisson;
         std::vector<double> first, second;       ///< coefficients of psi1 and psi2, or of phi
         std::array<std::vector<double>, 3> half; ///< summed along x: a line per function along y
-        std::vector<double> turned, turned_sum, work;
+        std::vector<double> turned, turned_sum;  ///< with lines along the other direction
         std::vector<double> load;
     };
     Room make_room() const;

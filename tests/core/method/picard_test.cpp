@@ -209,6 +209,22 @@ TEST_P(Equations, TheMultilevelStartLeadsToTheSameMap) {
         EXPECT_LT(largest_distance(solved(method, "multilevel"), solved(method, "identity")), 1e-8) << method;
 }
 
+TEST(Picard, GoesOnFromACoarserMeshWithoutEndingThere) {
+    gaspard::Run run(catalogue(), scenario("spline-circle", {"domain.cells=64"}));
+    for (int i = 0; i < 5; ++i) run.step();
+    EXPECT_EQ(run.state().layout, "spline standard p=3 n=16");
+    Scenario loose = run.scenario();
+    loose.method.values.set("tolerance", 1e-3);
+    EXPECT_EQ(run.change(loose), ""); // says how good the map is on the mesh that was asked for
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::converged);
+    const Scenario tight = scenario("spline-circle", {"domain.cells=64", "method.tolerance=1e-11"});
+    gaspard::Run again(catalogue(), tight, {.start = run.state()}), whole(catalogue(), tight);
+    again.solve();
+    whole.solve();
+    EXPECT_LT(largest_distance(again.snapshot()->x, whole.snapshot()->x), 1e-7);
+}
+
 TEST_P(Equations, TakeStatesOfOtherMeshesAndForms) {
     const auto map_of = [&](Formulation formulation, std::size_t cells, const std::vector<double>& phi) {
         PatchForm patch(domain(12), formulation, cells);

@@ -1,4 +1,5 @@
 #include "core/base/error.hpp"
+#include "core/spline/control_points.hpp"
 #include "core/spline/patch_file.hpp"
 #include "core/spline/patch_xml.hpp"
 #include "core/spline/spline_domain.hpp"
@@ -154,6 +155,45 @@ TEST(PatchXml, IsReadAsGSmoWritesIt) { // a quarter of an annulus of radii 1 and
     Points x;
     patch_map(patch)->points(xi, x);
     for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(norm(x[i]), 1 + xi.x[i], 1e-14);
+}
+
+TEST(PatchXml, ReadsBackWhatItWrites) {
+    SplinePatch patch = nurbs_disk();
+    EXPECT_EQ(parse_patch_xml(patch_xml(patch), "disk.xml"), patch);
+    patch.weights.assign(patch.weights.size(), 1.0);
+    patch.control.z[3] = 0.1;
+    EXPECT_EQ(parse_patch_xml(patch_xml(patch), "surface.xml"), patch);
+    EXPECT_NE(patch_xml(patch).find("TensorBSpline2"), std::string::npos);
+}
+
+TEST(PatchThrough, HasTheSplinesThatAgreeAtGrevillePoints) {
+    // Polynomials of the degree in each direction are met exactly, whatever the knots.
+    const std::vector<double> breaks = {0, 0.2, 0.5, 1};
+    const TensorSpace space{{open_knots(3, breaks, 1), open_knots(2, breaks, 1)}};
+    const auto f = [](double u, double v) { return Vec3{u * u * u - v, v * v * u, 1 + u * v}; };
+    const auto us = greville(space.directions[0]), vs = greville(space.directions[1]);
+    Points x(us.size() * vs.size());
+    for (std::size_t j = 0; j < vs.size(); ++j)
+        for (std::size_t i = 0; i < us.size(); ++i) x.set(j * us.size() + i, f(us[i], vs[j]));
+    const auto map = patch_map(patch_through(space, x));
+    const Points xi = random_points(100, 5);
+    Points at;
+    map->points(xi, at);
+    for (std::size_t i = 0; i < xi.size(); ++i) EXPECT_LT(norm(at[i] - f(xi.x[i], xi.y[i])), 1e-13);
+}
+
+TEST(ControlPoints, ReadBackAndSayWhatIsWrong) {
+    Points control(3);
+    control.set(1, {-0.1, 1e-17, 0}), control.set(2, {1.0 / 3, 1e9, 0});
+    EXPECT_EQ(parse_control_points(format_control_points(control), 3), control);
+    EXPECT_EQ(parse_control_points(" 0 0,-0.1   1e-17 , 0.3333333333333333 1e9", 3), control);
+    for (const char* wrong : {"", "1", "1 2 3", "1 2,", "1 x", "nan 1", "1,2"})
+        EXPECT_NE(
+            message_of<InputError>([&] { parse_control_points(wrong, 1); }).find("points of two numbers"),
+            std::string::npos)
+            << wrong;
+    EXPECT_EQ(message_of<InputError>([] { parse_control_points("1 2, 3 4", 9); }),
+              "domain.control_points has 2 points, and the patch 9");
 }
 
 TEST(PatchXml, SaysWhatIsWrong) {
