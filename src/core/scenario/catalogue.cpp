@@ -72,7 +72,7 @@ Capability spline_capability(const std::string& domain_type) {
     return {.domain = domain_type,
             .boundaries = {},
             .monitors = {"circle", "spiral", "three-circles", "two-circles", "cosine-waves", "sine-waves",
-                         "ring", "bell", "ring-and-bell", "random-bells", "constant"},
+                         "ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant"},
             .methods = {"picard", "picard-mixed", "newton", "accelerated", "auto"},
             .prepare = [domain_type](const Values& domain, const Progress& progress,
                                      std::stop_token) -> std::shared_ptr<const Discretisation> {

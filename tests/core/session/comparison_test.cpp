@@ -22,11 +22,14 @@ class Comparison : public testing::Test {
     std::shared_ptr<const Catalogue> catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
 };
 
-TEST_F(Comparison, EveryShippedScenarioIsForAllMethods) {
+TEST_F(Comparison, EveryShippedScenarioIsForAllMethodsOfItsKind) {
     for (const auto& builtin : builtin_scenarios()) {
         const auto names = methods_for(*catalogue, find_scenario(*catalogue, std::string(builtin.name)));
-        for (const char* method : {"relaxation", "accelerated", "quasi-newton", "newton", "auto"})
-            EXPECT_EQ(std::count(names.begin(), names.end(), method), 1) << builtin.name << ", " << method;
+        std::vector<std::string> expected = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"};
+        if (builtin.name.starts_with("spline"))
+            expected = {"picard", "picard-mixed", "accelerated", "newton", "auto"};
+        EXPECT_TRUE(std::is_permutation(names.begin(), names.end(), expected.begin(), expected.end()))
+            << builtin.name;
     }
 }
 
