@@ -24,5 +24,27 @@ picture sphere-x16 sphere-x16 --size 1400x740 --set view.layout=front-and-rear -
   --set view.theme=light
 picture sphere-cross sphere-cross --size 1200x900 --set view.theme=light --set view.histogram=false \
   --set view.camera="centre 0.05 0.02 -0.04 height 2.25 right -0.9272 0.3746 0 up -0.09 -0.2226 0.9707"
-picture spline-moebius spline-moebius --size 1200x700 --set view.theme=light --set view.histogram=false --set domain.cells=48
 picture sphere-map sphere-cross --size 1200x640 --set view.theme=light --set view.layout=map --set view.map_longitude=90
+
+# A film: once round the Moebius strip, while its nodes go from where they came from to where they are. ImageMagick
+# (Debian's package imagemagick) puts the frames together.
+strip=(spline-moebius --quiet --formats obj --set domain.cells=40)
+"$gaspard" run "${strip[@]}" --no-render --out "$drawn/strip"
+frame=100
+python3 - <<'PYTHON' |
+import math
+frames = 24
+for k in range(frames):
+    t = min(1, max(0, (k / frames - 0.1) / 0.55))
+    a, e = math.radians(360 * k / frames - 70), math.radians(32)
+    right, view = (-math.sin(a), math.cos(a), 0), (math.cos(a) * math.cos(e), math.sin(a) * math.cos(e), math.sin(e))
+    up = [view[i - 2] * right[i - 1] - view[i - 1] * right[i - 2] for i in range(3)]
+    print(t * t * (3 - 2 * t), "right %.4f %.4f %.4f" % right, "up %.4f %.4f %.4f" % tuple(up))
+PYTHON
+  while read -r blend camera; do
+    "$gaspard" run "${strip[@]}" --start "$drawn/strip/state.bin" --size 600x370 --set view.theme=light \
+      --set view.histogram=false --set view.blend="$blend" --set view.camera="$camera" --out "$drawn/strip"
+    mv "$drawn/strip/view.png" "$drawn/frame$((frame++)).png"
+  done
+convert -delay 14 -loop 0 "$drawn"/frame*.png -colors 64 +dither -layers optimize "$here/docs/spline-moebius.gif"
+echo docs/spline-moebius.gif
