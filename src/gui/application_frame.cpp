@@ -61,7 +61,7 @@ void Application::frame() {
     draw_toolbar();
     viewport_pane_.say_in_corner(note_has_room() ? method_note(run(), *catalogue_) : std::string());
     const bool with_handles = run().live() && !taking_screenshot_;
-    std::vector<MonitorHandle> handles;
+    std::vector<Handle> handles;
     if (with_handles) {
         handles = monitor_handles(run().scenario);
         if (run().snapshot)

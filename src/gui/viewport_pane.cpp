@@ -108,7 +108,7 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
 }
 
 /// Where a picture shows a handle; other runs have monitors of their own.
-std::optional<Pixel> ViewportPane::seen(const MonitorHandle& handle, const PlannedPicture& shown) const {
+std::optional<Pixel> ViewportPane::seen(const Handle& handle, const PlannedPicture& shown) const {
     if (shown.picture.physical != plan_->pictures.front().picture.physical) return std::nullopt;
     return pixel_of(handle, shown);
 }

@@ -1,7 +1,7 @@
 // Centres of monitors that the mouse takes along.
 #include "application_fixture.hpp"
 #include "globes.hpp"
-#include "gui/monitor_handles.hpp"
+#include "gui/handles.hpp"
 #include "plan_fixture.hpp"
 
 #include <cmath>
@@ -50,7 +50,7 @@ TEST_F(HandleTest, MovesRoundAPeriodicPlaneAndStaysWithinWalls) {
 }
 
 TEST_F(HandleTest, APixelMeansThePlaceThatIsSeenThere) {
-    MonitorHandle handle = monitor_handles(find_scenario(catalogue, "plane-ring")).front();
+    Handle handle = monitor_handles(find_scenario(catalogue, "plane-ring")).front();
     const PlannedPicture plane = plan(ring_snapshot(8)).pictures[0];
     const auto there = pixel_of(handle, plane);
     ASSERT_TRUE(there);
