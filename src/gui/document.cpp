@@ -144,6 +144,7 @@ void Document::finish_opening(DocumentRun& run) {
     run.title = title_of(scenario);
     run.name = describe_scenario(*catalogue_, scenario, scenario);
     run.wants_to_run = true;
+    if (&run == &runs_.front()) leave_waiting(0);
     ++run.openings;
     for (DocumentViewport& viewport : viewports_)
         if (&runs_[viewport.run] == &run) viewport.view = scenario.view;
@@ -163,18 +164,26 @@ void Document::take_answer(DocumentRun& run) {
     }
 }
 
+/// What is asked of the first run from now on is no longer the comparison's affair.
+void Document::leave_waiting(std::size_t run) {
+    if (run == 0) comparison_.resume = false;
+}
+
 void Document::start(std::size_t run) {
+    leave_waiting(run);
     if (runs_[run].ended()) runs_[run].solver->post(ResetCommand{});
     runs_[run].solver->post(StartCommand{});
     runs_[run].wants_to_run = true;
 }
 
 void Document::pause(std::size_t run) {
+    leave_waiting(run);
     runs_[run].solver->post(PauseCommand{});
     runs_[run].wants_to_run = false;
 }
 
 void Document::step(std::size_t run) {
+    leave_waiting(run);
     runs_[run].solver->post(StepCommand{});
     runs_[run].wants_to_run = false;
 }

@@ -130,7 +130,7 @@ class Document {
         std::vector<std::pair<std::string, std::uint64_t>> begun; ///< methods and the numbers of their runs
         std::size_t total = 0;
         std::uint64_t now = 0; ///< the run under way; 0: none
-        bool resume = false;   ///< the first run was solving
+        bool resume = false;   ///< the first run was solving, and waits for no other reason
     };
     DocumentRun make_run(const Scenario& scenario);
     std::unique_ptr<SolverThread> make_solver(const Scenario& scenario) const;
@@ -138,6 +138,8 @@ class Document {
     DocumentRun* run_numbered(std::uint64_t number);
     void compare_next();
     void collect_comparison();
+    void resume_first();
+    void leave_waiting(std::size_t run);
     static void let_rest(DocumentRun& run);
     bool collect(DocumentRun& run);
     void take_answer(DocumentRun& run);

@@ -37,14 +37,15 @@ void Document::compare(std::vector<std::string> methods) {
             if (runs_[i].number == number) remove(i--);
     comparison_ = {.scenario = runs_.front().scenario, .waiting = {}, .begun = {}, .total = methods.size()};
     comparison_.waiting.assign(methods.begin(), methods.end());
-    comparison_.resume = runs_.front().solving();
-    if (comparison_.resume) pause(0); // the methods have the cores for themselves
+    const bool solving = runs_.front().solving();
+    if (solving) pause(0); // the methods have the cores for themselves
+    comparison_.resume = solving;
     compare_next();
 }
 
 void Document::compare_next() {
     if (comparison_.waiting.empty()) {
-        if (std::exchange(comparison_.resume, false)) start(0);
+        resume_first();
         return;
     }
     const std::string method = comparison_.waiting.front();
@@ -83,7 +84,12 @@ void Document::cancel_comparison() {
     comparison_.waiting.clear();
     if (DocumentRun* run = comparison_.now != 0 ? run_numbered(comparison_.now) : nullptr) let_rest(*run);
     comparison_.now = 0;
-    if (std::exchange(comparison_.resume, false)) start(0);
+    resume_first();
+}
+
+/// Goes on with the first run, where nobody else has said meanwhile what it is to do.
+void Document::resume_first() {
+    if (std::exchange(comparison_.resume, false) && !runs_.front().ended()) start(0);
 }
 
 double Document::comparison_progress() const {
