@@ -1,7 +1,9 @@
 // Centres of monitors that the mouse takes along.
 #include "application_fixture.hpp"
 #include "globes.hpp"
+#include "core/spline/control_points.hpp"
 #include "gui/handles.hpp"
+#include "gui/viewport_pane.hpp"
 #include "plan_fixture.hpp"
 
 #include <cmath>
@@ -95,6 +97,17 @@ TEST_F(HandleTest, ControlPointsOfAPatchInThePlane) {
     EXPECT_EQ(moved.domain.values.text("control_points"), "0 0, 1 0, 0 1, 1.2346 0.5");
     // The next drag goes on from there, also while the snapshot is still the old one.
     EXPECT_EQ(control_handles(moved, snapshot)[3].place, (Vec3{1.2346, 0.5, 0}));
+    Points wide = corners, tiny = corners;
+    wide.set(3, {5000, 1000, 0}), tiny.set(1, {1e-5, 0, 0}), tiny.set(2, {0, 1e-5, 0}), tiny.set(3, {});
+    Handle other = handles[3];
+    other.control = std::make_shared<const Points>(wide);
+    EXPECT_EQ(with_handle_at(scenario, other, {1234.5678, 987.654, 0}).domain.values.text("control_points"),
+              "0 0, 1 0, 0 1, 1234.6 987.7");
+    other.control = std::make_shared<const Points>(tiny);
+    const Scenario fine = with_handle_at(scenario, other, {1.23456789e-5, 2e-6, 0});
+    const Points read = parse_control_points(fine.domain.values.text("control_points"), 4);
+    EXPECT_NEAR(read[3].x, 1.23456789e-5, 1e-9) << "a small patch can be shaped as well";
+    EXPECT_NEAR(read[3].y, 2e-6, 1e-9);
     EXPECT_TRUE(
         control_handles(with("spline-circle", {"domain.type=spline-patch", "domain.control_points=1 2"}),
                         snapshot)
@@ -103,6 +116,53 @@ TEST_F(HandleTest, ControlPointsOfAPatchInThePlane) {
     const auto pixel = pixel_of(handles[1], shown);
     ASSERT_TRUE(pixel);
     EXPECT_NEAR(norm(*place_under(handles[1], shown, *pixel) - handles[1].place), 0, 1e-9);
+}
+
+/// A viewport alone, with a handle in each corner of a square.
+class HeldHandleTest : public HandleTest {
+  protected:
+    HeldHandleTest() {
+        Points corners(4);
+        corners.set(1, {1, 0, 0}), corners.set(2, {0, 1, 0}), corners.set(3, {1, 1, 0});
+        Snapshot snapshot = ring_snapshot(4);
+        snapshot.control = std::make_shared<const Points>(corners);
+        scenario_ = with("spline-circle", {"domain.type=spline-patch"});
+        handles_ = control_handles(scenario_, snapshot);
+        run_.snapshot = std::make_shared<const Snapshot>(std::move(snapshot));
+        run_.scenario = run_.opened = scenario_;
+        viewport_.view = view_;
+    }
+    void frame(std::size_t handles) {
+        items_.clear();
+        pane_.offer_handles({handles_.begin(), handles_.begin() + static_cast<std::ptrdiff_t>(handles)});
+        ui_.frame([&] { pane_.frame(run_, viewport_, {0, 0, 900, 600}, {theme_, 1, items_}); });
+    }
+
+    Scenario scenario_;
+    std::vector<Handle> handles_;
+    DocumentRun run_;
+    DocumentViewport viewport_;
+    ItemRectangles items_;
+    ViewportPane pane_{std::make_shared<TessellationCache>()};
+};
+
+TEST_F(HeldHandleTest, AHandleThatGoesAwayIsLetGo) {
+    for (int i = 0; i < 3; ++i) frame(4);
+    const ItemRectangle last = items_.at("handle.control_points.3");
+    ui_.move(last.left, last.top);
+    frame(4);
+    ui_.button(true);
+    frame(4);
+    ui_.move(last.left - 30, last.top + 30);
+    frame(4);
+    ASSERT_TRUE(pane_.take_handle_move());
+    frame(2); // another patch has arrived
+    ui_.move(last.left - 60, last.top + 60);
+    frame(4);
+    EXPECT_FALSE(pane_.take_handle_move()) << "it is another's point";
+    ui_.button(false);
+    frame(4);
+    EXPECT_FALSE(pane_.take_handle_move());
 }
 
 using HandleApplicationTest = ApplicationTest;
