@@ -127,13 +127,21 @@ void Document::change(std::size_t run, const Scenario& scenario) {
     GASPARD_CHECK(entry.live());
     entry.scenario = scenario;
     entry.name = describe_scenario(*catalogue_, entry.opened, scenario);
-    entry.solver->post(ChangeCommand{scenario, ++entry.asked});
+    entry.asked_for_good = ++entry.asked;
+    entry.solver->post(ChangeCommand{scenario, entry.asked});
+}
+
+void Document::change_by_hand(std::size_t run, const Scenario& scenario) {
+    const std::uint64_t for_good = runs_[run].asked_for_good;
+    change(run, scenario);
+    runs_[run].asked_for_good = for_good;
 }
 
 void Document::replace(std::size_t run, const Scenario& scenario) {
     DocumentRun& entry = runs_[run];
     GASPARD_CHECK(entry.live());
-    entry.opening = {++entry.asked, scenario};
+    entry.asked_for_good = ++entry.asked;
+    entry.opening = {entry.asked, scenario};
     entry.solver->post(ChangeCommand{scenario, entry.asked, true});
 }
 
@@ -207,11 +215,14 @@ bool Document::collect(DocumentRun& run) {
     status.scenario = run.solver->status().scenario; // of the last of these events
     auto snapshot = run.solver->latest();
     const bool news = !events.empty() || snapshot != run.snapshot || !same(status, run.status);
+    // All that waits for an answer, which may come after the sentence that belongs to it.
+    const bool by_hand = run.answered < run.asked && run.asked_for_good <= run.answered;
     const bool news_of_change = status.answered != run.answered;
     run.snapshot = std::move(snapshot);
     run.status = std::move(status);
     if (news_of_change) take_answer(run);
-    for (SolverMessage& message : run.solver->take_messages()) run.messages.push_back(std::move(message));
+    for (SolverMessage& message : run.solver->take_messages())
+        run.messages.push_back({std::move(message.text), message.error, by_hand});
     for (const SolverEvent& event : events) append(run, event);
     if (run.history.size() <= 1 || !run.marked) // nothing has been solved with other values yet
         run.marked = run.status.scenario ? run.status.scenario : std::make_shared<const Scenario>(run.opened);

@@ -1,7 +1,7 @@
 // Centres of monitors that the mouse takes along.
 #include "application_fixture.hpp"
-#include "globes.hpp"
 #include "core/spline/control_points.hpp"
+#include "globes.hpp"
 #include "gui/handles.hpp"
 #include "gui/viewport_pane.hpp"
 #include "plan_fixture.hpp"
@@ -197,6 +197,61 @@ TEST_F(HandleApplicationTest, TheMeshFollowsADraggedCentre) {
     ui.drag(application.viewport_rectangle(), 0.3F, 0.4F, drawing()); // beside it
     frame();
     EXPECT_NE(shown().camera, before) << "pans as ever";
+}
+
+class PatchApplicationTest : public ApplicationFixture {
+  protected:
+    PatchApplicationTest() : PatchApplicationTest(std::make_shared<Catalogue>(builtin_catalogue())) {}
+
+  private:
+    explicit PatchApplicationTest(const std::shared_ptr<const Catalogue>& of)
+        : ApplicationFixture(of, patch(*of)) {}
+    static Scenario patch(const Catalogue& catalogue) {
+        Scenario scenario = find_scenario(catalogue, "spline-circle");
+        apply_settings(catalogue, scenario,
+                       {"domain.type=spline-patch", "domain.cells=4", "domain.degree=2"});
+        return scenario;
+    }
+};
+
+TEST_F(PatchApplicationTest, AFoldStopsAControlPointButNotTheHand) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
+    frame();
+    const auto first = application.items().find("handle.control_points.4");
+    const auto last = application.items().find("handle.control_points.8");
+    ASSERT_NE(first, application.items().end());
+    ASSERT_NE(last, application.items().end());
+    const ItemRectangle from = first->second, to = last->second; // the middle, a corner
+    const std::size_t lines = application.log().lines().size();
+    ui.move(from.left, from.top);
+    frame();
+    ui.button(true);
+    frame();
+    for (const float way : {0.1F, 0.2F, 2.5F}) {
+        ui.move(from.left + way * (to.left - from.left), from.top + way * (to.top - from.top));
+        frame();
+        ASSERT_TRUE(wait_until([&] { return run().answered == run().asked; }));
+    }
+    EXPECT_TRUE(run().status.refused);
+    EXPECT_NE(application.message().text.find("folds"), std::string::npos) << application.message().text;
+    EXPECT_FALSE(application.error().open()) << "it would take the handle out of the hand";
+    const std::string good = run().scenario.domain.values.text("control_points");
+    EXPECT_NE(good, "") << "the last good place";
+    EXPECT_EQ(good, run().status.scenario->domain.values.text("control_points"));
+    ui.move(from.left + 0.1F * (to.left - from.left), from.top + 0.1F * (to.top - from.top));
+    frame();
+    ASSERT_TRUE(wait_until([&] { return run().answered == run().asked; }));
+    EXPECT_FALSE(run().status.refused) << "the same drag goes on";
+    EXPECT_NE(run().scenario.domain.values.text("control_points"), good);
+    ui.button(false);
+    frame();
+    for (std::size_t i = lines; i < application.log().lines().size(); ++i)
+        EXPECT_FALSE(application.log().lines()[i].notice.error);
+
+    Scenario typed = run().scenario; // by other ways the same is an error
+    typed.domain.values.set("control_points", std::string("0 0"));
+    application.document().change(0, typed);
+    EXPECT_TRUE(wait_until([&] { return application.error().open(); }));
 }
 
 TEST_F(HandleApplicationTest, AClickOnAHandlePicksWhatLiesBelow) {
