@@ -83,14 +83,19 @@ bool Application::collect() {
     return news;
 }
 
-/// What is refused while a handle is dragged is for the status line alone: a dialog would take the handle out
-/// of the hand.
+/// Those of the first run are for the user at once; those of other runs can be read in the log. What is
+/// refused while a handle is dragged is for the status line alone: a dialog would take the handle out of the
+/// hand.
 void Application::take_messages() {
-    for (RunMessage& message : std::exchange(run().messages, {}))
-        if (message.by_hand && run().solver->status().run != RunStatus::failed)
-            message_ = {std::move(message.text), message.error};
-        else
-            say({std::move(message.text), message.error});
+    for (DocumentRun& one : document_.runs())
+        for (RunMessage& message : std::exchange(one.messages, {})) {
+            if (&one != &run())
+                log_.add({one.name + ": " + message.text, message.error});
+            else if (message.by_hand && run().solver->status().run != RunStatus::failed)
+                message_ = {std::move(message.text), message.error};
+            else
+                say({std::move(message.text), message.error});
+        }
 }
 
 /// Said once for each mesh.

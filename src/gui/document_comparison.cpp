@@ -65,7 +65,8 @@ void Document::collect_comparison() {
     DocumentRun* run = comparison_.now != 0 ? run_numbered(comparison_.now) : nullptr;
     if (!run || !run->ended()) return;
     const bool told = !run->history.empty() && is_final(run->history.back().status);
-    if (!told && run->status.run != RunStatus::failed && run->status.run != RunStatus::interrupted) return;
+    const bool gave_up = run->status.run == RunStatus::failed || run->status.run == RunStatus::interrupted;
+    if (!told && !(gave_up && run->status.messages > 0)) return; // the sentence why follows the status
     let_rest(*run);
     comparison_.now = 0;
     compare_next();
@@ -106,7 +107,7 @@ std::vector<ComparisonRow> Document::comparison_rows() const {
         for (const DocumentRun& run : runs_) {
             if (run.number != number) continue;
             rows.push_back(comparison_row(method, run.history));
-            if (!run.history.empty() && run.ended()) rows.back().status = run.status.run;
+            if (run.ended()) rows.back().status = run.status.run;
         }
     return rows;
 }
