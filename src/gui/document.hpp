@@ -8,6 +8,7 @@
 
 #include <deque>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -150,7 +151,7 @@ class Document {
     void collect_comparison();
     void resume_first();
     void leave_waiting(std::size_t run);
-    static void let_rest(DocumentRun& run);
+    void let_rest(DocumentRun& run);
     bool collect(DocumentRun& run);
     void take_answer(DocumentRun& run);
     void finish_opening(DocumentRun& run);
@@ -164,6 +165,7 @@ class Document {
     std::uint64_t last_number_ = 0;
     MethodComparison comparison_;
     std::vector<DocumentRun> runs_;
+    std::vector<std::future<void>> leaving_; ///< solvers of runs let rest, on their way to their end
 };
 
 } // namespace gaspard

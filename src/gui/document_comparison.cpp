@@ -3,6 +3,7 @@
 #include "gui/document.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -73,7 +74,12 @@ void Document::collect_comparison() {
 }
 
 void Document::let_rest(DocumentRun& run) {
-    run.solver.reset(); // it waits for commands, or stops within its step
+    // A step under way may be a long one: the solver stops, but the window does not wait for it.
+    std::erase_if(leaving_, [](const std::future<void>& one) {
+        return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    });
+    leaving_.push_back(
+        std::async(std::launch::async, [solver = std::move(run.solver)]() mutable { solver.reset(); }));
     run.wants_to_run = false;
     if (run.ended()) return;
     run.status.run = RunStatus::interrupted;
