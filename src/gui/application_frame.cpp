@@ -73,8 +73,10 @@ void Application::frame() {
     for (const DocumentRun& other : document_.runs())
         if (&other != &run() && !other.hidden && look_alike(other, run())) others.push_back(&other);
     viewport_pane_.frame(run(), viewport(), layout_.viewport, context, others);
-    if (const auto move = viewport_pane_.take_handle_move())
-        document_.change(0, with_handle_at(run().scenario, move->handle, move->place));
+    if (const auto move = viewport_pane_.take_handle_move()) {
+        if (!run().status.refused) message_ = {};
+        document_.change_by_hand(0, with_handle_at(run().scenario, move->handle, move->place));
+    }
     if (checked(ActionId::sidebar)) draw_sidebar();
     if (checked(ActionId::plots)) draw_plots(context);
     draw_edges();

@@ -21,6 +21,16 @@ const ParameterRow& row_of(const Values& values, const std::string& key) {
 
 double rounded(double value, double digits) { return std::round(value * digits) / digits; }
 
+/// What a hand can aim for: 1e-4 of the larger side of a patch, as a power of ten.
+double rounded_within(const Points& patch, double value) {
+    const Box box = bounding_box(patch);
+    const double span = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+    if (!(span > 0)) return value;
+    const double decimals = 4 - std::floor(std::log10(span));
+    const double factor = std::pow(10.0, std::abs(decimals)); // a whole number, so that texts stay short
+    return decimals >= 0 ? rounded(value, factor) : std::round(value / factor) * factor;
+}
+
 /// Within the range of its row, or round it.
 void put(Values& values, const std::string& key, double value, bool periodic) {
     const ParameterRow& row = row_of(values, key);
@@ -71,7 +81,7 @@ Scenario with_handle_at(const Scenario& scenario, const Handle& handle, Vec3 pla
     Scenario moved = scenario;
     if (handle.control) {
         Points control = *handle.control;
-        control.set(handle.number, {rounded(place.x, 10000), rounded(place.y, 10000), 0});
+        control.set(handle.number, {rounded_within(control, place.x), rounded_within(control, place.y), 0});
         moved.domain.values.set(control_key, format_control_points(control));
         return moved;
     }

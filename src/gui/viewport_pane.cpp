@@ -128,7 +128,8 @@ bool ViewportPane::drag_handle(float scale) {
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActivated())
         held_ = ImGui::IsMouseDown(0) ? handle_at(io.MouseClickedPos[0], scale) : std::nullopt;
-    if (!held_ || *held_ >= handles_.size()) return false;
+    if (held_ && *held_ >= handles_.size()) held_.reset(); // it has gone
+    if (!held_) return false;
     const bool ends = ImGui::IsItemDeactivated();
     const ImVec2 clicked = io.MouseClickedPos[0];
     const float x = io.MousePos.x - clicked.x, y = io.MousePos.y - clicked.y, far = drag_threshold * scale;
