@@ -243,8 +243,8 @@ TEST(Picard, EndsOnTheMeshThatWasAskedFor) {
 
 TEST(Newton, OnAPatchReportsItsMeasures) {
     const auto measures = [](const std::string& method) {
-        gaspard::Run run(catalogue(),
-                         scenario("spline-circle", {"domain.cells=32", "method.type=" + method}));
+        gaspard::Run run(catalogue(), scenario("spline-circle", {"domain.cells=32", "method.type=" + method,
+                                                                 "method.tolerance=1e-11"}));
         return run.solve().measures;
     };
     const auto picard = measures("picard");

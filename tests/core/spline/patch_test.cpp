@@ -237,7 +237,7 @@ TEST(PatchFile, IsRefusedWhereItFoldsOrHasNoArea) {
 
 TEST(PatchFile, SaysWhatIsWrong) {
     const std::vector<std::pair<std::string, std::string>> cases = {
-        {"{", "parse error"},
+        {"{", "no JSON from character 2"},
         {"[]", "object"},
         {R"({"degrees": [1, 1]})", "'knots'"},
         {R"({"degrees": [1], "knots": [[0,0,1,1]], "control_points": []})", "two"},
