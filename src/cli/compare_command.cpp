@@ -9,6 +9,7 @@
 #include "core/session/comparison.hpp"
 #include "core/session/run.hpp"
 #include "gui/picture.hpp"
+#include "gui/viewport.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -94,6 +95,7 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
     Scenario scenario = find_scenario(*catalogue, arguments.scenario);
     apply_settings(*catalogue, scenario, arguments.settings);
     check(*catalogue, scenario);
+    check_view(scenario.view);
     const auto methods = chosen_methods(*catalogue, scenario, arguments.methods);
     const std::filesystem::path folder =
         arguments.out.empty() ? std::filesystem::path("gaspard-out") / (scenario.name + "-methods")
@@ -101,7 +103,7 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
     check_writable(folder);
     std::vector<ComparisonRow> rows;
     Outcome outcome;
-    print_cells(comparison_heads());
+    bool trouble = false;
     // One after the other, so that none takes the time of another.
     for (const std::string& method : methods) {
         if (interrupt.token().stop_requested()) break;
@@ -110,18 +112,25 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
                     {.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))}, {},
                     interrupt.token());
             run.solve(interrupt.token());
+            if (rows.empty()) print_cells(comparison_heads());
             rows.push_back(comparison_row(method, run.history()));
             print_cells(comparison_cells(rows.back()));
             write_atomically(folder / (method + ".csv"), history_csv(run.history()));
             outcome.add(method, run, std::string(status_name(run.status())));
         } catch (const Interrupted&) { // before its first iteration
             break;
+        } catch (const InputError&) {
+            throw;
+        } catch (const std::exception& error) { // of one method; the others are compared all the same
+            std::fprintf(stderr, "gaspard: %s: %s\n", method.c_str(), error.what());
+            trouble = true;
         }
     }
     write_atomically(folder / "comparison.csv", comparison_csv(rows));
     if (!arguments.no_render && !rows.empty()) write_png(folder / "comparison.png", outcome.draw());
     std::printf("files in %s\n", folder.string().c_str());
-    return interrupt.token().stop_requested() ? exit_code(RunStatus::interrupted) : 0;
+    if (interrupt.token().stop_requested()) return exit_code(RunStatus::interrupted);
+    return trouble ? exit_code(RunStatus::failed) : 0;
 }
 
 } // namespace gaspard

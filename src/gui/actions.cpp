@@ -161,6 +161,8 @@ std::span<const MouseHelp> mouse_help() {
          "Pan; turn a mesh in space, which pans with Shift, the middle or the right button."},
         {"Drag the monitor's centre",
          "A small circle with a cross: the monitor moves, and the mesh follows."},
+        {"Drag a control point",
+         "A small square, of a patch in the plane: the patch bends, and the mesh follows."},
         {"Wheel", "Zoom at the pointer."},
         {"Click", "Pick a node or a cell: a card tells what is known of it. Beside the mesh: none."},
         {"Double-click", "Bring a point to the middle; a globe turns it to the front."},

@@ -64,8 +64,7 @@ void Application::say(Notice notice) {
 bool Application::collect() {
     bool news = document_.collect();
     for (Notice& notice : board_->take()) say(std::move(notice)), news = true;
-    for (SolverMessage& message : std::exchange(run().messages, {}))
-        say({std::move(message.text), message.error});
+    take_messages();
     if (run().openings != openings_seen_) take_opening();
     note_what_is_missing();
     const std::string note = closing_note(run());
@@ -82,6 +81,21 @@ bool Application::collect() {
         news = true;
     }
     return news;
+}
+
+/// Those of the first run are for the user at once; those of other runs can be read in the log. What is
+/// refused while a handle is dragged is for the status line alone: a dialog would take the handle out of the
+/// hand.
+void Application::take_messages() {
+    for (DocumentRun& one : document_.runs())
+        for (RunMessage& message : std::exchange(one.messages, {})) {
+            if (&one != &run())
+                log_.add({one.name + ": " + message.text, message.error});
+            else if (message.by_hand && run().solver->status().run != RunStatus::failed)
+                message_ = {std::move(message.text), message.error};
+            else
+                say({std::move(message.text), message.error});
+        }
 }
 
 /// Said once for each mesh.

@@ -105,6 +105,7 @@ class Application {
     std::string obstacle(ActionId id);
     bool checked(ActionId id) const;
     bool working();
+    void take_messages();
     void note_what_is_missing();
     bool available(const std::string& choice) const;
     void use_quadratic_cells();

@@ -61,7 +61,7 @@ void Application::frame() {
     draw_toolbar();
     viewport_pane_.say_in_corner(note_has_room() ? method_note(run(), *catalogue_) : std::string());
     const bool with_handles = run().live() && !taking_screenshot_;
-    std::vector<MonitorHandle> handles;
+    std::vector<Handle> handles;
     if (with_handles) {
         handles = monitor_handles(run().scenario);
         if (run().snapshot)
@@ -73,8 +73,10 @@ void Application::frame() {
     for (const DocumentRun& other : document_.runs())
         if (&other != &run() && !other.hidden && look_alike(other, run())) others.push_back(&other);
     viewport_pane_.frame(run(), viewport(), layout_.viewport, context, others);
-    if (const auto move = viewport_pane_.take_handle_move())
-        document_.change(0, with_handle_at(run().scenario, move->handle, move->place));
+    if (const auto move = viewport_pane_.take_handle_move()) {
+        if (!run().status.refused) message_ = {};
+        document_.change_by_hand(0, with_handle_at(run().scenario, move->handle, move->place));
+    }
     if (checked(ActionId::sidebar)) draw_sidebar();
     if (checked(ActionId::plots)) draw_plots(context);
     draw_edges();

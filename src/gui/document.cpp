@@ -127,13 +127,21 @@ void Document::change(std::size_t run, const Scenario& scenario) {
     GASPARD_CHECK(entry.live());
     entry.scenario = scenario;
     entry.name = describe_scenario(*catalogue_, entry.opened, scenario);
-    entry.solver->post(ChangeCommand{scenario, ++entry.asked});
+    entry.asked_for_good = ++entry.asked;
+    entry.solver->post(ChangeCommand{scenario, entry.asked});
+}
+
+void Document::change_by_hand(std::size_t run, const Scenario& scenario) {
+    const std::uint64_t for_good = runs_[run].asked_for_good;
+    change(run, scenario);
+    runs_[run].asked_for_good = for_good;
 }
 
 void Document::replace(std::size_t run, const Scenario& scenario) {
     DocumentRun& entry = runs_[run];
     GASPARD_CHECK(entry.live());
-    entry.opening = {++entry.asked, scenario};
+    entry.asked_for_good = ++entry.asked;
+    entry.opening = {entry.asked, scenario};
     entry.solver->post(ChangeCommand{scenario, entry.asked, true});
 }
 
@@ -144,6 +152,7 @@ void Document::finish_opening(DocumentRun& run) {
     run.title = title_of(scenario);
     run.name = describe_scenario(*catalogue_, scenario, scenario);
     run.wants_to_run = true;
+    if (&run == &runs_.front()) leave_waiting(0);
     ++run.openings;
     for (DocumentViewport& viewport : viewports_)
         if (&runs_[viewport.run] == &run) viewport.view = scenario.view;
@@ -163,18 +172,26 @@ void Document::take_answer(DocumentRun& run) {
     }
 }
 
+/// What is asked of the first run from now on is no longer the comparison's affair.
+void Document::leave_waiting(std::size_t run) {
+    if (run == 0) comparison_.resume = false;
+}
+
 void Document::start(std::size_t run) {
+    leave_waiting(run);
     if (runs_[run].ended()) runs_[run].solver->post(ResetCommand{});
     runs_[run].solver->post(StartCommand{});
     runs_[run].wants_to_run = true;
 }
 
 void Document::pause(std::size_t run) {
+    leave_waiting(run);
     runs_[run].solver->post(PauseCommand{});
     runs_[run].wants_to_run = false;
 }
 
 void Document::step(std::size_t run) {
+    leave_waiting(run);
     runs_[run].solver->post(StepCommand{});
     runs_[run].wants_to_run = false;
 }
@@ -198,11 +215,14 @@ bool Document::collect(DocumentRun& run) {
     status.scenario = run.solver->status().scenario; // of the last of these events
     auto snapshot = run.solver->latest();
     const bool news = !events.empty() || snapshot != run.snapshot || !same(status, run.status);
+    // All that waits for an answer, which may come after the sentence that belongs to it.
+    const bool by_hand = run.answered < run.asked && run.asked_for_good <= run.answered;
     const bool news_of_change = status.answered != run.answered;
     run.snapshot = std::move(snapshot);
     run.status = std::move(status);
     if (news_of_change) take_answer(run);
-    for (SolverMessage& message : run.solver->take_messages()) run.messages.push_back(std::move(message));
+    for (SolverMessage& message : run.solver->take_messages())
+        run.messages.push_back({std::move(message.text), message.error, by_hand});
     for (const SolverEvent& event : events) append(run, event);
     if (run.history.size() <= 1 || !run.marked) // nothing has been solved with other values yet
         run.marked = run.status.scenario ? run.status.scenario : std::make_shared<const Scenario>(run.opened);

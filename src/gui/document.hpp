@@ -8,6 +8,7 @@
 
 #include <deque>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,13 @@ struct ChangeMark {
     std::string text;                       ///< "amplitude 10 to 20"
 };
 
+/// What a run's solver says, for whoever shows it.
+struct RunMessage {
+    std::string text;
+    bool error = false;
+    bool by_hand = false; ///< of values that the hand tries out as it drags: the next may be right
+};
+
 /// One run with all it has told so far: being solved, or kept as it once was.
 struct DocumentRun {
     std::uint64_t number = 0; ///< tells it from all others of the document, also from those removed
@@ -38,6 +46,7 @@ struct DocumentRun {
     std::shared_ptr<const Snapshot> snapshot; ///< the newest; null until the first
     SolverStatus status;
     std::uint64_t asked = 0, answered = 0; ///< numbers of the last change of values: sent, dealt with
+    std::uint64_t asked_for_good = 0;      ///< the last of them that was not dragged by hand
     bool wants_to_run = true;              ///< what the user last asked for; the status follows within a step
     /// Another scenario on its way to take this one's place; once it is there, it has been counted.
     struct Opening {
@@ -46,7 +55,7 @@ struct DocumentRun {
     };
     std::optional<Opening> opening{};
     std::uint64_t openings = 0;
-    std::vector<SolverMessage> messages{};    ///< not yet taken by whoever shows them
+    std::vector<RunMessage> messages{};       ///< not yet taken by whoever shows them
     std::size_t colour = 0;                   ///< which of the theme's curve colours
     bool hidden = false;                      ///< its curves are not shown
     std::shared_ptr<const Scenario> marked{}; ///< the values that the history goes on with
@@ -95,6 +104,8 @@ class Document {
     // Of live runs only:
     /// Lets a run go on with other values, from the map it has.
     void change(std::size_t run, const Scenario& scenario);
+    /// The same with values of a drag that goes on; what is refused leaves the last good ones.
+    void change_by_hand(std::size_t run, const Scenario& scenario);
     /// Another scenario in the place of a run's, from its own start, once it has been found good.
     void replace(std::size_t run, const Scenario& scenario);
     void start(std::size_t run); ///< a run that has ended starts over
@@ -130,7 +141,7 @@ class Document {
         std::vector<std::pair<std::string, std::uint64_t>> begun; ///< methods and the numbers of their runs
         std::size_t total = 0;
         std::uint64_t now = 0; ///< the run under way; 0: none
-        bool resume = false;   ///< the first run was solving
+        bool resume = false;   ///< the first run was solving, and waits for no other reason
     };
     DocumentRun make_run(const Scenario& scenario);
     std::unique_ptr<SolverThread> make_solver(const Scenario& scenario) const;
@@ -138,7 +149,9 @@ class Document {
     DocumentRun* run_numbered(std::uint64_t number);
     void compare_next();
     void collect_comparison();
-    static void let_rest(DocumentRun& run);
+    void resume_first();
+    void leave_waiting(std::size_t run);
+    void let_rest(DocumentRun& run);
     bool collect(DocumentRun& run);
     void take_answer(DocumentRun& run);
     void finish_opening(DocumentRun& run);
@@ -152,6 +165,7 @@ class Document {
     std::uint64_t last_number_ = 0;
     MethodComparison comparison_;
     std::vector<DocumentRun> runs_;
+    std::vector<std::future<void>> leaving_; ///< solvers of runs let rest, on their way to their end
 };
 
 } // namespace gaspard

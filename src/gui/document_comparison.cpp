@@ -3,6 +3,7 @@
 #include "gui/document.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -37,14 +38,15 @@ void Document::compare(std::vector<std::string> methods) {
             if (runs_[i].number == number) remove(i--);
     comparison_ = {.scenario = runs_.front().scenario, .waiting = {}, .begun = {}, .total = methods.size()};
     comparison_.waiting.assign(methods.begin(), methods.end());
-    comparison_.resume = runs_.front().solving();
-    if (comparison_.resume) pause(0); // the methods have the cores for themselves
+    const bool solving = runs_.front().solving();
+    if (solving) pause(0); // the methods have the cores for themselves
+    comparison_.resume = solving;
     compare_next();
 }
 
 void Document::compare_next() {
     if (comparison_.waiting.empty()) {
-        if (std::exchange(comparison_.resume, false)) start(0);
+        resume_first();
         return;
     }
     const std::string method = comparison_.waiting.front();
@@ -64,14 +66,20 @@ void Document::collect_comparison() {
     DocumentRun* run = comparison_.now != 0 ? run_numbered(comparison_.now) : nullptr;
     if (!run || !run->ended()) return;
     const bool told = !run->history.empty() && is_final(run->history.back().status);
-    if (!told && run->status.run != RunStatus::failed && run->status.run != RunStatus::interrupted) return;
+    const bool gave_up = run->status.run == RunStatus::failed || run->status.run == RunStatus::interrupted;
+    if (!told && !(gave_up && run->status.messages > 0)) return; // the sentence why follows the status
     let_rest(*run);
     comparison_.now = 0;
     compare_next();
 }
 
 void Document::let_rest(DocumentRun& run) {
-    run.solver.reset(); // it waits for commands, or stops within its step
+    // A step under way may be a long one: the solver stops, but the window does not wait for it.
+    std::erase_if(leaving_, [](const std::future<void>& one) {
+        return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    });
+    leaving_.push_back(
+        std::async(std::launch::async, [solver = std::move(run.solver)]() mutable { solver.reset(); }));
     run.wants_to_run = false;
     if (run.ended()) return;
     run.status.run = RunStatus::interrupted;
@@ -83,7 +91,12 @@ void Document::cancel_comparison() {
     comparison_.waiting.clear();
     if (DocumentRun* run = comparison_.now != 0 ? run_numbered(comparison_.now) : nullptr) let_rest(*run);
     comparison_.now = 0;
-    if (std::exchange(comparison_.resume, false)) start(0);
+    resume_first();
+}
+
+/// Goes on with the first run, where nobody else has said meanwhile what it is to do.
+void Document::resume_first() {
+    if (std::exchange(comparison_.resume, false) && !runs_.front().ended()) start(0);
 }
 
 double Document::comparison_progress() const {
@@ -100,7 +113,7 @@ std::vector<ComparisonRow> Document::comparison_rows() const {
         for (const DocumentRun& run : runs_) {
             if (run.number != number) continue;
             rows.push_back(comparison_row(method, run.history));
-            if (!run.history.empty() && run.ended()) rows.back().status = run.status.run;
+            if (run.ended()) rows.back().status = run.status.run;
         }
     return rows;
 }

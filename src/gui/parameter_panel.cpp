@@ -322,9 +322,8 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
         break;
     }
     case ParameterKind::text: {
-        std::string text = values.text(row.key);
         ImGui::SetNextItemWidth(wide);
-        if (ImGui::InputText("##text", &text)) values.set(row.key, text);
+        draw_text(row, key, values);
         remember_item(context.items, key);
         break;
     }
@@ -340,6 +339,15 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
     }
     ImGui::PopID();
     return values.at(row.key) != before;
+}
+
+/// Half a name is no name: the text counts once the field is left.
+void ParameterPanel::draw_text(const ParameterRow& row, const std::string& key, Values& values) {
+    std::string shown = typing_ == key ? typed_text_ : values.text(row.key);
+    if (ImGui::InputText("##text", &shown)) typing_ = key, typed_text_ = shown;
+    if (typing_ != key || ImGui::IsItemActive()) return;
+    typing_.clear();
+    values.set(row.key, typed_text_);
 }
 
 // A box hands the choice to the program; without a tick a slider follows it.

@@ -41,6 +41,7 @@ class ParameterPanel {
                    const std::vector<std::string>& keys);
 
   private:
+    void draw_text(const ParameterRow& row, const std::string& key, Values& values);
     bool draw_row(const PanelContext& context, const ParameterRow& row, const Values* opened, Values& values,
                   const Scenario* scenario);
     void draw_number_or_auto(const PanelContext& context, const ParameterRow& row, const std::string& key,
@@ -53,6 +54,7 @@ class ParameterPanel {
 
     std::string typing_;     ///< the key whose field is being typed into
     double typed_value_ = 0; ///< what stands there so far; taken over when the field is left
+    std::string typed_text_; ///< likewise
     std::string focus_;      ///< the key whose field is to get the keyboard
 };
 

@@ -86,7 +86,8 @@ std::string method_note(const DocumentRun& run, const Catalogue& catalogue) {
     for (std::size_t i = run.history.size(); i-- > 1;) {
         const StepReport& report = run.history[i];
         const bool of_values = report.iteration == run.history[i - 1].iteration; // that have changed
-        if (report.note.empty() || of_values) continue;
+        if (of_values) return {}; // what was said of other values is past
+        if (report.note.empty()) continue;
         return catalogue.method(run.scenario.method.type).label + ", from iteration " +
                std::to_string(report.iteration) + ": " + report.note;
     }

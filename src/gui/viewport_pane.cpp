@@ -108,7 +108,7 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
 }
 
 /// Where a picture shows a handle; other runs have monitors of their own.
-std::optional<Pixel> ViewportPane::seen(const MonitorHandle& handle, const PlannedPicture& shown) const {
+std::optional<Pixel> ViewportPane::seen(const Handle& handle, const PlannedPicture& shown) const {
     if (shown.picture.physical != plan_->pictures.front().picture.physical) return std::nullopt;
     return pixel_of(handle, shown);
 }
@@ -128,7 +128,8 @@ bool ViewportPane::drag_handle(float scale) {
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActivated())
         held_ = ImGui::IsMouseDown(0) ? handle_at(io.MouseClickedPos[0], scale) : std::nullopt;
-    if (!held_ || *held_ >= handles_.size()) return false;
+    if (held_ && *held_ >= handles_.size()) held_.reset(); // it has gone
+    if (!held_) return false;
     const bool ends = ImGui::IsItemDeactivated();
     const ImVec2 clicked = io.MouseClickedPos[0];
     const float x = io.MousePos.x - clicked.x, y = io.MousePos.y - clicked.y, far = drag_threshold * scale;

@@ -7,8 +7,8 @@
 #pragma once
 
 #include "gui/document.hpp"
+#include "gui/handles.hpp"
 #include "gui/item_rectangles.hpp"
-#include "gui/monitor_handles.hpp"
 #include "gui/theme.hpp"
 #include "gui/viewport.hpp"
 
@@ -52,9 +52,9 @@ class ViewportPane {
     /// What the next frames say in the lower left corner.
     void say_in_corner(std::string note) { note_ = std::move(note); }
     /// The handles of the next frames; the mouse may take hold of them.
-    void offer_handles(std::vector<MonitorHandle> handles) { handles_ = std::move(handles); }
+    void offer_handles(std::vector<Handle> handles) { handles_ = std::move(handles); }
     struct HandleMove {
-        MonitorHandle handle;
+        Handle handle;
         Vec3 place; ///< where it is to be now
     };
     /// What the mouse has done to one since the last call.
@@ -75,7 +75,7 @@ class ViewportPane {
     void turn(Values& view);
     void drag(Values& view, const PlannedPicture& shown, int button, ImVec2 step);
     void click(Values& view, const PlannedPicture& shown, Pixel pointer, float scale);
-    std::optional<Pixel> seen(const MonitorHandle& handle, const PlannedPicture& shown) const;
+    std::optional<Pixel> seen(const Handle& handle, const PlannedPicture& shown) const;
     std::optional<std::size_t> handle_at(ImVec2 at, float scale) const;
     bool drag_handle(float scale);
     void draw_handles(const FrameContext& context);
@@ -85,7 +85,7 @@ class ViewportPane {
     std::optional<ViewportPlan> plan_; ///< of the last frame
     std::vector<ShownPicture> pictures_;
     std::string note_;
-    std::vector<MonitorHandle> handles_;
+    std::vector<Handle> handles_;
     std::optional<std::size_t> held_; ///< handle under the pressed button
     std::optional<HandleMove> handle_move_;
     bool dragging_ = false;

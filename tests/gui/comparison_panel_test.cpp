@@ -111,6 +111,24 @@ TEST_F(CompareTest, IsCancelledAndTheRunGoesOn) {
     EXPECT_TRUE(wait_until([&] { return run().solving(); }));
 }
 
+TEST_F(CompareTest, AMethodThatCannotBeginSaysSo) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    run().scenario = find_scenario(*catalogue, "spline-circle");
+    run().scenario.domain = domain_section(*catalogue, "spline-patch");
+    run().scenario.domain.values.set("file", std::string("gone.json")); // since the run has read it
+    application.document().compare({"picard"});
+    ASSERT_TRUE(wait_until([&] { return !application.document().comparing(); }));
+    const auto rows = application.document().comparison_rows();
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_EQ(rows[0].status, RunStatus::failed);
+    ASSERT_FALSE(application.log().lines().empty());
+    const auto& lines = application.log().lines();
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const LogLine& line) {
+        return line.notice.error && line.notice.text.find("gone.json") != std::string::npos;
+    })) << application.log().text();
+    EXPECT_FALSE(application.error().open()) << "the present run is none the worse";
+}
+
 TEST_F(CompareTest, ShippedScenariosOpenWithTheMethodThatChooses) {
     const Scenario opened = for_window(*catalogue, find_scenario(*catalogue, "plane-bell"));
     EXPECT_EQ(opened.method.type, "auto");

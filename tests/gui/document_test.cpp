@@ -165,6 +165,42 @@ TEST_F(DocumentTest, RunsDifferInColour) {
     EXPECT_NE(document.runs()[0].colour, document.runs()[1].colour);
 }
 
+TEST_F(DocumentTest, AComparisonLeavesAloneWhatTheFirstRunHasDoneMeanwhile) {
+    Scenario endless = small_ring(*catalogue);
+    set_value(*catalogue, endless, "method.tolerance", 1e-14);
+    set_value(*catalogue, endless, "method.max_iterations", std::int64_t{1000000});
+    set_value(*catalogue, endless, "method.step_size", 1e-4);
+    document.open(endless);
+    ASSERT_TRUE(wait_until([&] { return run().solving(); }));
+    document.compare({"relaxation"});
+    ASSERT_TRUE(wait_until([&] { return run().status.paused && document.runs()[1].history.size() > 1; }));
+    EXPECT_FALSE(run().solving());
+    document.replace(0, small_ring(*catalogue)); // another scenario is opened, and solved
+    ASSERT_TRUE(wait_until([&] { return run().openings == 1 && run().ended(); }));
+    ASSERT_EQ(run().history.size(), 41U);
+    const auto solved = run().snapshot;
+    ASSERT_TRUE(document.comparing());
+    document.cancel_comparison();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    EXPECT_EQ(run().snapshot, solved) << "it was thrown away";
+    EXPECT_EQ(run().history.size(), 41U);
+}
+
+TEST_F(DocumentTest, AComparisonDoesNotWakeARunThatWasPausedMeanwhile) {
+    Scenario endless = small_ring(*catalogue);
+    set_value(*catalogue, endless, "method.tolerance", 1e-14);
+    set_value(*catalogue, endless, "method.max_iterations", std::int64_t{1000000});
+    set_value(*catalogue, endless, "method.step_size", 1e-4);
+    document.open(endless);
+    ASSERT_TRUE(wait_until([&] { return run().solving(); }));
+    document.compare({"relaxation"});
+    document.start(0);
+    document.pause(0);
+    document.cancel_comparison();
+    EXPECT_FALSE(run().wants_to_run);
+}
+
 TEST(IterationRate, LooksAtTheLastSecondOnly) {
     std::vector<StepReport> history(1);
     EXPECT_FALSE(iteration_rate(history).has_value());

@@ -108,6 +108,19 @@ TEST_F(PanelTest, ATypedValueIsTakenExactlyWhenTheFieldIsLeft) {
     EXPECT_EQ(changes, 1);
 }
 
+TEST_F(PanelTest, ATypedTextIsTakenWhenTheFieldIsLeft) {
+    scenario.domain = domain_section(catalogue, "spline-patch");
+    settle();
+    ui.click(items.at("domain.file"), drawing());
+    ui.type("disk.json", drawing());
+    EXPECT_EQ(changes, 0) << "half a name was taken";
+    EXPECT_EQ(scenario.domain.values.text("file"), "");
+    ui.click(items.at("domain.cells.input"), drawing());
+    settle();
+    EXPECT_EQ(scenario.domain.values.text("file"), "disk.json");
+    EXPECT_EQ(changes, 1);
+}
+
 TEST_F(PanelTest, ATypedValueOutOfRangeBecomesTheNearestAllowed) {
     settle();
     ui.click(items.at("domain.cells.input"), drawing());

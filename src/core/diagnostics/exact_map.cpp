@@ -14,7 +14,6 @@ namespace {
 constexpr std::size_t intervals = 4096;
 constexpr double pi = std::numbers::pi, width = pi / intervals;
 
-/// A unit vector at right angles to a unit vector.
 } // namespace
 
 std::optional<ExactMap> ExactMap::of(const Monitor& monitor) {

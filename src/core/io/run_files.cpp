@@ -9,6 +9,7 @@
 #include "core/method/spline_map.hpp"
 #include "core/spline/spline_domain.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -38,8 +39,12 @@ std::uint64_t peak_memory_bytes() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
 }
 
+const SplineDomain* as_splines(const Run& run) {
+    return dynamic_cast<const SplineDomain*>(&run.discretisation());
+}
+
 std::shared_ptr<const SplinePatch> patch_of(const Run& run) {
-    const auto* domain = dynamic_cast<const SplineDomain*>(&run.discretisation());
+    const auto* domain = as_splines(run);
     if (!domain) return nullptr;
     auto patch = adapted_patch(run.state(), *domain->map());
     return patch ? std::make_shared<const SplinePatch>(std::move(*patch)) : nullptr;
@@ -105,7 +110,8 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
                      const Progress& progress, std::stop_token stop) {
     run.complete();
     std::exception_ptr first;
-    const double all = 4 + static_cast<double>(formats.size());
+    const bool of_splines = as_splines(run) != nullptr;
+    const double all = (of_splines ? 4 : 3) + static_cast<double>(formats.size());
     double done = 0;
     const auto attempt = [&](const std::string& what, const auto& write) {
         if (stop.stop_requested()) throw Interrupted();
@@ -119,15 +125,17 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
     attempt("history.csv", [&] { write_atomically(folder / "history.csv", history_csv(run.history())); });
     attempt("summary.json", [&] { write_atomically(folder / "summary.json", summary_json(run)); });
     attempt("state.bin", [&] { write_state(folder / "state.bin", run.state()); });
-    if (const auto map = spline_map_json(run.state()))
-        attempt("map.json", [&] { write_atomically(folder / "map.json", *map); });
+    if (of_splines)
+        attempt("map.json", [&] { write_atomically(folder / "map.json", *spline_map_json(run.state())); });
+    const bool patch_wanted = std::any_of(formats.begin(), formats.end(),
+                                          [](const Format* format) { return format->splines_only; });
     const auto snapshot = run.snapshot();
     const RunResult result{*snapshot,
                            run.history(),
                            run.space(),
                            colour_choice(run.scenario().view),
                            run.scenario().output.real("curve_tolerance"),
-                           patch_of(run)};
+                           patch_wanted ? patch_of(run) : nullptr};
     for (const auto* format : formats) attempt(format->files.front(), [&] { format->write(folder, result); });
     if (first) std::rethrow_exception(first);
 }

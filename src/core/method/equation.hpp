@@ -39,10 +39,13 @@ class Equation {
     /// when asked to stop.
     virtual std::unique_ptr<Equation> coarser(const Progress& progress, std::stop_token stop) const = 0;
 
-    /// Everything below is of the potential last evaluated, and allocates nothing with one thread.
+    /// Everything below is of the potential last evaluated, and, but for patches, allocates nothing with one
+    /// thread.
     virtual Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) = 0;
     /// Where the mesh's nodes stand, in physical coordinates.
     virtual const Points& positions() const = 0;
+    /// Further measures of that mesh, where the equation has any.
+    virtual std::vector<Measure> measures(const Monitor&) { return {}; }
     /// Positions alone, of another potential.
     virtual void move(std::span<const double> phi) = 0;
     /// r, not normalised.

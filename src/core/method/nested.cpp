@@ -93,6 +93,11 @@ const Points& Nested::positions() {
     return levels_[0]->positions();
 }
 
+std::vector<Measure> Nested::measures(const Monitor& monitor) {
+    positions(); // of which the finest mesh's are measured
+    return levels_[0]->measures(monitor);
+}
+
 void Nested::select(std::size_t level) {
     level_ = level;
     stepper_->begin(here(), level == 0 ? tolerance_ : enough_);

@@ -25,6 +25,7 @@ class Nested final : public Method {
     Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token stop) override;
     Evaluation step(const Monitor& monitor, State& state, std::stop_token stop) override;
     const Points& positions() override;
+    std::vector<Measure> measures(const Monitor& monitor) override;
 
   private:
     Equation& here() { return *levels_[level_]; }

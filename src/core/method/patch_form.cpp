@@ -53,6 +53,16 @@ std::unique_ptr<SplineForm> make_form(const SplineLayout& layout) {
                                                        : make_mixed_form(line, trace);
 }
 
+std::vector<Measure> named(const PatchMeasures& m) {
+    return {{"err", m.err_printed},
+            {"err_absolute", m.err_defined},
+            {"qual", m.qual_det},
+            {"qual_f", m.qual_f},
+            {"min_jacobian_psi", m.min_jacobian},
+            {"max_jacobian_psi", m.max_jacobian},
+            {"border_error", m.border_error}};
+}
+
 PatchForm::PatchForm(std::shared_ptr<const SplineDomain> domain, Formulation formulation, std::size_t cells)
     : domain_(std::move(domain)), formulation_(formulation), cells_(cells),
       form_(make_form({formulation, domain_->degree(), cells})), identity_(form_->identity()),
@@ -92,9 +102,9 @@ void PatchForm::positions(std::span<const double> whole, Points& x) {
     domain_->map()->points(psi_, x);
 }
 
-PatchForm::Measures PatchForm::measure(const Monitor& monitor, std::span<const double> whole) {
+PatchMeasures PatchForm::measure(const Monitor& monitor, std::span<const double> whole) {
     const PatchSource of_patch = source(monitor);
-    Measures result;
+    PatchMeasures result;
     const SplineLine& line = form_->line();
     const std::size_t n = line.points.size();
     std::vector<double> xx(n), xy(n), yy(n), f(n);

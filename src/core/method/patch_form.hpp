@@ -2,6 +2,7 @@
 // et al.
 #pragma once
 
+#include "core/method/method.hpp"
 #include "core/method/patch_source.hpp"
 #include "core/spline/spline_domain.hpp"
 
@@ -22,6 +23,19 @@ std::string spline_layout(const SplineLayout& layout);
 std::optional<SplineLayout> parse_spline_layout(const std::string& text);
 /// On equal cells, with the identity at the border.
 std::unique_ptr<SplineForm> make_form(const SplineLayout& layout);
+
+/// How good a map is, as Bahari et al. print and define it.
+struct PatchMeasures {
+    double err_printed = 0;  ///< L2 norm of det / f - 1, which the paper's tables show
+    double err_defined = 0;  ///< L2 norm of det - f, (5.6)
+    double qual_det = 0;     ///< root of the integral of |Psi - xi|^2 / |det|
+    double qual_f = 0;       ///< the same over f, (5.6)
+    double min_jacobian = 0; ///< of Psi, on a grid of 100 x 100 points without the outermost
+    double max_jacobian = 0;
+    double border_error = 0; ///< largest |(Psi - xi) . n| on that grid's border
+};
+/// As reports name them.
+std::vector<Measure> named(const PatchMeasures& measures);
 
 /// One form on a patch, with n cells or fewer than its mesh has.
 class PatchForm {
@@ -44,17 +58,7 @@ class PatchForm {
     /// F(Psi) at the nodes of the domain's mesh. In the mixed form those at the border stand there exactly.
     void positions(std::span<const double> whole, Points& x);
 
-    /// As the paper prints and defines them.
-    struct Measures {
-        double err_printed = 0;  ///< L2 norm of det / f - 1, which the paper's tables show
-        double err_defined = 0;  ///< L2 norm of det - f, (5.6)
-        double qual_det = 0;     ///< root of the integral of |Psi - xi|^2 / det
-        double qual_f = 0;       ///< the same over f, (5.6)
-        double min_jacobian = 0; ///< of Psi, on a grid of 100 x 100 points without the outermost
-        double max_jacobian = 0;
-        double border_error = 0; ///< largest |(Psi - xi) . n| on that grid's border
-    };
-    Measures measure(const Monitor& monitor, std::span<const double> whole);
+    PatchMeasures measure(const Monitor& monitor, std::span<const double> whole);
 
   private:
     std::shared_ptr<const SplineDomain> domain_;

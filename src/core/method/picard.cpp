@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t coarsest = 16;      // cells
 constexpr double coarse_tolerance = 1e-5; // of the increment, on all meshes but the finest
+constexpr int coarse_iterations = 100;    // more are not spent on one of them
 
 class Picard final : public Method {
   public:
@@ -77,11 +78,13 @@ class Picard final : public Method {
         if (next_.empty()) iterate(monitor);
         whole_.swap(next_);
         next_.clear();
-        const bool arrived = residual_ < std::max(coarse_tolerance, tolerance_);
         Evaluation evaluation = report();
-        if (level_ > 0 && arrived) {
+        bool late = ++iterations_here_ >= coarse_iterations;
+        // Also over a mesh on which there is nothing to do: no coarse one may end a run.
+        while (level_ > 0 && (late || residual_ < std::max(coarse_tolerance, tolerance_))) {
             go_to(level_ - 1);
             iterate(monitor);
+            late = false;
             evaluation = report();
             evaluation.note = "on " + std::to_string(levels_[level_].form->cells()) + " cells from here";
         }
@@ -97,14 +100,7 @@ class Picard final : public Method {
     }
 
     std::vector<Measure> measures(const Monitor& monitor) override {
-        const auto m = levels_[level_].form->measure(monitor, whole_);
-        return {{"err", m.err_printed},
-                {"err_absolute", m.err_defined},
-                {"qual", m.qual_det},
-                {"qual_f", m.qual_f},
-                {"min_jacobian_psi", m.min_jacobian},
-                {"max_jacobian_psi", m.max_jacobian},
-                {"border_error", m.border_error}};
+        return named(levels_[level_].form->measure(monitor, whole_));
     }
 
   private:
@@ -144,6 +140,7 @@ class Picard final : public Method {
         whole_.resize(phi.size());
         to.add_identity(phi, whole_);
         level_ = level;
+        iterations_here_ = 0;
     }
     Evaluation report() const { return {.residual = residual_, .theta = sigma_}; }
 
@@ -152,6 +149,7 @@ class Picard final : public Method {
             levels_.push_back(make_level(levels_.back().form->cells() / 2));
         if (levels_.size() == 1) return;
         level_ = levels_.size() - 1;
+        iterations_here_ = 0;
         whole_ = levels_[level_].form->form()->identity();
         iterate(monitor);
     }
@@ -163,6 +161,7 @@ class Picard final : public Method {
     bool multilevel_ = true;
     // Of the state last looked at:
     std::size_t level_ = 0;
+    int iterations_here_ = 0;
     bool at_start_ = false;
     std::vector<double> whole_, next_, increment_; ///< Phi, T(Phi) or empty, their difference
     double residual_ = 0, sigma_ = 0;

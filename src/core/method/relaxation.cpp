@@ -40,6 +40,7 @@ class Relaxation final : public Method {
     }
 
     const Points& positions() override { return equation_->positions(); }
+    std::vector<Measure> measures(const Monitor& monitor) override { return equation_->measures(monitor); }
 
   private:
     std::unique_ptr<Equation> equation_;

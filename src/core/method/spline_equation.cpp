@@ -54,14 +54,15 @@ Evaluation SplineEquation::evaluate(const Monitor& monitor, std::span<const doub
     patch_->add_identity(phi, whole_);
     bfo_.iterate(source, whole_, next_, &shape_);
     bfo_.residual(whole_, next_, residual_);
-    patch_->positions(whole_, positions_);
+    shown_ = whole_;
+    patch_->positions(shown_, positions_);
     return {.residual = std::sqrt(dot(residual_, residual_)) / unit_, .theta = source.sigma()};
 }
 
 void SplineEquation::move(std::span<const double> phi) {
-    std::vector<double> whole(phi.size());
-    patch_->add_identity(phi, whole);
-    patch_->positions(whole, positions_);
+    shown_.resize(phi.size());
+    patch_->add_identity(phi, shown_);
+    patch_->positions(shown_, positions_);
 }
 
 void SplineEquation::direction(std::span<double> u) {

@@ -28,6 +28,9 @@ class SplineEquation final : public Equation {
 
     Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override;
     const Points& positions() const override { return positions_; }
+    std::vector<Measure> measures(const Monitor& monitor) override {
+        return named(patch_->measure(monitor, shown_));
+    }
     void move(std::span<const double> phi) override;
     std::span<const double> residual() const override { return residual_; }
     Ellipticity ellipticity() const override { return {shape_.convexity, shape_.slowest, shape_.fastest}; }
@@ -47,6 +50,7 @@ class SplineEquation final : public Equation {
     Points positions_;
     Bfo::Shape shape_;
     std::vector<double> whole_, next_, residual_; ///< Phi, T(Phi), r
+    std::vector<double> shown_;                   ///< the Phi whose map positions() are
 };
 
 } // namespace gaspard

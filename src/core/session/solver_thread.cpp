@@ -125,6 +125,7 @@ std::deque<Command> SolverThread::take_commands() {
 void SolverThread::fail(const std::string& message) {
     run_.reset();
     running_ = false;
+    published_ = 0, epoch_ = -1, shown_ = following_ = false; // the next run's history is another one
     update([](SolverStatus& status) { status.run = RunStatus::failed, status.activity.clear(); });
     say(message, true);
 }

@@ -4,6 +4,7 @@
 #include "core/base/parameter.hpp"
 
 #include <charconv>
+#include <cmath>
 
 namespace gaspard {
 
@@ -15,6 +16,7 @@ bool take_number(std::string_view& text, double& number) {
     if (begin == std::string_view::npos) return false;
     const auto [end, code] = std::from_chars(text.data() + begin, text.data() + text.size(), number);
     if (code != std::errc() || !std::isfinite(number)) return false;
+    if (end != text.data() + text.size() && *end != ' ') return false; // "1-2" is no pair
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     return true;
 }

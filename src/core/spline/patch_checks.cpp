@@ -9,6 +9,12 @@
 
 namespace gaspard {
 
+namespace {
+
+constexpr double largest_coordinate = 1e12;
+
+} // namespace
+
 void not_a_patch(const std::string& origin, const std::string& what) {
     throw InputError(origin + " is no patch: " + what);
 }
@@ -17,6 +23,8 @@ KnotVector checked_direction(double degree, std::vector<double> knots, const std
                              const std::string& origin) {
     if (!(degree >= 1 && degree <= highest_degree) || degree != std::floor(degree))
         not_a_patch(origin, "degrees have to be whole numbers from 1 to " + std::to_string(highest_degree));
+    for (const double knot : knots)
+        if (!std::isfinite(knot)) not_a_patch(origin, "knots[" + which + "] has to be finite numbers");
     KnotVector space{static_cast<int>(degree), std::move(knots)};
     if (!space.knots.empty()) {
         const double first = space.knots.front(), last = space.knots.back(), length = last - first;
@@ -27,6 +35,11 @@ KnotVector checked_direction(double degree, std::vector<double> knots, const std
                                 "] has to ascend and to be open: the first and the last knot " +
                                 std::to_string(space.degree + 1) + " times for degree " +
                                 std::to_string(space.degree) + ", none more often");
+    constexpr double shortest = 1e-6; // of the whole
+    const auto breaks = space.breaks();
+    for (std::size_t i = 1; i < breaks.size(); ++i)
+        if (breaks[i] - breaks[i - 1] < shortest)
+            not_a_patch(origin, "knots[" + which + "] has two that are closer than a millionth of the whole");
     return space;
 }
 
@@ -36,12 +49,15 @@ void check_patch(const SplinePatch& patch, const std::string& origin) {
         not_a_patch(origin, "the knots are for " + std::to_string(n) + " control points, and there are " +
                                 std::to_string(patch.control.size()));
     for (std::size_t i = 0; i < n; ++i)
-        if (!std::isfinite(norm(patch.control[i])))
-            not_a_patch(origin, "control point " + std::to_string(i) + " is not finite");
+        for (const double c : {patch.control.x[i], patch.control.y[i], patch.control.z[i]})
+            if (!(std::abs(c) <= largest_coordinate))
+                not_a_patch(origin, "control point " + std::to_string(i) + " is not within " +
+                                        format_number(largest_coordinate) + " of the origin");
     if (patch.weights.size() != n) not_a_patch(origin, "there have to be as many weights as control points");
     for (const double w : patch.weights)
-        if (!(w > 0) || !std::isfinite(w))
-            not_a_patch(origin, "weights have to be positive, and one is " + format_number(w));
+        if (!(w >= 1e-6 && w <= 1e6))
+            not_a_patch(origin,
+                        "weights have to be positive, from 1e-6 to 1e6, and one is " + format_number(w));
 }
 
 void check_regular(const PatchMap& map, const std::string& origin) {
@@ -57,6 +73,7 @@ void check_regular(const PatchMap& map, const std::string& origin) {
     for (std::size_t i = 0; i < xi.size(); ++i) {
         const Vec3 normal = cross(first[i], second[i]);
         const double jacobian = map.space_dimension() == 2 ? normal.z : norm(normal);
+        if (!std::isfinite(jacobian)) not_a_patch(origin, "it is not finite everywhere");
         if (jacobian < smallest) smallest = jacobian, where = i;
         largest = std::max(largest, jacobian);
     }

@@ -11,7 +11,7 @@ namespace gaspard {
 /// The knots moved to [0, 1].
 KnotVector checked_direction(double degree, std::vector<double> knots, const std::string& which,
                              const std::string& origin);
-/// As many control points and weights as the knots want; weights positive; all finite.
+/// As many control points and weights as the knots want; weights positive; all of a size that can be computed with.
 void check_patch(const SplinePatch& patch, const std::string& origin);
 
 /// The map has an area wherever one looks, and in the plane the same side up.

@@ -1,12 +1,13 @@
 #include "core/spline/patch_file.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/read_file.hpp"
 #include "core/spline/patch_checks.hpp"
 #include "core/spline/patch_xml.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace gaspard {
@@ -41,8 +42,8 @@ SplinePatch parse_patch(std::string_view text, const std::string& origin) {
     Json json;
     try {
         json = Json::parse(text);
-    } catch (const Json::exception& error) {
-        not_a_patch(origin, error.what());
+    } catch (const Json::parse_error& error) {
+        not_a_patch(origin, "it is no JSON from character " + std::to_string(error.byte) + " on");
     }
     const Json &degrees = member(json, "degrees", origin), &knots = member(json, "knots", origin);
     if (degrees.size() != 2 || knots.size() != 2)
@@ -70,16 +71,17 @@ SplinePatch parse_patch(std::string_view text, const std::string& origin) {
 }
 
 SplinePatch read_patch(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw InputError("the patch " + file.string() + " cannot be read (domain.file)");
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    return file.extension() == ".xml" ? parse_patch_xml(text, file.string())
-                                      : parse_patch(text, file.string());
+    const std::string text = read_file(file);
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return ending == ".xml" ? parse_patch_xml(text, file.string()) : parse_patch(text, file.string());
 }
 
 SplinePatch find_patch(const std::string& json_or_file) {
-    if (json_or_file.empty()) return nurbs_disk();
-    return json_or_file.front() == '{' ? parse_patch(json_or_file, "domain.file") : read_patch(json_or_file);
+    const auto begin = json_or_file.find_first_not_of(" \t\r\n");
+    if (begin == std::string::npos) return nurbs_disk();
+    return json_or_file[begin] == '{' ? parse_patch(json_or_file, "domain.file") : read_patch(json_or_file);
 }
 
 std::string patch_json(const SplinePatch& patch) {

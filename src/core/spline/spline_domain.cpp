@@ -133,7 +133,7 @@ std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, 
     }
     auto control = flat ? std::make_shared<const Points>(patch.control) : nullptr;
     const auto map = patch_map(std::move(patch));
-    check_regular(*map, "domain.file");
+    check_regular(*map, values.text("control_points").empty() ? "domain.file" : "domain.control_points");
     return std::make_shared<SplineDomain>(degree, cells, map, std::move(control));
 }
 

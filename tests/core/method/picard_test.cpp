@@ -225,6 +225,39 @@ TEST(Picard, GoesOnFromACoarserMeshWithoutEndingThere) {
     EXPECT_LT(largest_distance(again.snapshot()->x, whole.snapshot()->x), 1e-7);
 }
 
+TEST(Picard, EndsOnTheMeshThatWasAskedFor) {
+    for (const std::string method : {"picard", "picard-mixed"})
+        for (const std::string tolerance : {"1e-3", "1e-5", "3e-5"}) {
+            gaspard::Run run(catalogue(),
+                             scenario("spline-circle", {"domain.cells=64", "method.type=" + method,
+                                                        "method.tolerance=" + tolerance}));
+            EXPECT_EQ(run.solve().status, RunStatus::converged);
+            EXPECT_NE(run.state().layout.find("n=64"), std::string::npos) << run.state().layout;
+        }
+    // A monitor that 24 cells cannot resolve: the way goes up all the same.
+    gaspard::Run spiral(catalogue(), scenario("spline-spiral", {"monitor.winding=100", "domain.cells=48",
+                                                                "method.tolerance=1e-4"}));
+    for (int i = 0; i < 150 && spiral.status() == RunStatus::running; ++i) spiral.step();
+    EXPECT_NE(spiral.state().layout.find("n=48"), std::string::npos) << spiral.state().layout;
+}
+
+TEST(Newton, OnAPatchReportsItsMeasures) {
+    const auto measures = [](const std::string& method) {
+        gaspard::Run run(catalogue(), scenario("spline-circle", {"domain.cells=32", "method.type=" + method,
+                                                                 "method.tolerance=1e-11"}));
+        return run.solve().measures;
+    };
+    const auto picard = measures("picard");
+    for (const std::string method : {"newton", "accelerated"}) {
+        const auto other = measures(method);
+        ASSERT_EQ(other.size(), picard.size()) << method;
+        for (std::size_t i = 0; i < other.size(); ++i) {
+            EXPECT_EQ(other[i].name, picard[i].name);
+            EXPECT_NEAR(other[i].value, picard[i].value, 1e-5) << other[i].name;
+        }
+    }
+}
+
 TEST_P(Equations, TakeStatesOfOtherMeshesAndForms) {
     const auto map_of = [&](Formulation formulation, std::size_t cells, const std::vector<double>& phi) {
         PatchForm patch(domain(12), formulation, cells);

@@ -267,8 +267,12 @@ TEST_F(SolverThreadTest, AFaultEndsTheRunButNotTheThread) {
     EXPECT_TRUE(thread.status().refused);
     EXPECT_EQ(thread.status().run, RunStatus::failed);
     EXPECT_TRUE(thread.take_messages().back().error);
+    thread.drain();
     thread.post(StartCommand{}); // with the values that worked
     EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
+    const auto events = thread.drain();
+    ASSERT_FALSE(events.empty()) << "the new run is seen";
+    EXPECT_TRUE(events.front().restarted);
     thread.post(ChangeCommand{scenario({"domain.cells=20"}), 2});
     thread.post(ChangeCommand{scenario({"domain.cells=14"}), 3, true});
     EXPECT_TRUE(eventually([&] { return thread.status().answered == 3; }));

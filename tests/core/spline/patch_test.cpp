@@ -187,7 +187,7 @@ TEST(ControlPoints, ReadBackAndSayWhatIsWrong) {
     control.set(1, {-0.1, 1e-17, 0}), control.set(2, {1.0 / 3, 1e9, 0});
     EXPECT_EQ(parse_control_points(format_control_points(control), 3), control);
     EXPECT_EQ(parse_control_points(" 0 0,-0.1   1e-17 , 0.3333333333333333 1e9", 3), control);
-    for (const char* wrong : {"", "1", "1 2 3", "1 2,", "1 x", "nan 1", "1,2"})
+    for (const char* wrong : {"", "1", "1 2 3", "1 2,", "1 x", "nan 1", "1,2", "1-2"})
         EXPECT_NE(
             message_of<InputError>([&] { parse_control_points(wrong, 1); }).find("points of two numbers"),
             std::string::npos)
@@ -237,7 +237,7 @@ TEST(PatchFile, IsRefusedWhereItFoldsOrHasNoArea) {
 
 TEST(PatchFile, SaysWhatIsWrong) {
     const std::vector<std::pair<std::string, std::string>> cases = {
-        {"{", "parse error"},
+        {"{", "no JSON from character 2"},
         {"[]", "object"},
         {R"({"degrees": [1, 1]})", "'knots'"},
         {R"({"degrees": [1], "knots": [[0,0,1,1]], "control_points": []})", "two"},
@@ -262,6 +262,8 @@ TEST(PatchFile, SaysWhatIsWrong) {
         EXPECT_NE(message.find("bad.json"), std::string::npos) << message;
         EXPECT_NE(message.find(part), std::string::npos) << message;
     }
+    EXPECT_THROW(read_patch("/"), InputError);
+    EXPECT_EQ(find_patch(" \n" + patch_json(nurbs_disk())), nurbs_disk());
     EXPECT_NE(message_of<InputError>([] { read_patch("/no/such/file.json"); }).find("/no/such"),
               std::string::npos);
 }

@@ -1,4 +1,4 @@
-#include "gui/monitor_handles.hpp"
+#include "gui/handles.hpp"
 
 #include "core/base/error.hpp"
 #include "core/spline/control_points.hpp"
@@ -21,6 +21,16 @@ const ParameterRow& row_of(const Values& values, const std::string& key) {
 
 double rounded(double value, double digits) { return std::round(value * digits) / digits; }
 
+/// What a hand can aim for: 1e-4 of the larger side of a patch, as a power of ten.
+double rounded_within(const Points& patch, double value) {
+    const Box box = bounding_box(patch);
+    const double span = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+    if (!(span > 0)) return value;
+    const double decimals = 4 - std::floor(std::log10(span));
+    const double factor = std::pow(10.0, std::abs(decimals)); // a whole number, so that texts stay short
+    return decimals >= 0 ? rounded(value, factor) : std::round(value / factor) * factor;
+}
+
 /// Within the range of its row, or round it.
 void put(Values& values, const std::string& key, double value, bool periodic) {
     const ParameterRow& row = row_of(values, key);
@@ -31,9 +41,9 @@ void put(Values& values, const std::string& key, double value, bool periodic) {
 
 } // namespace
 
-std::vector<MonitorHandle> monitor_handles(const Scenario& scenario) {
+std::vector<Handle> monitor_handles(const Scenario& scenario) {
     const Values& values = scenario.monitor.values;
-    std::vector<MonitorHandle> handles;
+    std::vector<Handle> handles;
     const auto other_key = [&](const std::string& key, std::string_view ending, const char* other) {
         if (!key.ends_with(ending)) return std::string();
         const std::string second = key.substr(0, key.size() - ending.size()) + other;
@@ -51,7 +61,7 @@ std::vector<MonitorHandle> monitor_handles(const Scenario& scenario) {
     return handles;
 }
 
-std::vector<MonitorHandle> control_handles(const Scenario& scenario, const Snapshot& snapshot) {
+std::vector<Handle> control_handles(const Scenario& scenario, const Snapshot& snapshot) {
     const Values& values = scenario.domain.values;
     if (!snapshot.control || !values.has(control_key)) return {};
     auto control = snapshot.control;
@@ -61,17 +71,17 @@ std::vector<MonitorHandle> control_handles(const Scenario& scenario, const Snaps
     } catch (const InputError&) { // it is being typed, or of another patch
         return {};
     }
-    std::vector<MonitorHandle> handles;
+    std::vector<Handle> handles;
     for (std::size_t i = 0; i < control->size(); ++i)
         handles.push_back({control_key, {}, false, (*control)[i], control, i});
     return handles;
 }
 
-Scenario with_handle_at(const Scenario& scenario, const MonitorHandle& handle, Vec3 place) {
+Scenario with_handle_at(const Scenario& scenario, const Handle& handle, Vec3 place) {
     Scenario moved = scenario;
     if (handle.control) {
         Points control = *handle.control;
-        control.set(handle.number, {rounded(place.x, 10000), rounded(place.y, 10000), 0});
+        control.set(handle.number, {rounded_within(control, place.x), rounded_within(control, place.y), 0});
         moved.domain.values.set(control_key, format_control_points(control));
         return moved;
     }
@@ -89,7 +99,7 @@ Scenario with_handle_at(const Scenario& scenario, const MonitorHandle& handle, V
     return moved;
 }
 
-std::optional<Pixel> pixel_of(const MonitorHandle& handle, const PlannedPicture& shown) {
+std::optional<Pixel> pixel_of(const Handle& handle, const PlannedPicture& shown) {
     const MeshPicture& picture = shown.picture;
     if (picture.blend <= 0) return std::nullopt;
     if (picture.map && handle.on_sphere)
@@ -101,7 +111,7 @@ std::optional<Pixel> pixel_of(const MonitorHandle& handle, const PlannedPicture&
     return to_pixel(shown.camera, shown.size(), picture.ball * handle.place);
 }
 
-std::optional<Vec3> place_under(const MonitorHandle& handle, const PlannedPicture& shown, Pixel pixel) {
+std::optional<Vec3> place_under(const Handle& handle, const PlannedPicture& shown, Pixel pixel) {
     const MeshPicture& picture = shown.picture;
     const Vec3 there = to_world(shown.camera, shown.size(), pixel);
     if (picture.map) return from_map(*picture.map, there);
@@ -113,14 +123,14 @@ std::optional<Vec3> place_under(const MonitorHandle& handle, const PlannedPictur
     return in_picture + std::sqrt(1 - away * away) * viewer;
 }
 
-std::string item_name(const MonitorHandle& handle) {
+std::string item_name(const Handle& handle) {
     std::string name = "handle." + handle.first;
     if (handle.control) name += '.' + std::to_string(handle.number);
     return name;
 }
 
 /// A monitor's place is a circle with a cross, a control point a square.
-void draw_handle(const MonitorHandle& handle, ImDrawList& list, ImVec2 at, bool lit, const Theme& theme,
+void draw_handle(const Handle& handle, ImDrawList& list, ImVec2 at, bool lit, const Theme& theme,
                  float scale) {
     const float radius = (lit ? 9.0F : 7.0F) * scale, arm = 4 * scale;
     const std::pair<float, ImU32> strokes[] = {{4.5F, packed(theme.background, lit ? 1.0F : 0.75F)},

@@ -1,7 +1,9 @@
 // Centres of monitors that the mouse takes along.
 #include "application_fixture.hpp"
+#include "core/spline/control_points.hpp"
 #include "globes.hpp"
-#include "gui/monitor_handles.hpp"
+#include "gui/handles.hpp"
+#include "gui/viewport_pane.hpp"
 #include "plan_fixture.hpp"
 
 #include <cmath>
@@ -50,7 +52,7 @@ TEST_F(HandleTest, MovesRoundAPeriodicPlaneAndStaysWithinWalls) {
 }
 
 TEST_F(HandleTest, APixelMeansThePlaceThatIsSeenThere) {
-    MonitorHandle handle = monitor_handles(find_scenario(catalogue, "plane-ring")).front();
+    Handle handle = monitor_handles(find_scenario(catalogue, "plane-ring")).front();
     const PlannedPicture plane = plan(ring_snapshot(8)).pictures[0];
     const auto there = pixel_of(handle, plane);
     ASSERT_TRUE(there);
@@ -95,6 +97,17 @@ TEST_F(HandleTest, ControlPointsOfAPatchInThePlane) {
     EXPECT_EQ(moved.domain.values.text("control_points"), "0 0, 1 0, 0 1, 1.2346 0.5");
     // The next drag goes on from there, also while the snapshot is still the old one.
     EXPECT_EQ(control_handles(moved, snapshot)[3].place, (Vec3{1.2346, 0.5, 0}));
+    Points wide = corners, tiny = corners;
+    wide.set(3, {5000, 1000, 0}), tiny.set(1, {1e-5, 0, 0}), tiny.set(2, {0, 1e-5, 0}), tiny.set(3, {});
+    Handle other = handles[3];
+    other.control = std::make_shared<const Points>(wide);
+    EXPECT_EQ(with_handle_at(scenario, other, {1234.5678, 987.654, 0}).domain.values.text("control_points"),
+              "0 0, 1 0, 0 1, 1234.6 987.7");
+    other.control = std::make_shared<const Points>(tiny);
+    const Scenario fine = with_handle_at(scenario, other, {1.23456789e-5, 2e-6, 0});
+    const Points read = parse_control_points(fine.domain.values.text("control_points"), 4);
+    EXPECT_NEAR(read[3].x, 1.23456789e-5, 1e-9) << "a small patch can be shaped as well";
+    EXPECT_NEAR(read[3].y, 2e-6, 1e-9);
     EXPECT_TRUE(
         control_handles(with("spline-circle", {"domain.type=spline-patch", "domain.control_points=1 2"}),
                         snapshot)
@@ -103,6 +116,53 @@ TEST_F(HandleTest, ControlPointsOfAPatchInThePlane) {
     const auto pixel = pixel_of(handles[1], shown);
     ASSERT_TRUE(pixel);
     EXPECT_NEAR(norm(*place_under(handles[1], shown, *pixel) - handles[1].place), 0, 1e-9);
+}
+
+/// A viewport alone, with a handle in each corner of a square.
+class HeldHandleTest : public HandleTest {
+  protected:
+    HeldHandleTest() {
+        Points corners(4);
+        corners.set(1, {1, 0, 0}), corners.set(2, {0, 1, 0}), corners.set(3, {1, 1, 0});
+        Snapshot snapshot = ring_snapshot(4);
+        snapshot.control = std::make_shared<const Points>(corners);
+        scenario_ = with("spline-circle", {"domain.type=spline-patch"});
+        handles_ = control_handles(scenario_, snapshot);
+        run_.snapshot = std::make_shared<const Snapshot>(std::move(snapshot));
+        run_.scenario = run_.opened = scenario_;
+        viewport_.view = view_;
+    }
+    void frame(std::size_t handles) {
+        items_.clear();
+        pane_.offer_handles({handles_.begin(), handles_.begin() + static_cast<std::ptrdiff_t>(handles)});
+        ui_.frame([&] { pane_.frame(run_, viewport_, {0, 0, 900, 600}, {theme_, 1, items_}); });
+    }
+
+    Scenario scenario_;
+    std::vector<Handle> handles_;
+    DocumentRun run_;
+    DocumentViewport viewport_;
+    ItemRectangles items_;
+    ViewportPane pane_{std::make_shared<TessellationCache>()};
+};
+
+TEST_F(HeldHandleTest, AHandleThatGoesAwayIsLetGo) {
+    for (int i = 0; i < 3; ++i) frame(4);
+    const ItemRectangle last = items_.at("handle.control_points.3");
+    ui_.move(last.left, last.top);
+    frame(4);
+    ui_.button(true);
+    frame(4);
+    ui_.move(last.left - 30, last.top + 30);
+    frame(4);
+    ASSERT_TRUE(pane_.take_handle_move());
+    frame(2); // another patch has arrived
+    ui_.move(last.left - 60, last.top + 60);
+    frame(4);
+    EXPECT_FALSE(pane_.take_handle_move()) << "it is another's point";
+    ui_.button(false);
+    frame(4);
+    EXPECT_FALSE(pane_.take_handle_move());
 }
 
 using HandleApplicationTest = ApplicationTest;
@@ -137,6 +197,61 @@ TEST_F(HandleApplicationTest, TheMeshFollowsADraggedCentre) {
     ui.drag(application.viewport_rectangle(), 0.3F, 0.4F, drawing()); // beside it
     frame();
     EXPECT_NE(shown().camera, before) << "pans as ever";
+}
+
+class PatchApplicationTest : public ApplicationFixture {
+  protected:
+    PatchApplicationTest() : PatchApplicationTest(std::make_shared<Catalogue>(builtin_catalogue())) {}
+
+  private:
+    explicit PatchApplicationTest(const std::shared_ptr<const Catalogue>& of)
+        : ApplicationFixture(of, patch(*of)) {}
+    static Scenario patch(const Catalogue& catalogue) {
+        Scenario scenario = find_scenario(catalogue, "spline-circle");
+        apply_settings(catalogue, scenario,
+                       {"domain.type=spline-patch", "domain.cells=4", "domain.degree=2"});
+        return scenario;
+    }
+};
+
+TEST_F(PatchApplicationTest, AFoldStopsAControlPointButNotTheHand) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.pictures().empty(); }));
+    frame();
+    const auto first = application.items().find("handle.control_points.4");
+    const auto last = application.items().find("handle.control_points.8");
+    ASSERT_NE(first, application.items().end());
+    ASSERT_NE(last, application.items().end());
+    const ItemRectangle from = first->second, to = last->second; // the middle, a corner
+    const std::size_t lines = application.log().lines().size();
+    ui.move(from.left, from.top);
+    frame();
+    ui.button(true);
+    frame();
+    for (const float way : {0.1F, 0.2F, 2.5F}) {
+        ui.move(from.left + way * (to.left - from.left), from.top + way * (to.top - from.top));
+        frame();
+        ASSERT_TRUE(wait_until([&] { return run().answered == run().asked; }));
+    }
+    EXPECT_TRUE(run().status.refused);
+    EXPECT_NE(application.message().text.find("folds"), std::string::npos) << application.message().text;
+    EXPECT_FALSE(application.error().open()) << "it would take the handle out of the hand";
+    const std::string good = run().scenario.domain.values.text("control_points");
+    EXPECT_NE(good, "") << "the last good place";
+    EXPECT_EQ(good, run().status.scenario->domain.values.text("control_points"));
+    ui.move(from.left + 0.1F * (to.left - from.left), from.top + 0.1F * (to.top - from.top));
+    frame();
+    ASSERT_TRUE(wait_until([&] { return run().answered == run().asked; }));
+    EXPECT_FALSE(run().status.refused) << "the same drag goes on";
+    EXPECT_NE(run().scenario.domain.values.text("control_points"), good);
+    ui.button(false);
+    frame();
+    for (std::size_t i = lines; i < application.log().lines().size(); ++i)
+        EXPECT_FALSE(application.log().lines()[i].notice.error);
+
+    Scenario typed = run().scenario; // by other ways the same is an error
+    typed.domain.values.set("control_points", std::string("0 0"));
+    application.document().change(0, typed);
+    EXPECT_TRUE(wait_until([&] { return application.error().open(); }));
 }
 
 TEST_F(HandleApplicationTest, AClickOnAHandlePicksWhatLiesBelow) {
