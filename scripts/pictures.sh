@@ -33,7 +33,7 @@ strip=(spline-moebius --quiet --formats obj --set domain.cells=40)
 frame=100
 python3 - <<'PYTHON' |
 import math
-frames = 24
+frames = 20
 for k in range(frames):
     t = min(1, max(0, (k / frames - 0.1) / 0.55))
     a, e = math.radians(360 * k / frames - 70), math.radians(32)
@@ -42,9 +42,9 @@ for k in range(frames):
     print(t * t * (3 - 2 * t), "right %.4f %.4f %.4f" % right, "up %.4f %.4f %.4f" % tuple(up))
 PYTHON
   while read -r blend camera; do
-    "$gaspard" run "${strip[@]}" --start "$drawn/strip/state.bin" --size 600x370 --set view.theme=light \
+    "$gaspard" run "${strip[@]}" --start "$drawn/strip/state.bin" --size 540x330 --set view.theme=light \
       --set view.histogram=false --set view.blend="$blend" --set view.camera="$camera" --out "$drawn/strip"
     mv "$drawn/strip/view.png" "$drawn/frame$((frame++)).png"
   done
-convert -delay 14 -loop 0 "$drawn"/frame*.png -colors 64 +dither -layers optimize "$here/docs/spline-moebius.gif"
+convert -delay 16 -loop 0 "$drawn"/frame*.png -colors 48 +dither -layers optimize "$here/docs/spline-moebius.gif"
 echo docs/spline-moebius.gif
