@@ -106,12 +106,20 @@ void Application::note_what_is_missing() {
     if (!note.empty()) say({note, false});
 }
 
+/// Whether a field that is being written in wants a key for itself.
+static bool belongs_to_text(std::string_view key) {
+    const bool function_key = key.size() > 1 && key[0] == 'F';
+    const bool command =
+        key.starts_with("Ctrl+") && std::string_view("ACVXYZ").find(key.back()) == std::string_view::npos;
+    return !function_key && !command;
+}
+
 bool Application::press_key(std::string_view key) {
-    if (ImGui::GetIO().WantTextInput) return false;
     const Action* row = action_for_key(key);
     if (!row) return false;
     const bool dialog = error_.open() || open_dialog_.open(); // it comes first
-    if (dialog && row->id != ActionId::cancel) return false;
+    if (dialog && row->id != ActionId::cancel && row->id != ActionId::quit) return false;
+    if (ImGui::GetIO().WantTextInput && !dialog && belongs_to_text(key)) return false;
     if (!possible(row->id)) {
         if (const std::string why = obstacle(row->id); !why.empty()) say({why, false});
         return false;

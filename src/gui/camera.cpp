@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/base/finite_range.hpp"
 #include "core/base/parameter.hpp"
 
 #include <algorithm>
@@ -135,25 +136,10 @@ std::optional<double> number_of(std::string_view word) {
 
 Box bounding_box(const Points& points) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    // One coordinate at a time runs fastest, as long as all are finite.
-    bool all_finite = points.size() > 0;
-    const auto range = [&all_finite](const std::vector<double>& values) {
-        double low = infinity, high = -infinity;
-        bool strange = false;
-        for (const double value : values) {
-            low = value < low ? value : low, high = value > high ? value : high;
-            strange |= !(value - value == 0);
-        }
-        all_finite = all_finite && !strange;
-        return std::pair(low, high);
-    };
-    const auto [x_low, x_high] = range(points.x);
-    const auto [y_low, y_high] = range(points.y);
-    const auto [z_low, z_high] = range(points.z);
-    Box box{{x_low, y_low, z_low}, {x_high, y_high, z_high}};
-    if (all_finite) return box;
+    const auto x = finite_range(points.x), y = finite_range(points.y), z = finite_range(points.z);
+    if (x && y && z) return {{x->first, y->first, z->first}, {x->second, y->second, z->second}};
     const auto finite = [](Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
-    box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+    Box box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
     for (std::size_t i = 0; i < points.size(); ++i)
         if (const Vec3 p = points[i]; finite(p))
             box.low = minimum(box.low, p), box.high = maximum(box.high, p);

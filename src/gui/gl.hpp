@@ -63,7 +63,6 @@ struct Gl {
     PFNGLLINKPROGRAMPROC LinkProgram = nullptr;
     PFNGLPIXELSTOREIPROC PixelStorei = nullptr;
     PFNGLPOLYGONOFFSETPROC PolygonOffset = nullptr;
-    PFNGLREADBUFFERPROC ReadBuffer = nullptr;
     PFNGLREADPIXELSPROC ReadPixels = nullptr;
     PFNGLRENDERBUFFERSTORAGEPROC RenderbufferStorage = nullptr;
     PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC RenderbufferStorageMultisample = nullptr;

@@ -60,7 +60,6 @@ void visit_gl_functions(Gl& gl, Visit visit) {
     visit(gl.LinkProgram, "glLinkProgram");
     visit(gl.PixelStorei, "glPixelStorei");
     visit(gl.PolygonOffset, "glPolygonOffset");
-    visit(gl.ReadBuffer, "glReadBuffer");
     visit(gl.ReadPixels, "glReadPixels");
     visit(gl.RenderbufferStorage, "glRenderbufferStorage");
     visit(gl.RenderbufferStorageMultisample, "glRenderbufferStorageMultisample");

@@ -14,6 +14,7 @@ struct ItemRectangle {
     float height() const { return bottom - top; }
     float center_x() const { return (left + right) / 2; }
     float center_y() const { return (top + bottom) / 2; }
+    friend bool operator==(const ItemRectangle&, const ItemRectangle&) = default;
     bool contains(float x, float y) const { return x >= left && x < right && y >= top && y < bottom; }
 };
 

@@ -26,13 +26,24 @@ void PictureMaker::take_mesh(const Snapshot& snapshot, std::shared_ptr<const Tes
     computational_box_ = bounding_box(*last_.computational);
 }
 
+std::shared_ptr<Points> PictureMaker::room() {
+    for (const auto& room : rooms_)
+        if (room.use_count() == 1) return room;
+    return rooms_.emplace_back(std::make_shared<Points>());
+}
+
 void PictureMaker::take_positions(const Snapshot& snapshot) {
-    last_.physical = std::make_shared<const Points>(shown_points(*last_.tessellation, snapshot.x));
+    const std::shared_ptr<Points> shown = room();
+    put_shown_points(*last_.tessellation, snapshot.x, *shown);
+    last_.physical = shown;
     const Box physical = bounding_box(*last_.physical);
     last_.box = merge(computational_box_, physical);
     last_.burst = physical.size() > 1.5 * computational_box_.size();
     last_.home_box = last_.burst ? computational_box_ : last_.box;
     last_version_ = snapshot.version;
+}
+
+void PictureMaker::take_tangled(const Snapshot& snapshot) {
     std::vector<std::uint32_t> tangled = colouring_maker_.tangled(snapshot);
     if (tangled.empty())
         last_.tangled = nullptr;
@@ -82,6 +93,7 @@ MeshPicture PictureMaker::make(const Snapshot& snapshot, const Values& view) {
     }
     if (const ColourChoice choice = colour_choice(view); new_positions || !(choice == choice_))
         take_colouring(snapshot, choice);
+    if (new_positions) take_tangled(snapshot); // after the colours, which may have found the Jacobians
     take_overlay(snapshot, view.text("overlay") == "exact");
     last_.blend = view.real("blend");
     last_.lines = view.boolean("lines");

@@ -48,6 +48,8 @@ struct MeshPicture {
     double blend = 1;  ///< 0 shows xi, 1 shows x
     bool lines = true; ///< the cells' edges
 
+    /// The same picture: arrays are compared by pointer.
+    friend bool operator==(const MeshPicture&, const MeshPicture&) = default;
     bool planar() const { return box.low.z == box.high.z; }
     /// Cells are filled with one colour each.
     bool flat() const { return colouring != nullptr && colouring->place == FieldPlace::cell; }
@@ -68,8 +70,11 @@ class PictureMaker {
     ColouringMaker& cells() { return colouring_maker_; }
 
   private:
+    /// Room that no picture shows any more, so that no memory is asked for with every snapshot.
+    std::shared_ptr<Points> room();
     void take_mesh(const Snapshot& snapshot, std::shared_ptr<const Tessellation> tessellation);
     void take_positions(const Snapshot& snapshot);
+    void take_tangled(const Snapshot& snapshot);
     void take_overlay(const Snapshot& snapshot, bool wanted);
     void take_colouring(const Snapshot& snapshot, const ColourChoice& choice);
 
@@ -81,6 +86,7 @@ class PictureMaker {
     std::shared_ptr<const Points> exact_; ///< what the overlay was made of
     MeshPicture last_;
     std::uint64_t last_version_ = 0;
+    std::vector<std::shared_ptr<Points>> rooms_;
 };
 
 } // namespace gaspard

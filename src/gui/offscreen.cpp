@@ -220,11 +220,26 @@ void RenderTarget::bind() const {
     gl_->Viewport(0, 0, width_, height_);
 }
 
-Image RenderTarget::read() const {
+void RenderTarget::blit(const GlFramebuffer& from, GLuint to) const {
     gl_->Disable(GL_SCISSOR_TEST); // it would cut the copy
-    gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.name());
-    gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
+    gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
+    gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
     gl_->BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void RenderTarget::copy(const RenderTarget& from) const {
+    GASPARD_CHECK(from.width_ == width_ && from.height_ == height_);
+    blit(from.drawn_, drawn_.name());
+}
+
+void RenderTarget::show() const {
+    blit(drawn_, resolved_.name()); // in two steps: a window's framebuffer may be of another format
+    blit(resolved_, 0);
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+Image RenderTarget::read() const {
+    blit(drawn_, resolved_.name());
     gl_->BindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
     const auto row = static_cast<std::size_t>(width_) * 4;
     Image image{width_, height_, std::vector<std::uint8_t>(row * static_cast<std::size_t>(height_))};

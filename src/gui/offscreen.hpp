@@ -34,11 +34,16 @@ class RenderTarget {
     /// Throws MachineError where the machine cannot make one of this size.
     RenderTarget(const Gl& gl, int width, int height, int samples = picture_samples);
     void bind() const; ///< drawing goes here; sets the viewport to all of it
+    /// Takes over all that was drawn into another of the same size and samples.
+    void copy(const RenderTarget& from) const;
+    /// Puts the picture into the window's own framebuffer, which is bound afterwards.
+    void show() const;
     Image read() const;
     int width() const { return width_; }
     int height() const { return height_; }
 
   private:
+    void blit(const GlFramebuffer& from, GLuint to) const;
     const Gl* gl_;
     int width_, height_;
     GlFramebuffer drawn_, resolved_;

@@ -132,10 +132,12 @@ std::optional<std::uint32_t> nearest_point(std::span<const std::uint32_t> points
     return found;
 }
 
-std::string position(Vec3 p, int dimension) {
-    std::string text = short_number(p.x, 6);
-    if (dimension > 1) text += ", " + short_number(p.y, 6);
-    if (dimension > 2) text += ", " + short_number(p.z, 6);
+/// What rounding has left of a zero, in a mesh of this size, is one.
+std::string position(Vec3 p, int dimension, double size) {
+    const auto coordinate = [size](double c) { return short_number(std::abs(c) < 1e-13 * size ? 0 : c, 6); };
+    std::string text = coordinate(p.x);
+    if (dimension > 1) text += ", " + coordinate(p.y);
+    if (dimension > 2) text += ", " + coordinate(p.z);
     return text;
 }
 
@@ -297,9 +299,11 @@ bool faces_viewer(const Pick& pick, const MeshPicture& picture, const Camera& ca
 
 PickFacts facts_of(const Pick& pick, const Snapshot& snapshot, ColouringMaker& cells) {
     const Mesh& mesh = *snapshot.mesh;
-    PickFacts facts = {{"", title_of(pick, mesh)},
-                       {"ξ", position(place_of(pick, mesh, mesh.nodes), mesh.space_dimension)},
-                       {"x", position(place_of(pick, mesh, snapshot.x), mesh.space_dimension)}};
+    const double size = bounding_box(mesh.nodes).size();
+    const auto place = [&](const Points& nodes) {
+        return position(place_of(pick, mesh, nodes), mesh.space_dimension, size);
+    };
+    PickFacts facts = {{"", title_of(pick, mesh)}, {"ξ", place(mesh.nodes)}, {"x", place(snapshot.x)}};
     const auto around = cells_of(pick, mesh);
     const int dimension = cell_dimension(mesh.kind);
     const char* measure = dimension == 1 ? "length" : dimension == 2 ? "area" : "volume";

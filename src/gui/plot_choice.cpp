@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "gui/plot_curves.hpp"
+#include "gui/value_changes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -69,14 +70,19 @@ std::optional<bool> logarithmic_of(std::string_view name) {
     return name == axis_name(true);
 }
 
-PlotView make_view(const std::vector<DocumentRun>& runs, const PlotChoice& choice, bool mark_live) {
+PlotView make_view(const std::vector<DocumentRun>& runs, const PlotChoice& choice, bool in_window) {
     const bool by_iteration = choice.abscissa == Abscissa::iterations;
     PlotView view;
     view.x = {by_iteration ? "iteration" : "seconds", choice.log_x};
     view.y = {"", choice.log_y};
+    std::vector<std::string> names;
+    for (const DocumentRun& run : runs)
+        if (!run.hidden) names.push_back(run.name);
+    if (in_window) names = what_differs(names);
+    std::size_t shown = 0;
     for (const DocumentRun& run : runs) {
         if (run.hidden) continue;
-        const std::string label = run.live() && mark_live ? run.name + " (now)" : run.name;
+        const std::string name = names[shown++], label = run.live() && in_window ? name + " (now)" : name;
         for (const QuantityRow::Part& part : row_of(choice.quantity).parts) {
             const Trace& trace = run.curves.*part.trace;
             view.curves.push_back({.label = label,

@@ -3,6 +3,9 @@
 #include "core/tessellate/ticks.hpp"
 
 #include <cctype>
+#include <map>
+#include <set>
+#include <string_view>
 
 namespace gaspard {
 
@@ -67,6 +70,38 @@ std::string describe_scenario(const Catalogue& catalogue, const Scenario& opened
     for (const ValueChange& change : value_changes(opened, scenario))
         if (change.key != "monitor.type") text += ", " + change.label + " " + change.after;
     return text;
+}
+
+namespace {
+
+std::vector<std::string> parts_of(std::string_view text) {
+    std::vector<std::string> parts;
+    constexpr std::string_view between = ", ";
+    for (std::size_t end = 0; (end = text.find(between)) != std::string_view::npos;
+         text.remove_prefix(end + between.size()))
+        parts.emplace_back(text.substr(0, end));
+    parts.emplace_back(text);
+    return parts;
+}
+
+} // namespace
+
+std::vector<std::string> what_differs(const std::vector<std::string>& texts) {
+    if (texts.size() < 2) return texts;
+    std::map<std::string, std::size_t> holders; // how many texts have a part
+    for (const std::string& text : texts) {
+        const std::vector<std::string> parts = parts_of(text);
+        for (const std::string& part : std::set<std::string>(parts.begin(), parts.end())) ++holders[part];
+    }
+    std::vector<std::string> found;
+    for (const std::string& text : texts) {
+        const std::vector<std::string> parts = parts_of(text);
+        std::string rest;
+        for (const std::string& part : parts)
+            if (holders[part] < texts.size()) rest += (rest.empty() ? "" : ", ") + part;
+        found.push_back(rest.empty() ? parts.front() : rest);
+    }
+    return found;
 }
 
 } // namespace gaspard

@@ -25,4 +25,8 @@ std::string describe_changes(const std::vector<ValueChange>& changes);
 /// "Ring, amplitude 20": the monitor, and what is no longer as the scenario was opened.
 std::string describe_scenario(const Catalogue& catalogue, const Scenario& opened, const Scenario& scenario);
 
+/// Such texts without what stands in all of them, where there is little room: "amplitude 20" and "Ring" of
+/// "Ring, amplitude 20, radius 0.3" and "Ring, radius 0.3".
+std::vector<std::string> what_differs(const std::vector<std::string>& texts);
+
 } // namespace gaspard

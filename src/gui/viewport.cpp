@@ -157,9 +157,9 @@ void draw_remark(ImDrawList& list, const std::string& text, ScreenRect room, con
     const float width = std::min(std::max(1.0F, room.width() - 4 * pad), 30 * ImGui::GetFontSize());
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
     const ImVec2 low{room.min.x + pad, room.max.y - size.y - 3 * pad};
-    list.AddRectFilled(low, {low.x + size.x + 2 * pad, low.y + size.y + 2 * pad}, packed(theme.panel, 0.8F),
+    list.AddRectFilled(low, {low.x + size.x + 2 * pad, low.y + size.y + 2 * pad}, packed(theme.panel, 0.94F),
                        4 * scale);
-    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad, low.y + pad}, packed(theme.faint_text),
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad, low.y + pad}, packed(theme.text),
                  text.c_str(), nullptr, width);
 }
 

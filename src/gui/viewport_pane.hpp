@@ -24,6 +24,7 @@ struct ShownPicture {
     MeshPicture picture;
     Camera camera; ///< speaks of the size of `rectangle`
     ItemRectangle rectangle;
+    friend bool operator==(const ShownPicture&, const ShownPicture&) = default;
 };
 
 /// How things are drawn in this frame, and where it is noted what stands where.

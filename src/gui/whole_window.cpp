@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gaspard {
 
@@ -23,13 +24,12 @@ PixelRect pixels_of(const ItemRectangle& part, float density) {
     return {x, y, pixels(part.right) - x, pixels(part.bottom) - y};
 }
 
-void draw_window(const Gl& gl, const Application& application, MeshRenderers& meshes,
-                 ImGuiRenderer& interface, const WindowPixels& pixels, float zoom) {
+void WindowPicture::draw_meshes(const Application& application, const WindowPixels& pixels, float zoom) {
     const Theme& theme = application.theme();
-    gl.Viewport(0, 0, pixels.width, pixels.height);
-    gl.Disable(GL_SCISSOR_TEST);
-    gl.ClearColor(theme.background.r, theme.background.g, theme.background.b, 1);
-    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    below_->bind();
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl_.ClearColor(theme.background.r, theme.background.g, theme.background.b, 1);
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const auto& pictures = application.pictures();
     for (const ShownPicture& shown : pictures) {
         // One and the same mesh, as from front and rear, is sent once.
@@ -38,18 +38,32 @@ void draw_window(const Gl& gl, const Application& application, MeshRenderers& me
         });
         Camera camera = shown.camera;
         camera.scale /= static_cast<double>(pixels.density);
-        meshes.at(static_cast<std::size_t>(first - pictures.begin()))
+        meshes_.at(static_cast<std::size_t>(first - pictures.begin()))
             .draw(shown.picture, camera, pixels_of(shown.rectangle, pixels.density), pixels.height, theme,
                   zoom * pixels.density);
     }
-    interface.draw(*ImGui::GetDrawData());
+}
+
+void WindowPicture::draw(const Application& application, const WindowPixels& pixels, float zoom) {
+    if (!whole_ || whole_->width() != pixels.width || whole_->height() != pixels.height) {
+        below_.reset(), whole_.reset(), drawn_.reset();
+        below_.emplace(gl_, pixels.width, pixels.height);
+        whole_.emplace(gl_, pixels.width, pixels.height);
+    }
+    Below wanted{application.pictures(), application.theme_name(), pixels.density, zoom};
+    if (drawn_ != wanted) {
+        draw_meshes(application, pixels, zoom);
+        drawn_ = std::move(wanted);
+    }
+    whole_->copy(*below_);
+    whole_->bind();
+    interface_.draw(*ImGui::GetDrawData());
 }
 
 Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const FinishedRun& run, int width,
                           int height, const Settings& settings, OffscreenBackend backend) {
     const auto context = make_offscreen_context(backend);
     const Gl& gl = context->gl();
-    const RenderTarget target(gl, width, height);
     const ImGuiSession session;
     Application application(std::move(catalogue), run, {.settings = settings});
     const float zoom = window_zoom(width, height) * application.text_size();
@@ -59,16 +73,14 @@ Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const Fini
     load_font(*io.Fonts, application.theme(), zoom);
     apply_theme(application.theme(), zoom);
     application.set_scale(zoom);
-    ImGuiRenderer interface(gl);
-    MeshRenderers meshes(gl);
+    WindowPicture picture(gl);
     for (int frame = 0; frame < 3; ++frame) { // some sizes are known only in the frame after
         ImGui::NewFrame();
         application.frame();
         ImGui::Render();
     }
-    target.bind();
-    draw_window(gl, application, meshes, interface, {width, height, 1}, zoom);
-    return target.read();
+    picture.draw(application, {width, height, 1}, zoom);
+    return picture.read();
 }
 
 } // namespace gaspard

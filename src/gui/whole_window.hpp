@@ -9,6 +9,9 @@
 #include "gui/offscreen.hpp"
 
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace gaspard {
 
@@ -21,10 +24,37 @@ struct WindowPixels {
 /// Where a part of the window lies in the framebuffer.
 PixelRect pixels_of(const ItemRectangle& part, float density);
 
-/// Draws the frame that ImGui has just rendered, and the meshes below it, into the bound framebuffer. `zoom`:
-/// units of the window per unit of the theme.
-void draw_window(const Gl& gl, const Application& application, MeshRenderers& meshes,
-                 ImGuiRenderer& interface, const WindowPixels& pixels, float zoom);
+/// The picture of a window, drawn in memory first: so it is the same with and without a screen (in a window's
+/// own framebuffer rows may run the other way, and what falls between two pixels is then rounded otherwise),
+/// and meshes that have not changed need not be drawn again below a menu.
+class WindowPicture {
+  public:
+    /// `gl` must outlive it and be current whenever it is used and when it dies.
+    explicit WindowPicture(const Gl& gl) : gl_(gl), meshes_(gl), interface_(gl) {}
+
+    /// Draws the frame that ImGui has just rendered, and the meshes below it. `zoom`: units of the window per
+    /// unit of the theme.
+    void draw(const Application& application, const WindowPixels& pixels, float zoom);
+    void show() const { whole_->show(); } ///< in the window, after draw()
+    Image read() const { return whole_->read(); }
+    ImGuiRenderer& interface() { return interface_; }
+
+  private:
+    /// What the meshes' picture depends on.
+    struct Below {
+        std::vector<ShownPicture> pictures;
+        std::string theme;
+        float density = 1, zoom = 1;
+        friend bool operator==(const Below&, const Below&) = default;
+    };
+    void draw_meshes(const Application& application, const WindowPixels& pixels, float zoom);
+
+    const Gl& gl_;
+    MeshRenderers meshes_;
+    ImGuiRenderer interface_;
+    std::optional<RenderTarget> below_, whole_; ///< the meshes alone; with everything else above them
+    std::optional<Below> drawn_;                ///< what below_ shows
+};
 
 /// The window as it would show a run that has ended, drawn offscreen. Throws MachineError where there is no
 /// OpenGL.

@@ -92,7 +92,6 @@ GlfwWindow open_window(const std::string& title, const Values& remembered) {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    glfwWindowHint(GLFW_SAMPLES, picture_samples); // as offscreen, so that pictures are the same
     glfwWindowHint(GLFW_MAXIMIZED, remembered.boolean("maximized") ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "gaspard"); // by which a desktop finds the entry with the icon
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "gaspard");
@@ -137,6 +136,8 @@ struct Happenings {
     bool input = false;
     ImVec2 pointer;
     std::deque<std::variant<std::string, ButtonChange>> inputs; ///< keys and buttons, in their order
+    std::vector<int> pressed;                                   ///< keys, as GLFW numbers them
+    std::vector<unsigned> typed;                                ///< letters
     std::vector<std::string> dropped;                           ///< files
 };
 
@@ -149,9 +150,14 @@ void install_callbacks(GLFWwindow* window, Happenings& happenings) {
     glfwSetWindowUserPointer(window, &happenings);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int event, int modifiers) {
         happenings_of(w).input = true;
-        if (event == GLFW_PRESS) happenings_of(w).inputs.emplace_back(key_name(key, scancode, modifiers));
+        if (event != GLFW_PRESS) return;
+        happenings_of(w).pressed.push_back(key);
+        happenings_of(w).inputs.emplace_back(key_name(key, scancode, modifiers));
     });
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { happenings_of(w).input = true; });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned letter) {
+        happenings_of(w).input = true;
+        happenings_of(w).typed.push_back(letter);
+    });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
         happenings_of(w).input = true;
         happenings_of(w).pointer = {static_cast<float>(x), static_cast<float>(y)};
@@ -213,6 +219,17 @@ Place place_of(GLFWwindow* window) {
     return place;
 }
 
+/// The viewport with its legend, without what may be transparent in the window's framebuffer.
+Image part_of(const Image& window, PixelRect part) {
+    Image image{part.width, part.height, {}};
+    for (int y = part.y; y < part.y + part.height; ++y) {
+        const auto row = window.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * window.width + part.x);
+        image.rgba.insert(image.rgba.end(), row, row + 4 * part.width);
+    }
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+    return image;
+}
+
 class Window {
   public:
     Window(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario, const WindowOptions& options)
@@ -226,8 +243,7 @@ class Window {
                                                 .settings = options.settings,
                                                 .complaints = options.complaints});
         style();
-        interface_.emplace(gl_);
-        meshes_.emplace(gl_);
+        picture_.emplace(gl_);
     }
 
     void loop() {
@@ -239,7 +255,7 @@ class Window {
             for (const auto& file : std::exchange(happenings_.dropped, {})) application_->open_file(file);
             if (wanted_look() != look_) {
                 style();
-                interface_->update_font();
+                picture_->interface().update_font();
             }
             follow_fullscreen();
             if (const std::string& title = application_->title(); title != title_) {
@@ -279,13 +295,13 @@ class Window {
     }
 
     /// Sleeps until there is something to draw, and never draws more than 60 times a second. Where drawing is
-    /// slow (no graphics card), it takes half of the time at most, for the solver needs the cores too; input
-    /// comes first.
+    /// slow (no graphics card), it takes half of the time at most while something is solved, which needs the
+    /// cores too; input comes first, and what answers it.
     void wait() {
         if (frames_due_ == 0 && !happenings_.news && !application_->animating()) glfwWaitEvents();
         const auto rest = [this] {
-            const double pause =
-                happenings_.input ? frame_seconds : std::max(frame_seconds, 2 * drawing_seconds_);
+            const bool at_once = happenings_.input || (frames_due_ > 0 && !happenings_.news);
+            const double pause = at_once ? frame_seconds : std::max(frame_seconds, 2 * drawing_seconds_);
             return begun_ + pause - glfwGetTime();
         };
         for (double left = 0; (left = rest()) > 0;) glfwWaitEventsTimeout(left);
@@ -333,6 +349,31 @@ class Window {
         std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
     }
 
+    /// ImGui looks at the keys once a frame, too: one that went down and up in between is held for a frame.
+    void follow_keys() {
+        auto& down = ImGui::GetIO().KeysDown;
+        const std::vector<int> released = std::exchange(held_, {});
+        for (const int key : released)
+            if (glfwGetKey(window_.get(), key) != GLFW_PRESS) down[key] = false;
+        for (const int key : std::exchange(happenings_.pressed, {})) {
+            if (key < 0 || key >= static_cast<int>(std::size(down)) || down[key]) continue;
+            if (std::count(released.begin(), released.end(), key) > 0) {
+                happenings_.pressed.push_back(key); // again: ImGui has to see it up before
+            } else {
+                down[key] = true;
+                held_.push_back(key);
+            }
+            frames_due_ = settling_frames;
+        }
+    }
+
+    /// What is typed while a dialog is about to open is meant for it.
+    void keep_letters() {
+        ImGuiIO& io = ImGui::GetIO();
+        if (io.WantTextInput || !application_->awaits_text()) return happenings_.typed.clear();
+        for (const unsigned letter : happenings_.typed) io.AddInputCharacter(letter);
+    }
+
     void follow_fullscreen() {
         const bool full = glfwGetWindowMonitor(window_.get()) != nullptr;
         if (full == application_->fullscreen()) return;
@@ -372,37 +413,25 @@ class Window {
         if (width <= 0 || height <= 0) return; // an icon
         ImGui_ImplGlfw_NewFrame();
         follow_buttons();
+        follow_keys();
         // A click is seen in the frame after it: two that follow each other take four, however slow.
         ImGui::GetIO().MouseDoubleClickTime = std::max(0.3F, 4 * ImGui::GetIO().DeltaTime);
         ImGui::NewFrame();
         application_->frame();
         ImGui::Render();
-        draw_window(gl_, *application_, *meshes_, *interface_, {width, height, look_.scales.density}, zoom());
+        keep_letters();
+        picture_->draw(*application_, {width, height, look_.scales.density}, zoom());
         if (application_->take_screenshot_request())
-            application_->save_picture(
-                read_pixels(pixels_of(application_->viewport_rectangle(), look_.scales.density), height));
+            application_->save_picture(part_of(
+                picture_->read(), pixels_of(application_->viewport_rectangle(), look_.scales.density)));
+        picture_->show();
         application_->save_plot([this](const Plot& plot) {
-            return draw_plot_picture(gl_, *interface_, plot, application_->theme(), zoom(),
+            return draw_plot_picture(gl_, picture_->interface(), plot, application_->theme(), zoom(),
                                      look_.scales.density);
         });
         gl_.Finish();
         drawing_seconds_ = glfwGetTime() - begun_; // without the wait for the screen that follows
         glfwSwapBuffers(window_.get());
-    }
-
-    /// The viewport with its legend, as it stands in the back buffer.
-    Image read_pixels(PixelRect area, int framebuffer_height) const {
-        Image image{area.width, area.height, {}};
-        const auto row = static_cast<std::size_t>(area.width) * 4;
-        std::vector<std::uint8_t> upward(row * static_cast<std::size_t>(area.height));
-        gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-        gl_.ReadBuffer(GL_BACK);
-        gl_.ReadPixels(area.x, framebuffer_height - area.y - area.height, area.width, area.height, GL_RGBA,
-                       GL_UNSIGNED_BYTE, upward.data());
-        for (auto from = upward.end(); from != upward.begin(); from -= static_cast<std::ptrdiff_t>(row))
-            image.rgba.insert(image.rgba.end(), from - static_cast<std::ptrdiff_t>(row), from);
-        for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
-        return image;
     }
 
     // Made in this order and ended in the opposite one: the solver first, the display last.
@@ -412,12 +441,12 @@ class Window {
     Gl gl_;
     ImGuiSession imgui_;
     std::optional<ImGuiInput> input_;
-    std::optional<ImGuiRenderer> interface_;
-    std::optional<MeshRenderers> meshes_;
+    std::optional<WindowPicture> picture_;
     Look look_;
     Place before_;                       ///< the window filled the screen
     std::map<std::string, Value> place_; ///< where it stood when it was closed, as in the settings
     std::string title_;                  ///< of what is shown
+    std::vector<int> held_;              ///< keys that are up again, but that ImGui has yet to see down
     ImVec2 pointer_;                     ///< in the last frame, like the buttons
     std::array<bool, ImGuiMouseButton_COUNT> buttons_{};
     int frames_due_ = settling_frames;

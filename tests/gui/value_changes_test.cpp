@@ -37,5 +37,16 @@ TEST_F(ValueChangesTest, MakeTheNameOfARun) {
     EXPECT_EQ(describe_scenario(catalogue, ring, with({"monitor.type=bell"})), "Bell");
 }
 
+TEST(WhatDiffers, LeavesOutWhatStandsInAll) {
+    using Texts = std::vector<std::string>;
+    EXPECT_EQ(what_differs({}), Texts{});
+    EXPECT_EQ(what_differs({"Ring, amplitude 20"}), (Texts{"Ring, amplitude 20"}));
+    EXPECT_EQ(
+        what_differs({"Ring, amplitude 20, radius 0.3", "Ring, radius 0.3", "Ring, amplitude 9, radius 0.3"}),
+        (Texts{"amplitude 20", "Ring", "amplitude 9"}));
+    EXPECT_EQ(what_differs({"Ring", "Bell"}), (Texts{"Ring", "Bell"}));
+    EXPECT_EQ(what_differs({"Ring, amplitude 20", "Ring, amplitude 20"}), (Texts{"Ring", "Ring"}));
+}
+
 } // namespace
 } // namespace gaspard

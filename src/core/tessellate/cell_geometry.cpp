@@ -13,9 +13,52 @@ namespace {
 
 constexpr int quadrature_points = 3; // per direction: exact for cells of order 2 in the plane
 
-// Of the parallelogram at corner b, between its neighbours a and c.
-double corner_area(const Points& x, std::size_t a, std::size_t b, std::size_t c) {
-    return (x.x[c] - x.x[b]) * (x.y[a] - x.y[b]) - (x.y[c] - x.y[b]) * (x.x[a] - x.x[b]);
+/// Of the parallelograms at the `corners` of a straight cell in the plane, between both neighbours each.
+/// Inline, for what it finds belongs into registers.
+template <std::size_t corners>
+[[gnu::always_inline]] inline std::array<double, corners> corner_areas(const std::int32_t* cell,
+                                                                       const double* x, const double* y) {
+    std::array<double, corners> to_x, to_y, areas; // to_*: from the corner before
+    for (std::size_t k = 0; k < corners; ++k) {
+        to_x[k] = x[cell[k]] - x[cell[(k + corners - 1) % corners]];
+        to_y[k] = y[cell[k]] - y[cell[(k + corners - 1) % corners]];
+    }
+    for (std::size_t k = 0; k < corners; ++k)
+        areas[k] = to_x[k] * to_y[(k + 1) % corners] - to_y[k] * to_x[(k + 1) % corners];
+    return areas;
+}
+
+double smaller(double a, double b) { return std::isnan(b) || b < a ? b : a; }
+
+template <std::size_t corners>
+void straight_jacobians(const Mesh& mesh, const Points& x, std::vector<double>& found) {
+    const double *to_x = x.x.data(), *to_y = x.y.data();
+    const double *from_x = mesh.nodes.x.data(), *from_y = mesh.nodes.y.data();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const std::int32_t* cell = mesh.cells.data() + corners * i;
+        const auto areas = corner_areas<corners>(cell, to_x, to_y);
+        const auto of = corner_areas<corners>(cell, from_x, from_y);
+        double smallest = areas[0] / of[0], sum = smallest; // no branch: which is smallest cannot be foretold
+        for (std::size_t k = 1; k < corners; ++k) {
+            const double jacobian = areas[k] / of[k];
+            smallest = jacobian < smallest ? jacobian : smallest;
+            sum += jacobian;
+        }
+        found[i] = std::isnan(sum) ? sum : smallest;
+    }
+}
+
+template <std::size_t corners>
+std::vector<std::uint32_t> not_all_turning_left(const Mesh& mesh, const Points& nodes) {
+    std::vector<std::uint32_t> found;
+    const double *x = nodes.x.data(), *y = nodes.y.data();
+    for (std::size_t i = 0; i < mesh.cell_count(); ++i) {
+        bool all = true;
+        for (const double area : corner_areas<corners>(mesh.cells.data() + corners * i, x, y))
+            all &= area > 0;
+        if (!all) found.push_back(static_cast<std::uint32_t>(i));
+    }
+    return found;
 }
 
 } // namespace
@@ -39,6 +82,7 @@ CellGeometry::CellGeometry(std::shared_ptr<const Mesh> mesh)
     for (const Vec3 node : reference_nodes(mesh_->kind)) nodes_.push_back(sample(node, 0));
     for (const auto& [point, weight] : cell_quadrature(mesh_->kind.shape, quadrature_points))
         quadrature_.push_back(sample(point, weight));
+    turns_left_ = straight_in_the_plane() && tangled_in_the_plane(mesh_->nodes).empty();
 }
 
 CellGeometry::Tangents CellGeometry::tangents(std::span<const std::int32_t> cell, const Points& x,
@@ -90,24 +134,31 @@ std::vector<double> CellGeometry::measures(const Points& x) const {
     return found;
 }
 
+std::vector<std::uint32_t> CellGeometry::tangled_in_the_plane(const Points& x) const {
+    return mesh_->kind.shape == CellShape::triangle ? not_all_turning_left<3>(*mesh_, x)
+                                                    : not_all_turning_left<4>(*mesh_, x);
+}
+
+std::vector<std::uint32_t> CellGeometry::tangled(const Points& x) const {
+    GASPARD_CHECK(x.size() == mesh_->node_count());
+    return turns_left_ ? tangled_in_the_plane(x) : tangled_cells(jacobians(x));
+}
+
+std::vector<std::uint32_t> tangled_cells(std::span<const double> jacobians) {
+    std::vector<std::uint32_t> cells;
+    for (std::size_t i = 0; i < jacobians.size(); ++i)
+        if (!(jacobians[i] > 0)) cells.push_back(static_cast<std::uint32_t>(i));
+    return cells;
+}
+
 std::vector<double> CellGeometry::jacobians(const Points& x) const {
     GASPARD_CHECK(x.size() == mesh_->node_count());
     std::vector<double> found(mesh_->cell_count());
-    const auto smaller = [](double a, double b) { return std::isnan(b) || b < a ? b : a; };
     if (straight_in_the_plane()) {
-        const auto corners = static_cast<std::size_t>(corners_per_cell(mesh_->kind));
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            const std::int32_t* c = mesh_->cells.data() + i * corners;
-            double smallest = std::numeric_limits<double>::infinity();
-            auto before = static_cast<std::size_t>(c[corners - 1]), here = static_cast<std::size_t>(c[0]);
-            for (std::size_t k = 0; k < corners; ++k) {
-                const auto next = static_cast<std::size_t>(c[k + 1 < corners ? k + 1 : 0]);
-                smallest = smaller(smallest, corner_area(x, before, here, next) /
-                                                 corner_area(mesh_->nodes, before, here, next));
-                before = here, here = next;
-            }
-            found[i] = smallest;
-        }
+        if (mesh_->kind.shape == CellShape::triangle)
+            straight_jacobians<3>(*mesh_, x, found);
+        else
+            straight_jacobians<4>(*mesh_, x, found);
         return found;
     }
     for (std::size_t i = 0; i < found.size(); ++i) {

@@ -6,6 +6,7 @@
 #include "core/mesh/mesh.hpp"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -14,6 +15,9 @@ namespace gaspard {
 
 /// The radius of the sphere around the origin that all nodes of a surface lie on; 0 where there is none.
 double radius_of_ball(const Mesh& mesh);
+
+/// Cells with a Jacobian of zero or less, or none at all, in ascending order.
+std::vector<std::uint32_t> tangled_cells(std::span<const double> jacobians);
 
 class CellGeometry {
   public:
@@ -25,6 +29,9 @@ class CellGeometry {
     /// where the cell faces away from the computational one; on a sphere where one of both faces outward and
     /// the other inward, for cells move around it.
     std::vector<double> jacobians(const Points& x) const;
+    /// Cells with such a Jacobian of zero or less, or none at all, in ascending order; faster than to compute
+    /// them.
+    std::vector<std::uint32_t> tangled(const Points& x) const;
 
   private:
     /// d/ds, d/dt, d/du; of a surface on a ball, the third is the place.
@@ -38,11 +45,13 @@ class CellGeometry {
     Tangents tangents(std::span<const std::int32_t> cell, const Points& x, const Sample& sample) const;
     double signed_measure(const Tangents& of, const Tangents& reference) const;
     bool straight_in_the_plane() const;
+    std::vector<std::uint32_t> tangled_in_the_plane(const Points& x) const;
 
     std::shared_ptr<const Mesh> mesh_;
     int dimension_;
     bool on_ball_;
     std::vector<Sample> nodes_, quadrature_;
+    bool turns_left_ = false; ///< straight in the plane, and all corners of the computational mesh do
 };
 
 } // namespace gaspard

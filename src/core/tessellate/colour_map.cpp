@@ -1,6 +1,7 @@
 #include "core/tessellate/colour_map.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/finite_range.hpp"
 #include "core_assets.hpp"
 
 #include <algorithm>
@@ -112,6 +113,7 @@ double ColourRange::value(double position) const {
 }
 
 ColourRange range_of(std::span<const double> values) {
+    if (const auto all = finite_range(values)) return {all->first, all->second};
     ColourRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const double value : values) {
         if (!std::isfinite(value)) continue;

@@ -160,11 +160,10 @@ const std::vector<double>& ColouringMaker::jacobians(const Snapshot& snapshot) {
 }
 
 std::vector<std::uint32_t> ColouringMaker::tangled(const Snapshot& snapshot) {
-    const std::vector<double>& found = jacobians(snapshot);
-    std::vector<std::uint32_t> cells;
-    for (std::size_t i = 0; i < found.size(); ++i)
-        if (!(found[i] > 0)) cells.push_back(static_cast<std::uint32_t>(i));
-    return cells;
+    see(snapshot);
+    if (snapshot.field("jacobian") != nullptr || !jacobian_.empty())
+        return tangled_cells(jacobians(snapshot));
+    return geometry_->tangled(snapshot.x);
 }
 
 bool ColouringMaker::fill(const Snapshot& snapshot, Colouring& colouring) {

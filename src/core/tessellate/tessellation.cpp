@@ -303,15 +303,26 @@ std::optional<std::uint32_t> Tessellation::node_of(std::uint32_t point) const {
     return nodes[starts[point]];
 }
 
-std::vector<double> shown_values(const Tessellation& tessellation, std::span<const double> nodes) {
+namespace {
+
+void put_shown_values(const Tessellation& tessellation, std::span<const double> nodes,
+                      std::vector<double>& shown) {
     if (tessellation.starts.empty()) {
         GASPARD_CHECK(nodes.size() == tessellation.point_count);
-        return {nodes.begin(), nodes.end()};
+        shown.assign(nodes.begin(), nodes.end());
+        return;
     }
-    std::vector<double> shown(tessellation.point_count, 0);
+    shown.assign(tessellation.point_count, 0);
     for (std::size_t p = 0; p < shown.size(); ++p)
         for (std::size_t k = tessellation.starts[p]; k < tessellation.starts[p + 1]; ++k)
             shown[p] += tessellation.weights[k] * nodes[tessellation.nodes[k]];
+}
+
+} // namespace
+
+std::vector<double> shown_values(const Tessellation& tessellation, std::span<const double> nodes) {
+    std::vector<double> shown;
+    put_shown_values(tessellation, nodes, shown);
     return shown;
 }
 
@@ -365,11 +376,15 @@ std::vector<double> point_means(const Tessellation& tessellation, std::span<cons
     return sums;
 }
 
+void put_shown_points(const Tessellation& tessellation, const Points& nodes, Points& shown) {
+    put_shown_values(tessellation, nodes.x, shown.x);
+    put_shown_values(tessellation, nodes.y, shown.y);
+    put_shown_values(tessellation, nodes.z, shown.z);
+}
+
 Points shown_points(const Tessellation& tessellation, const Points& nodes) {
     Points shown;
-    shown.x = shown_values(tessellation, nodes.x);
-    shown.y = shown_values(tessellation, nodes.y);
-    shown.z = shown_values(tessellation, nodes.z);
+    put_shown_points(tessellation, nodes, shown);
     return shown;
 }
 

@@ -58,6 +58,8 @@ std::vector<double> point_means(const Tessellation& tessellation, std::span<cons
 
 /// The shown points for given node positions (mesh numbering).
 Points shown_points(const Tessellation& tessellation, const Points& nodes);
+/// The same into room that is there already.
+void put_shown_points(const Tessellation& tessellation, const Points& nodes, Points& shown);
 /// The shown values of a node field.
 std::vector<double> shown_values(const Tessellation& tessellation, std::span<const double> nodes);
 

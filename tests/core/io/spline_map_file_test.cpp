@@ -1,6 +1,7 @@
 #include "core/io/run_files.hpp"
 #include "core/io/spline_map_file.hpp"
 #include "core/scenario/toml.hpp"
+#include "core/spline/patch_file.hpp"
 #include "core/spline/tensor_space.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -45,6 +46,40 @@ TEST(SplineMapFile, HoldsTheMapOfThePatchExactly) {
         const auto numbers = nlohmann::json::parse(summary)["measures"];
         for (const char* name : {"err", "err_absolute", "qual", "qual_f", "min_jacobian_psi", "border_error"})
             EXPECT_TRUE(numbers[name].is_number()) << name;
+    }
+}
+
+/// How far the written patch is from the mesh's nodes, for n cells.
+double patch_error(const std::string& domain, const std::string& method, int degree, int cells) {
+    TemporaryFolder folder;
+    gaspard::Run run =
+        short_run("spline-circle",
+                  {"domain.type=" + domain, "method.type=" + method, "monitor.type=bell",
+                   "monitor.amplitude=2", "monitor.sharpness=5", "method.start=identity",
+                   "domain.degree=" + std::to_string(degree), "domain.cells=" + std::to_string(cells)});
+    write_run_files(folder.path(), run, parse_formats("patch"));
+    const SplinePatch patch = read_patch(folder.path() / "adapted-patch.json");
+    EXPECT_EQ(read_patch(folder.path() / "adapted-patch.xml"), patch);
+    const auto snapshot = run.snapshot();
+    const auto side = static_cast<std::size_t>(2 * cells + 1);
+    Points xi(side * side), x;
+    for (std::size_t i = 0; i < xi.size(); ++i)
+        xi.set(i,
+               {static_cast<double>(i % side) / (2 * cells), static_cast<double>(i / side) / (2 * cells), 0});
+    patch_map(patch)->points(xi, x);
+    double largest = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, norm(x[i] - snapshot->x[i]));
+    return largest;
+}
+
+TEST(AdaptedPatch, IsTheMeshExactlyWhereThePatchIsAffineAndToOrderPPlus1Elsewhere) {
+    for (const std::string method : {"picard", "picard-mixed"}) {
+        EXPECT_LT(patch_error("spline-square", method, 3, 8), 1e-12) << method;
+        // Between the nodes of degree 2, which are the Greville points, nothing would be seen.
+        const double coarse = patch_error("spline-annulus", method, 3, 16);
+        const double fine = patch_error("spline-annulus", method, 3, 32);
+        EXPECT_LT(coarse, 1e-3) << method;
+        EXPECT_GT(std::log2(coarse / fine), 3.4) << method << ": " << coarse << ", " << fine;
     }
 }
 

@@ -1,5 +1,6 @@
 #include "core/base/error.hpp"
 #include "core/method/driven.hpp"
+#include "support/largest_distance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -45,10 +45,4 @@ inline std::shared_ptr<const Monitor> monitor_of(const std::string& type, bool p
     return make_monitor(type, periodic ? Space{SpaceKind::periodic_square} : Space{}, values);
 }
 
-inline double largest_distance(const Points& a, const Points& b) {
-    double distance = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) distance = std::max(distance, norm(a[i] - b[i]));
-    return distance;
-}
-
 } // namespace gaspard

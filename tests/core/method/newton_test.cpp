@@ -4,6 +4,7 @@
 #include "core/method/plane_equation.hpp"
 #include "core/method/power_monitor.hpp"
 #include "core/method/stepper.hpp"
+#include "support/largest_distance.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

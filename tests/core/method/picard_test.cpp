@@ -7,6 +7,7 @@
 #include "core/session/run.hpp"
 #include "core/spline/patch_file.hpp"
 #include "support/built_in.hpp"
+#include "support/largest_distance.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -24,12 +25,6 @@ Scenario scenario(const std::string& name, const std::vector<std::string>& setti
     Scenario chosen = find_scenario(*catalogue(), name);
     apply_settings(*catalogue(), chosen, settings);
     return chosen;
-}
-
-double largest_distance(const Points& a, const Points& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, norm(a[i] - b[i]));
-    return largest;
 }
 
 std::vector<std::string> spline_domain_names() {

@@ -55,6 +55,8 @@ struct OnSurface {
     std::vector<Evaluation> history;
 };
 
+inline const SphereGrid small_cubed{SphereCells::cubed, 6}, small_icosahedral{SphereCells::icosahedral, 2};
+
 inline std::shared_ptr<const Monitor> on_sphere(const std::string& type, const Settings& settings = {}) {
     return make_monitor(type, {SpaceKind::sphere}, settings);
 }

@@ -1,6 +1,7 @@
 #include "core/base/error.hpp"
 #include "core/fem/ellipticity.hpp"
 #include "core/method/relax.hpp"
+#include "support/largest_distance.hpp"
 
 #include <gtest/gtest.h>
 #include <numeric>
@@ -13,12 +14,6 @@ const Space torus{SpaceKind::periodic_square}, plain{};
 std::shared_ptr<const Monitor> off_centre_ring(Space space) {
     return make_monitor("ring", space,
                         {{"amplitude", 5}, {"sharpness", 30}, {"center_x", 0.3}, {"center_y", 0.6}});
-}
-
-double largest_distance(const Points& a, const Points& b) {
-    double distance = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) distance = std::max(distance, norm(a[i] - b[i]));
-    return distance;
 }
 
 class Relaxation : public testing::TestWithParam<bool> {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <limits>
 #include <numbers>
 
 namespace gaspard {
@@ -41,6 +42,34 @@ TEST(CellGeometry, TurningASphereTanglesNothing) {
             EXPECT_NEAR(sum(geometry.measures(x)), sum(geometry.measures(mesh->nodes)), 1e-12);
         }
     }
+}
+
+/// Meshes in the plane, and nodes that leave it well, turn some cells over, flatten one and lose one.
+TEST(CellGeometry, TangledCellsAreThoseWithoutAPositiveJacobian) {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    for (const Mesh& mesh : meshes_of_every_kind()) {
+        const CellGeometry geometry(std::make_shared<const Mesh>(mesh));
+        EXPECT_TRUE(geometry.tangled(mesh.nodes).empty());
+        for (const double value : {-3.0, 0.5, nothing})
+            for (std::size_t node = 0; node < mesh.node_count(); ++node) {
+                Points x = mesh.nodes;
+                x.x[node] = value;
+                const std::vector<double> jacobians = geometry.jacobians(x);
+                EXPECT_EQ(geometry.tangled(x), tangled_cells(jacobians));
+                EXPECT_TRUE(!std::isnan(value) || !geometry.tangled(x).empty());
+            }
+    }
+}
+
+TEST(CellGeometry, AMeshThatTurnsRightIsNotTangled) {
+    Mesh mesh = unit_square_mesh(3);
+    for (double& x : mesh.nodes.x) x = -x;
+    const CellGeometry geometry(std::make_shared<const Mesh>(mesh));
+    EXPECT_TRUE(geometry.tangled(mesh.nodes).empty());
+    for (const double jacobian : geometry.jacobians(mesh.nodes)) EXPECT_NEAR(jacobian, 1, 1e-12);
+    Points mirrored = mesh.nodes;
+    for (double& x : mirrored.x) x = -x;
+    EXPECT_EQ(geometry.tangled(mirrored).size(), mesh.cell_count());
 }
 
 TEST(CellGeometry, ASphereTurnedInsideOutIsTangledEverywhere) {
