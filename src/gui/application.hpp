@@ -65,8 +65,8 @@ class Application {
     bool quit_requested() const { return quit_; }
     /// How the caller is to style the next frame, and whether the window is to fill the screen.
     const Theme& theme() const { return theme_; }
-    /// A dialog is open whose first field is to be written in.
-    bool awaits_text() const { return open_dialog_.open(); }
+    /// A dialog is about to be written in: what is typed meanwhile is meant for it.
+    bool awaits_text() const { return open_dialog_.opening(); }
     const std::string& theme_name() const { return settings_.window.text("theme"); }
     float text_size() const { return static_cast<float>(settings_.window.real("text_size")); }
     bool fullscreen() const { return fullscreen_; }

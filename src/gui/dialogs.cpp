@@ -74,6 +74,8 @@ std::optional<std::string> OpenDialog::draw(const std::vector<std::string>& rece
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     if (ImGui::InputText("##path", text_.data(), text_.size(), ImGuiInputTextFlags_EnterReturnsTrue))
         chosen = text_.data();
+    // In the frame in which it gets the focus, a field takes no letters.
+    ready_ = ready_ || text_[0] != '\0' || (ImGui::IsItemActive() && !ImGui::IsItemActivated());
     remember_item(items, "open.path");
     for (std::size_t i = 0; i < recent.size(); ++i) {
         if (ImGui::Selectable(recent[i].c_str(), false, ImGuiSelectableFlags_DontClosePopups,

@@ -29,14 +29,15 @@ class ErrorDialog {
 /// Asks for the path of a scenario file; offers those opened before.
 class OpenDialog {
   public:
-    void show() { open_ = true, text_.fill('\0'); }
+    void show() { open_ = true, ready_ = false, text_.fill('\0'); }
     void close() { open_ = false; }
     bool open() const { return open_; }
+    bool opening() const { return open_ && !ready_; } ///< its field cannot be written in yet
     /// The path, once it has been chosen. Keys "open.path", "open.ok", "open.recent.0", ...
     std::optional<std::string> draw(const std::vector<std::string>& recent, ItemRectangles& items);
 
   private:
-    bool open_ = false;
+    bool open_ = false, ready_ = false;
     std::array<char, 4096> text_{};
 };
 

@@ -351,6 +351,10 @@ class Window {
 
     /// ImGui looks at the keys once a frame, too: one that went down and up in between is held for a frame.
     void follow_keys() {
+        if (application_->awaits_text()) {
+            frames_due_ = settling_frames;
+            return; // they come after the letters
+        }
         auto& down = ImGui::GetIO().KeysDown;
         const std::vector<int> released = std::exchange(held_, {});
         for (const int key : released)
@@ -367,11 +371,10 @@ class Window {
         }
     }
 
-    /// What is typed while a dialog is about to open is meant for it.
+    /// ImGui forgets letters with the frame.
     void keep_letters() {
-        ImGuiIO& io = ImGui::GetIO();
-        if (io.WantTextInput || !application_->awaits_text()) return happenings_.typed.clear();
-        for (const unsigned letter : happenings_.typed) io.AddInputCharacter(letter);
+        if (!application_->awaits_text()) return happenings_.typed.clear();
+        for (const unsigned letter : happenings_.typed) ImGui::GetIO().AddInputCharacter(letter);
     }
 
     void follow_fullscreen() {

@@ -52,12 +52,17 @@ TEST_F(ApplicationTest, KeysAreNotShortcutsWhileTyping) {
     frame();
     ui.click(application.items().find("monitor.amplitude.input")->second, drawing());
     ASSERT_TRUE(ImGui::GetIO().WantTextInput);
-    EXPECT_FALSE(application.press_key("Ctrl+Q"));
-    EXPECT_FALSE(application.quit_requested());
-    ui.click(application.items().find("viewport")->second, drawing());
-    frame();
+    const std::string theme = application.theme_name();
+    for (const char* key : {"T", "Space", "Escape", "Ctrl+C", "Ctrl+V"})
+        EXPECT_FALSE(application.press_key(key));
+    EXPECT_EQ(application.theme_name(), theme);
+    EXPECT_TRUE(application.press_key("F4")) << "no letter, nor what a field knows";
     EXPECT_TRUE(application.press_key("Ctrl+Q"));
     EXPECT_TRUE(application.quit_requested());
+    ui.click(application.items().find("viewport")->second, drawing());
+    frame();
+    EXPECT_TRUE(application.press_key("T"));
+    EXPECT_NE(application.theme_name(), theme);
 }
 
 TEST_F(ApplicationTest, ButtonsDoWhatKeysDo) {
