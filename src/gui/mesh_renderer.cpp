@@ -486,8 +486,12 @@ void MeshRenderer::draw_arrows(const Frame& frame, const Theme& theme, float sca
     gl_.Uniform1f(arrow_.shaft_width, arrow_shaft_width * scale);
     gl_.Uniform1f(arrow_.rim_width, arrow_rim_width * scale);
     gl_.Uniform1f(arrow_.pull, frame.planar ? 0 : arrow_pull);
-    set_colour(gl_, arrow_.ink, theme.text);
-    set_colour(gl_, arrow_.rim, theme.background);
+    // Colours of a map are dark for the most part, whatever the theme: on them a light arrow is the calmer
+    // one.
+    const auto sum = [](Colour c) { return c.r + c.g + c.b; };
+    const bool swapped = shown_.colouring != nullptr && sum(theme.text) < sum(theme.background);
+    set_colour(gl_, arrow_.ink, swapped ? theme.background : theme.text);
+    set_colour(gl_, arrow_.rim, swapped ? theme.text : theme.background);
     gl_.BindVertexArray(empty_array_.name());
     gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * shown_.arrows->size()));
 }

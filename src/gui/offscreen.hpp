@@ -34,7 +34,7 @@ class RenderTarget {
     /// Throws MachineError where the machine cannot make one of this size.
     RenderTarget(const Gl& gl, int width, int height, int samples = picture_samples);
     void bind() const; ///< drawing goes here; sets the viewport to all of it
-    /// Takes over all that was drawn into another of the same size and samples.
+    /// Takes over what was drawn into another of the same size, with as many samples or into one.
     void copy(const RenderTarget& from) const;
     /// Puts the picture into the window's own framebuffer, which is bound afterwards.
     void show() const;

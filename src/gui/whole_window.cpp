@@ -48,7 +48,7 @@ void WindowPicture::draw(const Application& application, const WindowPixels& pix
     if (!whole_ || whole_->width() != pixels.width || whole_->height() != pixels.height) {
         below_.reset(), whole_.reset(), drawn_.reset();
         below_.emplace(gl_, pixels.width, pixels.height);
-        whole_.emplace(gl_, pixels.width, pixels.height);
+        whole_.emplace(gl_, pixels.width, pixels.height, 0); // text and panels are smooth by themselves
     }
     Below wanted{application.pictures(), application.theme_name(), pixels.density, zoom};
     if (drawn_ != wanted) {

@@ -151,7 +151,7 @@ void install_callbacks(GLFWwindow* window, Happenings& happenings) {
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int event, int modifiers) {
         happenings_of(w).input = true;
         if (event != GLFW_PRESS) return;
-        happenings_of(w).pressed.push_back(key);
+        if (key < GLFW_KEY_LEFT_SHIFT) happenings_of(w).pressed.push_back(key); // Ctrl held would eat letters
         happenings_of(w).inputs.emplace_back(key_name(key, scancode, modifiers));
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned letter) {

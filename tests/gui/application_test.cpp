@@ -1,6 +1,7 @@
 #include "gui/application_fixture.hpp"
 #include "gui/status_bar.hpp"
 
+#include <algorithm>
 #include <random>
 
 namespace gaspard {
@@ -191,7 +192,27 @@ TEST_F(ApplicationTest, EverythingHasRoomAtTheSizeForProjectors) {
     }
 }
 
-TEST_F(ApplicationTest, RandomInputBreaksNothing) {
+struct InputCase {
+    const char* name;
+    std::vector<std::string> settings;
+    int frames;
+};
+
+class RandomInput : public ApplicationFixture, public testing::WithParamInterface<InputCase> {
+  protected:
+    RandomInput() : RandomInput(std::make_shared<Catalogue>(builtin_catalogue())) {}
+
+  private:
+    explicit RandomInput(const std::shared_ptr<const Catalogue>& of)
+        : ApplicationFixture(of, opened(*of, GetParam())) {}
+    static Scenario opened(const Catalogue& catalogue, const InputCase& input) {
+        Scenario scenario = find_scenario(catalogue, input.name);
+        apply_settings(catalogue, scenario, input.settings);
+        return scenario;
+    }
+};
+
+TEST_P(RandomInput, BreaksNothing) {
     std::mt19937 random(8); // the same input every time
     const auto draw_int = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
     std::vector<std::string_view> keys;
@@ -199,8 +220,9 @@ TEST_F(ApplicationTest, RandomInputBreaksNothing) {
         if (row.id != ActionId::export_files && row.id != ActionId::screenshot)
             keys.insert(keys.end(), row.keys.begin(), row.keys.end());
     int changes = 0;
-    Scenario before = small_ring();
-    for (int i = 0; i < 10000; ++i) {
+    Scenario before = run().scenario;
+    Values looked = look();
+    for (int i = 0; i < GetParam().frames; ++i) {
         ImGuiIO& io = ImGui::GetIO();
         if (draw_int(0, 7) == 0)
             ui.move(static_cast<float>(draw_int(-20, 1420)), static_cast<float>(draw_int(-20, 920)));
@@ -222,6 +244,7 @@ TEST_F(ApplicationTest, RandomInputBreaksNothing) {
             application.perform(ActionId::sidebar);
         frame();
         if (run().scenario != before) ++changes, before = run().scenario;
+        if (look() != looked) ++changes, looked = look();
         for (const Values* values : {&run().scenario.domain.values, &run().scenario.monitor.values})
             for (const auto& row : values->rows()) {
                 Values copy = *values;
@@ -229,8 +252,21 @@ TEST_F(ApplicationTest, RandomInputBreaksNothing) {
             }
     }
     EXPECT_NE(run().status.run, RunStatus::failed) << application.message().text;
-    EXPECT_GT(changes, 20) << "the input reached hardly anything";
+    EXPECT_GT(changes, GetParam().frames / 500) << "the input reached hardly anything";
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenarios, RandomInput,
+    testing::Values(InputCase{"plane-ring", {"domain.cells=12"}, 10000},
+                    InputCase{"sphere-x4", {"domain.cells=4", "view.layout=front-and-rear"}, 5000},
+                    InputCase{"sphere-cross", {"domain.refinements=1", "view.layout=map"}, 5000},
+                    InputCase{"spline-patch", {"domain.cells=8"}, 5000},
+                    InputCase{"spline-moebius", {"domain.cells=8", "view.arrows=true"}, 5000}),
+    [](const auto& of) {
+        std::string name = of.param.name;
+        name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
+        return name;
+    });
 
 } // namespace
 } // namespace gaspard
