@@ -30,7 +30,7 @@ if [ -n "$full" ]; then
   echo "== ThreadSanitizer: whatever more than one thread runs through"
   targets='thread_tests gui_tests' build "$here/build-thread" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGASPARD_SANITIZER=thread
   run_tests "$here/build-thread" -L threads -LE "$slow" -E "$of_time"
-  echo "== AddressSanitizer and UndefinedBehaviorSanitizer: all but pictures"
+  echo "== AddressSanitizer and UndefinedBehaviorSanitizer: all but pictures and long sums"
   targets='core_tests thread_tests gui_tests' build "$here/build-address" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGASPARD_SANITIZER=address
   run_tests "$here/build-address" -LE "$slow" -E "$of_time|NOT_BUILT"
   echo "== Release"

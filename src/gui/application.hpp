@@ -66,7 +66,7 @@ class Application {
     /// How the caller is to style the next frame, and whether the window is to fill the screen.
     const Theme& theme() const { return theme_; }
     /// A dialog is about to be written in: what is typed meanwhile is meant for it.
-    bool awaits_text() const { return open_dialog_.opening(); }
+    bool awaits_text() const { return open_dialog_.opening() && !error_.open(); }
     const std::string& theme_name() const { return settings_.window.text("theme"); }
     float text_size() const { return static_cast<float>(settings_.window.real("text_size")); }
     bool fullscreen() const { return fullscreen_; }

@@ -18,6 +18,7 @@ Vec3 shown_point(const MeshPicture& picture, std::uint32_t point) {
 void PictureMaker::take_mesh(const Snapshot& snapshot, std::shared_ptr<const Tessellation> tessellation) {
     mesh_ = snapshot.mesh;
     last_ = {};
+    rooms_.clear();
     last_.tessellation = std::move(tessellation);
     last_.computational = std::make_shared<const Points>(shown_points(*last_.tessellation, mesh_->nodes));
     last_.cell_dimension = cell_dimension(mesh_->kind);

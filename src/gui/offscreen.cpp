@@ -187,7 +187,7 @@ std::unique_ptr<OffscreenContext> make_offscreen_context(OffscreenBackend backen
 }
 
 RenderTarget::RenderTarget(const Gl& gl, int width, int height, int samples)
-    : gl_(&gl), width_(width), height_(height), drawn_(gl), resolved_(gl), colour_(gl), depth_(gl),
+    : gl_(&gl), width_(width), height_(height), samples_(samples), drawn_(gl), resolved_(gl), colour_(gl), depth_(gl),
       resolved_colour_(gl) {
     GASPARD_CHECK(width > 0 && height > 0 && samples >= 0);
     GLint largest = 0, most_samples = 0;
@@ -233,8 +233,8 @@ void RenderTarget::copy(const RenderTarget& from) const {
 }
 
 void RenderTarget::show() const {
-    blit(drawn_, resolved_.name()); // in two steps: a window's framebuffer may be of another format
-    blit(resolved_, 0);
+    if (samples_ > 0) blit(drawn_, resolved_.name()); // into one sample only where formats are the same
+    blit(samples_ > 0 ? resolved_ : drawn_, 0);
     gl_->BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

@@ -45,7 +45,7 @@ class RenderTarget {
   private:
     void blit(const GlFramebuffer& from, GLuint to) const;
     const Gl* gl_;
-    int width_, height_;
+    int width_, height_, samples_;
     GlFramebuffer drawn_, resolved_;
     GlRenderbuffer colour_, depth_, resolved_colour_;
 };

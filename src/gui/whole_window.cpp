@@ -44,20 +44,22 @@ void WindowPicture::draw_meshes(const Application& application, const WindowPixe
     }
 }
 
-void WindowPicture::draw(const Application& application, const WindowPixels& pixels, float zoom) {
+bool WindowPicture::draw(const Application& application, const WindowPixels& pixels, float zoom) {
     if (!whole_ || whole_->width() != pixels.width || whole_->height() != pixels.height) {
         below_.reset(), whole_.reset(), drawn_.reset();
         below_.emplace(gl_, pixels.width, pixels.height);
         whole_.emplace(gl_, pixels.width, pixels.height, 0); // text and panels are smooth by themselves
     }
     Below wanted{application.pictures(), application.theme_name(), pixels.density, zoom};
-    if (drawn_ != wanted) {
+    const bool anew = drawn_ != wanted;
+    if (anew) {
         draw_meshes(application, pixels, zoom);
         drawn_ = std::move(wanted);
     }
     whole_->copy(*below_);
     whole_->bind();
     interface_.draw(*ImGui::GetDrawData());
+    return anew;
 }
 
 Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const FinishedRun& run, int width,

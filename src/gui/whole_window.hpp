@@ -32,9 +32,9 @@ class WindowPicture {
     /// `gl` must outlive it and be current whenever it is used and when it dies.
     explicit WindowPicture(const Gl& gl) : gl_(gl), meshes_(gl), interface_(gl) {}
 
-    /// Draws the frame that ImGui has just rendered, and the meshes below it. `zoom`: units of the window per
-    /// unit of the theme.
-    void draw(const Application& application, const WindowPixels& pixels, float zoom);
+    /// Draws the frame that ImGui has just rendered, and the meshes below it; whether these had to be drawn anew.
+    /// `zoom`: units of the window per unit of the theme.
+    bool draw(const Application& application, const WindowPixels& pixels, float zoom);
     void show() const { whole_->show(); } ///< in the window, after draw()
     Image read() const { return whole_->read(); }
     ImGuiRenderer& interface() { return interface_; }

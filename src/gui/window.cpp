@@ -28,6 +28,7 @@ namespace gaspard {
 namespace {
 
 constexpr double frame_seconds = 1.0 / 60;
+constexpr int longest_wait = 30;   // frames until what is typed goes where the focus is
 constexpr int settling_frames = 3; // ImGui shows the answer to an input one or two frames later
 
 std::string last_glfw_error() {
@@ -130,33 +131,46 @@ struct ButtonChange {
     ImVec2 at;
 };
 
+/// A key that went down or up, as GLFW says it; its name is empty where it has none in the table of actions.
+struct KeyChange {
+    int key = 0, scancode = 0, event = 0, modifiers = 0;
+    std::string name;
+
+    bool down() const { return event == GLFW_PRESS; }
+    /// What is typed with it comes as a letter, and ImGui need not know how.
+    bool only_types() const { return key < GLFW_KEY_ESCAPE && (modifiers & GLFW_MOD_CONTROL) == 0; }
+    bool modifies() const { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
+};
+
+struct Letter {
+    unsigned code = 0;
+};
+
 /// What has happened since the loop last looked.
 struct Happenings {
     std::atomic<bool> news = false; ///< set on any thread
     bool input = false;
     ImVec2 pointer;
-    std::deque<std::variant<std::string, ButtonChange>> inputs; ///< keys and buttons, in their order
-    std::vector<int> pressed;                                   ///< keys, as GLFW numbers them
-    std::vector<unsigned> typed;                                ///< letters
-    std::vector<std::string> dropped;                           ///< files
+    std::deque<std::variant<KeyChange, Letter, ButtonChange>> inputs; ///< in their order
+    std::vector<std::string> dropped;                                 ///< files
 };
 
 Happenings& happenings_of(GLFWwindow* window) {
     return *static_cast<Happenings*>(glfwGetWindowUserPointer(window));
 }
 
-// Callbacks only note what happened: nothing may throw through C. ImGui's own are chained after these.
+// Callbacks only note what happened: nothing may throw through C.
 void install_callbacks(GLFWwindow* window, Happenings& happenings) {
     glfwSetWindowUserPointer(window, &happenings);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int event, int modifiers) {
         happenings_of(w).input = true;
-        if (event != GLFW_PRESS) return;
-        if (key < GLFW_KEY_LEFT_SHIFT) happenings_of(w).pressed.push_back(key); // Ctrl held would eat letters
-        happenings_of(w).inputs.emplace_back(key_name(key, scancode, modifiers));
+        if (event != GLFW_REPEAT) // ImGui repeats by itself
+            happenings_of(w).inputs.emplace_back(
+                KeyChange{key, scancode, event, modifiers, key_name(key, scancode, modifiers)});
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned letter) {
         happenings_of(w).input = true;
-        happenings_of(w).typed.push_back(letter);
+        happenings_of(w).inputs.emplace_back(Letter{letter});
     });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
         happenings_of(w).input = true;
@@ -168,9 +182,18 @@ void install_callbacks(GLFWwindow* window, Happenings& happenings) {
             happenings_of(w).inputs.emplace_back(
                 ButtonChange{button, event == GLFW_PRESS, happenings_of(w).pointer});
     });
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { happenings_of(w).input = true; });
-    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { happenings_of(w).input = true; });
-    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { happenings_of(w).input = true; });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+        happenings_of(w).input = true;
+        ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+        happenings_of(w).input = true;
+        ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+    });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+        happenings_of(w).input = true;
+        ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+    });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { happenings_of(w).input = true; });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { happenings_of(w).input = true; });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** files) {
@@ -181,10 +204,10 @@ void install_callbacks(GLFWwindow* window, Happenings& happenings) {
                                       [](GLFWwindow* w, float, float) { happenings_of(w).input = true; });
 }
 
-/// ImGui's GLFW backend, with an owner.
+/// ImGui's GLFW backend, with an owner. Its callbacks are called by ours.
 class ImGuiInput {
   public:
-    explicit ImGuiInput(GLFWwindow* window) { ImGui_ImplGlfw_InitForOpenGL(window, true); }
+    explicit ImGuiInput(GLFWwindow* window) { ImGui_ImplGlfw_InitForOpenGL(window, false); }
     ~ImGuiInput() { ImGui_ImplGlfw_Shutdown(); }
     ImGuiInput(const ImGuiInput&) = delete;
     ImGuiInput& operator=(const ImGuiInput&) = delete;
@@ -219,8 +242,11 @@ Place place_of(GLFWwindow* window) {
     return place;
 }
 
-/// The viewport with its legend, without what may be transparent in the window's framebuffer.
+/// A part of the window's picture, opaque.
 Image part_of(const Image& window, PixelRect part) {
+    part.x = std::clamp(part.x, 0, window.width), part.y = std::clamp(part.y, 0, window.height);
+    part.width = std::clamp(part.width, 0, window.width - part.x);
+    part.height = std::clamp(part.height, 0, window.height - part.y);
     Image image{part.width, part.height, {}};
     for (int y = part.y; y < part.y + part.height; ++y) {
         const auto row = window.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * window.width + part.x);
@@ -235,8 +261,8 @@ class Window {
     Window(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario, const WindowOptions& options)
         : window_(open_window("Gaspard", options.settings.window)),
           gl_(load_gl([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); })) {
-        install_callbacks(window_.get(), happenings_);
         input_.emplace(window_.get());
+        install_callbacks(window_.get(), happenings_);
         application_.emplace(std::move(catalogue), scenario,
                              ApplicationOptions{.wake = [this] { wake(); },
                                                 .output = options.output,
@@ -251,7 +277,6 @@ class Window {
             wait();
             happenings_.news = false; // before collecting: what comes after wakes the next round
             application_->collect();
-            press_keys();
             for (const auto& file : std::exchange(happenings_.dropped, {})) application_->open_file(file);
             if (wanted_look() != look_) {
                 style();
@@ -323,15 +348,44 @@ class Window {
         application_->set_scale(zoom());
     }
 
-    /// Up to the next button of the mouse, which comes first.
-    void press_keys() {
+    /// ImGui looks once a frame at what is up and down. Where frames are slow, more has happened in between:
+    /// it is fed as much as it can tell apart, and gets the rest in the frames that follow.
+    void follow_input() {
         auto& inputs = happenings_.inputs;
-        for (; !inputs.empty() && std::holds_alternative<std::string>(inputs.front()); inputs.pop_front())
-            application_->press_key(std::get<std::string>(inputs.front()));
+        std::vector<int> pressed, released; // keys, in this frame
+        bool commanded = false;             // by a key that types nothing
+        waited_ = application_->awaits_text() ? waited_ + 1 : 0;
+        const auto wait_for_field = [&] { return application_->awaits_text() && waited_ < longest_wait; };
+        while (!inputs.empty() && !wait_for_field()) { // what follows is meant for the field
+            if (const auto* key = std::get_if<KeyChange>(&inputs.front())) {
+                const auto& opposite = key->down() ? released : pressed;
+                if (std::count(opposite.begin(), opposite.end(), key->key) > 0) break;
+                if (key->down() && commanded) break; // it may be meant for what the command brings
+                commanded = commanded || (key->down() && !key->only_types() && !key->modifies());
+                feed(*key);
+                (key->down() ? pressed : released).push_back(key->key);
+            } else if (const auto* letter = std::get_if<Letter>(&inputs.front())) {
+                if (commanded) break; // ImGui would take the letter first
+                ImGui::GetIO().AddInputCharacter(letter->code);
+            } else {
+                break; // the pointer may be elsewhere by now
+            }
+            inputs.pop_front();
+        }
+        follow_buttons();
+        if (!inputs.empty()) frames_due_ = settling_frames;
     }
 
-    /// In a frame ImGui sees the pointer at one place and one change of a button. Where frames are slow, more
-    /// may have happened in between; it comes in the frames that follow.
+    void feed(const KeyChange& change) {
+        if (change.down()) application_->press_key(change.name);
+        if (!change.down() || !change.only_types())
+            ImGui_ImplGlfw_KeyCallback(window_.get(), change.key, change.scancode, change.event,
+                                       change.modifiers);
+        if (change.down() && (change.modifiers & GLFW_MOD_CONTROL) != 0)
+            ImGui::GetIO().KeyCtrl = true; // though its own key may have come otherwise
+    }
+
+    /// In a frame ImGui sees the pointer at one place and one change of a button.
     void follow_buttons() {
         ImGuiIO& io = ImGui::GetIO();
         auto& inputs = happenings_.inputs;
@@ -347,34 +401,6 @@ class Window {
             pointer_ = io.MousePos;
         }
         std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
-    }
-
-    /// ImGui looks at the keys once a frame, too: one that went down and up in between is held for a frame.
-    void follow_keys() {
-        if (application_->awaits_text()) {
-            frames_due_ = settling_frames;
-            return; // they come after the letters
-        }
-        auto& down = ImGui::GetIO().KeysDown;
-        const std::vector<int> released = std::exchange(held_, {});
-        for (const int key : released)
-            if (glfwGetKey(window_.get(), key) != GLFW_PRESS) down[key] = false;
-        for (const int key : std::exchange(happenings_.pressed, {})) {
-            if (key < 0 || key >= static_cast<int>(std::size(down)) || down[key]) continue;
-            if (std::count(released.begin(), released.end(), key) > 0) {
-                happenings_.pressed.push_back(key); // again: ImGui has to see it up before
-            } else {
-                down[key] = true;
-                held_.push_back(key);
-            }
-            frames_due_ = settling_frames;
-        }
-    }
-
-    /// ImGui forgets letters with the frame.
-    void keep_letters() {
-        if (!application_->awaits_text()) return happenings_.typed.clear();
-        for (const unsigned letter : happenings_.typed) ImGui::GetIO().AddInputCharacter(letter);
     }
 
     void follow_fullscreen() {
@@ -415,15 +441,13 @@ class Window {
         glfwGetFramebufferSize(window_.get(), &width, &height);
         if (width <= 0 || height <= 0) return; // an icon
         ImGui_ImplGlfw_NewFrame();
-        follow_buttons();
-        follow_keys();
+        follow_input();
         // A click is seen in the frame after it: two that follow each other take four, however slow.
         ImGui::GetIO().MouseDoubleClickTime = std::max(0.3F, 4 * ImGui::GetIO().DeltaTime);
         ImGui::NewFrame();
         application_->frame();
         ImGui::Render();
-        keep_letters();
-        picture_->draw(*application_, {width, height, look_.scales.density}, zoom());
+        const bool drawn_anew = picture_->draw(*application_, {width, height, look_.scales.density}, zoom());
         if (application_->take_screenshot_request())
             application_->save_picture(part_of(
                 picture_->read(), pixels_of(application_->viewport_rectangle(), look_.scales.density)));
@@ -433,7 +457,7 @@ class Window {
                                      look_.scales.density);
         });
         gl_.Finish();
-        drawing_seconds_ = glfwGetTime() - begun_; // without the wait for the screen that follows
+        if (drawn_anew) drawing_seconds_ = glfwGetTime() - begun_; // without the wait for the screen
         glfwSwapBuffers(window_.get());
     }
 
@@ -449,11 +473,12 @@ class Window {
     Place before_;                       ///< the window filled the screen
     std::map<std::string, Value> place_; ///< where it stood when it was closed, as in the settings
     std::string title_;                  ///< of what is shown
-    std::vector<int> held_;              ///< keys that are up again, but that ImGui has yet to see down
+    int waited_ = 0;                     ///< frames, for a dialog's field
     ImVec2 pointer_;                     ///< in the last frame, like the buttons
     std::array<bool, ImGuiMouseButton_COUNT> buttons_{};
     int frames_due_ = settling_frames;
-    double begun_ = 0, drawing_seconds_ = 0; ///< of the last frame
+    double begun_ = 0;           ///< of the last frame
+    double drawing_seconds_ = 0; ///< of the last one with meshes drawn anew
     std::optional<Application> application_;
 };
 
