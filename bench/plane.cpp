@@ -17,27 +17,27 @@ using namespace gaspard;
 struct Scene {
     explicit Scene(std::int64_t cells)
         : plane(std::make_shared<PlaneQ2>(LineGrid{static_cast<std::size_t>(cells), true})),
-          room(plane->make_room()), phi(plane->unknowns(), 0.0), r(phi), u(phi),
+          workspace(plane->make_workspace()), phi(plane->unknowns(), 0.0), r(phi), u(phi),
           m(plane->mesh()->node_count()) {
         for (const auto& type : monitor_types())
             if (type.name == "ring")
                 monitor = type.make(Values("monitor", type.rows({})), Space{SpaceKind::periodic_square});
         for (int i = 0; i < 6; ++i) {
             evaluate();
-            plane->poisson(r, u, room);
+            plane->poisson(r, u, workspace);
             for (std::size_t k = 0; k < phi.size(); ++k) phi[k] += 0.1 * u[k];
         }
         evaluate();
     }
     void evaluate() {
-        plane->positions(phi, x, room);
+        plane->positions(phi, x, workspace);
         monitor->values(x, m);
-        plane->hessian(phi, sigma, room);
-        plane->residual(m, sigma, r, room);
+        plane->hessian(phi, sigma, workspace);
+        plane->residual(m, sigma, r, workspace);
     }
 
     std::shared_ptr<const PlaneQ2> plane;
-    PlaneQ2::Room room;
+    PlaneQ2::Workspace workspace;
     std::vector<double> phi, r, u, m;
     Points x;
     WeakHessian sigma;
@@ -60,20 +60,20 @@ void count(benchmark::State& state, double bytes, double flops) {
 
 void poisson(benchmark::State& state) {
     Scene s(state.range(0));
-    for (auto _ : state) s.plane->poisson(s.r, s.u, s.room);
+    for (auto _ : state) s.plane->poisson(s.r, s.u, s.workspace);
     // Two transforms of lines of n complex numbers, 5 n log2 n each, the modes, the recurrences.
     count(state, 4 * 8, 5 * std::log2(static_cast<double>(state.range(0))) + 2 * 8 + 10);
 }
 
 void mass(benchmark::State& state) { // the weak Hessian: four solves with mass matrices along lines
     Scene s(state.range(0));
-    for (auto _ : state) s.plane->hessian(s.phi, s.sigma, s.room);
+    for (auto _ : state) s.plane->hessian(s.phi, s.sigma, s.workspace);
     count(state, 5 * 8, 4 * 13);
 }
 
 void positions(benchmark::State& state) {
     Scene s(state.range(0));
-    for (auto _ : state) s.plane->positions(s.phi, s.x, s.room);
+    for (auto _ : state) s.plane->positions(s.phi, s.x, s.workspace);
     count(state, 1.5 * 8, 2 * 13 * 0.75);
 }
 
@@ -85,7 +85,7 @@ void monitor(benchmark::State& state) {
 
 void residual(benchmark::State& state) {
     Scene s(state.range(0));
-    for (auto _ : state) s.plane->residual(s.m, s.sigma, s.r, s.room);
+    for (auto _ : state) s.plane->residual(s.m, s.sigma, s.r, s.workspace);
     // Per cell: 3 fields x 2 rows x 4 points x 5, 16 points x (3 x 5 + 3 + 3 + 4 + 6), 3 x 3 x 7 back.
     count(state, 4.25 * 8, (120 + 16 * 31 + 63) / 4.0);
 }

@@ -15,7 +15,7 @@ struct Scene {
     explicit Scene(std::int64_t refinements)
         : sphere(std::make_shared<SurfaceQ2>(
               sphere_setup({SphereCells::icosahedral, static_cast<int>(refinements)}))),
-          room(sphere->make_room()), phi(sphere->unknowns(), 0.0), r(phi), u(phi),
+          workspace(sphere->make_workspace()), phi(sphere->unknowns(), 0.0), r(phi), u(phi),
           m(sphere->mesh()->node_count()) {
         for (const auto& type : monitor_types())
             if (type.name == "cross") {
@@ -24,21 +24,21 @@ struct Scene {
             }
         for (int i = 0; i < 5; ++i) {
             evaluate();
-            sphere->poisson(r, u, room);
+            sphere->poisson(r, u, workspace);
             for (std::size_t k = 0; k < phi.size(); ++k) phi[k] += 0.1 * u[k];
         }
         evaluate();
     }
     void evaluate() {
-        sphere->map(phi, room);
-        sphere->positions(room, x, gradient);
+        sphere->map(phi, workspace);
+        sphere->positions(workspace, x, gradient);
         monitor->values(x, m);
-        sphere->residual(m, r, room);
+        sphere->residual(m, r, workspace);
     }
     double cells() const { return static_cast<double>(sphere->mesh()->cell_count()); }
 
     std::shared_ptr<const SurfaceQ2> sphere;
-    SurfaceQ2::Room room;
+    SurfaceQ2::Workspace workspace;
     std::vector<double> phi, r, u, m;
     Points x, gradient;
     std::shared_ptr<const Monitor> monitor;
@@ -64,20 +64,20 @@ void setup(benchmark::State& state) {
 /// One solution of a factorisation, one right-hand side.
 void solve(benchmark::State& state) {
     Scene s(state.range(0));
-    for (auto _ : state) s.sphere->poisson(s.r, s.u, s.room);
+    for (auto _ : state) s.sphere->poisson(s.r, s.u, s.workspace);
     count(state, s.cells());
 }
 
 /// Twelve loads and solutions with the mass matrix: sigma and the gradient.
 void map(benchmark::State& state) {
     Scene s(state.range(0));
-    for (auto _ : state) s.sphere->map(s.phi, s.room);
+    for (auto _ : state) s.sphere->map(s.phi, s.workspace);
     count(state, s.cells());
 }
 
 void positions(benchmark::State& state) {
     Scene s(state.range(0));
-    for (auto _ : state) s.sphere->positions(s.room, s.x, s.gradient);
+    for (auto _ : state) s.sphere->positions(s.workspace, s.x, s.gradient);
     count(state, s.cells());
 }
 
@@ -89,7 +89,7 @@ void monitor(benchmark::State& state) {
 
 void residual(benchmark::State& state) {
     Scene s(state.range(0));
-    for (auto _ : state) s.sphere->residual(s.m, s.r, s.room);
+    for (auto _ : state) s.sphere->residual(s.m, s.r, s.workspace);
     count(state, s.cells());
 }
 

@@ -3,8 +3,8 @@
 // card's.
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
-#include "gui/mesh_renderer.hpp"
-#include "gui/offscreen.hpp"
+#include "gui/gl/offscreen.hpp"
+#include "gui/render/mesh_renderer.hpp"
 
 #include <array>
 #include <benchmark/benchmark.h>
@@ -41,7 +41,7 @@ void count(benchmark::State& state, double bytes_per_node) {
 
 void picture(benchmark::State& state) {
     const Scene scene(state.range(0));
-    PictureMaker maker;
+    SceneBuilder maker;
     maker.make(*scene.snapshots[0], scene.view); // triangles and edges, once
     std::size_t turn = 0;
     for (auto _ : state) benchmark::DoNotOptimize(maker.make(*scene.snapshots[turn ^= 1], scene.view));
@@ -58,11 +58,11 @@ void upload(benchmark::State& state) {
     const RenderTarget target(gl, 64, 64);
     target.bind();
     const Scene scene(state.range(0));
-    PictureMaker maker;
-    const std::array<MeshPicture, 2> pictures = {maker.make(*scene.snapshots[0], scene.view),
-                                                 maker.make(*scene.snapshots[1], scene.view)};
+    SceneBuilder maker;
+    const std::array<MeshScene, 2> pictures = {maker.make(*scene.snapshots[0], scene.view),
+                                               maker.make(*scene.snapshots[1], scene.view)};
     MeshRenderer renderer(gl);
-    const auto show = [&](const MeshPicture& one) {
+    const auto show = [&](const MeshScene& one) {
         renderer.draw(one, home(one.box, {64, 64}), {0, 0, 64, 64}, 64, dark_theme(), 1);
     };
     show(pictures[0]); // cells, edges and xi, once

@@ -5,7 +5,7 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/image.hpp"
 #include "core/published/published.hpp"
-#include "gui/picture.hpp"
+#include "gui/app/viewport_image.hpp"
 
 #include <cstdio>
 

@@ -10,9 +10,9 @@
 #include "core/io/state_file.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
-#include "gui/picture.hpp"
-#include "gui/viewport.hpp"
-#include "gui/whole_window.hpp"
+#include "gui/app/viewport_image.hpp"
+#include "gui/app/whole_window.hpp"
+#include "gui/viewport/viewport.hpp"
 
 #include <charconv>
 #include <cstdio>

@@ -1,84 +1,124 @@
-// The rooms of the house: who may use whom, and how large a file may be.
+// The structure of the sources, held to what docs/architecture.md says of it: which module may include which, and
+// how large a file may be.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
 namespace fs = std::filesystem;
-using Rooms = std::set<std::string>;
+using Modules = std::set<std::string>;
 
-const std::map<std::string, Rooms>& allowed() {
-    static const std::map<std::string, Rooms> table = [] {
-        std::map<std::string, Rooms> t;
-        const auto room = [&t](const std::string& name, const std::vector<std::string>& users_of,
-                               Rooms own = {}) {
-            Rooms all = {name};
-            for (const auto& other : users_of) all.insert(t.at(other).begin(), t.at(other).end());
-            all.insert(own.begin(), own.end());
-            t[name] = all;
-        };
-        room("base", {});
-        room("mesh", {"base"});
-        room("linear", {"base"});
-        room("monitor", {"mesh", "linear"});
-        room("fem", {"mesh", "linear"});
-        room("spline", {"fem"});
-        room("diagnostics", {"monitor", "fem"});
-        room("method", {"monitor", "spline", "diagnostics"});
-        room("scenario", {"method"});
-        room("session", {"scenario"});
-        room("tessellate", {"session"});
-        room("io", {"session", "tessellate"});
-        room("published", {"session", "tessellate"});
-        room("gaspard.hpp", {"io"}); // the library's door
-        room("gui", {"io"});         // everything but what is published
-        room("cli", {"gui", "published"});
-        return t;
-    }();
-    return table;
+const fs::path root = GASPARD_SOURCE_DIR;
+
+/// What the block "modules" of docs/architecture.md says.
+struct Structure {
+    std::map<std::string, Modules> direct;  ///< what a module's line names
+    std::map<std::string, Modules> allowed; ///< the same with all below, and the module itself
+};
+
+/// One line a module: its name, "<-", the modules that it uses. Each must have a line of its own above.
+Structure read_structure(std::istream& in) {
+    Structure structure;
+    std::string line;
+    while (std::getline(in, line) && line != "```modules") {}
+    while (std::getline(in, line) && line != "```") {
+        std::istringstream words(line);
+        std::string module, arrow;
+        words >> module >> arrow;
+        EXPECT_TRUE(arrow == "<-" || arrow.empty()) << line;
+        EXPECT_FALSE(structure.direct.contains(module)) << module << " has two lines";
+        Modules& direct = structure.direct[module];
+        Modules& all = structure.allowed[module];
+        all.insert(module);
+        for (std::string used; words >> used; direct.insert(used)) {
+            const auto below = structure.allowed.find(used);
+            EXPECT_TRUE(below != structure.allowed.end() && used != module) << used << " is not above: " << line;
+            if (below != structure.allowed.end()) all.insert(below->second.begin(), below->second.end());
+        }
+    }
+    return structure;
 }
 
-std::string room_of(const fs::path& file) { // src/core/ROOM/..., src/ROOM/...
-    const auto relative = fs::relative(file, fs::path(GASPARD_SOURCE_DIR) / "src");
-    auto part = relative.begin();
-    return *part == "core" ? (++part)->string() : part->string();
+Structure read_structure() {
+    std::ifstream in(root / "docs/architecture.md");
+    return read_structure(in);
+}
+
+/// "core/mesh" of "core/mesh/space.hpp"; "gaspard.hpp" and "main.cpp" are modules of their own.
+std::string module_of(const std::string& path) {
+    std::vector<std::string> parts;
+    for (const auto& part : fs::path(path)) parts.push_back(part.string());
+    if (parts.size() > 2) return parts[0] + "/" + parts[1];
+    return parts[0] == "core" ? path : parts[0];
 }
 
 std::vector<fs::path> sources(const char* folder) {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(GASPARD_SOURCE_DIR) / folder))
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder))
         if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp")
             files.push_back(entry.path());
     return files;
 }
 
-TEST(Structure, RoomsUseOnlyTheRoomsBelowThem) {
-    const std::regex include(R"re(#include "(?:core/)?(\w+)/[^"]*")re");
-    const std::regex graphics(R"re(#include <(GL|GLFW|EGL|imgui|glm|backends)[/.])re");
-    std::size_t arrows = 0;
+TEST(Structure, ModulesUseWhatTheDrawingSaysAndNothingElse) {
+    const Structure structure = read_structure();
+    ASSERT_GT(structure.direct.size(), 20u) << "docs/architecture.md has no block 'modules'";
+    const std::regex include(R"re(#include "((core|gui|cli)/[^"]*)")re");
+    std::map<std::string, Modules> used;
     for (const auto& file : sources("src")) {
-        const std::string room = room_of(file);
-        if (room == "main.cpp") continue;
-        ASSERT_TRUE(allowed().contains(room)) << "no rule for the room of " << file;
-        const bool core = file.string().find("/src/core/") != std::string::npos;
+        const std::string module = module_of(fs::relative(file, root / "src").generic_string());
+        ASSERT_TRUE(structure.allowed.contains(module)) << "the drawing lacks the module of " << file;
+        used[module];
         std::ifstream in(file);
         for (std::string line; std::getline(in, line);) {
             std::smatch match;
-            if (std::regex_search(line, match, include)) {
-                ++arrows;
-                EXPECT_TRUE(allowed().at(room).contains(match[1])) << file << ": " << line;
-            }
-            if (core) {
-                EXPECT_FALSE(std::regex_search(line, graphics)) << file << ": " << line;
-            }
+            if (!std::regex_search(line, match, include)) continue;
+            const std::string other = module_of(match[1]);
+            used[module].insert(other);
+            EXPECT_TRUE(structure.allowed.at(module).contains(other)) << file << ": " << line;
         }
     }
-    EXPECT_GT(arrows, 100u) << "the pattern finds nothing any more";
+    for (const auto& [module, direct] : structure.direct) {
+        EXPECT_TRUE(used.contains(module)) << "the drawing has a module that is not there: " << module;
+        for (const auto& other : direct)
+            EXPECT_TRUE(used[module].contains(other)) << "the drawing has an arrow that is not there: " << module
+                                                      << " <- " << other;
+    }
+}
+
+TEST(Structure, AnArrowBackUpIsFound) {
+    std::istringstream text("```modules\nlow\nhigh <- low\ntop <- high\n```\n");
+    const Structure structure = read_structure(text);
+    EXPECT_TRUE(structure.allowed.at("top").contains("low"));
+    EXPECT_FALSE(structure.allowed.at("low").contains("high"));
+    EXPECT_EQ(module_of("gui/plot/plot_view.hpp"), "gui/plot");
+    EXPECT_EQ(module_of("core/gaspard.hpp"), "core/gaspard.hpp");
+    EXPECT_EQ(module_of("cli/commands.hpp"), "cli");
+}
+
+TEST(Structure, TheCoreSeesNoGraphicsAndTheDocumentNoImGui) {
+    const std::regex graphics(R"re(#include <(GL|GLFW|EGL|imgui|glm|backends)[/.])re");
+    const std::regex imgui(R"re(#include <imgui)re");
+    std::size_t seen = 0;
+    for (const auto& file : sources("src")) {
+        const std::string path = fs::relative(file, root / "src").generic_string();
+        const bool core = path.starts_with("core/"), document = path.starts_with("gui/document/");
+        std::ifstream in(file);
+        for (std::string line; std::getline(in, line);) {
+            seen += std::regex_search(line, graphics) ? 1 : 0;
+            EXPECT_FALSE(core && std::regex_search(line, graphics)) << path << ": " << line;
+            EXPECT_FALSE(document && std::regex_search(line, imgui)) << path << ": " << line;
+        }
+    }
+    EXPECT_GT(seen, 10u) << "the pattern finds nothing any more";
 }
 
 TEST(Structure, FilesStayReadable) {

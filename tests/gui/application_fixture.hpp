@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/scenario/toml.hpp"
-#include "gui/application.hpp"
+#include "gui/app/application.hpp"
 #include "gui/headless_ui.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -44,10 +44,9 @@ class ApplicationFixture : public testing::Test {
     }
     DocumentRun& run() { return application.document().runs().front(); }
     Values& look() { return application.document().viewports().front().view; }
-    const ShownPicture& shown(std::size_t i = 0) { return application.pictures().at(i); }
-    static Size size_of(const ShownPicture& picture) {
-        return {static_cast<double>(picture.rectangle.width()),
-                static_cast<double>(picture.rectangle.height())};
+    const ShownView& shown(std::size_t i = 0) { return application.views().at(i); }
+    static Size size_of(const ShownView& scene) {
+        return {static_cast<double>(scene.rectangle.width()), static_cast<double>(scene.rectangle.height())};
     }
     /// What the solver thread itself works with.
     Scenario solved_scenario() {

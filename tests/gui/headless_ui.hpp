@@ -1,9 +1,9 @@
 // ImGui frames with synthetic input and no graphics backend.
 #pragma once
 
-#include "gui/imgui_context.hpp"
-#include "gui/item_rectangles.hpp"
-#include "gui/theme.hpp"
+#include "gui/base/item_rectangles.hpp"
+#include "gui/base/theme.hpp"
+#include "gui/gl/imgui_context.hpp"
 
 #include <functional>
 #include <imgui.h>

@@ -1,7 +1,7 @@
 // An OpenGL that does nothing and takes no time: what remains is the cost of our own code.
 #pragma once
 
-#include "gui/gl_functions.hpp"
+#include "gui/gl/gl_functions.hpp"
 
 namespace gaspard {
 

@@ -3,7 +3,7 @@
 
 #include "gui/headless_ui.hpp"
 #include "gui/scenes.hpp"
-#include "gui/viewport.hpp"
+#include "gui/viewport/viewport.hpp"
 
 #include <gtest/gtest.h>
 #include <string>

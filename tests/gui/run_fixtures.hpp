@@ -1,7 +1,7 @@
 // Documents' runs as values: made up, nothing is solved.
 #pragma once
 
-#include "gui/document.hpp"
+#include "gui/document/document.hpp"
 
 #include <cmath>
 #include <string>

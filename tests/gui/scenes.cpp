@@ -3,7 +3,7 @@
 #include "core/scenario/view_rows.hpp"
 #include "core/tessellate/cell_geometry.hpp"
 #include "globes.hpp"
-#include "gui/picture.hpp"
+#include "gui/app/viewport_image.hpp"
 
 #include <array>
 #include <cmath>

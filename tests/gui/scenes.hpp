@@ -4,7 +4,7 @@
 #include "core/base/parameter.hpp"
 #include "core/io/image.hpp"
 #include "core/session/snapshot.hpp"
-#include "gui/offscreen.hpp"
+#include "gui/gl/offscreen.hpp"
 
 #include <string>
 #include <vector>

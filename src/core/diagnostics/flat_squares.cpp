@@ -64,7 +64,8 @@ struct Bilinear {
 } // namespace
 
 FlatSquares::Measured FlatSquares::measure(const Mesh& mesh, std::size_t begin, std::size_t end,
-                                           const Points& x, const Monitor& monitor, Room& room) const {
+                                           const Points& x, const Monitor& monitor,
+                                           Workspace& workspace) const {
     GASPARD_CHECK(begin < end && end - begin <= batch);
     const Corners physical = gather(mesh, begin, end, x), reference = gather(mesh, begin, end, mesh.nodes);
     Measured measured{};
@@ -78,15 +79,15 @@ FlatSquares::Measured FlatSquares::measure(const Mesh& mesh, std::size_t begin, 
     }
 
     const std::size_t n = rule_.points.size();
-    room.points.resize(n * n * batch);
-    room.monitor.resize(n * n * batch);
+    workspace.points.resize(n * n * batch);
+    workspace.monitor.resize(n * n * batch);
     const Bilinear px(physical.x), py(physical.y);
     for (std::size_t q = 0; q < n * n; ++q) {
         const double s = rule_.points[q % n], t = rule_.points[q / n];
-        px.at(s, t, room.points.x.data() + q * batch);
-        py.at(s, t, room.points.y.data() + q * batch);
+        px.at(s, t, workspace.points.x.data() + q * batch);
+        py.at(s, t, workspace.points.y.data() + q * batch);
     }
-    monitor.values(room.points, room.monitor);
+    monitor.values(workspace.points, workspace.monitor);
     Lane j0, js, jt;
     for (std::size_t c = 0; c < batch; ++c) {
         j0[c] = px.a[c] * py.b[c] - py.a[c] * px.b[c];
@@ -96,7 +97,7 @@ FlatSquares::Measured FlatSquares::measure(const Mesh& mesh, std::size_t begin, 
     for (std::size_t q = 0; q < n * n; ++q) {
         const double s = rule_.points[q % n], t = rule_.points[q / n];
         const double weight = rule_.weights[q % n] * rule_.weights[q / n];
-        const double* m = room.monitor.data() + q * batch;
+        const double* m = workspace.monitor.data() + q * batch;
         for (std::size_t c = 0; c < batch; ++c)
             measured.mass[c] += weight * (j0[c] + s * js[c] + t * jt[c]) * m[c];
     }

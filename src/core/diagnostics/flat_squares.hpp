@@ -31,13 +31,13 @@ class FlatSquares {
         Lane mass;              ///< integral of the monitor over the cell
         Lane smallest, largest; ///< Jacobian, over the corners
     };
-    struct Room {
+    struct Workspace {
         Points points; ///< of the quadrature: of the first point in all cells, of the second, ...
         std::vector<double> monitor;
     };
     /// Cells begin .. end of the mesh, at most `batch`, with their nodes at x.
     Measured measure(const Mesh& mesh, std::size_t begin, std::size_t end, const Points& x,
-                     const Monitor& monitor, Room& room) const;
+                     const Monitor& monitor, Workspace& workspace) const;
 
   private:
     LineQuadrature rule_;

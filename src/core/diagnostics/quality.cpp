@@ -119,11 +119,11 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
 }
 
 template <class Meter>
-void QualityMeter::measure_many(const Meter& meter, typename Meter::Room& room, std::size_t begin,
+void QualityMeter::measure_many(const Meter& meter, typename Meter::Workspace& workspace, std::size_t begin,
                                 std::size_t end, const Points& x, const Monitor& monitor, Worker& worker) {
     for (; begin < end; begin += Meter::batch) {
         const std::size_t stop = std::min(end, begin + Meter::batch);
-        const auto measured = meter.measure(*mesh_, begin, stop, x, monitor, room);
+        const auto measured = meter.measure(*mesh_, begin, stop, x, monitor, workspace);
         for (std::size_t i = begin; i < stop; ++i) {
             note_cell(i, measured.smallest[i - begin], measured.largest[i - begin], worker);
             quality_.cell_mass[i] = measured.mass[i - begin] / cell_measure_[i];

@@ -63,8 +63,8 @@ class QualityMeter {
         std::vector<Vec3> nodes, reference_nodes; ///< of one cell: x and xi
         Points points;                            ///< quadrature points of a batch of cells
         std::vector<double> factor, monitor;
-        FlatSquares::Room flat;
-        SphereCellMeter::Room sphere;
+        FlatSquares::Workspace flat;
+        SphereCellMeter::Workspace sphere;
         double min_jacobian = 0, max_jacobian = 0;
         std::size_t tangled_cells = 0;
     };
@@ -72,8 +72,8 @@ class QualityMeter {
                        Worker& worker);
     /// By a meter that takes many cells at once, of one kind.
     template <class Meter>
-    void measure_many(const Meter& meter, typename Meter::Room& room, std::size_t begin, std::size_t end,
-                      const Points& x, const Monitor& monitor, Worker& worker);
+    void measure_many(const Meter& meter, typename Meter::Workspace& workspace, std::size_t begin,
+                      std::size_t end, const Points& x, const Monitor& monitor, Worker& worker);
     void note_cell(std::size_t cell, double smallest, double largest, Worker& worker);
     void measure_batch(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
                        Worker& worker);

@@ -76,12 +76,12 @@ SphereCellMeter::SphereCellMeter(CellKind kind, int points)
 
 SphereCellMeter::Measured SphereCellMeter::measure(const Mesh& mesh, std::size_t begin, std::size_t end,
                                                    const Points& x, const Monitor& monitor,
-                                                   Room& room) const {
+                                                   Workspace& workspace) const {
     std::array<Node, most_nodes> nodes;
     gather(mesh, begin, end, x, nodes_, nodes);
-    room.points.resize(quadrature_ * batch);
-    room.area.resize(quadrature_ * batch);
-    room.monitor.resize(quadrature_ * batch);
+    workspace.points.resize(quadrature_ * batch);
+    workspace.area.resize(quadrature_ * batch);
+    workspace.monitor.resize(quadrature_ * batch);
     Measured measured;
     measured.mass.fill(0);
     measured.smallest.fill(std::numeric_limits<double>::infinity());
@@ -104,16 +104,16 @@ SphereCellMeter::Measured SphereCellMeter::measure(const Mesh& mesh, std::size_t
         }
         if (q >= quadrature_) continue;
         for (std::size_t l = 0; l < batch; ++l) {
-            room.points.x[q * batch + l] = p[0][l];
-            room.points.y[q * batch + l] = p[1][l];
-            room.points.z[q * batch + l] = p[2][l];
-            room.area[q * batch + l] = weight_[q] * area[l];
+            workspace.points.x[q * batch + l] = p[0][l];
+            workspace.points.y[q * batch + l] = p[1][l];
+            workspace.points.z[q * batch + l] = p[2][l];
+            workspace.area[q * batch + l] = weight_[q] * area[l];
         }
     }
-    monitor.values(room.points, room.monitor);
+    monitor.values(workspace.points, workspace.monitor);
     for (std::size_t q = 0; q < quadrature_; ++q)
         for (std::size_t l = 0; l < batch; ++l)
-            measured.mass[l] += room.area[q * batch + l] * room.monitor[q * batch + l];
+            measured.mass[l] += workspace.area[q * batch + l] * workspace.monitor[q * batch + l];
     return measured;
 }
 

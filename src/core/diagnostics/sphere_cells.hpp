@@ -26,13 +26,13 @@ class SphereCellMeter {
         Lane mass;              ///< integral of the monitor over the cell
         Lane smallest, largest; ///< Jacobian, over the quadrature's points and the nodes
     };
-    struct Room {
+    struct Workspace {
         Points points; ///< of the quadrature: of the first point in all cells, of the second, ...
         std::vector<double> area, monitor;
     };
     /// Cells begin .. end of the mesh, at most `batch`, with their nodes at x.
     Measured measure(const Mesh& mesh, std::size_t begin, std::size_t end, const Points& x,
-                     const Monitor& monitor, Room& room) const;
+                     const Monitor& monitor, Workspace& workspace) const;
 
   private:
     std::size_t nodes_, quadrature_ = 0;

@@ -23,23 +23,24 @@ DeterminantLoad::DeterminantLoad(LineGrid grid) : grid_(grid) {
 }
 
 // Layouts: values [row of nodes][component][p][cell], density [row][p][cell], tested [b][p][cell].
-DeterminantLoad::Room DeterminantLoad::make_room() const {
+DeterminantLoad::Workspace DeterminantLoad::make_workspace() const {
     const std::size_t n = grid_.cells, size = grid_.size(2);
     return {std::vector<double>(2 * 3 * 3 * gauss * n), std::vector<double>(2 * 2 * gauss * n),
             std::vector<double>(3 * gauss * n), std::vector<double>(size + 1), std::vector<double>(size)};
 }
 
 void DeterminantLoad::integrate(std::span<const double> monitor, const WeakHessian& sigma,
-                                std::span<double> r, std::span<Room> rooms, Team& team) const {
+                                std::span<double> r, std::span<Workspace> workspaces, Team& team) const {
     const std::size_t size = grid_.size(2), side = grid_.cells + 1;
     GASPARD_CHECK(monitor.size() == side * side && r.size() == size * size);
     for (const auto* part : {&sigma.xx, &sigma.yy, &sigma.xy}) GASPARD_CHECK(part->size() == size * size);
-    integrate_all<1>({{monitor.data()}, {sigma.xx.data(), sigma.yy.data(), sigma.xy.data()}}, r, rooms, team);
+    integrate_all<1>({{monitor.data()}, {sigma.xx.data(), sigma.yy.data(), sigma.xy.data()}}, r, workspaces,
+                     team);
 }
 
 void DeterminantLoad::differentiate(std::span<const double> monitor, const WeakHessian& sigma,
                                     std::span<const double> d_monitor, const WeakHessian& d_sigma,
-                                    std::span<double> r, std::span<Room> rooms, Team& team) const {
+                                    std::span<double> r, std::span<Workspace> workspaces, Team& team) const {
     const std::size_t size = grid_.size(2), side = grid_.cells + 1;
     GASPARD_CHECK(monitor.size() == side * side && d_monitor.size() == side * side);
     GASPARD_CHECK(r.size() == size * size);
@@ -49,16 +50,16 @@ void DeterminantLoad::differentiate(std::span<const double> monitor, const WeakH
     integrate_all<2>({{monitor.data(), d_monitor.data()},
                       {sigma.xx.data(), sigma.yy.data(), sigma.xy.data(), d_sigma.xx.data(),
                        d_sigma.yy.data(), d_sigma.xy.data()}},
-                     r, rooms, team);
+                     r, workspaces, team);
 }
 
 template <std::size_t fields>
-void DeterminantLoad::integrate_all(const Fields& from, std::span<double> r, std::span<Room> rooms,
+void DeterminantLoad::integrate_all(const Fields& from, std::span<double> r, std::span<Workspace> workspaces,
                                     Team& team) const {
-    GASPARD_CHECK(rooms.size() >= team.workers());
+    GASPARD_CHECK(workspaces.size() >= team.workers());
     const std::size_t workers = team.workers(), n = grid_.cells, size = grid_.size(2);
     team.share(n, [&](std::size_t worker, std::size_t begin, std::size_t end) {
-        if (begin < end) integrate_rows<fields>(begin, end, from, r, rooms[worker]);
+        if (begin < end) integrate_rows<fields>(begin, end, from, r, workspaces[worker]);
     });
     // Where two workers meet, each has integrated its side of a row of nodes.
     for (std::size_t worker = 0; worker < workers; ++worker) {
@@ -66,17 +67,17 @@ void DeterminantLoad::integrate_all(const Fields& from, std::span<double> r, std
         if (begin == end) continue;
         double* row = r.data() + 2 * end % size * size;
         const bool wall = 2 * end % size == 2 * n;
-        for (std::size_t i = 0; i < size; ++i) row[i] = (wall ? 0.0 : row[i]) + rooms[worker].top[i];
+        for (std::size_t i = 0; i < size; ++i) row[i] = (wall ? 0.0 : row[i]) + workspaces[worker].top[i];
     }
 }
 
 template <std::size_t fields>
 void DeterminantLoad::integrate_rows(std::size_t begin, std::size_t end, const Fields& from,
-                                     std::span<double> r, Room& room) const {
+                                     std::span<double> r, Workspace& workspace) const {
     const std::size_t n = grid_.cells, size = grid_.size(2), slot = gauss * n;
     std::array<double*, 3> rows; // of nodes: the cells' bottom, middle and top
-    for (std::size_t b = 0; b < 3; ++b) rows[b] = room.values.data() + b * 3 * fields * slot;
-    std::array<double*, 2> density{room.density.data(), room.density.data() + fields * slot};
+    for (std::size_t b = 0; b < 3; ++b) rows[b] = workspace.values.data() + b * 3 * fields * slot;
+    std::array<double*, 2> density{workspace.density.data(), workspace.density.data() + fields * slot};
     const auto load = [&](std::size_t row, double* values) {
         for (std::size_t part = 0; part < 3 * fields; ++part)
             along_x(from.sigma[part] + row % size * size, values + part * slot);
@@ -91,12 +92,13 @@ void DeterminantLoad::integrate_rows(std::size_t begin, std::size_t end, const F
         load(2 * j + 1, rows[1]);
         load(2 * j + 2, rows[2]);
         load_density(j + 1, density[1]);
-        for (std::size_t p = 0; p < gauss; ++p) test_along_y<fields>(p, rows, density, room.tested.data());
+        for (std::size_t p = 0; p < gauss; ++p)
+            test_along_y<fields>(p, rows, density, workspace.tested.data());
         for (std::size_t b = 0; b < 3; ++b) {
-            test_along_x(room.tested.data() + b * slot, room.row.data());
-            double* to = b == 2 && j + 1 == end ? room.top.data() : r.data() + (2 * j + b) * size;
+            test_along_x(workspace.tested.data() + b * slot, workspace.row.data());
+            double* to = b == 2 && j + 1 == end ? workspace.top.data() : r.data() + (2 * j + b) * size;
             const bool begun = b == 0 && j > begin; // by the cells below
-            for (std::size_t i = 0; i < size; ++i) to[i] = (begun ? to[i] : 0.0) + room.row[i];
+            for (std::size_t i = 0; i < size; ++i) to[i] = (begun ? to[i] : 0.0) + workspace.row[i];
         }
         std::swap(rows[0], rows[2]);
         std::swap(density[0], density[1]);

@@ -24,23 +24,23 @@ class DeterminantLoad {
   public:
     explicit DeterminantLoad(LineGrid grid);
 
-    struct Room { ///< of one worker; all of it belongs to one row of cells
+    struct Workspace { ///< of one worker; all of it belongs to one row of cells
         std::vector<double>
             values; ///< sigma (and dsigma) at the Gauss points along x, of three rows of nodes
         std::vector<double> density;  ///< m (and dm) likewise, of two
         std::vector<double> tested;   ///< integrated along y
         std::vector<double> row, top; ///< what the cells give to a row of nodes; to the one above the last
     };
-    Room make_room() const;
+    Workspace make_workspace() const;
 
     /// Fills r (Q2 values, x running fastest) from m at the mesh's (n+1)^2 nodes. As many rooms as workers; r
     /// does not depend on how many.
     void integrate(std::span<const double> monitor, const WeakHessian& sigma, std::span<double> r,
-                   std::span<Room> rooms, Team& team) const;
+                   std::span<Workspace> workspaces, Team& team) const;
     /// The derivative, with dm and dsigma of the same shapes.
     void differentiate(std::span<const double> monitor, const WeakHessian& sigma,
                        std::span<const double> d_monitor, const WeakHessian& d_sigma, std::span<double> r,
-                       std::span<Room> rooms, Team& team) const;
+                       std::span<Workspace> workspaces, Team& team) const;
 
   private:
     static constexpr std::size_t gauss = 4;
@@ -56,10 +56,11 @@ class DeterminantLoad {
         std::array<std::array<const double*, 2>, fields> density;
     };
     template <std::size_t fields>
-    void integrate_all(const Fields& from, std::span<double> r, std::span<Room> rooms, Team& team) const;
+    void integrate_all(const Fields& from, std::span<double> r, std::span<Workspace> workspaces,
+                       Team& team) const;
     template <std::size_t fields>
     void integrate_rows(std::size_t begin, std::size_t end, const Fields& from, std::span<double> r,
-                        Room& room) const;
+                        Workspace& workspace) const;
     void along_x(const double* nodes, double* values) const;
     void interpolate_cells(const double* nodes, double* v0, double* v1, double* v2, double* v3) const;
     void density_along_x(const double* monitor, double* density) const;

@@ -31,7 +31,7 @@ std::vector<double> PlaneQ2::line_weights() const {
     return weights;
 }
 
-PlaneQ2::Room PlaneQ2::make_room(int threads) const {
+PlaneQ2::Workspace PlaneQ2::make_workspace(int threads) const {
     // A thread that is woken for less than this many rows of cells costs more than it brings.
     constexpr std::size_t rows_per_thread = 120;
     const std::size_t most = std::max<std::size_t>(1, grid_.cells / rows_per_thread);
@@ -39,54 +39,54 @@ PlaneQ2::Room PlaneQ2::make_room(int threads) const {
         std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, threads)), 1, most);
     const std::vector<double> strip_values(strip * size()), plane(unknowns());
     return {.team = std::make_shared<Team>(workers),
-            .workers = std::vector<Room::Worker>(workers, {strip_values, strip_values}),
-            .load = std::vector<DeterminantLoad::Room>(workers, load_.make_room()),
-            .poisson = poisson_.make_room(workers),
+            .workers = std::vector<Workspace::Worker>(workers, {strip_values, strip_values}),
+            .load = std::vector<DeterminantLoad::Workspace>(workers, load_.make_workspace()),
+            .poisson = poisson_.make_workspace(workers),
             .a = plane,
             .b = plane,
             .rows = std::vector<double>(size())};
 }
 
 void PlaneQ2::along_y(const LineMap& map, const double* in, double* out, std::size_t lines,
-                      Room& room) const {
-    room.team->share((lines + strip - 1) / strip, [&](std::size_t, std::size_t begin, std::size_t end) {
+                      Workspace& workspace) const {
+    workspace.team->share((lines + strip - 1) / strip, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t x = begin * strip; x < std::min(lines, end * strip); x += strip)
             map.apply(in + x, lines, out + x, lines, std::min(strip, lines - x));
     });
 }
 
 void PlaneQ2::along_x(const LineMap& map, const double* in, double* out, std::size_t lines,
-                      Room& room) const {
+                      Workspace& workspace) const {
     const std::size_t n = size(), rows = map.rows();
-    room.team->share((lines + strip - 1) / strip,
-                     [&](std::size_t worker, std::size_t begin, std::size_t end) {
-                         auto& turned = room.workers[worker];
-                         for (std::size_t y = begin * strip; y < std::min(lines, end * strip); y += strip) {
-                             const std::size_t width = std::min(strip, lines - y);
-                             transpose(in + y * n, n, turned.in.data(), strip, width, n);
-                             map.apply(turned.in.data(), strip, turned.out.data(), strip, width);
-                             transpose(turned.out.data(), strip, out + y * rows, rows, rows, width);
-                         }
-                     });
+    workspace.team->share(
+        (lines + strip - 1) / strip, [&](std::size_t worker, std::size_t begin, std::size_t end) {
+            auto& turned = workspace.workers[worker];
+            for (std::size_t y = begin * strip; y < std::min(lines, end * strip); y += strip) {
+                const std::size_t width = std::min(strip, lines - y);
+                transpose(in + y * n, n, turned.in.data(), strip, width, n);
+                map.apply(turned.in.data(), strip, turned.out.data(), strip, width);
+                transpose(turned.out.data(), strip, out + y * rows, rows, rows, width);
+            }
+        });
 }
 
-void PlaneQ2::positions(std::span<const double> phi, Points& x, Room& room) const {
-    displacement(phi, x, room);
+void PlaneQ2::positions(std::span<const double> phi, Points& x, Workspace& workspace) const {
+    displacement(phi, x, workspace);
     for (std::size_t i = 0; i < x.size(); ++i) {
         x.x[i] += mesh_->nodes.x[i];
         x.y[i] += mesh_->nodes.y[i];
     }
 }
 
-void PlaneQ2::displacement(std::span<const double> phi, Points& d, Room& room) const {
+void PlaneQ2::displacement(std::span<const double> phi, Points& d, Workspace& workspace) const {
     GASPARD_CHECK(phi.size() == unknowns());
     const std::size_t v = grid_.vertices(), side = grid_.cells + 1;
     d.resize(mesh_->node_count());
     const auto project = [&](const LineMap& to_x, const LineMap& to_y, std::vector<double>& coordinate) {
-        along_y(to_y, phi.data(), room.a.data(), size(), room);
-        along_x(to_x, room.a.data(), room.b.data(), v, room);
+        along_y(to_y, phi.data(), workspace.a.data(), size(), workspace);
+        along_x(to_x, workspace.a.data(), workspace.b.data(), v, workspace);
         for (std::size_t j = 0; j < side; ++j) {
-            const double* shift = room.b.data() + j % v * v;
+            const double* shift = workspace.b.data() + j % v * v;
             std::copy_n(shift, v, coordinate.data() + j * side);
             if (v < side) coordinate[j * side + v] = shift[0];
         }
@@ -96,39 +96,39 @@ void PlaneQ2::displacement(std::span<const double> phi, Points& d, Room& room) c
     std::fill(d.z.begin(), d.z.end(), 0.0);
 }
 
-void PlaneQ2::hessian(std::span<const double> phi, WeakHessian& sigma, Room& room) const {
+void PlaneQ2::hessian(std::span<const double> phi, WeakHessian& sigma, Workspace& workspace) const {
     GASPARD_CHECK(phi.size() == unknowns());
     const std::size_t n = size();
     for (auto* component : {&sigma.xx, &sigma.yy, &sigma.xy}) component->resize(unknowns());
-    along_y(second_, phi.data(), sigma.yy.data(), n, room);
-    along_x(second_, phi.data(), sigma.xx.data(), n, room);
-    along_y(first_, phi.data(), room.a.data(), n, room);
-    along_x(first_, room.a.data(), sigma.xy.data(), n, room);
+    along_y(second_, phi.data(), sigma.yy.data(), n, workspace);
+    along_x(second_, phi.data(), sigma.xx.data(), n, workspace);
+    along_y(first_, phi.data(), workspace.a.data(), n, workspace);
+    along_x(first_, workspace.a.data(), sigma.xy.data(), n, workspace);
 }
 
 PlaneQ2::Residual PlaneQ2::residual(std::span<const double> monitor, const WeakHessian& sigma,
-                                    std::span<double> r, Room& room) const {
+                                    std::span<double> r, Workspace& workspace) const {
     GASPARD_CHECK(monitor.size() == mesh_->node_count() && r.size() == unknowns());
-    load_.integrate(monitor, sigma, r, room.load, *room.team);
-    return take_mean(r, room);
+    load_.integrate(monitor, sigma, r, workspace.load, *workspace.team);
+    return take_mean(r, workspace);
 }
 
 void PlaneQ2::residual_derivative(std::span<const double> monitor, const WeakHessian& sigma,
                                   std::span<const double> d_monitor, const WeakHessian& d_sigma,
-                                  std::span<double> dr, Room& room) const {
-    load_.differentiate(monitor, sigma, d_monitor, d_sigma, dr, room.load, *room.team);
-    take_mean(dr, room);
+                                  std::span<double> dr, Workspace& workspace) const {
+    load_.differentiate(monitor, sigma, d_monitor, d_sigma, dr, workspace.load, *workspace.team);
+    take_mean(dr, workspace);
 }
 
 // From integrals <v, f>, theta the integral of f: what remains is <v, f - theta>. Sums in an order that does
 // not depend on the workers.
-PlaneQ2::Residual PlaneQ2::take_mean(std::span<double> r, Room& room) const {
+PlaneQ2::Residual PlaneQ2::take_mean(std::span<double> r, Workspace& workspace) const {
     const auto row = [&](std::size_t j) { return r.subspan(j * size(), size()); };
     const auto sum_rows = [&](const auto& sum_row) {
-        room.team->share(size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t j = begin; j < end; ++j) room.rows[j] = sum_row(j);
+        workspace.team->share(size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t j = begin; j < end; ++j) workspace.rows[j] = sum_row(j);
         });
-        return sum(room.rows);
+        return sum(workspace.rows);
     };
     // The functions v add up to 1, and the area is 1.
     const double theta = sum_rows([&](std::size_t j) { return sum(row(j)); });
@@ -142,9 +142,9 @@ PlaneQ2::Residual PlaneQ2::take_mean(std::span<double> r, Room& room) const {
     return {theta, std::sqrt(norm) / scale};
 }
 
-void PlaneQ2::poisson(std::span<const double> r, std::span<double> u, Room& room) const {
+void PlaneQ2::poisson(std::span<const double> r, std::span<double> u, Workspace& workspace) const {
     GASPARD_CHECK(r.size() == unknowns() && u.size() == unknowns());
-    poisson_.solve(r.data(), u.data(), room.poisson, *room.team);
+    poisson_.solve(r.data(), u.data(), workspace.poisson, *workspace.team);
 }
 
 void PlaneQ2::apply_mass(const double* f, double* b) const {
@@ -162,18 +162,19 @@ void PlaneQ2::apply_mass(const double* f, double* b) const {
     }
 }
 
-std::vector<double> PlaneQ2::transfer(const LineGrid& from, std::span<const double> phi, Room& room) const {
+std::vector<double> PlaneQ2::transfer(const LineGrid& from, std::span<const double> phi,
+                                      Workspace& workspace) const {
     const PlaneQ2 coarse(from);
-    Room coarse_room = coarse.make_room();
-    return transfer(coarse, phi, coarse_room, room);
+    Workspace coarse_workspace = coarse.make_workspace();
+    return transfer(coarse, phi, coarse_workspace, workspace);
 }
 
-std::vector<double> PlaneQ2::transfer(const PlaneQ2& coarse, std::span<const double> phi, Room& coarse_room,
-                                      Room& room) const {
+std::vector<double> PlaneQ2::transfer(const PlaneQ2& coarse, std::span<const double> phi,
+                                      Workspace& coarse_workspace, Workspace& workspace) const {
     const LineGrid& from = coarse.grid();
     GASPARD_CHECK(from.periodic == grid_.periodic);
     WeakHessian sigma;
-    coarse.hessian(phi, sigma, coarse_room);
+    coarse.hessian(phi, sigma, coarse_workspace);
 
     // The Laplacian of phi, interpolated to this grid's Q2 nodes; its integrals against v are a load.
     const std::size_t n = size(), other = coarse.size();
@@ -207,7 +208,7 @@ std::vector<double> PlaneQ2::transfer(const PlaneQ2& coarse, std::span<const dou
         transpose(load.data(), n, values.data(), n, n, n);
     }
     std::vector<double> result(unknowns());
-    poisson(values, result, room);
+    poisson(values, result, workspace);
     return result;
 }
 

@@ -37,26 +37,26 @@ class PlaneQ2 final : public Discretisation {
     std::size_t size() const { return grid_.size(2); } ///< unknowns per direction
 
     /// Threads and buffers for one caller; with one thread, operators allocate nothing.
-    struct Room {
+    struct Workspace {
         struct Worker {
             std::vector<double> in, out; ///< a strip of the plane, turned
         };
         std::shared_ptr<Team> team;
         std::vector<Worker> workers;
-        std::vector<DeterminantLoad::Room> load;
-        TensorPoisson::Room poisson;
+        std::vector<DeterminantLoad::Workspace> load;
+        TensorPoisson::Workspace poisson;
         std::vector<double> a, b;
         std::vector<double> rows; ///< one number per row of nodes
     };
     /// At most so many threads; fewer where there is not enough to do. Results do not depend on it.
-    Room make_room(int threads = 1) const;
+    Workspace make_workspace(int threads = 1) const;
 
     /// (3.5): x at the mesh's nodes.
-    void positions(std::span<const double> phi, Points& x, Room& room) const;
+    void positions(std::span<const double> phi, Points& x, Workspace& workspace) const;
     /// x - xi at the mesh's nodes, linear in phi.
-    void displacement(std::span<const double> phi, Points& d, Room& room) const;
+    void displacement(std::span<const double> phi, Points& d, Workspace& workspace) const;
     /// (3.8), sigma eliminated exactly.
-    void hessian(std::span<const double> phi, WeakHessian& sigma, Room& room) const;
+    void hessian(std::span<const double> phi, WeakHessian& sigma, Workspace& workspace) const;
 
     struct Residual {
         double theta = 0;
@@ -64,26 +64,29 @@ class PlaneQ2 final : public Discretisation {
     };
     /// (3.6) and (5.1) for the monitor's values at the mesh's nodes; fills r.
     Residual residual(std::span<const double> monitor, const WeakHessian& sigma, std::span<double> r,
-                      Room& room) const;
+                      Workspace& workspace) const;
     /// The derivative of r in a direction: dm at the nodes, dsigma; fills dr.
     void residual_derivative(std::span<const double> monitor, const WeakHessian& sigma,
                              std::span<const double> d_monitor, const WeakHessian& d_sigma,
-                             std::span<double> dr, Room& room) const;
+                             std::span<double> dr, Workspace& workspace) const;
     /// (3.7): u = (stiffness)^-1 r with mean 0. May be in place.
-    void poisson(std::span<const double> r, std::span<double> u, Room& room) const;
+    void poisson(std::span<const double> r, std::span<double> u, Workspace& workspace) const;
 
     /// A potential for this grid whose Laplacian is that of `phi` of another grid with the same boundary: the
     /// start on a finer or coarser mesh. (Interpolating phi itself would leave kinks that the Hessian sees.)
-    std::vector<double> transfer(const PlaneQ2& from, std::span<const double> phi, Room& from_room,
-                                 Room& room) const;
-    std::vector<double> transfer(const LineGrid& from, std::span<const double> phi, Room& room) const;
+    std::vector<double> transfer(const PlaneQ2& from, std::span<const double> phi, Workspace& from_room,
+                                 Workspace& workspace) const;
+    std::vector<double> transfer(const LineGrid& from, std::span<const double> phi,
+                                 Workspace& workspace) const;
 
   private:
     /// A map along y or along x, of `lines` lines.
-    void along_y(const LineMap& map, const double* in, double* out, std::size_t lines, Room& room) const;
-    void along_x(const LineMap& map, const double* in, double* out, std::size_t lines, Room& room) const;
+    void along_y(const LineMap& map, const double* in, double* out, std::size_t lines,
+                 Workspace& workspace) const;
+    void along_x(const LineMap& map, const double* in, double* out, std::size_t lines,
+                 Workspace& workspace) const;
     std::vector<double> line_weights() const;
-    Residual take_mean(std::span<double> r, Room& room) const;
+    Residual take_mean(std::span<double> r, Workspace& workspace) const;
     /// <v, f> along the first index.
     void apply_mass(const double* f, double* b) const;
 

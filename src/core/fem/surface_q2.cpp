@@ -149,40 +149,40 @@ void SurfaceQ2::factorise(const Progress& progress, std::stop_token stop) {
             CellCholesky::Advance{}, stop);
 }
 
-SurfaceQ2::Room SurfaceQ2::make_room() const {
+SurfaceQ2::Workspace SurfaceQ2::make_workspace() const {
     return {.phi = std::vector<double>(unknowns()),
             .r = std::vector<double>(unknowns()),
             .rows = std::vector<double>(12 * unknowns()),
             .gradient = std::vector<double>(curved_ ? 0 : 4 * facet_cells_.count)};
 }
 
-void SurfaceQ2::map(std::span<const double> phi, Room& room) const {
+void SurfaceQ2::map(std::span<const double> phi, Workspace& workspace) const {
     GASPARD_CHECK(phi.size() == unknowns());
     for (std::size_t i = 0; i < phi.size(); ++i)
-        room.phi[static_cast<std::size_t>(dissection_->place[i])] = phi[i];
-    std::fill(room.rows.begin(), room.rows.end(), 0.0);
-    std::fill(room.gradient.begin(), room.gradient.end(), 0.0);
-    elements_->add_map_loads(0, elements_->batches(), room.phi.data(), room.rows.data(),
-                             room.gradient.data());
-    mass_->solve<12>(room.rows);
-    if (!curved_) facet_mass_->solve<4>(room.gradient);
+        workspace.phi[static_cast<std::size_t>(dissection_->place[i])] = phi[i];
+    std::fill(workspace.rows.begin(), workspace.rows.end(), 0.0);
+    std::fill(workspace.gradient.begin(), workspace.gradient.end(), 0.0);
+    elements_->add_map_loads(0, elements_->batches(), workspace.phi.data(), workspace.rows.data(),
+                             workspace.gradient.data());
+    mass_->solve<12>(workspace.rows);
+    if (!curved_) facet_mass_->solve<4>(workspace.gradient);
 }
 
 /// w (4.10) at a node.
-Vec3 SurfaceQ2::projected_gradient(const Room& room, std::size_t node) const {
+Vec3 SurfaceQ2::projected_gradient(const Workspace& workspace, std::size_t node) const {
     const auto unknown = static_cast<std::size_t>(node_unknown_[node]);
-    const double* w = curved_
-                          ? &room.rows[12 * static_cast<std::size_t>(dissection_->place[unknown]) + 9]
-                          : &room.gradient[4 * static_cast<std::size_t>(facet_dissection_->place[unknown])];
+    const double* w =
+        curved_ ? &workspace.rows[12 * static_cast<std::size_t>(dissection_->place[unknown]) + 9]
+                : &workspace.gradient[4 * static_cast<std::size_t>(facet_dissection_->place[unknown])];
     return {w[0], w[1], w[2]};
 }
 
-void SurfaceQ2::positions(const Room& room, Points& x, Points& gradient) const {
+void SurfaceQ2::positions(const Workspace& workspace, Points& x, Points& gradient) const {
     x.resize(places_.size());
     gradient.resize(places_.size());
     for (std::size_t i = 0; i < places_.size(); ++i) {
         const Vec3 xi = places_[i];
-        Vec3 g = projected_gradient(room, i);
+        Vec3 g = projected_gradient(workspace, i);
         if (shape_ == SurfaceShape::flat) {
             x.set(i, radius_ * (xi + g));
         } else {
@@ -194,22 +194,23 @@ void SurfaceQ2::positions(const Room& room, Points& x, Points& gradient) const {
     }
 }
 
-void SurfaceQ2::map_derivative(const Room& room, std::span<const double> w, Room& d_room) const {
+void SurfaceQ2::map_derivative(const Workspace& workspace, std::span<const double> w,
+                               Workspace& d_workspace) const {
     GASPARD_CHECK(w.size() == unknowns());
     for (std::size_t i = 0; i < w.size(); ++i)
-        d_room.phi[static_cast<std::size_t>(dissection_->place[i])] = w[i];
-    std::fill(d_room.rows.begin(), d_room.rows.end(), 0.0);
-    std::fill(d_room.gradient.begin(), d_room.gradient.end(), 0.0);
-    elements_->add_map_derivative(0, elements_->batches(), room.phi.data(), d_room.phi.data(),
-                                  d_room.rows.data(), d_room.gradient.data());
-    mass_->solve<12>(d_room.rows);
-    if (!curved_) facet_mass_->solve<4>(d_room.gradient);
+        d_workspace.phi[static_cast<std::size_t>(dissection_->place[i])] = w[i];
+    std::fill(d_workspace.rows.begin(), d_workspace.rows.end(), 0.0);
+    std::fill(d_workspace.gradient.begin(), d_workspace.gradient.end(), 0.0);
+    elements_->add_map_derivative(0, elements_->batches(), workspace.phi.data(), d_workspace.phi.data(),
+                                  d_workspace.rows.data(), d_workspace.gradient.data());
+    mass_->solve<12>(d_workspace.rows);
+    if (!curved_) facet_mass_->solve<4>(d_workspace.gradient);
 }
 
-void SurfaceQ2::positions_derivative(const Points& gradient, const Room& d_room, Points& dx) const {
+void SurfaceQ2::positions_derivative(const Points& gradient, const Workspace& d_workspace, Points& dx) const {
     dx.resize(places_.size());
     for (std::size_t i = 0; i < places_.size(); ++i) {
-        Vec3 d = projected_gradient(d_room, i);
+        Vec3 d = projected_gradient(d_workspace, i);
         if (shape_ == SurfaceShape::unit_sphere) {
             const Vec3 xi = places_[i], g = gradient[i];
             d = d - dot(d, xi) * xi;
@@ -221,39 +222,40 @@ void SurfaceQ2::positions_derivative(const Points& gradient, const Room& d_room,
     }
 }
 
-std::span<const double> SurfaceQ2::sigma(const Room& room, std::size_t node) const {
+std::span<const double> SurfaceQ2::sigma(const Workspace& workspace, std::size_t node) const {
     const auto unknown = static_cast<std::size_t>(node_unknown_[node]);
-    return {&room.rows[12 * static_cast<std::size_t>(dissection_->place[unknown])], 9};
+    return {&workspace.rows[12 * static_cast<std::size_t>(dissection_->place[unknown])], 9};
 }
 
 SurfaceQ2::Residual SurfaceQ2::residual(std::span<const double> monitor, std::span<double> r,
-                                        Room& room) const {
+                                        Workspace& workspace) const {
     GASPARD_CHECK(monitor.size() == mesh_->node_count() && r.size() == unknowns());
-    std::fill(room.r.begin(), room.r.end(), 0.0);
-    elements_->add_residual(0, elements_->batches(), room.phi.data(), room.rows.data(), monitor.data(),
-                            room.r.data());
-    const double theta = take_mean(room, r);
+    std::fill(workspace.r.begin(), workspace.r.end(), 0.0);
+    elements_->add_residual(0, elements_->batches(), workspace.phi.data(), workspace.rows.data(),
+                            monitor.data(), workspace.r.data());
+    const double theta = take_mean(workspace, r);
     return {theta, std::sqrt(dot(r, r) / dot(weights_, weights_)) / std::abs(theta)};
 }
 
 /// From integrals <v, f>, theta the mean of f: what remains is <v, f - theta>. Returns theta.
-double SurfaceQ2::take_mean(const Room& room, std::span<double> r) const {
-    for (std::size_t i = 0; i < r.size(); ++i) r[i] = room.r[static_cast<std::size_t>(dissection_->place[i])];
+double SurfaceQ2::take_mean(const Workspace& workspace, std::span<double> r) const {
+    for (std::size_t i = 0; i < r.size(); ++i)
+        r[i] = workspace.r[static_cast<std::size_t>(dissection_->place[i])];
     const double theta = sum(r) / area_; // the functions v add up to 1
     for (std::size_t i = 0; i < r.size(); ++i) r[i] -= theta * weights_[i];
     return theta;
 }
 
-void SurfaceQ2::residual_derivative(std::span<const double> monitor, const Room& room,
-                                    std::span<const double> d_monitor, Room& d_room,
+void SurfaceQ2::residual_derivative(std::span<const double> monitor, const Workspace& workspace,
+                                    std::span<const double> d_monitor, Workspace& d_workspace,
                                     std::span<double> dr) const {
     GASPARD_CHECK(monitor.size() == mesh_->node_count() && d_monitor.size() == monitor.size());
     GASPARD_CHECK(dr.size() == unknowns());
-    std::fill(d_room.r.begin(), d_room.r.end(), 0.0);
+    std::fill(d_workspace.r.begin(), d_workspace.r.end(), 0.0);
     elements_->add_residual_derivative(
-        0, elements_->batches(), {room.phi.data(), room.rows.data(), monitor.data()},
-        {d_room.phi.data(), d_room.rows.data(), d_monitor.data()}, d_room.r.data());
-    take_mean(d_room, dr);
+        0, elements_->batches(), {workspace.phi.data(), workspace.rows.data(), monitor.data()},
+        {d_workspace.phi.data(), d_workspace.rows.data(), d_monitor.data()}, d_workspace.r.data());
+    take_mean(d_workspace, dr);
 }
 
 std::vector<double> SurfaceQ2::at_unknowns(std::span<const double> nodal) const {
@@ -271,11 +273,13 @@ std::vector<double> SurfaceQ2::at_unknowns(std::span<const double> nodal) const 
     return values;
 }
 
-void SurfaceQ2::poisson(std::span<const double> r, std::span<double> u, Room& room) const {
+void SurfaceQ2::poisson(std::span<const double> r, std::span<double> u, Workspace& workspace) const {
     GASPARD_CHECK(r.size() == unknowns() && u.size() == unknowns());
-    for (std::size_t i = 0; i < r.size(); ++i) room.r[static_cast<std::size_t>(dissection_->place[i])] = r[i];
-    stiffness_->solve<1>(room.r);
-    for (std::size_t i = 0; i < u.size(); ++i) u[i] = room.r[static_cast<std::size_t>(dissection_->place[i])];
+    for (std::size_t i = 0; i < r.size(); ++i)
+        workspace.r[static_cast<std::size_t>(dissection_->place[i])] = r[i];
+    stiffness_->solve<1>(workspace.r);
+    for (std::size_t i = 0; i < u.size(); ++i)
+        u[i] = workspace.r[static_cast<std::size_t>(dissection_->place[i])];
     const double mean = dot(weights_, u) / area_;
     for (double& value : u) value -= mean;
 }
@@ -309,8 +313,8 @@ std::vector<double> SurfaceQ2::potential(std::span<const double> l) const {
     std::vector<double> load = apply(&SurfaceElements::mass, l);
     const double mean = sum(load) / area_;
     for (std::size_t i = 0; i < load.size(); ++i) load[i] = mean * weights_[i] - load[i];
-    Room room = make_room();
-    poisson(load, load, room);
+    Workspace workspace = make_workspace();
+    poisson(load, load, workspace);
     return load;
 }
 

@@ -62,39 +62,40 @@ class SurfaceQ2 final : public Discretisation {
     std::size_t factor_entries() const { return mass_->entries() + stiffness_->entries(); }
 
     /// Buffers for one caller; with them, operators allocate nothing.
-    struct Room {
+    struct Workspace {
         std::vector<double> phi, r;   ///< in order of elimination
         std::vector<double> rows;     ///< 12 for every unknown: sigma row by row, w; loads, then solutions
         std::vector<double> gradient; ///< 4 for every unknown of facets of order 1: w
     };
-    Room make_room() const;
+    Workspace make_workspace() const;
 
     /// (4.9) and (4.10), into the room.
-    void map(std::span<const double> phi, Room& room) const;
+    void map(std::span<const double> phi, Workspace& workspace) const;
     /// After map: x at the nodes of mesh(), on the sphere of its radius, and w' there (of radius 1).
-    void positions(const Room& room, Points& x, Points& gradient) const;
+    void positions(const Workspace& workspace, Points& x, Points& gradient) const;
     /// <v, 1> of every unknown.
     std::span<const double> weights() const { return weights_; }
     /// After map: sigma at a node of mesh(), row by row.
-    std::span<const double> sigma(const Room& room, std::size_t node) const;
+    std::span<const double> sigma(const Workspace& workspace, std::size_t node) const;
 
     struct Residual {
         double theta = 0;
         double normalised = 0; ///< l2 norm of r / l2 norm of <v, theta>
     };
     /// After map, for the monitor's values at the nodes of mesh(); fills r.
-    Residual residual(std::span<const double> monitor, std::span<double> r, Room& room) const;
-    /// How all of that changes with phi, in direction w; `room` as map has left it, `d_room` another one.
-    void map_derivative(const Room& room, std::span<const double> w, Room& d_room) const;
+    Residual residual(std::span<const double> monitor, std::span<double> r, Workspace& workspace) const;
+    /// How all of that changes with phi, in direction w; `workspace` as map has left it, `d_workspace` another one.
+    void map_derivative(const Workspace& workspace, std::span<const double> w, Workspace& d_workspace) const;
     /// Of x; `gradient` as positions has left it.
-    void positions_derivative(const Points& gradient, const Room& d_room, Points& dx) const;
+    void positions_derivative(const Points& gradient, const Workspace& d_workspace, Points& dx) const;
     /// Of r, with dm at the nodes of mesh().
-    void residual_derivative(std::span<const double> monitor, const Room& room,
-                             std::span<const double> d_monitor, Room& d_room, std::span<double> dr) const;
+    void residual_derivative(std::span<const double> monitor, const Workspace& workspace,
+                             std::span<const double> d_monitor, Workspace& d_workspace,
+                             std::span<double> dr) const;
     /// At the unknowns, from values at the nodes of mesh(); where there is no node, the mean of a cell's.
     std::vector<double> at_unknowns(std::span<const double> nodal) const;
     /// u with <grad v, grad u> = r_v and mean 0, for r of sum 0. May be in place.
-    void poisson(std::span<const double> r, std::span<double> u, Room& room) const;
+    void poisson(std::span<const double> r, std::span<double> u, Workspace& workspace) const;
 
     /// The weak Laplacian l of phi, <v, l> = -<grad v, grad phi>.
     std::vector<double> laplacian(std::span<const double> phi) const;
@@ -123,8 +124,8 @@ class SurfaceQ2 final : public Discretisation {
     std::shared_ptr<const Dissection> dissection_, facet_dissection_;
     std::unique_ptr<const SurfaceElements> elements_; ///< the cells in the order of the dissection
     std::unique_ptr<const CellCholesky> mass_, stiffness_, facet_mass_;
-    Vec3 projected_gradient(const Room& room, std::size_t node) const;
-    double take_mean(const Room& room, std::span<double> r) const;
+    Vec3 projected_gradient(const Workspace& workspace, std::size_t node) const;
+    double take_mean(const Workspace& workspace, std::span<double> r) const;
 
     std::vector<double> weights_; ///< <v, 1>
     double area_ = 0;

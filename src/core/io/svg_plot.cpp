@@ -159,13 +159,13 @@ std::string svg_disc(PagePoint at, double radius) {
 std::optional<std::pair<PagePoint, PagePoint>> clipped(PagePoint a, PagePoint b, const Area& area) {
     double from = 0, to = 1; // along the line
     const double dx = b.x - a.x, dy = b.y - a.y;
-    for (const auto& [step, room] : {std::pair{-dx, a.x - area.left},
-                                     {dx, area.right - a.x},
-                                     {-dy, a.y - area.top},
-                                     {dy, area.bottom - a.y}}) {
-        if (step == 0 && room < -0.01) return std::nullopt;
-        if (step < 0) from = std::max(from, room / step);
-        if (step > 0) to = std::min(to, room / step);
+    for (const auto& [step, workspace] : {std::pair{-dx, a.x - area.left},
+                                          {dx, area.right - a.x},
+                                          {-dy, a.y - area.top},
+                                          {dy, area.bottom - a.y}}) {
+        if (step == 0 && workspace < -0.01) return std::nullopt;
+        if (step < 0) from = std::max(from, workspace / step);
+        if (step > 0) to = std::min(to, workspace / step);
     }
     if (!(from <= to)) return std::nullopt;
     const PagePoint end = {a.x + to * dx, a.y + to * dy};

@@ -40,11 +40,11 @@ FastDiagonalisation::FastDiagonalisation(LineOperator stiffness, LineOperator ma
 }
 
 void FastDiagonalisation::solve(std::span<const double> b, std::span<double> x, double shift,
-                                Room& room) const {
+                                Workspace& workspace) const {
     const auto n = static_cast<Index>(size());
     GASPARD_CHECK(b.size() == size() * size() && x.size() == b.size());
     const ConstMap u(vectors_.data(), n, n);
-    Map first(room.first.data(), n, n), second(room.second.data(), n, n);
+    Map first(workspace.first.data(), n, n), second(workspace.second.data(), n, n);
     first.noalias() = u.transpose() * ConstMap(b.data(), n, n);
     second.noalias() = first * u;
     for (Index j = 0; j < n; ++j)
@@ -56,11 +56,12 @@ void FastDiagonalisation::solve(std::span<const double> b, std::span<double> x, 
     Map(x.data(), n, n).noalias() = first * u.transpose();
 }
 
-void FastDiagonalisation::multiply(std::span<const double> x, std::span<double> y, Room& room) const {
+void FastDiagonalisation::multiply(std::span<const double> x, std::span<double> y,
+                                   Workspace& workspace) const {
     const auto n = static_cast<Index>(size());
     GASPARD_CHECK(x.size() == size() * size() && y.size() == x.size());
     const ConstMap in(x.data(), n, n), k = matrix(stiffness_), m = matrix(mass_);
-    Map first(room.first.data(), n, n), second(room.second.data(), n, n), out(y.data(), n, n);
+    Map first(workspace.first.data(), n, n), second(workspace.second.data(), n, n), out(y.data(), n, n);
     first.noalias() = k * in;
     second.noalias() = first * m;
     first.noalias() = m * in;

@@ -32,16 +32,16 @@ class FastDiagonalisation {
     std::span<const double> eigenvalues() const { return eigenvalues_; } ///< the first is 0, exactly
 
     /// size^2 numbers each.
-    struct Room {
+    struct Workspace {
         std::vector<double> first, second;
     };
-    Room make_room() const {
+    Workspace make_workspace() const {
         return {std::vector<double>(size() * size()), std::vector<double>(size() * size())};
     }
     /// b and x: size x size numbers; may be the same array.
-    void solve(std::span<const double> b, std::span<double> x, double shift, Room& room) const;
+    void solve(std::span<const double> b, std::span<double> x, double shift, Workspace& workspace) const;
     /// y = (K (x) M + M (x) K) x.
-    void multiply(std::span<const double> x, std::span<double> y, Room& room) const;
+    void multiply(std::span<const double> x, std::span<double> y, Workspace& workspace) const;
 
   private:
     LineOperator stiffness_, mass_;

@@ -81,13 +81,13 @@ LineSpectrum::LineSpectrum(std::size_t cells, bool periodic)
     GASPARD_CHECK(eigenvalues_.size() == (periodic ? 2 * cells : 2 * cells + 1));
 }
 
-LineSpectrum::Room LineSpectrum::make_room() const {
+LineSpectrum::Workspace LineSpectrum::make_workspace() const {
     const std::vector<double> batch(2 * lanes * ring_);
     return {batch, batch};
 }
 
-void LineSpectrum::analyse(const double* b, std::size_t stride, double* c, Room& room) const {
-    double* time = room.time.data();
+void LineSpectrum::analyse(const double* b, std::size_t stride, double* c, Workspace& workspace) const {
+    double* time = workspace.time.data();
     const auto take = [&](std::size_t to, std::size_t from, double factor) {
         for (std::size_t l = 0; l < lanes; ++l) time[to * lanes + l] = factor * b[from * stride + l];
     };
@@ -100,7 +100,7 @@ void LineSpectrum::analyse(const double* b, std::size_t stride, double* c, Room&
         take(0, 0, 2);
         take(2 * cells_, 2 * cells_, 2);
     }
-    split(fft_.forward(time, room.frequency.data()), c, periodic_ ? 1.0 : 0.5);
+    split(fft_.forward(time, workspace.frequency.data()), c, periodic_ ? 1.0 : 0.5);
 }
 
 // The coefficients of what came out of the transform, z: z_k and the conjugate of z_(P-k) are sum and
@@ -180,9 +180,9 @@ void LineSpectrum::merge(const double* c, double* frequency) const {
     }
 }
 
-void LineSpectrum::synthesise(const double* c, double* u, std::size_t stride, Room& room) const {
-    merge(c, room.frequency.data());
-    const double* time = fft_.backward(room.frequency.data(), room.time.data());
+void LineSpectrum::synthesise(const double* c, double* u, std::size_t stride, Workspace& workspace) const {
+    merge(c, workspace.frequency.data());
+    const double* time = fft_.backward(workspace.frequency.data(), workspace.time.data());
     for (std::size_t i = 0; i < 2 * cells_ + (periodic_ ? 0 : 1); ++i)
         for (std::size_t l = 0; l < lanes; ++l) u[i * stride + l] = time[i * lanes + l];
 }

@@ -30,15 +30,15 @@ class LineSpectrum {
     const std::vector<double>& eigenvalues() const { return eigenvalues_; }
 
     /// One caller's buffers, so that transforms allocate nothing; not to be shared by threads.
-    struct Room {
+    struct Workspace {
         std::vector<double> time, frequency;
     };
-    Room make_room() const;
+    Workspace make_workspace() const;
     /// c = S^T b. Row i of b (its unknown i) has eight values, one a line; rows are `stride` apart. c has
     /// rows of eight without gaps. In place is allowed.
-    void analyse(const double* b, std::size_t stride, double* c, Room& room) const;
+    void analyse(const double* b, std::size_t stride, double* c, Workspace& workspace) const;
     /// u = S c, with the rows of u `stride` apart.
-    void synthesise(const double* c, double* u, std::size_t stride, Room& room) const;
+    void synthesise(const double* c, double* u, std::size_t stride, Workspace& workspace) const;
 
   private:
     struct Mode { ///< the two branches of one frequency, scaled to unit mass

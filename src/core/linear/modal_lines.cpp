@@ -146,11 +146,16 @@ void ModalLines::solve_line(const Block& block) const {
     }
 }
 
-void ModalLines::solve(double* b, std::size_t stride, std::size_t begin, std::size_t end, Room& room) const {
+void ModalLines::solve(double* b, std::size_t stride, std::size_t begin, std::size_t end,
+                       Workspace& workspace) const {
     GASPARD_CHECK(begin <= end && end <= rho_.size());
     for (; begin < end; begin += width) {
-        const Block block{b + begin,       stride,           begin, std::min(width, end - begin),
-                          room.sum.data(), room.power.data()};
+        const Block block{b + begin,
+                          stride,
+                          begin,
+                          std::min(width, end - begin),
+                          workspace.sum.data(),
+                          workspace.power.data()};
         eliminate_middles(block);
         periodic_ ? solve_ring(block) : solve_line(block);
         restore_middles(block);

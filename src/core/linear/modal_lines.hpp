@@ -20,14 +20,14 @@ class ModalLines {
     /// that is finite.
     ModalLines(std::size_t cells, bool periodic, const std::vector<double>& lambdas);
 
-    struct Room {
+    struct Workspace {
         std::vector<double> sum, power;
     };
-    static Room make_room() { return {std::vector<double>(width), std::vector<double>(width)}; }
+    static Workspace make_workspace() { return {std::vector<double>(width), std::vector<double>(width)}; }
 
     /// Columns begin .. end of b, whose rows (2 n of a ring, 2 n + 1 of a line) are `stride` apart; replaced
     /// by the solution.
-    void solve(double* b, std::size_t stride, std::size_t begin, std::size_t end, Room& room) const;
+    void solve(double* b, std::size_t stride, std::size_t begin, std::size_t end, Workspace& workspace) const;
 
   private:
     static constexpr std::size_t width = 64; ///< columns that go through all rows together, to stay in cache

@@ -29,41 +29,42 @@ TensorPoisson::TensorPoisson(LineSpectrum line)
     GASPARD_CHECK(line_.size() >= lanes);
 }
 
-TensorPoisson::Room TensorPoisson::make_room(std::size_t workers) const {
-    const Room::Worker worker{line_.make_room(), ModalLines::make_room(),
-                              std::vector<double>(lanes * line_.size())};
-    return {std::vector<Room::Worker>(workers, worker), std::vector<double>(line_.size() * line_.size())};
+TensorPoisson::Workspace TensorPoisson::make_workspace(std::size_t workers) const {
+    const Workspace::Worker worker{line_.make_workspace(), ModalLines::make_workspace(),
+                                   std::vector<double>(lanes * line_.size())};
+    return {std::vector<Workspace::Worker>(workers, worker),
+            std::vector<double>(line_.size() * line_.size())};
 }
 
 // The mode that does not change along y: (K + 0 M) u = b along x, mean of u = 0. It ends as the first column.
-void TensorPoisson::solve_constant_mode(Room& room) const {
+void TensorPoisson::solve_constant_mode(Workspace& workspace) const {
     const std::size_t n = line_.size();
-    auto& [line, modal, batch] = room.workers.front();
+    auto& [line, modal, batch] = workspace.workers.front();
     std::fill(batch.begin(), batch.end(), 0.0);
-    for (std::size_t i = 0; i < n; ++i) batch[i * lanes] = room.modes[i * n];
+    for (std::size_t i = 0; i < n; ++i) batch[i * lanes] = workspace.modes[i * n];
     line_.analyse(batch.data(), lanes, batch.data(), line);
     batch[0] = 0;
     for (std::size_t i = 1; i < n; ++i) batch[i * lanes] /= line_.eigenvalues()[i];
     line_.synthesise(batch.data(), batch.data(), lanes, line);
-    for (std::size_t i = 0; i < n; ++i) room.modes[i * n] = batch[i * lanes];
+    for (std::size_t i = 0; i < n; ++i) workspace.modes[i * n] = batch[i * lanes];
 }
 
-void TensorPoisson::solve(const double* b, double* u, Room& room, Team& team) const {
-    GASPARD_CHECK(room.workers.size() >= team.workers());
+void TensorPoisson::solve(const double* b, double* u, Workspace& workspace, Team& team) const {
+    GASPARD_CHECK(workspace.workers.size() >= team.workers());
     const std::size_t n = line_.size();
-    double* modes = room.modes.data();
+    double* modes = workspace.modes.data();
     for_each_batch(team, n, [&](std::size_t worker, std::size_t x) {
-        auto& [line, modal, batch] = room.workers[worker];
+        auto& [line, modal, batch] = workspace.workers[worker];
         line_.analyse(b + x, n, batch.data(), line);
         transpose(batch.data(), lanes, modes + x * n, n, n, lanes);
     });
     team.share((n - 1 + lanes - 1) / lanes, [&](std::size_t worker, std::size_t begin, std::size_t end) {
         modal_.solve(modes, n, std::min(n, 1 + begin * lanes), std::min(n, 1 + end * lanes),
-                     room.workers[worker].modal);
+                     workspace.workers[worker].modal);
     });
-    solve_constant_mode(room);
+    solve_constant_mode(workspace);
     for_each_batch(team, n, [&](std::size_t worker, std::size_t x) {
-        auto& [line, modal, batch] = room.workers[worker];
+        auto& [line, modal, batch] = workspace.workers[worker];
         transpose(modes + x * n, n, batch.data(), lanes, lanes, n);
         line_.synthesise(batch.data(), u + x, n, line);
     });

@@ -20,23 +20,23 @@ class TensorPoisson {
     /// The same line in both directions.
     explicit TensorPoisson(LineSpectrum line);
 
-    struct Room {
+    struct Workspace {
         struct Worker {
-            LineSpectrum::Room line;
-            ModalLines::Room modal;
+            LineSpectrum::Workspace line;
+            ModalLines::Workspace modal;
             std::vector<double> batch; ///< of eight lines
         };
         std::vector<Worker> workers;
         std::vector<double> modes; ///< b^, then u^: lines along x as rows, modes as columns
     };
-    Room make_room(std::size_t workers = 1) const;
+    Workspace make_workspace(std::size_t workers = 1) const;
 
     /// b and u: size x size values, x running fastest. May be the same array. The room is for as many workers
     /// as the team has, or more; the result does not depend on how many.
-    void solve(const double* b, double* u, Room& room, Team& team) const;
+    void solve(const double* b, double* u, Workspace& workspace, Team& team) const;
 
   private:
-    void solve_constant_mode(Room& room) const;
+    void solve_constant_mode(Workspace& workspace) const;
 
     LineSpectrum line_;
     ModalLines modal_;

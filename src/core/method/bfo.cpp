@@ -36,7 +36,7 @@ double weighted_sum(std::span<const double> weights, const double* values) {
 } // namespace
 
 Bfo::Bfo(std::shared_ptr<const SplineForm> form, double shift)
-    : form_(std::move(form)), shift_(shift), room_(form_->make_room()) {
+    : form_(std::move(form)), shift_(shift), workspace_(form_->make_workspace()) {
     const std::size_t most = band() * form_->line().points.size();
     psi_.resize(most);
     slope_.resize(most);
@@ -45,13 +45,13 @@ Bfo::Bfo(std::shared_ptr<const SplineForm> form, double shift)
     g_load_.resize(form_->unknowns());
 }
 
-void Bfo::read_rows(std::size_t y, std::size_t rows, const SplineForm::Room& room) {
+void Bfo::read_rows(std::size_t y, std::size_t rows, const SplineForm::Workspace& workspace) {
     const std::size_t points = form_->line().points.size();
     psi_.resize(rows * points);
     for (std::size_t r = 0; r < rows; ++r) {
         const std::size_t at = r * points;
         form_->row(form_->quadrature(), y + r, map_fields,
-                   {&psi_.x[at], &psi_.y[at], &xx_[at], &xy_[at], &yy_[at]}, room);
+                   {&psi_.x[at], &psi_.y[at], &xx_[at], &xy_[at], &yy_[at]}, workspace);
     }
 }
 
@@ -74,8 +74,9 @@ void Bfo::iterate(const JacobianSource& source, std::span<const double> phi, std
                   Shape* shape) {
     const SplineLine& line = form_->line();
     const std::size_t points = line.points.size();
-    if (!phi.empty()) form_->expand(phi, SplineForm::Border::given, form_->quadrature(), map_fields, room_);
-    form_->begin_load(room_);
+    if (!phi.empty())
+        form_->expand(phi, SplineForm::Border::given, form_->quadrature(), map_fields, workspace_);
+    form_->begin_load(workspace_);
     double integral = 0;
     // Extremes of the eigenvalues, and of eigenvalue / G.
     double convexity = std::numeric_limits<double>::infinity(), least = convexity, most = -convexity;
@@ -84,7 +85,7 @@ void Bfo::iterate(const JacobianSource& source, std::span<const double> phi, std
         if (phi.empty())
             clear_rows(count);
         else
-            read_rows(y, rows, room_);
+            read_rows(y, rows, workspace_);
         source.values(y, psi_, std::span(f_).first(count));
         fill_g(count);
         for (std::size_t i = 0; shape && i < count; ++i) {
@@ -95,24 +96,24 @@ void Bfo::iterate(const JacobianSource& source, std::span<const double> phi, std
         }
         for (std::size_t r = 0; r < rows; ++r) {
             integral += line.weights[y + r] * weighted_sum(line.weights, &g_[r * points]);
-            form_->load_row(y + r, &g_[r * points], room_);
+            form_->load_row(y + r, &g_[r * points], workspace_);
         }
     }
-    form_->end_load(load_, room_);
+    form_->end_load(load_, workspace_);
     const double scale = form_->border_flux() / integral;
     const auto border = form_->border_load();
     for (std::size_t i = 0; i < load_.size(); ++i) load_[i] = border[i] - scale * load_[i];
-    form_->poisson().solve(load_, next, shift_, room_.poisson);
+    form_->poisson().solve(load_, next, shift_, workspace_.poisson);
     if (shape) *shape = {convexity, 1 - scale * most, 1 - scale * least};
 }
 
 void Bfo::residual(std::span<const double> phi, std::span<const double> next, std::span<double> r) {
     for (std::size_t i = 0; i < load_.size(); ++i) load_[i] = next[i] - phi[i];
-    form_->poisson().multiply(load_, r, room_.poisson);
+    form_->poisson().multiply(load_, r, workspace_.poisson);
 }
 
 void Bfo::poisson(std::span<const double> r, std::span<double> u) {
-    form_->poisson().solve(r, u, shift_, room_.poisson);
+    form_->poisson().solve(r, u, shift_, workspace_.poisson);
 }
 
 // G^2 = t^2 + delta (f - det):  2 G dG = 2 t dt + delta (df - ddet),
@@ -121,12 +122,12 @@ void Bfo::linearise(const JacobianSource& source, std::span<const double> phi, b
     const SplineLine& line = form_->line();
     const std::size_t points = line.points.size();
     for (auto& part : parts_) part.resize(points * points);
-    form_->expand(phi, SplineForm::Border::given, form_->quadrature(), map_fields, room_);
-    form_->begin_load(room_);
+    form_->expand(phi, SplineForm::Border::given, form_->quadrature(), map_fields, workspace_);
+    form_->begin_load(workspace_);
     g_integral_ = 0;
     for (std::size_t y = 0; y < points; y += band()) {
         const std::size_t rows = std::min(band(), points - y), count = rows * points;
-        read_rows(y, rows, room_);
+        read_rows(y, rows, workspace_);
         if (moving)
             source.gradients(y, psi_, std::span(f_).first(count), slope_);
         else
@@ -144,22 +145,22 @@ void Bfo::linearise(const JacobianSource& source, std::span<const double> phi, b
         }
         for (std::size_t r = 0; r < rows; ++r) {
             g_integral_ += line.weights[y + r] * weighted_sum(line.weights, &g_[r * points]);
-            form_->load_row(y + r, &g_[r * points], room_);
+            form_->load_row(y + r, &g_[r * points], workspace_);
         }
     }
-    form_->end_load(g_load_, room_);
+    form_->end_load(g_load_, workspace_);
 }
 
 // d(s G) = s (dG - G (integral of dG) / (integral of G)).
 void Bfo::derivative(std::span<const double> w, std::span<double> out) {
     const SplineLine& line = form_->line();
     const std::size_t points = line.points.size();
-    form_->expand(w, SplineForm::Border::zero, form_->quadrature(), map_fields, room_);
-    form_->begin_load(room_);
+    form_->expand(w, SplineForm::Border::zero, form_->quadrature(), map_fields, workspace_);
+    form_->begin_load(workspace_);
     double integral = 0;
     for (std::size_t y = 0; y < points; y += band()) {
         const std::size_t rows = std::min(band(), points - y);
-        read_rows(y, rows, room_);
+        read_rows(y, rows, workspace_);
         for (std::size_t i = 0; i < rows * points; ++i) {
             const std::size_t at = y * points + i;
             g_[i] = parts_[0][at] * psi_.x[i] + parts_[1][at] * psi_.y[i] + parts_[2][at] * xx_[i] +
@@ -167,12 +168,12 @@ void Bfo::derivative(std::span<const double> w, std::span<double> out) {
         }
         for (std::size_t r = 0; r < rows; ++r) {
             integral += line.weights[y + r] * weighted_sum(line.weights, &g_[r * points]);
-            form_->load_row(y + r, &g_[r * points], room_);
+            form_->load_row(y + r, &g_[r * points], workspace_);
         }
     }
-    form_->end_load(load_, room_);
+    form_->end_load(load_, workspace_);
     const double scale = form_->border_flux() / g_integral_, part = integral / g_integral_;
-    form_->poisson().multiply(w, out, room_.poisson);
+    form_->poisson().multiply(w, out, workspace_.poisson);
     for (std::size_t i = 0; i < load_.size(); ++i) out[i] += scale * (load_[i] - part * g_load_[i]);
 }
 

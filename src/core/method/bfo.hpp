@@ -60,11 +60,11 @@ class Bfo {
     /// G of a band of `count` points.
     void fill_g(std::size_t count);
     void clear_rows(std::size_t count);
-    void read_rows(std::size_t y, std::size_t rows, const SplineForm::Room& room);
+    void read_rows(std::size_t y, std::size_t rows, const SplineForm::Workspace& workspace);
 
     std::shared_ptr<const SplineForm> form_;
     double shift_;
-    SplineForm::Room room_;
+    SplineForm::Workspace workspace_;
     Points psi_, slope_;                       ///< of a band: Psi, df/dPsi
     std::vector<double> xx_, xy_, yy_, f_, g_; ///< of a band: grad Psi, f, G
     std::vector<double> load_;

@@ -43,12 +43,13 @@ class Source final : public JacobianSource {
 double error(const SplineForm& form, std::span<const double> phi) {
     const SplineLine& line = form.line();
     const std::size_t n = line.points.size();
-    auto room = form.make_room();
+    auto workspace = form.make_workspace();
     std::vector<double> first(n), second(n);
-    form.expand(phi, SplineForm::Border::given, form.quadrature(), 2, room);
+    form.expand(phi, SplineForm::Border::given, form.quadrature(), 2, workspace);
     double sum = 0;
     for (std::size_t j = 0; j < n; ++j) {
-        form.row(form.quadrature(), j, 2, {first.data(), second.data(), nullptr, nullptr, nullptr}, room);
+        form.row(form.quadrature(), j, 2, {first.data(), second.data(), nullptr, nullptr, nullptr},
+                 workspace);
         for (std::size_t i = 0; i < n; ++i) {
             const double x = line.points[i], y = line.points[j], e = std::exp((x * x + y * y) / 2);
             const double dx = first[i] - x * e, dy = second[i] - y * e;

@@ -66,7 +66,7 @@ std::vector<Measure> named(const PatchMeasures& m) {
 PatchForm::PatchForm(std::shared_ptr<const SplineDomain> domain, Formulation formulation, std::size_t cells)
     : domain_(std::move(domain)), formulation_(formulation), cells_(cells),
       form_(make_form({formulation, domain_->degree(), cells})), identity_(form_->identity()),
-      nodes_(form_->line(), domain_->node_lines()), room_(form_->make_room()) {}
+      nodes_(form_->line(), domain_->node_lines()), workspace_(form_->make_workspace()) {}
 
 void PatchForm::add_identity(std::span<const double> phi, std::span<double> whole) const {
     for (std::size_t i = 0; i < identity_.size(); ++i) whole[i] = phi[i] + identity_[i];
@@ -91,9 +91,10 @@ std::vector<double> PatchForm::adopt(const std::string& layout, std::span<const 
 void PatchForm::positions(std::span<const double> whole, Points& x) {
     const std::size_t side = nodes_.points.size();
     psi_.resize(side * side);
-    form_->expand(whole, SplineForm::Border::given, nodes_, 2, room_);
+    form_->expand(whole, SplineForm::Border::given, nodes_, 2, workspace_);
     for (std::size_t j = 0; j < side; ++j)
-        form_->row(nodes_, j, 2, {&psi_.x[j * side], &psi_.y[j * side], nullptr, nullptr, nullptr}, room_);
+        form_->row(nodes_, j, 2, {&psi_.x[j * side], &psi_.y[j * side], nullptr, nullptr, nullptr},
+                   workspace_);
     if (formulation_ == Formulation::mixed) // but for the rounding of a sum
         for (std::size_t k = 0; k < side; ++k) {
             psi_.x[k * side] = psi_.y[k] = 0;
@@ -109,10 +110,10 @@ PatchMeasures PatchForm::measure(const Monitor& monitor, std::span<const double>
     const std::size_t n = line.points.size();
     std::vector<double> xx(n), xy(n), yy(n), f(n);
     psi_.resize(n);
-    form_->expand(whole, SplineForm::Border::given, form_->quadrature(), map_fields, room_);
+    form_->expand(whole, SplineForm::Border::given, form_->quadrature(), map_fields, workspace_);
     for (std::size_t j = 0; j < n; ++j) {
         form_->row(form_->quadrature(), j, map_fields,
-                   {psi_.x.data(), psi_.y.data(), xx.data(), xy.data(), yy.data()}, room_);
+                   {psi_.x.data(), psi_.y.data(), xx.data(), xy.data(), yy.data()}, workspace_);
         of_patch.values(j, psi_, f);
         for (std::size_t i = 0; i < n; ++i) {
             const double weight = line.weights[i] * line.weights[j];
@@ -134,10 +135,10 @@ PatchMeasures PatchForm::measure(const Monitor& monitor, std::span<const double>
     result.min_jacobian = 1e300, result.max_jacobian = -1e300;
     for (auto* row : {&xx, &xy, &yy}) row->resize(shown);
     psi_.resize(shown);
-    form_->expand(whole, SplineForm::Border::given, grid, map_fields, room_);
+    form_->expand(whole, SplineForm::Border::given, grid, map_fields, workspace_);
     for (std::size_t j = 0; j < shown; ++j) {
         form_->row(grid, j, map_fields, {psi_.x.data(), psi_.y.data(), xx.data(), xy.data(), yy.data()},
-                   room_);
+                   workspace_);
         const auto note = [&](double error) {
             result.border_error = std::max(result.border_error, std::abs(error));
         };

@@ -67,7 +67,7 @@ class PatchForm {
     std::shared_ptr<const SplineForm> form_;
     std::vector<double> identity_;
     SplineGrid nodes_;
-    SplineForm::Room room_;
+    SplineForm::Workspace workspace_;
     Points psi_;
 };
 

@@ -17,7 +17,8 @@ std::string layout_of(const LineGrid& grid) {
 
 PlaneEquation::PlaneEquation(std::shared_ptr<const PlaneQ2> plane)
     : Equation(layout_of(plane->grid()), plane->unknowns()), plane_(std::move(plane)),
-      room_(plane_->make_room()), monitor_(plane_->mesh()->node_count()), residual_(plane_->unknowns()) {}
+      workspace_(plane_->make_workspace()), monitor_(plane_->mesh()->node_count()),
+      residual_(plane_->unknowns()) {}
 
 std::optional<State> PlaneEquation::adopt(const State& other, const Discretisation*) {
     if (other.arrays.size() != 1 || other.arrays[0].name != "phi") return std::nullopt;
@@ -33,7 +34,7 @@ std::optional<State> PlaneEquation::adopt(const State& other, const Discretisati
 
 State PlaneEquation::adopt(Equation& other, std::span<const double> phi) {
     auto& from = dynamic_cast<PlaneEquation&>(other);
-    return state_of(plane_->transfer(*from.plane_, phi, from.room_, room_));
+    return state_of(plane_->transfer(*from.plane_, phi, from.workspace_, workspace_));
 }
 
 std::unique_ptr<Equation> PlaneEquation::coarser(const Progress&, std::stop_token) const {
@@ -43,10 +44,10 @@ std::unique_ptr<Equation> PlaneEquation::coarser(const Progress&, std::stop_toke
 }
 
 Evaluation PlaneEquation::evaluate(const Monitor& monitor, std::span<const double> phi) {
-    plane_->positions(phi, positions_, room_);
+    plane_->positions(phi, positions_, workspace_);
     monitor.values(positions_, monitor_);
-    plane_->hessian(phi, sigma_, room_);
-    const auto [theta, normalised] = plane_->residual(monitor_, sigma_, residual_, room_);
+    plane_->hessian(phi, sigma_, workspace_);
+    const auto [theta, normalised] = plane_->residual(monitor_, sigma_, residual_, workspace_);
     return {.residual = normalised, .theta = theta, .step_size = 0};
 }
 
@@ -70,18 +71,18 @@ void PlaneEquation::linearise(const Monitor& monitor, Linearised how) {
 
 void PlaneEquation::derivative(std::span<const double> w, std::span<double> out) {
     if (slope_.size() > 0) {
-        plane_->displacement(w, displacement_, room_);
+        plane_->displacement(w, displacement_, workspace_);
         for (std::size_t i = 0; i < d_monitor_.size(); ++i)
             d_monitor_[i] = slope_.x[i] * displacement_.x[i] + slope_.y[i] * displacement_.y[i];
     }
-    plane_->hessian(w, d_sigma_, room_);
-    plane_->residual_derivative(monitor_, sigma_, d_monitor_, d_sigma_, out, room_);
+    plane_->hessian(w, d_sigma_, workspace_);
+    plane_->residual_derivative(monitor_, sigma_, d_monitor_, d_sigma_, out, workspace_);
     for (double& value : out) value = -value;
 }
 
 void PlaneEquation::precondition(std::span<const double> r, std::span<double> u) {
     for (std::size_t i = 0; i < u.size(); ++i) scaled_[i] = scale_[i] * r[i];
-    plane_->poisson(scaled_, u, room_);
+    plane_->poisson(scaled_, u, workspace_);
     for (std::size_t i = 0; i < u.size(); ++i) u[i] *= scale_[i];
 }
 

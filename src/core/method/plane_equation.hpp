@@ -10,8 +10,8 @@ class PlaneEquation final : public Equation {
   public:
     explicit PlaneEquation(std::shared_ptr<const PlaneQ2> plane);
 
-    void use_threads(int threads) override { room_ = plane_->make_room(threads); }
-    double other_cpu_seconds() const override { return room_.team->other_cpu_seconds(); }
+    void use_threads(int threads) override { workspace_ = plane_->make_workspace(threads); }
+    double other_cpu_seconds() const override { return workspace_.team->other_cpu_seconds(); }
 
     /// From any plane with the same boundary.
     std::optional<State> adopt(const State& other, const Discretisation* of) override;
@@ -20,13 +20,13 @@ class PlaneEquation final : public Equation {
 
     Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override;
     const Points& positions() const override { return positions_; }
-    void move(std::span<const double> phi) override { plane_->positions(phi, positions_, room_); }
+    void move(std::span<const double> phi) override { plane_->positions(phi, positions_, workspace_); }
     std::span<const double> residual() const override { return residual_; }
     /// At the vertices.
     Ellipticity ellipticity() const override {
         return gaspard::ellipticity(plane_->grid(), monitor_, sigma_);
     }
-    void direction(std::span<double> u) override { plane_->poisson(residual_, u, room_); }
+    void direction(std::span<double> u) override { plane_->poisson(residual_, u, workspace_); }
 
     void linearise(const Monitor& monitor, Linearised how) override;
     void derivative(std::span<const double> w, std::span<double> out) override;
@@ -34,7 +34,7 @@ class PlaneEquation final : public Equation {
 
   private:
     std::shared_ptr<const PlaneQ2> plane_;
-    PlaneQ2::Room room_;
+    PlaneQ2::Workspace workspace_;
     Points positions_;
     std::vector<double> monitor_; ///< m at the mesh's nodes
     WeakHessian sigma_;

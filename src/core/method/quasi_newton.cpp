@@ -100,8 +100,8 @@ MethodType quasi_newton_method() {
             .help = "the paper's linearisation with an l2 line search: far fewer iterations than the "
                     "relaxation, but it fails for harsh monitors",
             .rows = {},
-            .make = [](std::shared_ptr<const Discretisation> discretisation,
-                       const Values&, const Progress&, std::stop_token) -> std::unique_ptr<Method> {
+            .make = [](std::shared_ptr<const Discretisation> discretisation, const Values&, const Progress&,
+                       std::stop_token) -> std::unique_ptr<Method> {
                 return std::make_unique<QuasiNewton>(make_equation(std::move(discretisation)));
             }};
 }

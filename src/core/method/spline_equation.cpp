@@ -12,13 +12,13 @@ constexpr std::size_t coarsest = 16; // cells
 
 /// |<v, 2>| over all functions v.
 double size_of_divergence(const SplineForm& form) {
-    auto room = form.make_room();
+    auto workspace = form.make_workspace();
     const std::size_t points = form.line().points.size();
     const std::vector<double> two(points, 2.0);
     std::vector<double> load(form.unknowns());
-    form.begin_load(room);
-    for (std::size_t y = 0; y < points; ++y) form.load_row(y, two.data(), room);
-    form.end_load(load, room);
+    form.begin_load(workspace);
+    for (std::size_t y = 0; y < points; ++y) form.load_row(y, two.data(), workspace);
+    form.end_load(load, workspace);
     return std::sqrt(dot(load, load));
 }
 

@@ -39,10 +39,10 @@ std::optional<Map> spline_map(const State& state) {
     for (std::size_t i = 0; i < whole.size(); ++i) whole[i] += phi[i];
     const SplineLine& line = form->line();
     if (layout->formulation == Formulation::standard) return gradient(line.upper, whole);
-    auto room = form->make_room();
-    form->expand(whole, SplineForm::Border::given, SplineGrid(line, {0}), 2, room);
-    return Map{SplineFunction{{{line.upper, line.lower}}, room.first},
-               SplineFunction{{{line.lower, line.upper}}, room.second}};
+    auto workspace = form->make_workspace();
+    form->expand(whole, SplineForm::Border::given, SplineGrid(line, {0}), 2, workspace);
+    return Map{SplineFunction{{{line.upper, line.lower}}, workspace.first},
+               SplineFunction{{{line.lower, line.upper}}, workspace.second}};
 }
 
 std::optional<SplinePatch> adapted_patch(const State& state, const PatchMap& map) {

@@ -67,9 +67,7 @@ Vec3 applied(Tensor a, Vec3 v) {
 }
 
 /// A unit vector at right angles to `xi`, along g where that has a direction.
-Vec3 direction_of(Vec3 g, Vec3 xi) {
-    return norm(g) < 1e-12 ? any_across(xi) : (1 / norm(g)) * g;
-}
+Vec3 direction_of(Vec3 g, Vec3 xi) { return norm(g) < 1e-12 ? any_across(xi) : (1 / norm(g)) * g; }
 
 struct Eigenvalues {
     double low, high;
@@ -100,7 +98,7 @@ Eigenvalues flat_cofactor_eigenvalues(Tensor sigma) {
 
 SurfaceEquation::SurfaceEquation(std::shared_ptr<const SurfaceQ2> surface)
     : Equation(layout_of(*surface), surface->unknowns()), surface_(std::move(surface)),
-      room_(surface_->make_room()), monitor_(surface_->mesh()->node_count()),
+      workspace_(surface_->make_workspace()), monitor_(surface_->mesh()->node_count()),
       residual_(surface_->unknowns()) {}
 
 std::optional<State> SurfaceEquation::adopt(const State& other, const Discretisation* of) {
@@ -140,17 +138,17 @@ std::unique_ptr<Equation> SurfaceEquation::coarser(const Progress& progress, std
 Evaluation SurfaceEquation::evaluate(const Monitor& monitor, std::span<const double> phi) {
     move(phi);
     monitor.values(positions_, monitor_);
-    const auto [theta, normalised] = surface_->residual(monitor_, residual_, room_);
+    const auto [theta, normalised] = surface_->residual(monitor_, residual_, workspace_);
     return {.residual = normalised, .theta = theta, .step_size = 0};
 }
 
 void SurfaceEquation::move(std::span<const double> phi) {
-    surface_->map(phi, room_);
-    surface_->positions(room_, positions_, gradient_);
+    surface_->map(phi, workspace_);
+    surface_->positions(workspace_, positions_, gradient_);
 }
 
 void SurfaceEquation::linearise(const Monitor& monitor, Linearised how) {
-    if (!d_room_) d_room_ = surface_->make_room();
+    if (!d_workspace_) d_workspace_ = surface_->make_workspace();
     d_monitor_.assign(monitor_.size(), 0.0);
     slope_.resize(0);
     if (how == Linearised::fully) monitor.gradients(positions_, slope_);
@@ -159,12 +157,12 @@ void SurfaceEquation::linearise(const Monitor& monitor, Linearised how) {
 }
 
 void SurfaceEquation::derivative(std::span<const double> w, std::span<double> out) {
-    surface_->map_derivative(room_, w, *d_room_);
+    surface_->map_derivative(workspace_, w, *d_workspace_);
     if (slope_.size() > 0) {
-        surface_->positions_derivative(gradient_, *d_room_, displacement_);
+        surface_->positions_derivative(gradient_, *d_workspace_, displacement_);
         for (std::size_t i = 0; i < d_monitor_.size(); ++i) d_monitor_[i] = dot(slope_[i], displacement_[i]);
     }
-    surface_->residual_derivative(monitor_, room_, d_monitor_, *d_room_, out);
+    surface_->residual_derivative(monitor_, workspace_, d_monitor_, *d_workspace_, out);
     for (double& value : out) value = -value;
 }
 
@@ -177,7 +175,7 @@ void SurfaceEquation::precondition(std::span<const double> r, std::span<double> 
     mean /= surface_->area();
     const auto weights = surface_->weights();
     for (std::size_t i = 0; i < u.size(); ++i) u[i] -= mean * weights[i];
-    surface_->poisson(u, u, *d_room_);
+    surface_->poisson(u, u, *d_workspace_);
     for (std::size_t i = 0; i < u.size(); ++i) u[i] *= scale_[i];
 }
 
@@ -186,7 +184,7 @@ Ellipticity SurfaceEquation::ellipticity() const {
     Ellipticity extremes{.convexity = infinity, .slowest = infinity, .fastest = -infinity};
     const bool flat = surface_->shape() == SurfaceShape::flat;
     for (std::size_t i = 0; i < monitor_.size(); ++i) {
-        const Tensor sigma = surface_->sigma(room_, i);
+        const Tensor sigma = surface_->sigma(workspace_, i);
         const auto [low, high] = flat ? flat_cofactor_eigenvalues(sigma)
                                       : cofactor_eigenvalues(sigma, surface_->places()[i], gradient_[i]);
         extremes.convexity = std::min(extremes.convexity, low);

@@ -24,7 +24,7 @@ class SurfaceEquation final : public Equation {
     std::span<const double> residual() const override { return residual_; }
     /// At the mesh's nodes.
     Ellipticity ellipticity() const override;
-    void direction(std::span<double> u) override { surface_->poisson(residual_, u, room_); }
+    void direction(std::span<double> u) override { surface_->poisson(residual_, u, workspace_); }
 
     void linearise(const Monitor& monitor, Linearised how) override;
     void derivative(std::span<const double> w, std::span<double> out) override;
@@ -34,16 +34,16 @@ class SurfaceEquation final : public Equation {
     State adopt(const SurfaceQ2& from, std::span<const double> phi) const;
 
     std::shared_ptr<const SurfaceQ2> surface_;
-    SurfaceQ2::Room room_;
+    SurfaceQ2::Workspace workspace_;
     Points gradient_; ///< w' (4.11)
     Points positions_;
     std::vector<double> monitor_; ///< m at the mesh's nodes
     std::vector<double> residual_;
     // Of the linearisation:
-    std::optional<SurfaceQ2::Room> d_room_; ///< none before the first
-    Points slope_, displacement_;           ///< grad m at the nodes; how far they move with w
-    std::vector<double> d_monitor_;         ///< how much m changes there
-    std::vector<double> scale_;             ///< of the preconditioner
+    std::optional<SurfaceQ2::Workspace> d_workspace_; ///< none before the first
+    Points slope_, displacement_;                     ///< grad m at the nodes; how far they move with w
+    std::vector<double> d_monitor_;                   ///< how much m changes there
+    std::vector<double> scale_;                       ///< of the preconditioner
 };
 
 } // namespace gaspard

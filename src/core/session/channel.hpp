@@ -22,7 +22,7 @@ class Channel {
     /// Waits for room; false (and the value is not taken) when asked to stop meanwhile.
     bool push(T value, std::stop_token stop) {
         std::unique_lock lock(mutex_);
-        if (!room_.wait(lock, stop, [&] { return values_.size() < capacity_; })) return false;
+        if (!workspace_.wait(lock, stop, [&] { return values_.size() < capacity_; })) return false;
         values_.push_back(std::move(value));
         return true;
     }
@@ -34,14 +34,14 @@ class Channel {
             std::lock_guard lock(mutex_);
             taken.swap(values_);
         }
-        room_.notify_all();
+        workspace_.notify_all();
         return {std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end())};
     }
 
   private:
     std::size_t capacity_;
     std::mutex mutex_;
-    std::condition_variable_any room_;
+    std::condition_variable_any workspace_;
     std::deque<T> values_;
 };
 

@@ -31,49 +31,51 @@ double flux(const SplineLine& line, const NormalTrace& trace) {
     return sum;
 }
 
-SplineForm::Room SplineForm::make_room() const {
+SplineForm::Workspace SplineForm::make_workspace() const {
     const std::size_t most = line_.upper.size(), points = line_.points.size();
-    Room room;
-    room.poisson = poisson_.make_room();
-    room.load.resize(size() * points);
-    room.turned.resize(most * points);
-    return room;
+    Workspace workspace;
+    workspace.poisson = poisson_.make_workspace();
+    workspace.load.resize(size() * points);
+    workspace.turned.resize(most * points);
+    return workspace;
 }
 
 void SplineForm::sum_along_x(const LineTable& table, int derivative, std::span<const double> coefficients,
-                             std::size_t rows, std::vector<double>& half, Room& room) {
+                             std::size_t rows, std::vector<double>& half, Workspace& workspace) {
     const std::size_t columns = table.functions(), points = table.points();
-    room.turned.resize(columns * rows);
-    room.turned_sum.resize(points * rows);
+    workspace.turned.resize(columns * rows);
+    workspace.turned_sum.resize(points * rows);
     half.resize(points * rows);
-    transpose(coefficients.data(), columns, room.turned.data(), rows, rows, columns);
-    table.combine_all(derivative, room.turned.data(), rows, room.turned_sum.data());
-    transpose(room.turned_sum.data(), rows, half.data(), points, points, rows);
+    transpose(coefficients.data(), columns, workspace.turned.data(), rows, rows, columns);
+    table.combine_all(derivative, workspace.turned.data(), rows, workspace.turned_sum.data());
+    transpose(workspace.turned_sum.data(), rows, half.data(), points, points, rows);
 }
 
 void SplineForm::row(const SplineGrid& grid, std::size_t y, std::size_t fields, const FieldRow& out,
-                     const Room& room) const {
+                     const Workspace& workspace) const {
     for (std::size_t f = 0; f < fields; ++f) {
         const auto& [half, upper, derivative] = terms_[f];
         (upper ? grid.upper : grid.lower)
-            .combine(derivative, y, room.half[half].data(), grid.points.size(), out[f]);
+            .combine(derivative, y, workspace.half[half].data(), grid.points.size(), out[f]);
     }
 }
 
-void SplineForm::begin_load(Room& room) const { room.load.assign(size() * line_.points.size(), 0.0); }
-
-void SplineForm::load_row(std::size_t y, const double* g, Room& room) const {
-    tests().scatter(0, y, line_.weights[y], g, line_.points.size(), room.load.data());
+void SplineForm::begin_load(Workspace& workspace) const {
+    workspace.load.assign(size() * line_.points.size(), 0.0);
 }
 
-void SplineForm::end_load(std::span<double> b, Room& room) const {
+void SplineForm::load_row(std::size_t y, const double* g, Workspace& workspace) const {
+    tests().scatter(0, y, line_.weights[y], g, line_.points.size(), workspace.load.data());
+}
+
+void SplineForm::end_load(std::span<double> b, Workspace& workspace) const {
     const std::size_t n = size(), points = line_.points.size();
-    room.turned.resize(points * n);
-    room.turned_sum.assign(n * n, 0.0);
-    transpose(room.load.data(), points, room.turned.data(), n, n, points);
+    workspace.turned.resize(points * n);
+    workspace.turned_sum.assign(n * n, 0.0);
+    transpose(workspace.load.data(), points, workspace.turned.data(), n, n, points);
     for (std::size_t q = 0; q < points; ++q)
-        tests().scatter(0, q, line_.weights[q], &room.turned[q * n], n, room.turned_sum.data());
-    transpose(room.turned_sum.data(), n, b.data(), n, n, n);
+        tests().scatter(0, q, line_.weights[q], &workspace.turned[q * n], n, workspace.turned_sum.data());
+    transpose(workspace.turned_sum.data(), n, b.data(), n, n, n);
 }
 
 double SplineForm::mean(std::span<const double> phi) const {

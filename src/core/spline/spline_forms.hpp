@@ -61,27 +61,27 @@ class SplineForm {
     std::size_t unknowns() const { return size() * size(); }
     const FastDiagonalisation& poisson() const { return poisson_; }
 
-    struct Room {
-        FastDiagonalisation::Room poisson;
+    struct Workspace {
+        FastDiagonalisation::Workspace poisson;
         std::vector<double> first, second;       ///< coefficients of psi1 and psi2, or of phi
         std::array<std::vector<double>, 3> half; ///< summed along x: a line per function along y
         std::vector<double> turned, turned_sum;  ///< with lines along the other direction
         std::vector<double> load;
     };
-    Room make_room() const;
+    Workspace make_workspace() const;
 
     /// Prepares the rows below for the map of phi; with `border` zero, for its derivative.
     enum class Border { given, zero };
     virtual void expand(std::span<const double> phi, Border border, const SplineGrid& grid,
-                        std::size_t fields, Room& room) const = 0;
+                        std::size_t fields, Workspace& workspace) const = 0;
     /// The first `fields` fields at row y of that grid, which has as many columns as rows.
     void row(const SplineGrid& grid, std::size_t y, std::size_t fields, const FieldRow& out,
-             const Room& room) const;
+             const Workspace& workspace) const;
 
     /// b = <g, v> for every v of phi's space, from rows of g at the quadrature's points in any order.
-    void begin_load(Room& room) const;
-    void load_row(std::size_t y, const double* g, Room& room) const;
-    void end_load(std::span<double> b, Room& room) const;
+    void begin_load(Workspace& workspace) const;
+    void load_row(std::size_t y, const double* g, Workspace& workspace) const;
+    void end_load(std::span<double> b, Workspace& workspace) const;
     /// What the border adds to the right-hand side.
     std::span<const double> border_load() const { return border_load_; }
     double border_flux() const { return border_flux_; }
@@ -108,7 +108,7 @@ class SplineForm {
           terms_(terms) {}
     /// half = sum along x over `table` of coefficients with `rows` rows.
     static void sum_along_x(const LineTable& table, int derivative, std::span<const double> coefficients,
-                            std::size_t rows, std::vector<double>& half, Room& room);
+                            std::size_t rows, std::vector<double>& half, Workspace& workspace);
 
     SplineLine line_;
     SplineGrid quadrature_;

@@ -66,19 +66,20 @@ class MixedForm final : public SplineForm {
 
     // Sums along x: of psi1 with B and with its derivative, of psi2 with the lower splines.
     void expand(std::span<const double> phi, Border border, const SplineGrid& grid, std::size_t fields,
-                Room& room) const override {
+                Workspace& workspace) const override {
         const auto below = static_cast<Index>(size()), above = below + 1;
-        room.first.resize(static_cast<std::size_t>(below * above));
-        room.second.resize(room.first.size());
+        workspace.first.resize(static_cast<std::size_t>(below * above));
+        workspace.second.resize(workspace.first.size());
         const Eigen::Map<const MatrixXd> potential(phi.data(), below, below);
-        Eigen::Map<MatrixXd> first(room.first.data(), above, below), second(room.second.data(), below, above);
+        Eigen::Map<MatrixXd> first(workspace.first.data(), above, below),
+            second(workspace.second.data(), below, above);
         first = border == Border::given ? lift_x_ : MatrixXd::Zero(above, below);
         second = border == Border::given ? lift_y_ : MatrixXd::Zero(below, above);
         first.middleRows(1, above - 2).noalias() -= gradient_ * potential;
         second.middleCols(1, above - 2).noalias() -= potential * gradient_.transpose();
-        sum_along_x(grid.upper, 0, room.first, size(), room.half[0], room);
-        if (fields > 2) sum_along_x(grid.upper, 1, room.first, size(), room.half[1], room);
-        sum_along_x(grid.lower, 0, room.second, size() + 1, room.half[2], room);
+        sum_along_x(grid.upper, 0, workspace.first, size(), workspace.half[0], workspace);
+        if (fields > 2) sum_along_x(grid.upper, 1, workspace.first, size(), workspace.half[1], workspace);
+        sum_along_x(grid.lower, 0, workspace.second, size() + 1, workspace.half[2], workspace);
     }
     // What solves the Poisson problem for div Psi = 2.
     std::vector<double> identity() const override {
@@ -86,8 +87,8 @@ class MixedForm final : public SplineForm {
         for (std::size_t j = 0; j < size(); ++j)
             for (std::size_t i = 0; i < size(); ++i)
                 phi[j * size() + i] = border_load_[j * size() + i] - 2 * integrals_[i] * integrals_[j];
-        auto room = poisson_.make_room();
-        poisson_.solve(phi, phi, 0, room);
+        auto workspace = poisson_.make_workspace();
+        poisson_.solve(phi, phi, 0, workspace);
         return phi;
     }
     const KnotVector& space() const override { return line_.lower; }

@@ -28,9 +28,9 @@ class StandardForm final : public SplineForm {
 
     // Sums along x: of B, of its first and of its second derivative.
     void expand(std::span<const double> phi, Border, const SplineGrid& grid, std::size_t fields,
-                Room& room) const override {
+                Workspace& workspace) const override {
         for (int d = 0; d < (fields > 2 ? 3 : 2); ++d)
-            sum_along_x(grid.upper, d, phi, size(), room.half[static_cast<std::size_t>(d)], room);
+            sum_along_x(grid.upper, d, phi, size(), workspace.half[static_cast<std::size_t>(d)], workspace);
     }
     // (x^2 + y^2) / 2.
     std::vector<double> identity() const override {

@@ -18,14 +18,14 @@ double from_axis(const Axis& axis, double position) {
     return std::pow(10.0, std::clamp(position, lowest_decade, highest_decade));
 }
 
-AxisRange range_around(double low, double high, bool logarithmic, bool room) {
+AxisRange range_around(double low, double high, bool logarithmic, bool workspace) {
     if (low > high) return logarithmic ? AxisRange{-1, 0} : AxisRange{0, 1};
     const double size = std::max(std::abs(low), std::abs(high));
     if (high - low <= 1e-12 * size || high == low) {
         const double half = logarithmic ? 0.5 : size > 0 ? 0.05 * size : 0.5;
         return {low - half, high + half};
     }
-    const double more = room ? 0.05 * (high - low) : 0;
+    const double more = workspace ? 0.05 * (high - low) : 0;
     return {low - more, high + more};
 }
 

@@ -26,9 +26,9 @@ double to_axis(const Axis& axis, double value);
 /// Back; kept within what a double can be.
 double from_axis(const Axis& axis, double position);
 
-/// What an axis spans to show all from `low` to `high`, with a little `room` or without; [0, 1] (or one
+/// What an axis spans to show all from `low` to `high`, with a little `workspace` or without; [0, 1] (or one
 /// decade) where low > high: there is nothing to show.
-AxisRange range_around(double low, double high, bool logarithmic, bool room);
+AxisRange range_around(double low, double high, bool logarithmic, bool workspace);
 
 /// What the plot asks to be seen, or what shows every value that can be shown.
 AxisRange shown_range(const Plot& plot, bool vertical);

@@ -21,9 +21,9 @@ TEST(DeterminantLoad, IsTheSameForAnyNumberOfThreads) {
             std::vector<double> first;
             for (const std::size_t workers : {1, 2, 3, 5, 20}) {
                 Team team(workers);
-                std::vector<DeterminantLoad::Room> rooms(workers, load.make_room());
+                std::vector<DeterminantLoad::Workspace> workspaces(workers, load.make_workspace());
                 std::vector<double> r(all, 7.0);
-                load.integrate(monitor, sigma, r, rooms, team);
+                load.integrate(monitor, sigma, r, workspaces, team);
                 if (workers == 1) first = r;
                 EXPECT_EQ(r, first) << workers;
             }
@@ -33,9 +33,9 @@ TEST(DeterminantLoad, IsTheSameForAnyNumberOfThreads) {
 TEST(DeterminantLoad, NeedsARoomForEveryWorker) {
     const DeterminantLoad load({4, true});
     std::vector<double> r(64), monitor(25);
-    std::vector<DeterminantLoad::Room> rooms(1, load.make_room());
+    std::vector<DeterminantLoad::Workspace> workspaces(1, load.make_workspace());
     Team team(2);
-    EXPECT_THROW(load.integrate(monitor, {r, r, r}, r, rooms, team), InternalError);
+    EXPECT_THROW(load.integrate(monitor, {r, r, r}, r, workspaces, team), InternalError);
 }
 
 } // namespace

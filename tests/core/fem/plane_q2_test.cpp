@@ -26,7 +26,7 @@ class Operators : public testing::TestWithParam<std::tuple<int, bool>> {
 
     PlaneQ2 plane{LineGrid{static_cast<std::size_t>(n()), periodic()}};
     slow::Plane slowly{n(), periodic()};
-    PlaneQ2::Room room = plane.make_room();
+    PlaneQ2::Workspace workspace = plane.make_workspace();
     std::vector<double> phi = slow::random_values(plane.unknowns(), -0.01, 0.01, 7);
     Vector potential = vector_of(phi);
 
@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Planes, Operators, testing::Combine(testing::Values(4, 
 
 TEST_P(Operators, MovesNodesByTheProjectedGradient) {
     Points x;
-    plane.positions(phi, x, room);
+    plane.positions(phi, x, workspace);
     const Vector dx = slowly.project(
         1,
         slowly.load(1, [&](const Jet& v, const Place& p) { return v.value * slowly.at(2, potential, p).dx; }),
@@ -65,7 +65,7 @@ TEST_P(Operators, MovesNodesByTheProjectedGradient) {
 
 TEST_P(Operators, HasTheWeakHessianOfThePaper) {
     WeakHessian sigma;
-    plane.hessian(phi, sigma, room);
+    plane.hessian(phi, sigma, workspace);
     // (3.8) with tau = t e_1 e_1, t e_2 e_2, and t (e_1 e_2 + e_2 e_1): div tau is (t_x, 0), (0, t_y), (t_y,
     // t_x).
     const auto load = [&](const std::function<double(const Jet& t, const Jet& f)>& divergence) {
@@ -88,7 +88,7 @@ TEST_P(Operators, EvaluatesTheResidualExactly) {
     for (auto* part : {&sigma.xx, &sigma.yy, &sigma.xy})
         *part = slow::random_values(plane.unknowns(), -1, 2, static_cast<unsigned>(part - &sigma.xx) + 11);
     std::vector<double> r(plane.unknowns(), 5.0);
-    const auto [theta, normalised] = plane.residual(monitor, sigma, r, room);
+    const auto [theta, normalised] = plane.residual(monitor, sigma, r, workspace);
 
     // m in Q1 on the unwrapped mesh, sigma in Q2.
     const Vector xx = vector_of(sigma.xx), yy = vector_of(sigma.yy), xy = vector_of(sigma.xy);
@@ -114,7 +114,7 @@ TEST_P(Operators, EvaluatesTheResidualExactly) {
 TEST_P(Operators, SolvesThePoissonProblem) {
     const std::vector<double> r = slow::random_values(plane.unknowns(), -1, 2, 21); // of non-zero mean
     std::vector<double> u(plane.unknowns());
-    plane.poisson(r, u, room);
+    plane.poisson(r, u, workspace);
     const Eigen::Index all = slowly.unknowns(2);
     const Vector weights = slowly.load(2, [](const Jet& v, const Place&) { return v.value; });
     Eigen::MatrixXd bordered = Eigen::MatrixXd::Zero(all + 1, all + 1);
@@ -128,7 +128,7 @@ TEST_P(Operators, SolvesThePoissonProblem) {
     EXPECT_LT(relative(vector_of(u), expected), 1e-11);
     EXPECT_NEAR(weights.dot(vector_of(u)), 0, 1e-12);
     std::vector<double> same = r;
-    plane.poisson(same, same, room);
+    plane.poisson(same, same, workspace);
     EXPECT_EQ(same, u);
 }
 
@@ -137,10 +137,10 @@ TEST_P(Operators, DoNotSeeAConstantInPhi) {
     for (double& value : raised) value += 1;
     Points x, x_raised;
     WeakHessian sigma, sigma_raised;
-    plane.positions(phi, x, room);
-    plane.positions(raised, x_raised, room);
-    plane.hessian(phi, sigma, room);
-    plane.hessian(raised, sigma_raised, room);
+    plane.positions(phi, x, workspace);
+    plane.positions(raised, x_raised, workspace);
+    plane.hessian(phi, sigma, workspace);
+    plane.hessian(raised, sigma_raised, workspace);
     for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(norm(x[i] - x_raised[i]), 0, 1e-13);
     for (std::size_t i = 0; i < plane.unknowns(); ++i) {
         EXPECT_NEAR(sigma.xx[i], sigma_raised.xx[i], 1e-11);
@@ -154,10 +154,10 @@ TEST_P(Operators, RefuseArraysOfTheWrongSize) {
     WeakHessian sigma;
     const std::vector<double> few(plane.unknowns() - 1);
     std::vector<double> out(plane.unknowns());
-    EXPECT_THROW(plane.positions(few, x, room), InternalError);
-    EXPECT_THROW(plane.hessian(few, sigma, room), InternalError);
-    EXPECT_THROW(plane.poisson(few, out, room), InternalError);
-    EXPECT_THROW(plane.residual(few, sigma, out, room), InternalError);
+    EXPECT_THROW(plane.positions(few, x, workspace), InternalError);
+    EXPECT_THROW(plane.hessian(few, sigma, workspace), InternalError);
+    EXPECT_THROW(plane.poisson(few, out, workspace), InternalError);
+    EXPECT_THROW(plane.residual(few, sigma, out, workspace), InternalError);
 }
 
 // A smooth potential that suits both boundaries: periodic and even about 0, 1/2 and 1.
@@ -179,10 +179,10 @@ std::vector<double> interpolate(const PlaneQ2& plane) {
 // The largest distance between node (i, j) of the coarse mesh under phi and (2 i, 2 j) of the fine one.
 double drift_on_refining(std::size_t cells, bool periodic) {
     PlaneQ2 coarse({cells, periodic}), fine({2 * cells, periodic});
-    auto coarse_room = coarse.make_room(), fine_room = fine.make_room();
+    auto coarse_workspace = coarse.make_workspace(), fine_room = fine.make_workspace();
     const std::vector<double> phi = interpolate(coarse);
     Points x, y;
-    coarse.positions(phi, x, coarse_room);
+    coarse.positions(phi, x, coarse_workspace);
     fine.positions(fine.transfer(coarse.grid(), phi, fine_room), y, fine_room);
     double drift = 0;
     for (std::size_t j = 0; j <= cells; ++j)
@@ -203,9 +203,9 @@ TEST(Transfer, KeepsPositionsToTheOrderOfTheirProjection) {
 // The largest difference, in units of the largest potential, after a way to other cells and back.
 double loss(std::size_t cells, std::size_t other, bool periodic) {
     PlaneQ2 here({cells, periodic}), there({other, periodic});
-    auto room = here.make_room(), room_there = there.make_room();
+    auto workspace = here.make_workspace(), room_there = there.make_workspace();
     const std::vector<double> phi = interpolate(here);
-    const auto back = here.transfer(there.grid(), there.transfer(here.grid(), phi, room_there), room);
+    const auto back = here.transfer(there.grid(), there.transfer(here.grid(), phi, room_there), workspace);
     return slow::largest(vector_of(back) - vector_of(phi)) / 0.006;
 }
 
@@ -225,9 +225,9 @@ TEST(Transfer, LosesLittleOnTheWayToFewerCellsAndBack) {
 TEST(Transfer, OnTheSameGridIsExactToRounding) {
     for (const bool periodic : {true, false}) {
         PlaneQ2 plane({12, periodic});
-        auto room = plane.make_room();
+        auto workspace = plane.make_workspace();
         const std::vector<double> phi = interpolate(plane);
-        const auto same = plane.transfer(plane.grid(), phi, room);
+        const auto same = plane.transfer(plane.grid(), phi, workspace);
         EXPECT_LT(slow::largest(vector_of(same) - vector_of(phi)), 1e-14);
     }
 }

@@ -77,18 +77,19 @@ TEST(SurfaceQ2, ComputesWhatDenseMatricesCompute) {
         ASSERT_EQ(static_cast<Eigen::Index>(surface.unknowns()), slow.size());
         EXPECT_NEAR(surface.area(), slow.weights().sum(), 1e-13);
         const auto phi = some_potential(surface.unknowns(), flat ? 0.002 : 0.05);
-        auto room = surface.make_room();
-        surface.map(phi, room);
+        auto workspace = surface.make_workspace();
+        surface.map(phi, workspace);
 
         const std::size_t nodes = surface.mesh()->node_count();
         const Eigen::MatrixXd sigma = slow.sigma(as_vector(phi)), w = slow.projected_gradient(as_vector(phi));
         Points x, gradient;
-        surface.positions(room, x, gradient);
+        surface.positions(workspace, x, gradient);
         for (std::size_t i = 0; i < nodes; ++i) {
             const auto row = static_cast<Eigen::Index>(i);
             const auto unknown = setup.unknowns.empty() ? row : setup.unknowns[i];
             for (std::size_t c = 0; c < 9; ++c)
-                ASSERT_NEAR(surface.sigma(room, i)[c], sigma(unknown, static_cast<Eigen::Index>(c)), 1e-11);
+                ASSERT_NEAR(surface.sigma(workspace, i)[c], sigma(unknown, static_cast<Eigen::Index>(c)),
+                            1e-11);
             const Vec3 p = surface.places()[i];
             const Eigen::Vector3d xi(p.x, p.y, p.z);
             Eigen::Vector3d g = w.row(row).transpose();
@@ -100,7 +101,7 @@ TEST(SurfaceQ2, ComputesWhatDenseMatricesCompute) {
 
         std::vector<double> monitor(nodes), r(surface.unknowns());
         for (std::size_t i = 0; i < nodes; ++i) monitor[i] = 1.5 + x.x[i] * x.y[i];
-        const auto [theta, normalised] = surface.residual(monitor, r, room);
+        const auto [theta, normalised] = surface.residual(monitor, r, workspace);
         slow::Vector load = slow.determinant_load(as_vector(phi), monitor, setup.monitor_at_vertices);
         const double expected_theta = load.sum() / slow.weights().sum();
         EXPECT_NEAR(theta, expected_theta, 1e-12);
@@ -109,7 +110,7 @@ TEST(SurfaceQ2, ComputesWhatDenseMatricesCompute) {
         EXPECT_LT((as_vector(r) - load).norm(), 1e-11 * load.norm());
 
         std::vector<double> u(surface.unknowns());
-        surface.poisson(r, u, room);
+        surface.poisson(r, u, workspace);
         EXPECT_LT((slow.stiffness() * as_vector(u) - load).norm(), 1e-11 * load.norm());
         EXPECT_NEAR(slow.weights().dot(as_vector(u)), 0, 1e-12);
 
@@ -138,10 +139,10 @@ TEST(SurfaceQ2, HasTheEllipticityOfDifferences) {
         phi[i] = 0.1 * p.x * p.y + 0.2 * p.z;
     }
     equation.evaluate(Waves(), phi);
-    auto room = surface->make_room();
-    surface->map(phi, room);
+    auto workspace = surface->make_workspace();
+    surface->map(phi, workspace);
     Points x, gradient;
-    surface->positions(room, x, gradient);
+    surface->positions(workspace, x, gradient);
     std::vector<double> m(x.size());
     static_cast<const Monitor&>(Waves()).values(x, m);
     Ellipticity expected{1e9, 1e9, -1e9};
@@ -151,7 +152,7 @@ TEST(SurfaceQ2, HasTheEllipticityOfDifferences) {
         const Eigen::Vector3d xi = vector(surface->places()[i]), g = vector(gradient[i]);
         Matrix sigma, differential;
         for (int c = 0; c < 9; ++c)
-            sigma(c / 3, c % 3) = surface->sigma(room, i)[static_cast<std::size_t>(c)];
+            sigma(c / 3, c % 3) = surface->sigma(workspace, i)[static_cast<std::size_t>(c)];
         const double h = 1e-5;
         for (int j = 0; j < 3; ++j) {
             const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(j);
@@ -181,10 +182,10 @@ TEST(SurfaceQ2, HasTheEllipticityOfDifferences) {
 
 TEST(SurfaceQ2, StandsStillForAPotentialOfZero) {
     const SurfaceQ2 surface(sphere_setup({SphereCells::cubed, 4}, 2, 6371e3));
-    auto room = surface.make_room();
-    surface.map(std::vector<double>(surface.unknowns(), 0.0), room);
+    auto workspace = surface.make_workspace();
+    surface.map(std::vector<double>(surface.unknowns(), 0.0), workspace);
     Points x, gradient;
-    surface.positions(room, x, gradient);
+    surface.positions(workspace, x, gradient);
     for (std::size_t i = 0; i < x.size(); ++i) EXPECT_EQ(x[i], surface.mesh()->nodes[i]);
 }
 

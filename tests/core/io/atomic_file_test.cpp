@@ -1,6 +1,6 @@
 #include "core/base/error.hpp"
-#include "core/io/atomic_file.hpp"
 #include "core/base/read_file.hpp"
+#include "core/io/atomic_file.hpp"
 #include "support/comma_locale.hpp"
 #include "support/messages.hpp"
 #include "support/temporary_folder.hpp"

@@ -1,7 +1,7 @@
 // What we write is read by libpng, and what libpng writes is read by us.
 #include "core/base/error.hpp"
-#include "core/io/image.hpp"
 #include "core/base/read_file.hpp"
+#include "core/io/image.hpp"
 #include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
 

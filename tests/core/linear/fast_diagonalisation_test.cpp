@@ -35,10 +35,10 @@ std::vector<double> numbers() {
 TEST(FastDiagonalisation, SolvesWithAShift) {
     const Line line;
     const FastDiagonalisation solver(line.stiffness, line.mass);
-    auto room = solver.make_room();
+    auto workspace = solver.make_workspace();
     const auto b = numbers();
     std::vector<double> x(b), y(b);
-    solver.solve(b, x, 0.3, room);
+    solver.solve(b, x, 0.3, workspace);
     // Entry by entry, from the definition of the Kronecker product.
     for (std::size_t row = 0; row < n * n; ++row) {
         double sum = 0;
@@ -57,14 +57,14 @@ TEST(FastDiagonalisation, LeavesTheConstantOutExactly) {
     const Line line;
     const FastDiagonalisation solver(line.stiffness, line.mass);
     EXPECT_EQ(solver.eigenvalues()[0], 0);
-    auto room = solver.make_room();
+    auto workspace = solver.make_workspace();
     auto b = numbers();
     double sum = 0;
     for (const double value : b) sum += value;
     for (double& value : b) value -= sum / (n * n); // against the function 1
     std::vector<double> x(b), again(b), shifted(b), y(b);
-    solver.solve(b, x, 0, room);
-    solver.multiply(x, again, room);
+    solver.solve(b, x, 0, workspace);
+    solver.multiply(x, again, workspace);
     for (std::size_t i = 0; i < b.size(); ++i) EXPECT_NEAR(again[i], b[i], 1e-11);
     // More of the constant in b changes nothing.
     for (std::size_t j = 0; j < n; ++j)
@@ -74,7 +74,7 @@ TEST(FastDiagonalisation, LeavesTheConstantOutExactly) {
                 mi += line.mass.entries[i * n + k], mj += line.mass.entries[j * n + k];
             b[j * n + i] += 1000 * mi * mj;
         }
-    solver.solve(b, shifted, 0, room);
+    solver.solve(b, shifted, 0, workspace);
     for (std::size_t i = 0; i < b.size(); ++i) EXPECT_NEAR(shifted[i], x[i], 1e-12 * 1000);
 }
 

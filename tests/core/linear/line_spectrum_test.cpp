@@ -47,9 +47,9 @@ MatrixXd matrix_of(std::size_t size, const Apply& apply) {
 TEST_P(Spectrum, DiagonalisesMassAndStiffness) {
     const LineSpectrum s = spectrum();
     ASSERT_EQ(static_cast<int>(s.size()), line().unknowns(2));
-    auto room = s.make_room();
+    auto workspace = s.make_workspace();
     const MatrixXd vectors = matrix_of(
-        s.size(), [&](const double* c, double* u) { s.synthesise(c, u, LineSpectrum::lanes, room); });
+        s.size(), [&](const double* c, double* u) { s.synthesise(c, u, LineSpectrum::lanes, workspace); });
     const VectorXd lambda = VectorXd::Map(s.eigenvalues().data(), vectors.cols());
     const MatrixXd m = slow::mass(line(), 2), k = slow::stiffness(line(), 2);
     const MatrixXd one = MatrixXd::Identity(vectors.cols(), vectors.cols());
@@ -61,11 +61,11 @@ TEST_P(Spectrum, DiagonalisesMassAndStiffness) {
 
 TEST_P(Spectrum, AnalysesByTheTransposeOfWhatItSynthesises) {
     const LineSpectrum s = spectrum();
-    auto room = s.make_room();
+    auto workspace = s.make_workspace();
     const MatrixXd vectors = matrix_of(
-        s.size(), [&](const double* c, double* u) { s.synthesise(c, u, LineSpectrum::lanes, room); });
-    const MatrixXd transposed =
-        matrix_of(s.size(), [&](const double* b, double* c) { s.analyse(b, LineSpectrum::lanes, c, room); });
+        s.size(), [&](const double* c, double* u) { s.synthesise(c, u, LineSpectrum::lanes, workspace); });
+    const MatrixXd transposed = matrix_of(
+        s.size(), [&](const double* b, double* c) { s.analyse(b, LineSpectrum::lanes, c, workspace); });
     EXPECT_LT(largest(transposed - vectors.transpose()), 1e-13 * largest(vectors));
     const MatrixXd inverse = slow::mass(line(), 2).inverse();
     EXPECT_LT(largest(vectors * transposed - inverse), 1e-13 * largest(inverse));
@@ -84,29 +84,29 @@ TEST_P(Spectrum, HasTheEigenvaluesOfTheDensePencil) {
 
 TEST_P(Spectrum, PutsTheConstantFirst) {
     const LineSpectrum s = spectrum();
-    auto room = s.make_room();
+    auto workspace = s.make_workspace();
     Batch c = Batch::Zero(static_cast<Eigen::Index>(s.size()), lanes), u = c;
     c.row(0).setOnes();
-    s.synthesise(c.data(), u.data(), LineSpectrum::lanes, room);
+    s.synthesise(c.data(), u.data(), LineSpectrum::lanes, workspace);
     EXPECT_LT(largest(u.cwiseAbs() - Batch::Ones(u.rows(), lanes)), 1e-14); // unit mass on [0,1]
     EXPECT_LT(largest(u - Batch::Constant(u.rows(), lanes, u(0, 0))), 1e-14);
 }
 
 TEST_P(Spectrum, WorksInPlaceAndInAWiderArray) {
     const LineSpectrum s = spectrum();
-    auto room = s.make_room();
+    auto workspace = s.make_workspace();
     const Batch start = Batch::Random(static_cast<Eigen::Index>(s.size()), lanes);
     Batch apart(start.rows(), lanes), same = start;
-    s.analyse(start.data(), LineSpectrum::lanes, apart.data(), room);
-    s.analyse(same.data(), LineSpectrum::lanes, same.data(), room);
+    s.analyse(start.data(), LineSpectrum::lanes, apart.data(), workspace);
+    s.analyse(same.data(), LineSpectrum::lanes, same.data(), workspace);
     EXPECT_EQ(same, apart);
     using Wide = Eigen::Matrix<double, Eigen::Dynamic, lanes + 3, Eigen::RowMajor>;
     Wide wide = Wide::Constant(start.rows(), lanes + 3, 5.0);
     wide.middleCols(2, lanes) = start;
-    s.analyse(wide.data() + 2, lanes + 3, apart.data(), room);
+    s.analyse(wide.data() + 2, lanes + 3, apart.data(), workspace);
     EXPECT_EQ(same, apart);
-    s.synthesise(apart.data(), apart.data(), LineSpectrum::lanes, room);
-    s.synthesise(same.data(), wide.data() + 2, lanes + 3, room);
+    s.synthesise(apart.data(), apart.data(), LineSpectrum::lanes, workspace);
+    s.synthesise(same.data(), wide.data() + 2, lanes + 3, workspace);
     EXPECT_EQ(apart, Batch(wide.middleCols(2, lanes)));
     EXPECT_TRUE((wide.leftCols(2).array() == 5).all() && (wide.rightCols(1).array() == 5).all());
 }
@@ -115,12 +115,12 @@ TEST(LineSpectrum, InvertsTheMassOfTheLongestLinesToo) {
     for (const bool periodic : {true, false})
         for (const int n : {479, 480}) { // a prime, and many small factors
             const LineSpectrum s(static_cast<std::size_t>(n), periodic);
-            auto room = s.make_room();
+            auto workspace = s.make_workspace();
             srand(6);
             const Batch u = Batch::Random(static_cast<Eigen::Index>(s.size()), lanes);
             Batch b = slow::mass({n, periodic}, 2) * u;
-            s.analyse(b.data(), LineSpectrum::lanes, b.data(), room);
-            s.synthesise(b.data(), b.data(), LineSpectrum::lanes, room);
+            s.analyse(b.data(), LineSpectrum::lanes, b.data(), workspace);
+            s.synthesise(b.data(), b.data(), LineSpectrum::lanes, workspace);
             EXPECT_LT(largest(b - u), 1e-12) << n;
         }
 }
@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(Squares, Poisson, testing::Combine(testing::Values(4, 5
 
 TEST_P(Poisson, AgreesWithSparseEliminationForAnyMean) {
     const TensorPoisson poisson(spectrum());
-    auto room = poisson.make_room();
+    auto workspace = poisson.make_workspace();
     Team alone;
     const Eigen::Index all = line().unknowns(2) * line().unknowns(2);
     srand(5);
@@ -165,7 +165,7 @@ TEST_P(Poisson, AgreesWithSparseEliminationForAnyMean) {
         VectorXd b = VectorXd::Random(all);
         b.array() += mean - b.mean();
         VectorXd u = VectorXd::Constant(all, 9.0);
-        poisson.solve(b.data(), u.data(), room, alone);
+        poisson.solve(b.data(), u.data(), workspace, alone);
         const VectorXd expected = solve_sparse(line(), b);
         EXPECT_LT(largest(u - expected), 1e-12 * largest(expected)) << "mean of b " << mean;
     }
@@ -173,11 +173,11 @@ TEST_P(Poisson, AgreesWithSparseEliminationForAnyMean) {
 
 TEST_P(Poisson, SolvesInPlace) {
     const TensorPoisson poisson(spectrum());
-    auto room = poisson.make_room();
+    auto workspace = poisson.make_workspace();
     Team alone;
     VectorXd b = VectorXd::Random(line().unknowns(2) * line().unknowns(2)), u(b.size());
-    poisson.solve(b.data(), u.data(), room, alone);
-    poisson.solve(b.data(), b.data(), room, alone);
+    poisson.solve(b.data(), u.data(), workspace, alone);
+    poisson.solve(b.data(), b.data(), workspace, alone);
     EXPECT_EQ(b, u);
 }
 
@@ -186,9 +186,9 @@ TEST_P(Poisson, IsTheSameForAnyNumberOfThreads) {
     const VectorXd b = VectorXd::Random(line().unknowns(2) * line().unknowns(2));
     VectorXd first(b.size()), u(b.size());
     for (const std::size_t workers : {1, 2, 3, 7}) {
-        auto room = poisson.make_room(workers);
+        auto workspace = poisson.make_workspace(workers);
         Team team(workers);
-        poisson.solve(b.data(), u.data(), room, team);
+        poisson.solve(b.data(), u.data(), workspace, team);
         if (workers == 1) first = u;
         EXPECT_EQ(u, first) << workers;
     }
@@ -208,9 +208,9 @@ TEST(ModalLines, AgreeWithDenseElimination) {
             const ModalLines lines(static_cast<std::size_t>(n), periodic, lambdas);
             const RowMajor b = RowMajor::Random(line.unknowns(2), columns + 2);
             RowMajor u = b;
-            auto room = ModalLines::make_room();
-            lines.solve(u.data(), static_cast<std::size_t>(columns + 2), 0, 20, room);
-            lines.solve(u.data(), static_cast<std::size_t>(columns + 2), 20, lambdas.size(), room);
+            auto workspace = ModalLines::make_workspace();
+            lines.solve(u.data(), static_cast<std::size_t>(columns + 2), 0, 20, workspace);
+            lines.solve(u.data(), static_cast<std::size_t>(columns + 2), 20, lambdas.size(), workspace);
             EXPECT_EQ(u.rightCols(2), b.rightCols(2));
             for (Eigen::Index c = 0; c < columns; ++c) {
                 const MatrixXd matrix =

@@ -85,8 +85,8 @@ TEST(Accelerated, GoesOnFromTheMiddleOfTheWay) {
     other.begin(run.monitor);
     auto plane = PlaneQ2({60, true}); // its residual is that of the finest plane
     PlaneQ2 from({30, true});
-    auto room = plane.make_room(), from_room = from.make_room();
-    const auto phi = plane.transfer(from, run.state.arrays[0].values, from_room, room);
+    auto workspace = plane.make_workspace(), from_room = from.make_workspace();
+    const auto phi = plane.transfer(from, run.state.arrays[0].values, from_room, workspace);
     const auto relaxation = make_relaxation(other.plane, 0.1);
     const Evaluation fine = relaxation->evaluate(*run.monitor, State{other.layout(60), {{"phi", phi}}}, {});
     EXPECT_NEAR(other.history[0].residual, fine.residual, 1e-12);

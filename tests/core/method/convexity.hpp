@@ -10,9 +10,9 @@ namespace gaspard {
 
 /// Over 4 x 4 Gauss points per cell.
 inline double smallest_eigenvalue(const PlaneQ2& plane, std::span<const double> phi) {
-    auto room = plane.make_room();
+    auto workspace = plane.make_workspace();
     WeakHessian sigma;
-    plane.hessian(phi, sigma, room);
+    plane.hessian(phi, sigma, workspace);
     const slow::Rule rule = slow::gauss(4);
     double shapes[4][3];
     for (std::size_t q = 0; q < 4; ++q)

@@ -86,18 +86,18 @@ TEST_P(Relaxation, MakesTheStepOfThePaper) {
     // (3.7) against the operators, which have slow twins of their own: phi + dt u, <grad v, grad u> = r_v.
     Relaxing run = off_centre(12, 4);
     const PlaneQ2& plane = *run.plane;
-    auto room = plane.make_room();
+    auto workspace = plane.make_workspace();
     std::vector<double> phi = run.state.arrays[0].values, m(plane.mesh()->node_count()), r(phi.size());
     Points x;
     WeakHessian sigma;
-    plane.positions(phi, x, room);
+    plane.positions(phi, x, workspace);
     EXPECT_EQ(x, run.x());
     run.monitor->values(x, m);
-    plane.hessian(phi, sigma, room);
-    const auto [theta, normalised] = plane.residual(m, sigma, r, room);
+    plane.hessian(phi, sigma, workspace);
+    const auto [theta, normalised] = plane.residual(m, sigma, r, workspace);
     EXPECT_EQ(theta, run.history.back().theta);
     EXPECT_EQ(normalised, run.history.back().residual);
-    plane.poisson(r, r, room);
+    plane.poisson(r, r, workspace);
     const Evaluation& after = run.step();
     for (std::size_t i = 0; i < phi.size(); ++i)
         EXPECT_NEAR(run.state.arrays[0].values[i], phi[i] + 0.1 * r[i], 1e-17);
@@ -130,11 +130,11 @@ TEST_P(Relaxation, ChoosesTheStepThatTheMapAllows) {
     Values values("method", relaxation_method().rows); // auto by default
     run.method->configure(values);
     const PlaneQ2& plane = *run.plane;
-    auto room = plane.make_room();
+    auto workspace = plane.make_workspace();
     WeakHessian sigma;
     std::vector<double> m(run.x().size());
     run.monitor->values(run.x(), m);
-    plane.hessian(run.state.arrays[0].values, sigma, room);
+    plane.hessian(run.state.arrays[0].values, sigma, workspace);
     const Ellipticity e = ellipticity(plane.grid(), m, sigma);
     ASSERT_GT(e.slowest, 0);
     EXPECT_DOUBLE_EQ(run.step().step_size, 1.96 / (e.slowest + e.fastest));
@@ -247,12 +247,12 @@ TEST(Walls, AreAQuarterOfATorusOfTwiceTheSize) {
     const auto monitor = off_centre_ring(plain);
     Relaxing walls(n, false, monitor, 0.1), whole(2 * n, true, std::make_shared<Mirrored>(monitor), 0.1);
     const auto residual = [](const Relaxing& run) {
-        auto room = run.plane->make_room();
+        auto workspace = run.plane->make_workspace();
         WeakHessian sigma;
         std::vector<double> m(run.x().size()), r(run.plane->unknowns());
         run.monitor->values(run.x(), m);
-        run.plane->hessian(run.state.arrays[0].values, sigma, room);
-        run.plane->residual(m, sigma, r, room);
+        run.plane->hessian(run.state.arrays[0].values, sigma, workspace);
+        run.plane->residual(m, sigma, r, workspace);
         return r;
     };
     for (int iteration = 0; iteration <= 60; ++iteration) {

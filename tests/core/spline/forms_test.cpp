@@ -45,13 +45,14 @@ class Forms : public testing::TestWithParam<Case> {
     std::array<std::vector<double>, map_fields> fields(const SplineForm& form, std::span<const double> phi,
                                                        SplineForm::Border border) const {
         const std::size_t n = line.points.size();
-        auto room = form.make_room();
+        auto workspace = form.make_workspace();
         std::array<std::vector<double>, map_fields> all;
         for (auto& field : all) field.resize(n * n);
-        form.expand(phi, border, form.quadrature(), map_fields, room);
+        form.expand(phi, border, form.quadrature(), map_fields, workspace);
         for (std::size_t y = 0; y < n; ++y)
             form.row(form.quadrature(), y, map_fields,
-                     {&all[0][y * n], &all[1][y * n], &all[2][y * n], &all[3][y * n], &all[4][y * n]}, room);
+                     {&all[0][y * n], &all[1][y * n], &all[2][y * n], &all[3][y * n], &all[4][y * n]},
+                     workspace);
         return all;
     }
     double integral(std::span<const double> values) const {
@@ -92,24 +93,24 @@ TEST_P(Forms, SolveTheirPoissonProblem) {
     std::vector<double> g = random_numbers(n * n, 1);
     const double total = integral(g);
     for (double& value : g) value += form->border_flux() - total; // so that there is a solution
-    auto room = form->make_room();
+    auto workspace = form->make_workspace();
     std::vector<double> b(form->unknowns()), phi(b), again(b);
-    form->begin_load(room);
-    for (std::size_t y = 0; y < n; ++y) form->load_row(y, &g[y * n], room);
-    form->end_load(b, room);
+    form->begin_load(workspace);
+    for (std::size_t y = 0; y < n; ++y) form->load_row(y, &g[y * n], workspace);
+    form->end_load(b, workspace);
     for (std::size_t i = 0; i < b.size(); ++i) b[i] = form->border_load()[i] - b[i];
-    form->poisson().solve(b, phi, 0, room.poisson);
+    form->poisson().solve(b, phi, 0, workspace.poisson);
     EXPECT_NEAR(form->mean(phi), 0, 1e-13);
-    form->poisson().multiply(phi, again, room.poisson);
+    form->poisson().multiply(phi, again, workspace.poisson);
     for (std::size_t i = 0; i < b.size(); ++i) EXPECT_NEAR(again[i], b[i], 1e-12);
     // The mixed one's map has the divergence g, tested with all of L2's space.
     if (GetParam().mixed) {
         const auto at = fields(*form, phi, SplineForm::Border::given);
-        form->begin_load(room);
+        form->begin_load(workspace);
         std::vector<double> rest(n * n);
         for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = at[2][i] + at[4][i] - g[i];
-        for (std::size_t y = 0; y < n; ++y) form->load_row(y, &rest[y * n], room);
-        form->end_load(again, room);
+        for (std::size_t y = 0; y < n; ++y) form->load_row(y, &rest[y * n], workspace);
+        form->end_load(again, workspace);
         for (const double value : again) EXPECT_NEAR(value, 0, 1e-12);
     }
 }
@@ -152,11 +153,11 @@ TEST_P(Forms, KeepTheirBorder) {
     const auto form = make(identity_trace(line));
     if (!GetParam().mixed) return; // that one keeps it weakly
     const SplineGrid grid(line, {0, 0.1, 0.5, 0.77, 1});
-    auto room = form->make_room();
+    auto workspace = form->make_workspace();
     std::array<double, 5> first{}, second{};
-    form->expand(random_numbers(form->unknowns(), 4), SplineForm::Border::given, grid, 2, room);
+    form->expand(random_numbers(form->unknowns(), 4), SplineForm::Border::given, grid, 2, workspace);
     for (std::size_t y = 0; y < 5; ++y) {
-        form->row(grid, y, 2, {first.data(), second.data(), nullptr, nullptr, nullptr}, room);
+        form->row(grid, y, 2, {first.data(), second.data(), nullptr, nullptr, nullptr}, workspace);
         EXPECT_NEAR(first[0], 0, 1e-15);
         EXPECT_NEAR(first[4], 1, 1e-15);
         for (const double value : second) {

@@ -1,0 +1,128 @@
+#include "gui/app/viewport_image.hpp"
+
+#include "core/base/check.hpp"
+#include "core/scenario/view_rows.hpp"
+#include "gui/gl/imgui_context.hpp"
+#include "gui/gl/imgui_renderer.hpp"
+#include "gui/render/mesh_renderer.hpp"
+#include "gui/viewport/viewport.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace gaspard {
+
+namespace {
+
+/// Text grows with the picture, but stays readable in a small one.
+float picture_scale(int width, int height) {
+    return std::clamp(std::min(static_cast<float>(width) / 1000, static_cast<float>(height) / 750), 0.75F,
+                      10.0F);
+}
+
+/// Everything one picture needs, in the order in which it must come and go.
+class Canvas {
+  public:
+    Canvas(int width, int height, float scale, const ImageOptions& options)
+        : theme_(options.light ? light_theme() : dark_theme()), scale_(scale),
+          context_(make_offscreen_context(options.backend)), target_(context_->gl(), width, height),
+          mesh_renderer_(context_->gl()) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+        load_font(*io.Fonts, theme_, scale);
+        apply_theme(theme_, scale);
+        text_renderer_.emplace(context_->gl());
+        ImGui::NewFrame();
+        target_.bind();
+        const Gl& gl = context_->gl();
+        gl.ClearColor(theme_.background.r, theme_.background.g, theme_.background.b, 1);
+        gl.Clear(GL_COLOR_BUFFER_BIT);
+    }
+
+    void mesh(const Snapshot& snapshot, const Values& view, const ViewportText& text, PixelRect area) {
+        ViewportPlanner planner;
+        const ViewportPlan plan = planner.plan(snapshot, view, text, on_screen(area), scale_);
+        for (const PlannedView& shown : plan.views)
+            mesh_renderer_.draw(shown.scene, shown.camera, in_pixels(shown.rect), target_.height(), theme_,
+                                scale_);
+        draw_viewport_overlay(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
+    }
+
+    void plot(const Plot& plot, PixelRect area) {
+        ScreenRect rect = on_screen(area);
+        const float margin = 14 * scale_;
+        rect.min = {rect.min.x + margin, rect.min.y + margin / 2};
+        rect.max = {rect.max.x - margin, rect.max.y - margin / 2};
+        draw_plot(*ImGui::GetBackgroundDrawList(), plot, rect, theme_, scale_);
+    }
+
+    Image finish() {
+        ImGui::Render();
+        text_renderer_->draw(*ImGui::GetDrawData());
+        return target_.read();
+    }
+
+  private:
+    static ScreenRect on_screen(PixelRect area) {
+        const auto x = static_cast<float>(area.x), y = static_cast<float>(area.y);
+        return {{x, y}, {x + static_cast<float>(area.width), y + static_cast<float>(area.height)}};
+    }
+
+    static PixelRect in_pixels(ScreenRect rect) {
+        const auto pixel = [](float position) { return static_cast<int>(std::lround(position)); };
+        return {pixel(rect.min.x), pixel(rect.min.y), pixel(rect.width()), pixel(rect.height())};
+    }
+
+    Theme theme_;
+    float scale_;
+    std::unique_ptr<OffscreenContext> context_;
+    RenderTarget target_;
+    ImGuiSession session_;
+    std::optional<ImGuiRenderer> text_renderer_; ///< once the font is there
+    MeshRenderer mesh_renderer_;
+};
+
+} // namespace
+
+Image render_view(const Snapshot& snapshot, const Values& view, int width, int height,
+                  const std::string& subject, const ImageOptions& options) {
+    ImageOptions themed = options;
+    themed.light = options.light || view.text("theme") == "light";
+    Canvas canvas(width, height, picture_scale(width, height), themed);
+    canvas.mesh(snapshot, view, {.subject = subject, .report = snapshot.report}, {0, 0, width, height});
+    return canvas.finish();
+}
+
+Image render_plot(const Plot& plot, int width, int height, const ImageOptions& options) {
+    Canvas canvas(width, height, picture_scale(width, height), options);
+    canvas.plot(plot, {0, 0, width, height});
+    return canvas.finish();
+}
+
+Image render_panels(const std::vector<Panel>& panels, int columns, int width, int height,
+                    const ImageOptions& options) {
+    GASPARD_CHECK(columns > 0 && !panels.empty());
+    const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
+    const int panel_width = width / columns, panel_height = height / rows;
+    Canvas canvas(width, height, picture_scale(panel_width * 3 / 2, panel_height * 3 / 2), options);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const int at = static_cast<int>(i);
+        const PixelRect area{at % columns * panel_width, at / columns * panel_height, panel_width,
+                             panel_height};
+        if (const auto* plot = std::get_if<Plot>(&panels[i])) {
+            canvas.plot(*plot, area);
+            continue;
+        }
+        const auto& panel = std::get<MeshPanel>(panels[i]);
+        Values view("view", view_rows());
+        view.set("color", panel.colour);
+        view.set("blend", panel.blend);
+        view.set("camera", panel.camera);
+        view.set("histogram", false);
+        canvas.mesh(*panel.snapshot, view, {.title = panel.title, .caption = false}, area);
+    }
+    return canvas.finish();
+}
+
+} // namespace gaspard

@@ -1,0 +1,88 @@
+#include "gui/app/whole_window.hpp"
+
+#include "gui/gl/imgui_context.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+/// As on a usual display; what is larger than the usual window is taken for a picture of higher density.
+float window_zoom(int width, int height) {
+    return std::clamp(std::min(static_cast<float>(width) / 1400, static_cast<float>(height) / 900), 1.0F,
+                      6.0F);
+}
+
+} // namespace
+
+PixelRect pixels_of(const ItemRectangle& part, float density) {
+    const auto pixels = [density](float units) { return static_cast<int>(std::lround(units * density)); };
+    const int x = pixels(part.left), y = pixels(part.top);
+    return {x, y, pixels(part.right) - x, pixels(part.bottom) - y};
+}
+
+void WindowImage::draw_meshes(const Application& application, const WindowPixels& pixels, float zoom) {
+    const Theme& theme = application.theme();
+    below_->bind();
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl_.ClearColor(theme.background.r, theme.background.g, theme.background.b, 1);
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const auto& views = application.views();
+    for (const ShownView& shown : views) {
+        // One and the same mesh, as from front and rear, is sent once.
+        const auto first = std::find_if(views.begin(), views.end(), [&](const ShownView& one) {
+            return one.scene.physical == shown.scene.physical;
+        });
+        Camera camera = shown.camera;
+        camera.scale /= static_cast<double>(pixels.density);
+        meshes_.at(static_cast<std::size_t>(first - views.begin()))
+            .draw(shown.scene, camera, pixels_of(shown.rectangle, pixels.density), pixels.height, theme,
+                  zoom * pixels.density);
+    }
+}
+
+bool WindowImage::draw(const Application& application, const WindowPixels& pixels, float zoom) {
+    if (!whole_ || whole_->width() != pixels.width || whole_->height() != pixels.height) {
+        below_.reset(), whole_.reset(), drawn_.reset();
+        below_.emplace(gl_, pixels.width, pixels.height);
+        whole_.emplace(gl_, pixels.width, pixels.height, 0); // text and panels are smooth by themselves
+    }
+    Below wanted{application.views(), application.theme_name(), pixels.density, zoom};
+    const bool anew = drawn_ != wanted;
+    if (anew) {
+        draw_meshes(application, pixels, zoom);
+        drawn_ = std::move(wanted);
+    }
+    whole_->copy(*below_);
+    whole_->bind();
+    interface_.draw(*ImGui::GetDrawData());
+    return anew;
+}
+
+Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const FinishedRun& run, int width,
+                          int height, const Settings& settings, OffscreenBackend backend) {
+    const auto context = make_offscreen_context(backend);
+    const Gl& gl = context->gl();
+    const ImGuiSession session;
+    Application application(std::move(catalogue), run, {.settings = settings});
+    const float zoom = window_zoom(width, height) * application.text_size();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    io.MousePos = {-FLT_MAX, -FLT_MAX};
+    load_font(*io.Fonts, application.theme(), zoom);
+    apply_theme(application.theme(), zoom);
+    application.set_scale(zoom);
+    WindowImage image(gl);
+    for (int frame = 0; frame < 3; ++frame) { // some sizes are known only in the frame after
+        ImGui::NewFrame();
+        application.frame();
+        ImGui::Render();
+    }
+    image.draw(application, {width, height, 1}, zoom);
+    return image.read();
+}
+
+} // namespace gaspard

@@ -1,0 +1,65 @@
+// The complete window, on a screen or in memory: the meshes that an application asks for, then everything
+// else.
+#pragma once
+
+#include "core/io/image.hpp"
+#include "gui/app/application.hpp"
+#include "gui/gl/imgui_renderer.hpp"
+#include "gui/gl/offscreen.hpp"
+#include "gui/render/mesh_renderer.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gaspard {
+
+/// Of a framebuffer: its size in pixels, and how many of them a unit of the window has.
+struct WindowPixels {
+    int width = 0, height = 0;
+    float density = 1;
+};
+
+/// Where a part of the window lies in the framebuffer.
+PixelRect pixels_of(const ItemRectangle& part, float density);
+
+/// The picture of a window, drawn in memory first: so it is the same with and without a screen (in a window's
+/// own framebuffer rows may run the other way, and what falls between two pixels is then rounded otherwise),
+/// and meshes that have not changed need not be drawn again below a menu.
+class WindowImage {
+  public:
+    /// `gl` must outlive it and be current whenever it is used and when it dies.
+    explicit WindowImage(const Gl& gl) : gl_(gl), meshes_(gl), interface_(gl) {}
+
+    /// Draws the frame that ImGui has just rendered, and the meshes below it; whether these had to be drawn anew.
+    /// `zoom`: units of the window per unit of the theme.
+    bool draw(const Application& application, const WindowPixels& pixels, float zoom);
+    void show() const { whole_->show(); } ///< in the window, after draw()
+    Image read() const { return whole_->read(); }
+    ImGuiRenderer& interface() { return interface_; }
+
+  private:
+    /// What the meshes' picture depends on.
+    struct Below {
+        std::vector<ShownView> views;
+        std::string theme;
+        float density = 1, zoom = 1;
+        friend bool operator==(const Below&, const Below&) = default;
+    };
+    void draw_meshes(const Application& application, const WindowPixels& pixels, float zoom);
+
+    const Gl& gl_;
+    MeshRenderers meshes_;
+    ImGuiRenderer interface_;
+    std::optional<RenderTarget> below_, whole_; ///< the meshes alone; with everything else above them
+    std::optional<Below> drawn_;                ///< what below_ shows
+};
+
+/// The window as it would show a run that has ended, drawn offscreen. Throws MachineError where there is no
+/// OpenGL.
+Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const FinishedRun& run, int width,
+                          int height, const Settings& settings = {},
+                          OffscreenBackend backend = OffscreenBackend::any);
+
+} // namespace gaspard

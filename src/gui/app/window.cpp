@@ -1,0 +1,494 @@
+#include "gui/app/window.hpp"
+
+#include "core/base/error.hpp"
+#include "gui/app/whole_window.hpp"
+#include "gui/gl/gl.hpp"
+#include "gui/gl/imgui_context.hpp"
+#include "gui/plot/plot_image.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <backends/imgui_impl_glfw.h>
+#include <cctype>
+#include <cmath>
+#include <deque>
+#include <imgui.h>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double frame_seconds = 1.0 / 60;
+constexpr int longest_wait = 30;   // frames until what is typed goes where the focus is
+constexpr int settling_frames = 3; // ImGui shows the answer to an input one or two frames later
+
+std::string last_glfw_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "no cause given";
+}
+
+class GlfwSession {
+  public:
+    GlfwSession() {
+        if (!glfwInit())
+            throw MachineError("No display: a window cannot be opened here (" + last_glfw_error() +
+                               "); use `gaspard run`, which needs none");
+    }
+    ~GlfwSession() { glfwTerminate(); }
+    GlfwSession(const GlfwSession&) = delete;
+    GlfwSession& operator=(const GlfwSession&) = delete;
+};
+
+struct DestroyWindow {
+    void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+};
+using GlfwWindow = std::unique_ptr<GLFWwindow, DestroyWindow>;
+
+/// The part of the screen that windows may use; nothing where that is not known.
+ItemRectangle work_area() {
+    int x = 0, y = 0, width = 0, height = 0;
+    if (GLFWmonitor* screen = glfwGetPrimaryMonitor())
+        glfwGetMonitorWorkarea(screen, &x, &y, &width, &height);
+    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(x + width),
+            static_cast<float>(y + height)};
+}
+
+void keep_within_screen(GLFWwindow* window) {
+    const ItemRectangle available = work_area();
+    int width = 0, height = 0;
+    glfwGetWindowSize(window, &width, &height);
+    const int widest = static_cast<int>(available.width()), highest = static_cast<int>(available.height());
+    if (widest > 0 && highest > 0 && (width > widest || height > highest))
+        glfwSetWindowSize(window, std::min(width, widest), std::min(height, highest));
+}
+
+/// Where the window was last, if a screen still reaches there.
+void place_window(GLFWwindow* window, const Values& remembered) {
+    if (!remembered.boolean("placed")) return;
+    const auto x = static_cast<int>(remembered.integer("left")),
+               y = static_cast<int>(remembered.integer("top"));
+    int count = 0;
+    GLFWmonitor** screens = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int left = 0, top = 0, width = 0, height = 0;
+        glfwGetMonitorWorkarea(screens[i], &left, &top, &width, &height);
+        if (x >= left && x + 100 < left + width && y >= top && y + 100 < top + height)
+            return glfwSetWindowPos(window, x, y);
+    }
+}
+
+GlfwWindow open_window(const std::string& title, const Values& remembered) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_MAXIMIZED, remembered.boolean("maximized") ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "gaspard"); // by which a desktop finds the entry with the icon
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "gaspard");
+    // Of a display of scale 1; GLFW_SCALE_TO_MONITOR makes it larger on others.
+    GlfwWindow window(glfwCreateWindow(static_cast<int>(remembered.integer("width")),
+                                       static_cast<int>(remembered.integer("height")), title.c_str(), nullptr,
+                                       nullptr));
+    if (!window)
+        throw MachineError("No OpenGL 3.3 for a window here (" + last_glfw_error() +
+                           "); use `gaspard run`, which draws without one");
+    keep_within_screen(window.get());
+    place_window(window.get(), remembered);
+    glfwMakeContextCurrent(window.get());
+    glfwSwapInterval(1);
+    return window;
+}
+
+/// A key as the table of actions writes it: "Space", "Ctrl+Q". Letters by what is printed on the key.
+std::string key_name(int key, int scancode, int modifiers) {
+    if (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) return {}; // the desktop's own
+    const std::string prefix = (modifiers & GLFW_MOD_CONTROL) ? "Ctrl+" : "";
+    if (key == GLFW_KEY_SPACE) return prefix + "Space";
+    if (key == GLFW_KEY_RIGHT) return prefix + "Right";
+    if (key == GLFW_KEY_ESCAPE) return prefix + "Escape";
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25)
+        return prefix + "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+    const char* printed = glfwGetKeyName(key, scancode);
+    if (!printed || printed[1] != '\0') return {};
+    return prefix + static_cast<char>(std::toupper(static_cast<unsigned char>(printed[0])));
+}
+
+/// A button of the mouse that went down or up.
+struct ButtonChange {
+    int button = 0;
+    bool down = false;
+    ImVec2 at;
+};
+
+/// A key that went down or up, as GLFW says it; its name is empty where it has none in the table of actions.
+struct KeyChange {
+    int key = 0, scancode = 0, event = 0, modifiers = 0;
+    std::string name;
+
+    bool down() const { return event == GLFW_PRESS; }
+    /// What is typed with it comes as a letter, and ImGui need not know how.
+    bool only_types() const { return key < GLFW_KEY_ESCAPE && (modifiers & GLFW_MOD_CONTROL) == 0; }
+    bool modifies() const { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
+};
+
+struct Letter {
+    unsigned code = 0;
+};
+
+/// What has happened since the loop last looked.
+struct Happenings {
+    std::atomic<bool> news = false; ///< set on any thread
+    bool input = false;
+    ImVec2 pointer;
+    std::deque<std::variant<KeyChange, Letter, ButtonChange>> inputs; ///< in their order
+    std::vector<std::string> dropped;                                 ///< files
+};
+
+Happenings& happenings_of(GLFWwindow* window) {
+    return *static_cast<Happenings*>(glfwGetWindowUserPointer(window));
+}
+
+// Callbacks only note what happened: nothing may throw through C.
+void install_callbacks(GLFWwindow* window, Happenings& happenings) {
+    glfwSetWindowUserPointer(window, &happenings);
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int event, int modifiers) {
+        happenings_of(w).input = true;
+        if (event != GLFW_REPEAT) // ImGui repeats by itself
+            happenings_of(w).inputs.emplace_back(
+                KeyChange{key, scancode, event, modifiers, key_name(key, scancode, modifiers)});
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned letter) {
+        happenings_of(w).input = true;
+        happenings_of(w).inputs.emplace_back(Letter{letter});
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+        happenings_of(w).input = true;
+        happenings_of(w).pointer = {static_cast<float>(x), static_cast<float>(y)};
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int event, int) {
+        happenings_of(w).input = true;
+        if (button >= 0 && button < ImGuiMouseButton_COUNT)
+            happenings_of(w).inputs.emplace_back(
+                ButtonChange{button, event == GLFW_PRESS, happenings_of(w).pointer});
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+        happenings_of(w).input = true;
+        ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+        happenings_of(w).input = true;
+        ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+    });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+        happenings_of(w).input = true;
+        ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+    });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { happenings_of(w).input = true; });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { happenings_of(w).input = true; });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** files) {
+        happenings_of(w).input = true;
+        happenings_of(w).dropped.assign(files, files + count);
+    });
+    glfwSetWindowContentScaleCallback(window,
+                                      [](GLFWwindow* w, float, float) { happenings_of(w).input = true; });
+}
+
+/// ImGui's GLFW backend, with an owner. Its callbacks are called by ours.
+class ImGuiInput {
+  public:
+    explicit ImGuiInput(GLFWwindow* window) { ImGui_ImplGlfw_InitForOpenGL(window, false); }
+    ~ImGuiInput() { ImGui_ImplGlfw_Shutdown(); }
+    ImGuiInput(const ImGuiInput&) = delete;
+    ImGuiInput& operator=(const ImGuiInput&) = delete;
+};
+
+/// How a window's units relate to what is seen: `density` pixels per unit, and `zoom` units per unit of the
+/// theme.
+struct Scales {
+    float density = 1, zoom = 1;
+    friend bool operator==(const Scales&, const Scales&) = default;
+};
+
+Scales scales_of(GLFWwindow* window) {
+    int width = 0, pixels = 0, unused = 0;
+    float content = 1, unused_too = 1;
+    glfwGetWindowSize(window, &width, &unused);
+    glfwGetFramebufferSize(window, &pixels, &unused);
+    glfwGetWindowContentScale(window, &content, &unused_too);
+    const float density =
+        width > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1.0F;
+    return {density, std::clamp(content / density, 0.5F, 4.0F)};
+}
+
+struct Place {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+Place place_of(GLFWwindow* window) {
+    Place place;
+    glfwGetWindowPos(window, &place.x, &place.y);
+    glfwGetWindowSize(window, &place.width, &place.height);
+    return place;
+}
+
+/// A part of the window's picture, opaque.
+Image part_of(const Image& window, PixelRect part) {
+    part.x = std::clamp(part.x, 0, window.width), part.y = std::clamp(part.y, 0, window.height);
+    part.width = std::clamp(part.width, 0, window.width - part.x);
+    part.height = std::clamp(part.height, 0, window.height - part.y);
+    Image image{part.width, part.height, {}};
+    for (int y = part.y; y < part.y + part.height; ++y) {
+        const auto row = window.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * window.width + part.x);
+        image.rgba.insert(image.rgba.end(), row, row + 4 * part.width);
+    }
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+    return image;
+}
+
+class Window {
+  public:
+    Window(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario, const WindowOptions& options)
+        : window_(open_window("Gaspard", options.settings.window)),
+          gl_(load_gl([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); })) {
+        input_.emplace(window_.get());
+        install_callbacks(window_.get(), happenings_);
+        application_.emplace(std::move(catalogue), scenario,
+                             ApplicationOptions{.wake = [this] { wake(); },
+                                                .output = options.output,
+                                                .settings = options.settings,
+                                                .complaints = options.complaints});
+        style();
+        scene_.emplace(gl_);
+    }
+
+    void loop() {
+        while (!glfwWindowShouldClose(window_.get()) && !application_->quit_requested()) {
+            wait();
+            happenings_.news = false; // before collecting: what comes after wakes the next round
+            application_->collect();
+            for (const auto& file : std::exchange(happenings_.dropped, {})) application_->open_file(file);
+            if (wanted_look() != look_) {
+                style();
+                scene_->interface().update_font();
+            }
+            follow_fullscreen();
+            if (const std::string& title = application_->title(); title != title_) {
+                title_ = title;
+                glfwSetWindowTitle(window_.get(), ("Gaspard: " + title).c_str());
+            }
+            draw();
+        }
+        remember_place();
+        glfwHideWindow(window_.get()); // gone at once; the solver ends within its step
+    }
+
+    /// After the loop: what is to be remembered.
+    Settings settings() {
+        Settings settings = application_->settings();
+        for (const auto& [key, value] : place_) settings.window.set(key, value);
+        return settings;
+    }
+
+  private:
+    /// What text and lines are drawn by.
+    struct Look {
+        Scales scales;
+        float text_size = 1;
+        std::string theme;
+        friend bool operator==(const Look&, const Look&) = default;
+    };
+    Look wanted_look() const {
+        return {scales_of(window_.get()), application_->text_size(), application_->theme_name()};
+    }
+    /// Units of the window per unit of the theme.
+    float zoom() const { return look_.scales.zoom * look_.text_size; }
+
+    /// Called on other threads; once per frame is enough.
+    void wake() {
+        if (!happenings_.news.exchange(true)) glfwPostEmptyEvent();
+    }
+
+    /// Sleeps until there is something to draw, and never draws more than 60 times a second. Where drawing is
+    /// slow (no graphics card), it takes half of the time at most while something is solved, which needs the
+    /// cores too; input comes first, and what answers it.
+    void wait() {
+        if (frames_due_ == 0 && !happenings_.news && !application_->animating()) glfwWaitEvents();
+        const auto rest = [this] {
+            const bool at_once = happenings_.input || (frames_due_ > 0 && !happenings_.news);
+            const double pause = at_once ? frame_seconds : std::max(frame_seconds, 2 * drawing_seconds_);
+            return begun_ + pause - glfwGetTime();
+        };
+        for (double left = 0; (left = rest()) > 0;) glfwWaitEventsTimeout(left);
+        glfwPollEvents();
+        if (std::exchange(happenings_.input, false) || happenings_.news) frames_due_ = settling_frames;
+        frames_due_ = std::max(0, frames_due_ - 1);
+        begun_ = glfwGetTime();
+    }
+
+    void style() {
+        look_ = wanted_look();
+        const float density = look_.scales.density;
+        glfwSetWindowSizeLimits(window_.get(), std::lround(720 * look_.scales.zoom),
+                                std::lround(540 * look_.scales.zoom), GLFW_DONT_CARE, GLFW_DONT_CARE);
+        apply_theme(application_->theme(), zoom());
+        ImGuiIO& io = ImGui::GetIO();
+        load_font(*io.Fonts, application_->theme(), zoom() * density); // as many pixels as it will cover
+        io.FontGlobalScale = 1 / density;
+        application_->set_scale(zoom());
+    }
+
+    /// ImGui looks once a frame at what is up and down. Where frames are slow, more has happened in between:
+    /// it is fed as much as it can tell apart, and gets the rest in the frames that follow.
+    void follow_input() {
+        auto& inputs = happenings_.inputs;
+        std::vector<int> pressed, released; // keys, in this frame
+        bool commanded = false;             // by a key that types nothing
+        waited_ = application_->awaits_text() ? waited_ + 1 : 0;
+        const auto wait_for_field = [&] { return application_->awaits_text() && waited_ < longest_wait; };
+        while (!inputs.empty() && !wait_for_field()) { // what follows is meant for the field
+            if (const auto* key = std::get_if<KeyChange>(&inputs.front())) {
+                const auto& opposite = key->down() ? released : pressed;
+                if (std::count(opposite.begin(), opposite.end(), key->key) > 0) break;
+                if (key->down() && commanded) break; // it may be meant for what the command brings
+                commanded = commanded || (key->down() && !key->only_types() && !key->modifies());
+                feed(*key);
+                (key->down() ? pressed : released).push_back(key->key);
+            } else if (const auto* letter = std::get_if<Letter>(&inputs.front())) {
+                if (commanded) break; // ImGui would take the letter first
+                ImGui::GetIO().AddInputCharacter(letter->code);
+            } else {
+                break; // the pointer may be elsewhere by now
+            }
+            inputs.pop_front();
+        }
+        follow_buttons();
+        if (!inputs.empty()) frames_due_ = settling_frames;
+    }
+
+    void feed(const KeyChange& change) {
+        if (change.down()) application_->press_key(change.name);
+        if (!change.down() || !change.only_types())
+            ImGui_ImplGlfw_KeyCallback(window_.get(), change.key, change.scancode, change.event,
+                                       change.modifiers);
+        if (change.down() && (change.modifiers & GLFW_MOD_CONTROL) != 0)
+            ImGui::GetIO().KeyCtrl = true; // though its own key may have come otherwise
+    }
+
+    /// In a frame ImGui sees the pointer at one place and one change of a button.
+    void follow_buttons() {
+        ImGuiIO& io = ImGui::GetIO();
+        auto& inputs = happenings_.inputs;
+        if (const auto* change = inputs.empty() ? nullptr : std::get_if<ButtonChange>(&inputs.front())) {
+            const bool dragged = !change->down && (change->at.x != pointer_.x || change->at.y != pointer_.y);
+            io.MousePos = pointer_ = change->at;
+            if (!dragged) { // else it is let go in the next frame
+                buttons_[static_cast<std::size_t>(change->button)] = change->down;
+                inputs.pop_front();
+            }
+            frames_due_ = settling_frames;
+        } else {
+            pointer_ = io.MousePos;
+        }
+        std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
+    }
+
+    void follow_fullscreen() {
+        const bool full = glfwGetWindowMonitor(window_.get()) != nullptr;
+        if (full == application_->fullscreen()) return;
+        if (full) {
+            glfwSetWindowMonitor(window_.get(), nullptr, before_.x, before_.y, before_.width, before_.height,
+                                 GLFW_DONT_CARE);
+            return;
+        }
+        before_ = place_of(window_.get());
+        GLFWmonitor* screen = glfwGetPrimaryMonitor();
+        const GLFWvidmode* mode = screen ? glfwGetVideoMode(screen) : nullptr;
+        if (mode)
+            glfwSetWindowMonitor(window_.get(), screen, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+
+    /// A window that fills the screen comes back at the size that it had before.
+    void remember_place() {
+        const bool full = glfwGetWindowMonitor(window_.get()) != nullptr;
+        const bool maximized = glfwGetWindowAttrib(window_.get(), GLFW_MAXIMIZED) != 0;
+        place_["maximized"] = maximized;
+        if (maximized) return;
+        const Place now = full ? before_ : place_of(window_.get());
+        place_["placed"] = true;
+        const auto remember = [this](const char* key, float value) {
+            place_[key] = std::int64_t{
+                std::lround(within(application_->settings().window, key, static_cast<double>(value)))};
+        };
+        remember("left", static_cast<float>(now.x));
+        remember("top", static_cast<float>(now.y));
+        remember("width", static_cast<float>(now.width) / look_.scales.zoom);
+        remember("height", static_cast<float>(now.height) / look_.scales.zoom);
+    }
+
+    void draw() {
+        int width = 0, height = 0;
+        glfwGetFramebufferSize(window_.get(), &width, &height);
+        if (width <= 0 || height <= 0) return; // an icon
+        ImGui_ImplGlfw_NewFrame();
+        follow_input();
+        // A click is seen in the frame after it: two that follow each other take four, however slow.
+        ImGui::GetIO().MouseDoubleClickTime = std::max(0.3F, 4 * ImGui::GetIO().DeltaTime);
+        ImGui::NewFrame();
+        application_->frame();
+        ImGui::Render();
+        const bool drawn_anew = scene_->draw(*application_, {width, height, look_.scales.density}, zoom());
+        if (application_->take_screenshot_request())
+            application_->save_image(
+                part_of(scene_->read(), pixels_of(application_->viewport_rectangle(), look_.scales.density)));
+        scene_->show();
+        application_->save_plot([this](const Plot& plot) {
+            return draw_plot_image(gl_, scene_->interface(), plot, application_->theme(), zoom(),
+                                   look_.scales.density);
+        });
+        gl_.Finish();
+        if (drawn_anew) drawing_seconds_ = glfwGetTime() - begun_; // without the wait for the screen
+        glfwSwapBuffers(window_.get());
+    }
+
+    // Made in this order and ended in the opposite one: the solver first, the display last.
+    GlfwSession session_;
+    Happenings happenings_;
+    GlfwWindow window_;
+    Gl gl_;
+    ImGuiSession imgui_;
+    std::optional<ImGuiInput> input_;
+    std::optional<WindowImage> scene_;
+    Look look_;
+    Place before_;                       ///< the window filled the screen
+    std::map<std::string, Value> place_; ///< where it stood when it was closed, as in the settings
+    std::string title_;                  ///< of what is shown
+    int waited_ = 0;                     ///< frames, for a dialog's field
+    ImVec2 pointer_;                     ///< in the last frame, like the buttons
+    std::array<bool, ImGuiMouseButton_COUNT> buttons_{};
+    int frames_due_ = settling_frames;
+    double begun_ = 0;           ///< of the last frame
+    double drawing_seconds_ = 0; ///< of the last one with meshes drawn anew
+    std::optional<Application> application_;
+};
+
+} // namespace
+
+Settings run_window(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
+                    const WindowOptions& options) {
+    Window window(std::move(catalogue), scenario, options);
+    window.loop();
+    return window.settings();
+}
+
+} // namespace gaspard

@@ -1,0 +1,80 @@
+#include "gui/base/background_writer.hpp"
+
+#include "core/base/error.hpp"
+#include "core/io/atomic_file.hpp"
+
+#include <exception>
+#include <utility>
+
+namespace gaspard {
+
+void NoticeBoard::add(Notice notice) {
+    {
+        std::lock_guard lock(mutex_);
+        notices_.push_back(std::move(notice));
+    }
+    if (notify_) notify_();
+}
+
+std::vector<Notice> NoticeBoard::take() {
+    std::lock_guard lock(mutex_);
+    return std::exchange(notices_, {});
+}
+
+void report_outcome(NoticeBoard& board, const std::function<std::string()>& task) {
+    try {
+        board.add({task(), false});
+    } catch (const Interrupted&) {
+        throw; // whoever cancelled it says so
+    } catch (const std::exception& error) {
+        board.add({error.what(), true});
+    }
+}
+
+std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem,
+                                const std::string& ending) {
+    std::filesystem::path file = folder / (stem + ending);
+    for (int number = 2; std::filesystem::exists(file); ++number)
+        file = folder / (stem + "-" + std::to_string(number) + ending);
+    return file;
+}
+
+BackgroundWriter::BackgroundWriter(std::shared_ptr<NoticeBoard> board)
+    : board_(std::move(board)), thread_([this](std::stop_token stop) { work(stop); }) {}
+
+BackgroundWriter::~BackgroundWriter() = default; // the jthread asks to stop, finishes the tasks, and joins
+
+void BackgroundWriter::run(std::function<std::string()> task) {
+    {
+        std::lock_guard lock(mutex_);
+        tasks_.push_back(std::move(task));
+    }
+    wake_.notify_one();
+}
+
+void BackgroundWriter::work(std::stop_token stop) {
+    while (true) {
+        std::unique_lock lock(mutex_);
+        wake_.wait(lock, stop, [this] { return !tasks_.empty(); });
+        if (tasks_.empty()) return; // asked to stop, and nothing is left to do
+        const auto task = std::move(tasks_.front());
+        tasks_.pop_front();
+        lock.unlock();
+        try {
+            report_outcome(*board_, task);
+        } catch (const Interrupted&) {
+            board_->add({"Cancelled.", false});
+        }
+    }
+}
+
+void BackgroundWriter::write_image(std::filesystem::path folder, std::string name, Image image) {
+    run([folder = std::move(folder), name = std::move(name), image = std::move(image)] {
+        check_writable(folder);
+        const auto file = free_name(folder, name, ".png");
+        write_png(file, image);
+        return "Saved " + file.string();
+    });
+}
+
+} // namespace gaspard

@@ -1,0 +1,101 @@
+#include "gui/base/icons.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+/// Draws in a square from -1 to 1, y downwards.
+struct Pen {
+    ImDrawList& list;
+    ImVec2 center;
+    float half, thickness;
+    ImU32 colour;
+
+    ImVec2 at(float x, float y) const { return {center.x + half * x, center.y + half * y}; }
+    void line(ImVec2 a, ImVec2 b) const { list.AddLine(at(a.x, a.y), at(b.x, b.y), colour, thickness); }
+    void triangle(ImVec2 a, ImVec2 b, ImVec2 c) const {
+        list.AddTriangleFilled(at(a.x, a.y), at(b.x, b.y), at(c.x, c.y), colour);
+    }
+    void bar(float left, float top, float right, float bottom) const {
+        list.AddRectFilled(at(left, top), at(right, bottom), colour);
+    }
+};
+
+/// An open circle whose end points back.
+void draw_turn(const Pen& pen) {
+    constexpr float radius = 0.72F, from = -2.3F, to = 2.6F;
+    pen.list.PathArcTo(pen.center, radius * pen.half, from, to, 24);
+    pen.list.PathStroke(pen.colour, ImDrawFlags_None, pen.thickness);
+    const float x = radius * std::cos(from), y = radius * std::sin(from);
+    pen.triangle({x - 0.5F, y - 0.35F}, {x + 0.45F, y - 0.3F}, {x - 0.25F, y + 0.55F});
+}
+
+void draw_house(const Pen& pen) {
+    pen.line({-0.95F, 0}, {0, -0.85F});
+    pen.line({0, -0.85F}, {0.95F, 0});
+    pen.line({-0.65F, -0.2F}, {-0.65F, 0.85F});
+    pen.line({0.65F, -0.2F}, {0.65F, 0.85F});
+    pen.line({-0.65F, 0.85F}, {0.65F, 0.85F});
+}
+
+void draw_camera(const Pen& pen) {
+    pen.list.AddRect(pen.at(-0.95F, -0.5F), pen.at(0.95F, 0.8F), pen.colour, 0.2F * pen.half,
+                     ImDrawFlags_None, pen.thickness);
+    pen.bar(-0.35F, -0.8F, 0.35F, -0.5F);
+    pen.list.AddCircle(pen.at(0, 0.15F), 0.36F * pen.half, pen.colour, 20, pen.thickness);
+}
+
+/// An arrow down into a tray.
+void draw_tray(const Pen& pen) {
+    pen.line({0, -0.9F}, {0, 0.1F});
+    pen.triangle({-0.45F, -0.05F}, {0.45F, -0.05F}, {0, 0.5F});
+    pen.line({-0.85F, 0.3F}, {-0.85F, 0.85F});
+    pen.line({-0.85F, 0.85F}, {0.85F, 0.85F});
+    pen.line({0.85F, 0.85F}, {0.85F, 0.3F});
+}
+
+} // namespace
+
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 colour) {
+    const Pen pen{list, center, size / 2, std::max(1.0F, 0.11F * size), colour};
+    switch (icon) {
+    case Icon::none:
+        return;
+    case Icon::run:
+        return pen.triangle({-0.6F, -0.85F}, {0.85F, 0}, {-0.6F, 0.85F});
+    case Icon::pause:
+        pen.bar(-0.65F, -0.8F, -0.18F, 0.8F);
+        return pen.bar(0.18F, -0.8F, 0.65F, 0.8F);
+    case Icon::step:
+        pen.triangle({-0.75F, -0.8F}, {0.35F, 0}, {-0.75F, 0.8F});
+        return pen.bar(0.4F, -0.8F, 0.75F, 0.8F);
+    case Icon::reset:
+        return draw_turn(pen);
+    case Icon::home:
+        return draw_house(pen);
+    case Icon::image:
+        return draw_camera(pen);
+    case Icon::save:
+        return draw_tray(pen);
+    }
+}
+
+bool icon_button(const char* id, Icon icon, const char* label, float width) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float em = ImGui::GetFontSize(), sign = 0.8F * em, gap = 0.45F * em;
+    const float content = sign + gap + ImGui::CalcTextSize(label).x;
+    const float full = width > 0 ? width : content + 2 * style.FramePadding.x;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::Button(id, {full, 0});
+    const float x = at.x + (full - content) / 2, height = ImGui::GetFrameHeight();
+    const ImU32 colour = ImGui::GetColorU32(ImGuiCol_Text);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_icon(list, icon, {x + sign / 2, at.y + height / 2}, sign, colour);
+    list.AddText({x + sign + gap, at.y + style.FramePadding.y}, colour, label);
+    return pressed;
+}
+
+} // namespace gaspard

@@ -1,0 +1,64 @@
+#include "gui/base/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+/// The plots stand where they leave the picture, which is about square, the most room: right or below.
+void place_plots(Layout& layout, const ItemRectangle& rest, float em, float share) {
+    const auto part = [&](float available, float least, float most) {
+        return std::round(std::clamp(share * available, std::min(least, most), most));
+    };
+    const float column = part(rest.width(), 14 * em, 0.7F * rest.width());
+    const float row = part(rest.height(), 10 * em, 0.7F * rest.height());
+    const float legend = 8 * em; // beside the picture in any case
+    const float beside = std::min(rest.width() - column - legend, rest.height());
+    const float above = std::min(rest.width() - legend, rest.height() - row);
+    const float grip = std::round(0.4F * em);
+    layout.plots_beside = beside >= above;
+    if (layout.plots_beside) {
+        const float x = std::max(rest.left, rest.right - column),
+                    y = std::round((rest.top + rest.bottom) / 2);
+        layout.viewport = {rest.left, rest.top, x, rest.bottom};
+        layout.first_plot = {x, rest.top, rest.right, y};
+        layout.second_plot = {x, y, rest.right, rest.bottom};
+        layout.plots_edge = {x, rest.top, x + grip, rest.bottom};
+    } else {
+        const float x = std::round((rest.left + rest.right) / 2), y = std::max(rest.top, rest.bottom - row);
+        layout.viewport = {rest.left, rest.top, rest.right, y};
+        layout.first_plot = {rest.left, y, x, rest.bottom};
+        layout.second_plot = {x, y, rest.right, rest.bottom};
+        layout.plots_edge = {rest.left, y, rest.right, y + grip};
+    }
+}
+
+} // namespace
+
+Layout compute_layout(float width, float height, float em, float top, const LayoutChoice& choice) {
+    // Whole units, so that edges are sharp.
+    const float toolbar = std::round(2.9F * em), status = std::round(5.4F * em);
+    float bottom = std::max(top + toolbar, height - status);
+    Layout layout;
+    layout.toolbar = {0, top, width, std::min(top + toolbar, bottom)};
+    layout.status = {0, bottom, width, std::max(height, bottom)};
+    if (choice.log) {
+        const float log = std::round(std::min(11 * em, 0.4F * (bottom - layout.toolbar.bottom)));
+        layout.log = {0, bottom - log, width, bottom};
+        bottom -= log;
+    }
+    float side = 0;
+    if (choice.sidebar) {
+        side = std::round(std::min(std::max(choice.sidebar_width, 14.0F) * em, 0.4F * width));
+        layout.sidebar = {0, layout.toolbar.bottom, side, bottom};
+        layout.sidebar_edge = {side - std::round(0.4F * em), layout.toolbar.bottom, side, bottom};
+    }
+    const ItemRectangle rest{side, layout.toolbar.bottom, width, bottom};
+    layout.viewport = rest;
+    if (choice.plots) place_plots(layout, rest, em, choice.plots_share);
+    return layout;
+}
+
+} // namespace gaspard

@@ -1,0 +1,27 @@
+// Where the parts of the window stand. Pure arithmetic, in window coordinates; everything scales with the
+// font.
+#pragma once
+
+#include "gui/base/item_rectangles.hpp"
+
+namespace gaspard {
+
+/// What the user has chosen to see, and how much room it gets.
+struct LayoutChoice {
+    bool sidebar = true, plots = true, log = false;
+    float sidebar_width = 27;  ///< in widths of the font; never more than two fifths of the window
+    float plots_share = 0.33F; ///< of the room beside the sidebar: of its width, or height
+};
+
+struct Layout {
+    ItemRectangle toolbar, sidebar, viewport, status, log; ///< without area where they are not shown
+    ItemRectangle first_plot, second_plot;
+    /// The strips by which sidebar and plots are made wider, or higher; without area where there is nothing.
+    ItemRectangle sidebar_edge, plots_edge;
+    bool plots_beside = true; ///< to the right of the viewport, or else below it
+};
+
+/// `em`: the font's size. `top`: how much of the window's height the menu bar takes.
+Layout compute_layout(float width, float height, float em, float top, const LayoutChoice& choice = {});
+
+} // namespace gaspard

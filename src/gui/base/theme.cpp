@@ -1,0 +1,175 @@
+#include "gui/base/theme.hpp"
+
+#include "core/base/check.hpp"
+#include "gui_assets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+constexpr Colour hex(unsigned value, float alpha = 1) {
+    const auto part = [value](unsigned shift) {
+        return static_cast<float>((value >> shift) & 0xffU) / 255.0F;
+    };
+    return {part(16), part(8), part(0), alpha};
+}
+
+Colour mix(Colour a, Colour b, float t) {
+    return {a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b), a.a + t * (b.a - a.a)};
+}
+
+std::string_view embedded_font() {
+    for (const auto& file : gui_assets::files())
+        if (file.path == "assets/fonts/Roboto-Regular.ttf") return file.bytes;
+    check_failed("the font is embedded");
+}
+
+void set_sizes(ImGuiStyle& style) {
+    style.WindowPadding = {14, 12};
+    style.FramePadding = {8, 4};
+    style.ItemSpacing = {8, 7};
+    style.ItemInnerSpacing = {7, 4};
+    style.IndentSpacing = 16;
+    style.ScrollbarSize = 11;
+    style.GrabMinSize = 10;
+    style.WindowRounding = 0;
+    style.ChildRounding = 6;
+    style.PopupRounding = 6;
+    style.FrameRounding = 5;
+    style.GrabRounding = 5;
+    style.ScrollbarRounding = 6;
+    style.TabRounding = 5;
+    style.WindowBorderSize = 0; // of parts; what comes up has a border
+    style.ChildBorderSize = 0;
+    style.PopupBorderSize = 1;
+    style.FrameBorderSize = 0;
+    style.WindowTitleAlign = {0, 0.5F};
+}
+
+} // namespace
+
+ImU32 packed(Colour c, float opacity) {
+    return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a * opacity});
+}
+
+Theme dark_theme() {
+    Theme t;
+    t.background = hex(0x14171c);
+    t.panel = hex(0x1b1f26);
+    t.frame = hex(0x272d37);
+    t.border = hex(0x363e4b);
+    t.grid = hex(0x8fa3bf, 0.13F);
+    t.text = hex(0xdde3ec);
+    t.faint_text = hex(0x8b97a8);
+    t.accent = hex(0x5aa9e6);
+    t.good = hex(0x63c98a);
+    t.warning = hex(0xe8b04c);
+    t.bad = hex(0xef6a6a);
+    t.surface = hex(0x222832);
+    t.line_on_dark = hex(0xf2f6ff, 0.62F);
+    t.line_on_light = hex(0x0b1016, 0.62F);
+    t.overlay = hex(0xff4a3d);
+    t.tangled = hex(0xff2bd6);
+    t.curves = {hex(0x5aa9e6), hex(0xf2a65a), hex(0x63c98a), hex(0xe4718f),
+                hex(0xb79cf0), hex(0x58cfd0), hex(0xd9c75b), hex(0xa9b4c2)};
+    return t;
+}
+
+Theme light_theme() {
+    Theme t;
+    t.background = hex(0xffffff);
+    t.panel = hex(0xf5f6f8);
+    t.frame = hex(0xe7eaef);
+    t.border = hex(0xc4cad4);
+    t.grid = hex(0x2b3a52, 0.13F);
+    t.text = hex(0x1c222b);
+    t.faint_text = hex(0x5d6877);
+    t.accent = hex(0x1f74b8);
+    t.good = hex(0x1f8a4c);
+    t.warning = hex(0xa86a00);
+    t.bad = hex(0xc23434);
+    t.surface = hex(0xffffff);
+    t.line_on_dark = hex(0xffffff, 0.6F);
+    t.line_on_light = hex(0x10161f, 0.75F);
+    t.overlay = hex(0xd0141e);
+    t.tangled = hex(0xe600b8);
+    t.curves = {hex(0x1f74b8), hex(0xd9701a), hex(0x1f8a4c), hex(0xc2315a),
+                hex(0x7550c8), hex(0x128a8c), hex(0x8f7b00), hex(0x5d6877)};
+    return t;
+}
+
+Theme theme_named(std::string_view name) {
+    GASPARD_CHECK(name == "dark" || name == "light");
+    return name == "light" ? light_theme() : dark_theme();
+}
+
+void apply_theme(const Theme& t, float scale) {
+    ImGuiStyle style;
+    set_sizes(style);
+    style.ScaleAllSizes(scale);
+    const auto set = [&style](ImGuiCol which, Colour c, float opacity = 1) {
+        c.a *= opacity;
+        style.Colors[which] = to_imgui(c);
+    };
+    const Colour hovered = mix(t.frame, t.accent, 0.22F), active = mix(t.frame, t.accent, 0.42F);
+    set(ImGuiCol_Text, t.text);
+    set(ImGuiCol_TextDisabled, t.faint_text);
+    for (const ImGuiCol which : {ImGuiCol_WindowBg, ImGuiCol_MenuBarBg, ImGuiCol_PopupBg, ImGuiCol_TitleBg,
+                                 ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed})
+        set(which, t.panel);
+    set(ImGuiCol_ChildBg, t.panel, 0);
+    set(ImGuiCol_BorderShadow, t.panel, 0);
+    set(ImGuiCol_ScrollbarBg, t.panel, 0);
+    for (const ImGuiCol which : {ImGuiCol_Border, ImGuiCol_Separator, ImGuiCol_ScrollbarGrab,
+                                 ImGuiCol_TableBorderStrong, ImGuiCol_TableBorderLight})
+        set(which, t.border);
+    for (const ImGuiCol which : {ImGuiCol_FrameBg, ImGuiCol_Button, ImGuiCol_Tab, ImGuiCol_TabUnfocused,
+                                 ImGuiCol_TableHeaderBg, ImGuiCol_Header})
+        set(which, t.frame);
+    for (const ImGuiCol which :
+         {ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_TabHovered, ImGuiCol_HeaderHovered,
+          ImGuiCol_SeparatorHovered, ImGuiCol_ScrollbarGrabHovered})
+        set(which, hovered);
+    for (const ImGuiCol which :
+         {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_TabActive, ImGuiCol_TabUnfocusedActive,
+          ImGuiCol_HeaderActive, ImGuiCol_SeparatorActive, ImGuiCol_ScrollbarGrabActive})
+        set(which, active);
+    for (const ImGuiCol which : {ImGuiCol_CheckMark, ImGuiCol_SliderGrab, ImGuiCol_PlotHistogram,
+                                 ImGuiCol_PlotLines, ImGuiCol_NavHighlight, ImGuiCol_DragDropTarget})
+        set(which, t.accent);
+    set(ImGuiCol_SliderGrabActive, mix(t.accent, t.text, 0.35F));
+    set(ImGuiCol_PlotHistogramHovered, mix(t.accent, t.text, 0.35F));
+    set(ImGuiCol_PlotLinesHovered, mix(t.accent, t.text, 0.35F));
+    set(ImGuiCol_TextSelectedBg, t.accent, 0.35F);
+    set(ImGuiCol_ResizeGrip, t.border);
+    set(ImGuiCol_ResizeGripHovered, hovered);
+    set(ImGuiCol_ResizeGripActive, active);
+    set(ImGuiCol_TableRowBg, t.panel, 0);
+    set(ImGuiCol_TableRowBgAlt, t.frame, 0.35F);
+    set(ImGuiCol_ModalWindowDimBg, t.background, 0.6F);
+    ImGui::GetStyle() = style;
+}
+
+void load_font(ImFontAtlas& atlas, const Theme& theme, float scale) {
+    static constexpr ImWchar ranges[] = {0x0020, 0x017f, // Latin
+                                         0x0370, 0x03ff, // Greek
+                                         0x2010, 0x2027, // dashes, dots
+                                         0x2030, 0x203a, // per mille, quotation
+                                         0x2070, 0x209c, // superscripts, subscripts
+                                         0x2200, 0x22ff, // signs
+                                         0};
+    const std::string_view bytes = embedded_font();
+    ImFontConfig config;
+    config.FontDataOwnedByAtlas = false;
+    config.OversampleH = 2;
+    atlas.Clear();
+    // ImGui asks for writable bytes, but only reads what it does not own.
+    ImFont* font = atlas.AddFontFromMemoryTTF(const_cast<char*>(bytes.data()), static_cast<int>(bytes.size()),
+                                              std::round(theme.font_size * scale), &config, ranges);
+    GASPARD_CHECK(font != nullptr);
+}
+
+} // namespace gaspard

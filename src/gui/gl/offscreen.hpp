@@ -1,0 +1,53 @@
+// OpenGL without a window: a context in memory, and pictures of any size drawn in it.
+//
+// Two ways, both found at run time so that the program starts without them: OSMesa (libOSMesa.so.8 or .so.6),
+// and EGL without a surface (libEGL.so.1), which is what remains where Mesa has dropped OSMesa.
+#pragma once
+
+#include "core/io/image.hpp"
+#include "gui/gl/gl_objects.hpp"
+
+#include <memory>
+#include <string_view>
+
+namespace gaspard {
+
+enum class OffscreenBackend { any, osmesa, egl };
+
+/// A context that is current on the thread that made it, for as long as it lives. One at a time per thread.
+class OffscreenContext {
+  public:
+    virtual ~OffscreenContext() = default;
+    virtual const Gl& gl() const = 0;
+    virtual std::string_view backend() const = 0; ///< "OSMesa" or "EGL"
+};
+
+/// `any` tries OSMesa, then EGL. Throws MachineError with one sentence when none works.
+std::unique_ptr<OffscreenContext> make_offscreen_context(OffscreenBackend backend = OffscreenBackend::any);
+
+/// How often a pixel is looked at, for smooth rims of surfaces.
+inline constexpr int picture_samples = 4;
+
+/// A picture to draw into, with depth, and with several samples a pixel (0 for one) where the machine can.
+class RenderTarget {
+  public:
+    /// Throws MachineError where the machine cannot make one of this size.
+    RenderTarget(const Gl& gl, int width, int height, int samples = picture_samples);
+    void bind() const; ///< drawing goes here; sets the viewport to all of it
+    /// Takes over what was drawn into another of the same size, with as many samples or into one.
+    void copy(const RenderTarget& from) const;
+    /// Puts the picture into the window's own framebuffer, which is bound afterwards.
+    void show() const;
+    Image read() const;
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+  private:
+    void blit(const GlFramebuffer& from, GLuint to) const;
+    const Gl* gl_;
+    int width_, height_, samples_;
+    GlFramebuffer drawn_, resolved_;
+    GlRenderbuffer colour_, depth_, resolved_colour_;
+};
+
+} // namespace gaspard

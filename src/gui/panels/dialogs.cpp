@@ -1,0 +1,138 @@
+#include "gui/panels/dialogs.hpp"
+
+#include "gui/base/actions.hpp"
+
+#include <algorithm>
+#include <imgui.h>
+
+namespace gaspard {
+
+namespace {
+
+constexpr ImGuiWindowFlags dialog_flags =
+    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
+
+/// What sets a dialog off from the parts below it, while it begins.
+struct Frame {
+    Frame() {
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2);
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.5F * ImGui::GetFontSize());
+        ImGui::PushStyleColor(ImGuiCol_Border, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    }
+    ~Frame() {
+        ImGui::PopStyleColor();
+        ImGui::PopStyleVar(2);
+    }
+    Frame(const Frame&) = delete;
+    Frame& operator=(const Frame&) = delete;
+};
+
+/// Opens a modal popup where it is not, in the middle of the window.
+bool begin_modal(const char* title) {
+    if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    const Frame frame;
+    return ImGui::BeginPopupModal(title, nullptr, dialog_flags);
+}
+
+/// How wide text may become.
+float text_width() { return std::min(34 * ImGui::GetFontSize(), 0.85F * ImGui::GetIO().DisplaySize.x); }
+
+void help_line(const Theme& theme, const std::string& what, std::string_view help) {
+    ImGui::TableNextColumn();
+    ImGui::TextColored(to_imgui(theme.accent), "%s", what.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(help.data(), help.data() + help.size());
+}
+
+} // namespace
+
+void ErrorDialog::draw(ItemRectangles& items) {
+    if (!open()) return;
+    if (!begin_modal("This did not work")) return;
+    ImGui::PushTextWrapPos(text_width());
+    ImGui::TextUnformatted(sentence_.c_str());
+    ImGui::PopTextWrapPos();
+    remember_item(items, "error");
+    ImGui::Spacing();
+    const float em = ImGui::GetFontSize();
+    if (ImGui::Button("OK", {6 * em, 0}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter))) close();
+    remember_item(items, "error.ok");
+    ImGui::SameLine();
+    if (ImGui::Button("Copy", {6 * em, 0})) ImGui::SetClipboardText(sentence_.c_str());
+    if (!open()) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+std::optional<std::string> OpenDialog::draw(const std::vector<std::string>& recent, ItemRectangles& items) {
+    if (!open_ || !begin_modal("Open a scenario")) return std::nullopt;
+    std::optional<std::string> chosen;
+    const float em = ImGui::GetFontSize();
+    ImGui::TextUnformatted("The path of a .toml file, or drop one on the window:");
+    ImGui::SetNextItemWidth(text_width());
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    if (ImGui::InputText("##path", text_.data(), text_.size(), ImGuiInputTextFlags_EnterReturnsTrue))
+        chosen = text_.data();
+    // In the frame in which it gets the focus, a field takes no letters.
+    ready_ = ready_ || text_[0] != '\0' || (ImGui::IsItemActive() && !ImGui::IsItemActivated());
+    remember_item(items, "open.path");
+    for (std::size_t i = 0; i < recent.size(); ++i) {
+        if (ImGui::Selectable(recent[i].c_str(), false, ImGuiSelectableFlags_DontClosePopups,
+                              {text_width(), 0}))
+            chosen = recent[i];
+        remember_item(items, "open.recent." + std::to_string(i));
+    }
+    ImGui::Spacing();
+    if (ImGui::Button("Open", {6 * em, 0})) chosen = text_.data();
+    remember_item(items, "open.ok");
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {6 * em, 0})) close();
+    remember_item(items, "open.cancel");
+    if (chosen && chosen->empty()) chosen.reset();
+    if (chosen) close();
+    if (!open_) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return chosen;
+}
+
+void draw_help(bool& open, const Theme& theme) {
+    if (!open) return;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Appearing, {0.5F, 0.5F});
+    ImGui::SetNextWindowSizeConstraints({10 * em, 5 * em}, {0.95F * size.x, 0.9F * size.y});
+    const Frame frame;
+    if (ImGui::Begin("Keys and mouse", &open,
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
+                         ImGuiWindowFlags_NoSavedSettings)) {
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.6F * em, 0.25F * em});
+        if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+            for (const Action& row : actions()) help_line(theme, describe_keys(row), row.help);
+            for (const MouseHelp& row : mouse_help()) help_line(theme, std::string(row.what), row.help);
+            ImGui::EndTable();
+        }
+        ImGui::PopStyleVar();
+    }
+    ImGui::End();
+}
+
+bool draw_progress(const std::string& what, double fraction, const ItemRectangle& over,
+                   ItemRectangles& items) {
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({over.left + em, over.bottom - em}, ImGuiCond_Always, {0, 1});
+    ImGui::Begin("##progress", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove);
+    ImGui::ProgressBar(static_cast<float>(std::clamp(fraction, 0.0, 1.0)), {20 * em, 1.6F * em},
+                       what.c_str());
+    remember_item(items, "progress");
+    ImGui::SameLine();
+    const bool cancel = ImGui::Button("Cancel");
+    remember_item(items, "progress.cancel");
+    ImGui::End();
+    return cancel;
+}
+
+} // namespace gaspard

@@ -1,0 +1,190 @@
+#include "gui/panels/plot_choice.hpp"
+
+#include "core/base/check.hpp"
+#include "gui/document/value_changes.hpp"
+#include "gui/plot/plot_curves.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace gaspard {
+
+namespace {
+
+struct QuantityRow {
+    Quantity quantity;
+    std::string_view name, label;
+    struct Part {
+        std::string_view name;
+        Trace HistoryCurves::*trace;
+    };
+    std::vector<Part> parts;
+};
+
+const std::vector<QuantityRow>& quantity_rows() {
+    static const std::vector<QuantityRow> rows = {
+        {Quantity::residual, "residual", "Residual", {{"", &HistoryCurves::residual}}},
+        {Quantity::equidistribution,
+         "equidistribution",
+         "Equidistribution",
+         {{"", &HistoryCurves::equidistribution}}},
+        {Quantity::jacobian,
+         "jacobian",
+         "Jacobian range",
+         {{"max", &HistoryCurves::max_jacobian}, {"min", &HistoryCurves::min_jacobian}}},
+        {Quantity::step_size, "step-size", "Step size", {{"", &HistoryCurves::step_size}}},
+    };
+    return rows;
+}
+
+const QuantityRow& row_of(Quantity quantity) {
+    const auto& rows = quantity_rows();
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.quantity == quantity; });
+    GASPARD_CHECK(found != rows.end());
+    return *found;
+}
+
+constexpr std::string_view axis_name(bool logarithmic) { return logarithmic ? "log" : "linear"; }
+
+std::vector<std::string_view> split(std::string_view text) {
+    std::vector<std::string_view> words;
+    for (std::size_t comma = 0; (comma = text.find(',')) != std::string_view::npos;
+         text.remove_prefix(comma + 1))
+        words.push_back(text.substr(0, comma));
+    words.push_back(text);
+    return words;
+}
+
+template <class Choice>
+std::optional<Choice> choice_of(std::span<const Choice> all, std::string_view name) {
+    for (const Choice one : all)
+        if (name_of(one) == name) return one;
+    return std::nullopt;
+}
+
+std::optional<bool> logarithmic_of(std::string_view name) {
+    if (name != axis_name(true) && name != axis_name(false)) return std::nullopt;
+    return name == axis_name(true);
+}
+
+PlotView make_view(const std::vector<DocumentRun>& runs, const PlotChoice& choice, bool in_window) {
+    const bool by_iteration = choice.abscissa == Abscissa::iterations;
+    PlotView view;
+    view.x = {by_iteration ? "iteration" : "seconds", choice.log_x};
+    view.y = {"", choice.log_y};
+    std::vector<std::string> names;
+    for (const DocumentRun& run : runs)
+        if (!run.hidden) names.push_back(run.name);
+    if (in_window) names = what_differs(names);
+    std::size_t shown = 0;
+    for (const DocumentRun& run : runs) {
+        if (run.hidden) continue;
+        const std::string name = names[shown++], label = run.live() && in_window ? name + " (now)" : name;
+        for (const QuantityRow::Part& part : row_of(choice.quantity).parts) {
+            const Trace& trace = run.curves.*part.trace;
+            view.curves.push_back({.label = label,
+                                   .part = part.name,
+                                   .x = by_iteration ? trace.iterations : trace.seconds,
+                                   .y = trace.values,
+                                   .extremes = &trace.extremes,
+                                   .colour = run.colour,
+                                   .behind = !run.live()});
+        }
+        for (const ChangeMark& mark : run.marks)
+            view.marks.push_back({by_iteration ? mark.iteration : mark.seconds, mark.text, run.colour});
+    }
+    return view;
+}
+
+/// The points of a curve as many as a picture `columns` pixels wide can show.
+Curve thinned(const CurveView& view, const PlotView& plot, const PlotZoom& zoom) {
+    constexpr float columns = 2000;
+    Curve curve{.label = view.label, .x = {}, .y = {}, .colour = view.colour};
+    if (!view.extremes || static_cast<float>(view.x.size()) <= 2 * columns) {
+        curve.x.assign(view.x.begin(), view.x.end());
+        curve.y.assign(view.y.begin(), view.y.end());
+        return curve;
+    }
+    PlotFrame frame;
+    frame.x = plot.x, frame.y = plot.y;
+    frame.x_range = zoom.x ? *zoom.x : home_range(plot, false);
+    frame.y_range = zoom.y ? *zoom.y : home_range(plot, true);
+    frame.area = {{0, 0}, {columns, columns}};
+    const PixelPath path = pixel_path(view, frame);
+    for (std::size_t i = 0; i < path.x.size(); ++i) {
+        const bool gap = std::isnan(path.y[i]);
+        curve.x.push_back(from_axis(plot.x, frame.position_x(path.x[i])));
+        curve.y.push_back(gap ? path.y[i] : from_axis(plot.y, frame.position_y(path.y[i])));
+    }
+    return curve;
+}
+
+void ask_for(Axis& axis, const std::optional<AxisRange>& range) {
+    if (!range) return;
+    axis.low = from_axis(axis, range->low);
+    axis.high = from_axis(axis, range->high);
+}
+
+} // namespace
+
+std::span<const Quantity> quantities() {
+    static const std::vector<Quantity> all = [] {
+        std::vector<Quantity> list;
+        for (const QuantityRow& row : quantity_rows()) list.push_back(row.quantity);
+        return list;
+    }();
+    return all;
+}
+
+std::span<const Abscissa> abscissas() {
+    static constexpr std::array all = {Abscissa::iterations, Abscissa::seconds};
+    return all;
+}
+
+std::string_view name_of(Quantity quantity) { return row_of(quantity).name; }
+std::string_view name_of(Abscissa abscissa) {
+    return abscissa == Abscissa::iterations ? "iterations" : "seconds";
+}
+std::string_view label_of(Quantity quantity) { return row_of(quantity).label; }
+std::string_view label_of(Abscissa abscissa) { return name_of(abscissa); }
+
+std::string format_choice(const PlotChoice& choice) {
+    std::string text(name_of(choice.quantity));
+    for (const std::string_view word :
+         {name_of(choice.abscissa), axis_name(choice.log_x), axis_name(choice.log_y)})
+        text.append(",").append(word);
+    return text;
+}
+
+std::optional<PlotChoice> parse_choice(std::string_view text) {
+    const auto words = split(text);
+    if (words.size() != 4) return std::nullopt;
+    const auto quantity = choice_of(quantities(), words[0]);
+    const auto abscissa = choice_of(abscissas(), words[1]);
+    const auto log_x = logarithmic_of(words[2]), log_y = logarithmic_of(words[3]);
+    if (!quantity || !abscissa || !log_x || !log_y) return std::nullopt;
+    return PlotChoice{*quantity, *abscissa, *log_x, *log_y};
+}
+
+PlotView view_of_runs(const std::vector<DocumentRun>& runs, const PlotChoice& choice) {
+    return make_view(runs, choice, runs.size() > 1); // only among others does it matter which one still moves
+}
+
+Plot plot_of_runs(const std::vector<DocumentRun>& runs, const PlotChoice& choice, const PlotZoom& zoom) {
+    const PlotView view = make_view(runs, choice, false); // in a file there is no now
+    Plot plot{.title = std::string(label_of(choice.quantity)), .x = view.x, .y = view.y, .curves = {}};
+    ask_for(plot.x, zoom.x);
+    ask_for(plot.y, zoom.y);
+    const std::string_view first = row_of(choice.quantity).parts.front().name;
+    for (const CurveView& curve : view.curves) {
+        plot.curves.push_back(thinned(curve, view, zoom));
+        if (curve.part != first) plot.curves.back().label.clear(); // one entry in the legend per run
+    }
+    for (const MarkView& mark : view.marks) plot.marks.push_back({mark.x, std::string(mark.label)});
+    return plot;
+}
+
+} // namespace gaspard

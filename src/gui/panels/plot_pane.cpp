@@ -1,0 +1,140 @@
+#include "gui/panels/plot_pane.hpp"
+
+#include "gui/base/part_window.hpp"
+#include "gui/base/plot_text.hpp"
+#include "gui/plot/plot_widget.hpp"
+
+#include <algorithm>
+
+namespace gaspard {
+
+namespace {
+
+constexpr const char* menu_id = "##menu";
+
+/// The width of a button or of a list without an arrow.
+float width_of(std::string_view label) {
+    return ImGui::CalcTextSize(label.data(), label.data() + label.size()).x +
+           2 * ImGui::GetStyle().FramePadding.x;
+}
+
+template <class Choice>
+bool draw_list(const std::string& key, std::span<const Choice> all, Choice& chosen, float width,
+               ItemRectangles& items) {
+    const Choice before = chosen;
+    ImGui::SetNextItemWidth(width);
+    const std::string shown =
+        shortened(std::string(label_of(chosen)), width - 2 * ImGui::GetStyle().FramePadding.x);
+    const bool open = ImGui::BeginCombo(("##" + key).c_str(), shown.c_str(), ImGuiComboFlags_NoArrowButton);
+    remember_item(items, key);
+    if (!open) return false;
+    for (const Choice one : all) {
+        if (ImGui::Selectable(std::string(label_of(one)).c_str(), one == chosen)) chosen = one;
+        remember_item(items, key + "=" + std::string(name_of(one)));
+    }
+    ImGui::EndCombo();
+    return chosen != before;
+}
+
+/// A button that stays pressed.
+void draw_toggle(const char* label, bool& on, const char* help, const Theme& theme) {
+    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(on ? theme.accent : theme.faint_text));
+    if (ImGui::Button(label)) on = !on;
+    ImGui::PopStyleColor();
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+}
+
+/// Another axis begins with all there is to see.
+void forget_zoom(const PlotChoice& before, const PlotChoice& now, PlotZoom& zoom) {
+    if (before.quantity != now.quantity || before.log_y != now.log_y) zoom.y.reset();
+    if (before.abscissa != now.abscissa || before.log_x != now.log_x) zoom.x.reset();
+}
+
+} // namespace
+
+void PlotPane::choose(std::size_t plot, const PlotChoice& choice) {
+    forget_zoom(plots_[plot].choice, choice, plots_[plot].zoom);
+    plots_[plot].choice = choice;
+}
+
+void PlotPane::draw_header(const std::string& name, Shown& plot, const FrameContext& context) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x / 2, available = ImGui::GetContentRegionAvail().x;
+    const float log = width_of("log"), menu = width_of("..."), against = width_of("iterations");
+    // Where there is no room for all, the quantity comes first; the menu has the rest too.
+    const bool with_abscissa = available >= width_of("Equidistr.") + against + log + menu + 3 * gap;
+    const bool with_log = with_abscissa || available >= width_of("Equidistr.") + log + menu + 2 * gap;
+    float rest = available - menu - gap;
+    if (with_log) rest -= log + gap;
+    if (with_abscissa) rest -= against + gap;
+    draw_list(name + ".quantity", quantities(), plot.choice.quantity,
+              std::min(std::max(rest, 1.0F), width_of("Equidistribution")), context.items);
+    if (with_abscissa) {
+        ImGui::SameLine(0, gap);
+        draw_list(name + ".abscissa", abscissas(), plot.choice.abscissa, against, context.items);
+    }
+    if (with_log) {
+        ImGui::SameLine(0, gap);
+        draw_toggle("log", plot.choice.log_y, "Logarithmic vertical axis", context.theme);
+        remember_item(context.items, name + ".log");
+    }
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button("...")) ImGui::OpenPopup(menu_id);
+    remember_item(context.items, name + ".menu");
+}
+
+std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, Shown& plot,
+                                            const FrameContext& context) {
+    if (!ImGui::BeginPopup(menu_id)) return std::nullopt;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
+    std::optional<PlotWish> wish;
+    const auto entry = [&](const char* label, const std::string& key, bool checked = false,
+                           bool possible = true) {
+        const bool pressed = ImGui::MenuItem(label, nullptr, checked, possible);
+        remember_item(context.items, name + ".menu." + key);
+        return pressed;
+    };
+    const auto offer = [&](const char* label, const char* key, PlotWish::Kind kind) {
+        if (entry(label, key)) wish = PlotWish{kind, plot.choice, plot.zoom};
+    };
+    offer("Copy as CSV", "csv", PlotWish::Kind::copy_csv);
+    offer("Save as PNG", "png", PlotWish::Kind::save_png);
+    offer("Save as SVG", "svg", PlotWish::Kind::save_svg);
+    ImGui::Separator();
+    if (entry("Show everything", "everything", false, plot.zoom != PlotZoom{})) plot.zoom = {};
+    ImGui::Separator();
+    PlotChoice& choice = plot.choice;
+    for (const Abscissa one : abscissas()) {
+        const std::string label = "Against " + std::string(label_of(one));
+        if (entry(label.c_str(), std::string(name_of(one)), choice.abscissa == one)) choice.abscissa = one;
+    }
+    if (entry("Logarithmic x", "log-x", choice.log_x)) choice.log_x = !choice.log_x;
+    if (entry("Logarithmic y", "log-y", choice.log_y)) choice.log_y = !choice.log_y;
+    ImGui::EndPopup();
+    return wish;
+}
+
+std::optional<PlotWish> PlotPane::frame(const Document& document, const ItemRectangle& first,
+                                        const ItemRectangle& second, const FrameContext& context) {
+    std::optional<PlotWish> wish;
+    const auto draw = [&](const std::string& name, const ItemRectangle& part, Shown& plot) {
+        begin_part(name.c_str(), part);
+        context.items[name] = part;
+        const PlotChoice before = plot.choice;
+        draw_header(name, plot, context);
+        forget_zoom(before, plot.choice, plot.zoom);
+        const PlotView view = view_of_runs(document.runs(), plot.choice);
+        const bool menu = plot_widget("##curves", view, ImGui::GetContentRegionAvail(), plot.zoom,
+                                      context.theme, context.scale);
+        remember_item(context.items, name + ".curves");
+        if (menu) ImGui::OpenPopup(menu_id);
+        const PlotChoice unturned = plot.choice;
+        if (auto wanted = draw_menu(name, plot, context)) wish = std::move(wanted);
+        forget_zoom(unturned, plot.choice, plot.zoom);
+        ImGui::End();
+    };
+    draw("plot.first", first, plots_[0]);
+    draw("plot.second", second, plots_[1]);
+    return wish;
+}
+
+} // namespace gaspard

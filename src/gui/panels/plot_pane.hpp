@@ -1,0 +1,46 @@
+// The plots of a document as parts of the window. Each has a line above it to choose what it shows and a menu
+// for what can be done with it.
+#pragma once
+
+#include "gui/document/document.hpp"
+#include "gui/panels/plot_choice.hpp"
+#include "gui/panels/viewport_pane.hpp"
+
+#include <array>
+#include <optional>
+
+namespace gaspard {
+
+/// What a user wants done with a plot; whoever has a clipboard and files does it.
+struct PlotWish {
+    enum class Kind { copy_csv, save_png, save_svg };
+    Kind kind = Kind::copy_csv;
+    PlotChoice choice;
+    PlotZoom zoom;
+};
+
+class PlotPane {
+  public:
+    /// Draws both plots, each into a window of its own. Notes "plot.first" and "plot.first.quantity",
+    /// ".quantity=jacobian" (while the list is open), ".abscissa", ".log", ".menu", ".menu.csv" (while it is
+    /// open), ".curves"; likewise "plot.second".
+    std::optional<PlotWish> frame(const Document& document, const ItemRectangle& first,
+                                  const ItemRectangle& second, const FrameContext& context);
+
+    /// What the plots show; to be remembered and restored.
+    std::array<PlotChoice, 2> choices() const { return {plots_[0].choice, plots_[1].choice}; }
+    void choose(std::size_t plot, const PlotChoice& choice);
+    const PlotZoom& zoom(std::size_t plot) const { return plots_[plot].zoom; }
+
+  private:
+    struct Shown {
+        PlotChoice choice;
+        PlotZoom zoom;
+    };
+    void draw_header(const std::string& name, Shown& plot, const FrameContext& context);
+    std::optional<PlotWish> draw_menu(const std::string& name, Shown& plot, const FrameContext& context);
+
+    std::array<Shown, 2> plots_{Shown{}, Shown{{.quantity = Quantity::equidistribution}, {}}};
+};
+
+} // namespace gaspard

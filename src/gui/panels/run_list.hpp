@@ -1,0 +1,24 @@
+// The runs of a document as a list: which colour each has in the plots, whether it is shown there, what it is
+// called. Kept runs can be renamed in place and removed.
+#pragma once
+
+#include "gui/document/document.hpp"
+#include "gui/panels/viewport_pane.hpp"
+
+#include <string>
+
+namespace gaspard {
+
+class RunList {
+  public:
+    /// Draws into the current ImGui window. True when the live run is to be kept. Notes "runs.keep" and per
+    /// run, counted from 0, "runs.0.eye", "runs.0.name", "runs.0.remove".
+    bool draw(Document& document, const FrameContext& context);
+
+  private:
+    void draw_name(DocumentRun& run, const std::string& key, float width, const FrameContext& context);
+
+    std::string name_before_; ///< of the run whose name is being edited
+};
+
+} // namespace gaspard

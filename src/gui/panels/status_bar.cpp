@@ -1,0 +1,154 @@
+#include "gui/panels/status_bar.hpp"
+
+#include "core/tessellate/ticks.hpp"
+#include "gui/base/actions.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <imgui.h>
+
+namespace gaspard {
+
+namespace {
+
+/// The newest report with diagnostics; null before the first.
+const StepReport* last_measured(const std::vector<StepReport>& history) {
+    for (auto report = history.rbegin(); report != history.rend(); ++report)
+        if (report->equidistribution) return &*report;
+    return nullptr;
+}
+
+} // namespace
+
+ImVec4 tone_colour(const Theme& theme, Tone tone) {
+    switch (tone) {
+    case Tone::plain:
+        break;
+    case Tone::good:
+        return to_imgui(theme.good);
+    case Tone::busy:
+        return to_imgui(theme.accent);
+    case Tone::warning:
+        return to_imgui(theme.warning);
+    case Tone::bad:
+        return to_imgui(theme.bad);
+    }
+    return to_imgui(theme.text);
+}
+
+StatusCell describe_state(const SolverStatus& status, bool wants_to_run) {
+    if (status.activity.starts_with("writing")) return {"State", "Writing", Tone::busy};
+    if (!status.activity.empty()) return {"State", "Preparing", Tone::busy};
+    switch (status.run) {
+    case RunStatus::preparing:
+        return {"State", "Preparing", Tone::busy};
+    case RunStatus::running:
+        return wants_to_run ? StatusCell{"State", "Running", Tone::busy}
+                            : StatusCell{"State", "Paused", Tone::warning};
+    case RunStatus::converged:
+        return {"State", "Converged", Tone::good};
+    case RunStatus::iteration_limit:
+        return {"State", "Iteration limit", Tone::warning};
+    case RunStatus::stalled:
+        return {"State", "Stalled", Tone::warning};
+    case RunStatus::diverged:
+        return {"State", "Diverged", Tone::bad};
+    case RunStatus::tangled:
+        return {"State", "Tangled", Tone::bad};
+    case RunStatus::interrupted:
+        return {"State", "Interrupted", Tone::warning};
+    case RunStatus::failed:
+        return {"State", "Failed", Tone::bad};
+    }
+    return {};
+}
+
+std::vector<StatusCell> status_cells(const DocumentRun& run) {
+    const StepReport* now = run.history.empty() ? nullptr : &run.history.back();
+    const StepReport* measured = last_measured(run.history);
+    const auto rate = iteration_rate(run.history);
+    const std::string none = "-";
+    std::vector<StatusCell> cells{describe_state(run.status, run.wants_to_run)};
+    cells.push_back({"Iteration", now ? std::to_string(now->iteration) : none});
+    cells.push_back({"Residual", now ? short_number(now->residual) : none});
+    cells.push_back({"Equidistribution", measured ? short_number(*measured->equidistribution) : none});
+    cells.push_back(
+        {"Min. Jacobian", measured && measured->min_jacobian ? short_number(*measured->min_jacobian) : none});
+    const auto tangled = measured ? measured->tangled_cells : std::nullopt;
+    cells.push_back({"Tangled cells", tangled ? std::to_string(*tangled) : none,
+                     tangled && *tangled > 0 ? Tone::bad : Tone::plain});
+    cells.push_back({"Iterations / s", rate ? short_number(*rate) : none});
+    return cells;
+}
+
+std::string method_note(const DocumentRun& run, const Catalogue& catalogue) {
+    for (std::size_t i = run.history.size(); i-- > 1;) {
+        const StepReport& report = run.history[i];
+        const bool of_values = report.iteration == run.history[i - 1].iteration; // that have changed
+        if (of_values) return {}; // what was said of other values is past
+        if (report.note.empty()) continue;
+        return catalogue.method(run.scenario.method.type).label + ", from iteration " +
+               std::to_string(report.iteration) + ": " + report.note;
+    }
+    return {};
+}
+
+std::string closing_note(const DocumentRun& run) {
+    if (run.history.empty() || !run.ended() || run.status.run == RunStatus::converged) return {};
+    std::string note = run.history.back().note;
+    if (note.empty()) return {};
+    note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
+    const bool beyond_repair = run.status.run == RunStatus::diverged || run.status.run == RunStatus::tangled;
+    if (beyond_repair) note += "; " + describe_keys(action(ActionId::reset)) + " starts from the beginning";
+    return note + ".";
+}
+
+bool has_linear_cells(const DocumentRun& run) {
+    const Values& domain = run.scenario.domain.values;
+    return run.live() && domain.has("geometry_order") && format_value(domain.at("geometry_order")) == "1";
+}
+
+std::string remedy_note(const DocumentRun& run) {
+    const StepReport* measured = last_measured(run.history);
+    const bool tangled = measured && measured->tangled_cells.value_or(0) > 0;
+    const bool failed = run.status.run == RunStatus::diverged || run.status.run == RunStatus::tangled;
+    if (!has_linear_cells(run) || !(failed || tangled)) return {};
+    return failed ? "Linear cells do not follow this monitor around the sphere; quadratic ones, which are "
+                    "curved as it is, do."
+                  : "Linear cells are tangling. Quadratic ones, which are curved as the sphere is, follow "
+                    "this monitor.";
+}
+
+void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view hint, const Theme& theme,
+                     ItemRectangles& items) {
+    const auto cells = status_cells(run);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float em = ImGui::GetFontSize(), line = 1.35F * em;
+    const float pitch =
+        std::min(10.5F * em, ImGui::GetContentRegionAvail().x / static_cast<float>(cells.size()));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const ImVec2 at(start.x + pitch * static_cast<float>(i), start.y);
+        list.AddText(at, ImGui::GetColorU32(ImGuiCol_TextDisabled), cells[i].label.c_str());
+        list.AddText({at.x, at.y + line}, ImGui::GetColorU32(tone_colour(theme, cells[i].tone)),
+                     cells[i].value.c_str());
+        items["status." + std::to_string(i)] = {at.x, at.y, at.x + pitch, at.y + 2 * line};
+    }
+    ImGui::SetCursorScreenPos({start.x, start.y + 2 * line + 0.3F * em});
+    const std::string note = closing_note(run);
+    if (!message.text.empty()) {
+        ImGui::TextColored(tone_colour(theme, message.error ? Tone::bad : Tone::good), "%s",
+                           message.text.c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", message.text.c_str()); // a narrow window clips it
+    } else if (!note.empty()) {
+        ImGui::TextColored(tone_colour(theme, Tone::warning), "%s", note.c_str());
+    } else {
+        ImGui::TextDisabled("%.*s", static_cast<int>(hint.size()), hint.data());
+    }
+    remember_item(items, "message");
+    ItemRectangle& shown = items["message"];
+    shown.right = std::min(shown.right, ImGui::GetWindowPos().x + ImGui::GetWindowWidth());
+}
+
+} // namespace gaspard

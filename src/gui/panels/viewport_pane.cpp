@@ -1,0 +1,294 @@
+#include "gui/panels/viewport_pane.hpp"
+
+#include "gui/base/part_window.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <imgui.h>
+#include <numbers>
+
+namespace gaspard {
+
+namespace {
+
+constexpr float drag_threshold = 4; // pixels at scale 1: less is a click
+constexpr double pick_reach = 8;    // likewise
+constexpr double handle_reach = 11;
+constexpr double wheel_factor = 1.15;
+
+Pixel pixel_in(const PlannedView& shown, ImVec2 mouse) {
+    return {static_cast<double>(mouse.x - shown.rect.min.x), static_cast<double>(mouse.y - shown.rect.min.y)};
+}
+
+/// The picture that a position belongs to; of those beside each other the nearer one.
+const PlannedView& view_at(const ViewportPlan& plan, ImVec2 at) {
+    const auto away = [at](const PlannedView& shown) {
+        const ScreenRect& r = shown.rect;
+        return std::max({r.min.x - at.x, at.x - r.max.x, r.min.y - at.y, at.y - r.max.y});
+    };
+    return *std::min_element(plan.views.begin(), plan.views.end(),
+                             [&](const auto& a, const auto& b) { return away(a) < away(b); });
+}
+
+/// A point of a ball comes to face the viewer. A ball that is seen whole stays where it is in the picture;
+/// of one that is not the point comes to the middle.
+void recentre(Camera& camera, const PlannedView& shown, Vec3 where) {
+    const Vec3 pivot = pivot_of(shown.scene);
+    bring_to_front(camera, where, pivot);
+    const double across = 2 * shown.scene.ball / camera.scale;
+    if (across > std::min(shown.size().width, shown.size().height)) camera.centre = pivot;
+}
+
+/// Whether a camera sees a ball as large and in the same place as another does.
+bool only_turned(const PlannedView& shown, const Camera& camera) {
+    constexpr double hardly = 1e-6; // pixels
+    const Vec3 pivot = pivot_of(shown.scene);
+    const Pixel before = to_pixel(shown.camera, shown.size(), pivot),
+                now = to_pixel(camera, shown.size(), pivot);
+    return shown.scene.ball > 0 && camera.scale == shown.camera.scale &&
+           std::hypot(before.x - now.x, before.y - now.y) < hardly;
+}
+
+/// "Newton: 11 iterations, converged"
+std::string title_among_others(const DocumentRun& run) {
+    if (run.history.empty()) return run.name;
+    const StepReport& last = run.history.back();
+    std::string text = run.name + ": " + std::to_string(last.iteration) + " iterations, ";
+    if (last.tangled_cells.value_or(0) > 0 && run.status.run != RunStatus::tangled)
+        text += std::to_string(*last.tangled_cells) + " tangled cells, ";
+    return text + std::string(status_name(run.status.run));
+}
+
+/// The button that is held; -1 for none.
+int held_button() {
+    for (const int button : {0, 1, 2})
+        if (ImGui::IsMouseDown(button)) return button;
+    return -1;
+}
+
+} // namespace
+
+void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, const ItemRectangle& area,
+                         const FrameContext& context, const std::vector<const DocumentRun*>& others) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    begin_part("##viewport", area,
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                   ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+    ImGui::InvisibleButton("##picture", {std::max(1.0F, area.width()), std::max(1.0F, area.height())},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                               ImGuiButtonFlags_MouseButtonRight);
+    remember_item(context.items, "viewport");
+    if (plan_) {
+        if (!drag_handle(context.scale)) steer(viewport.view, context.scale);
+        turn(viewport.view);
+    }
+    if (run.snapshot) {
+        const bool among_others = viewport.view.text("layout") == "runs";
+        ViewportText text;
+        text.subject = among_others ? title_among_others(run) : run.title;
+        text.caption = false;
+        text.note = note_;
+        std::vector<NamedSnapshot> beside;
+        for (const DocumentRun* other : others)
+            if (among_others && other->snapshot)
+                beside.push_back({title_among_others(*other), other->snapshot.get()});
+        plan_ = planner_.plan(*run.snapshot, viewport.view, text,
+                              {{area.left, area.top}, {area.right, area.bottom}}, context.scale, beside);
+        draw_viewport_overlay(*ImGui::GetWindowDrawList(), *plan_, context.theme, context.scale);
+        draw_handles(context);
+        views_.clear();
+        for (const PlannedView& shown : plan_->views)
+            views_.push_back({shown.scene,
+                              shown.camera,
+                              {shown.rect.min.x, shown.rect.min.y, shown.rect.max.x, shown.rect.max.y}});
+    }
+    ImGui::End();
+}
+
+/// Where a picture shows a handle; other runs have monitors of their own.
+std::optional<Pixel> ViewportPane::seen(const Handle& handle, const PlannedView& shown) const {
+    if (shown.scene.physical != plan_->views.front().scene.physical) return std::nullopt;
+    return pixel_of(handle, shown);
+}
+
+std::optional<std::size_t> ViewportPane::handle_at(ImVec2 at, float scale) const {
+    const PlannedView& shown = view_at(*plan_, at);
+    const Pixel pointer = pixel_in(shown, at);
+    const double reach = handle_reach * static_cast<double>(scale);
+    for (std::size_t i = 0; i < handles_.size(); ++i)
+        if (const auto pixel = seen(handles_[i], shown))
+            if (std::hypot(pixel->x - pointer.x, pixel->y - pointer.y) < reach) return i;
+    return std::nullopt;
+}
+
+/// A handle that the button was pressed on goes with the pointer, and the picture stays.
+bool ViewportPane::drag_handle(float scale) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemActivated())
+        held_ = ImGui::IsMouseDown(0) ? handle_at(io.MouseClickedPos[0], scale) : std::nullopt;
+    if (held_ && *held_ >= handles_.size()) held_.reset(); // it has gone
+    if (!held_) return false;
+    const bool ends = ImGui::IsItemDeactivated();
+    const ImVec2 clicked = io.MouseClickedPos[0];
+    const float x = io.MousePos.x - clicked.x, y = io.MousePos.y - clicked.y, far = drag_threshold * scale;
+    if ((ends || ImGui::IsItemActive()) && (dragging_ || x * x + y * y > far * far)) {
+        const bool moved = !std::exchange(dragging_, true) || io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+        const PlannedView& shown = view_at(*plan_, clicked);
+        const auto place = place_under(handles_[*held_], shown, pixel_in(shown, io.MousePos));
+        if (place && moved) handle_move_ = {handles_[*held_], *place};
+    }
+    if (ImGui::IsItemActive()) return true;
+    held_.reset();
+    return std::exchange(dragging_, false); // without a drag it was a click
+}
+
+void ViewportPane::draw_handles(const FrameContext& context) {
+    const std::size_t none = handles_.size();
+    const bool hovered = !held_ && ImGui::IsItemHovered();
+    const std::size_t lit =
+        hovered ? handle_at(ImGui::GetIO().MousePos, context.scale).value_or(none) : held_.value_or(none);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (const PlannedView& shown : plan_->views) {
+        list.PushClipRect(shown.rect.min, shown.rect.max, true);
+        for (std::size_t i = 0; i < handles_.size(); ++i) {
+            const auto at = seen(handles_[i], shown);
+            if (!at) continue;
+            const float x = shown.rect.min.x + static_cast<float>(at->x),
+                        y = shown.rect.min.y + static_cast<float>(at->y);
+            draw_handle(handles_[i], list, {x, y}, lit == i, context.theme, context.scale);
+            context.items[item_name(handles_[i])] = {x, y, x, y};
+        }
+        list.PopClipRect();
+    }
+    if (lit < none) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+}
+
+void ViewportPane::go_home(DocumentViewport& viewport) {
+    if (plan_) viewport.view.set(camera_key(plan_->views.front().scene), std::string());
+    spun_ = 0;
+    planner_.forget_home();
+}
+
+void ViewportPane::look_as(DocumentViewport& viewport, const std::string& camera) {
+    viewport.view.set(plan_ ? camera_key(plan_->views.front().scene) : "camera", camera);
+    spun_ = 0;
+}
+
+/// A mesh in space goes on turning, unless the mouse holds it; where it stops it stays.
+void ViewportPane::turn(Values& view) {
+    const PlannedView& front = plan_->views.front();
+    spinning_ = false;
+    if (front.scene.planar()) return; // a map waits; a globe goes on from where it was
+    const double rate = view.real("spin") * std::numbers::pi / 180;
+    const std::string from = view.text("camera") + view.text("direction");
+    if (from != spun_from_) spun_ = 0;
+    spun_from_ = from;
+    if (rate == 0 && spun_ != 0) set_camera(view, front, front.camera);
+    spinning_ = rate != 0;
+    constexpr double longest = 0.1; // seconds; more has passed only where nothing was drawn
+    if (rate != 0 && !dragging_)
+        spun_ += rate * std::min(longest, static_cast<double>(ImGui::GetIO().DeltaTime));
+    planner_.turn_by(spun_);
+}
+
+std::string ViewportPane::camera_text() const {
+    if (!plan_) return {};
+    return format_camera(plan_->views.front().camera, plan_->views.front().size());
+}
+
+void ViewportPane::fix_range(DocumentViewport& viewport) const {
+    if (!plan_ || plan_->views.front().scene.colouring == nullptr) return;
+    const ColourRange& range = plan_->views.front().scene.colouring->range;
+    if (!(range.low < range.high)) return;
+    viewport.view.set("range", std::string("fixed"));
+    viewport.view.set("low", range.low);
+    viewport.view.set("high", range.high);
+}
+
+void ViewportPane::set_camera(Values& view, const PlannedView& shown, Camera camera) {
+    if (camera == shown.camera && spun_ == 0) return;
+    // What showed the whole ball goes on doing so, also when the picture's size changes.
+    const std::string before = view.text(camera_key(shown.scene));
+    const bool whole = (before.empty() || shows_all(before)) && only_turned(shown, camera);
+    if (shown.rear) camera = from_behind(camera, pivot_of(shown.scene));
+    view.set(camera_key(shown.scene), whole ? format_axes(camera) : format_camera(camera, shown.size()));
+    spun_ = 0;
+}
+
+/// Drags pan or turn, the wheel zooms to the pointer, a click picks, a double click brings a point to the
+/// middle.
+void ViewportPane::steer(Values& view, float scale) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool hovered = ImGui::IsItemHovered();
+    if (ImGui::IsItemActive()) {
+        const int button = held_button();
+        const float far = drag_threshold * scale;
+        const bool begins = button >= 0 && !dragging_ && io.MouseDragMaxDistanceSqr[button] > far * far;
+        // What was held back until it was clear that this is no click comes with the first step.
+        if (button >= 0 && (begins || dragging_))
+            drag(view, view_at(*plan_, io.MouseClickedPos[button]), button,
+                 dragging_ ? io.MouseDelta : ImGui::GetMouseDragDelta(button, 0));
+        dragging_ = dragging_ || begins;
+    }
+    const PlannedView& under = view_at(*plan_, io.MousePos);
+    if (hovered && io.MouseWheel != 0) {
+        Camera camera = under.camera;
+        zoom(camera, under.size(), pixel_in(under, io.MousePos),
+             std::pow(wheel_factor, static_cast<double>(io.MouseWheel)), under.scene.box);
+        set_camera(view, under, camera);
+    }
+    if (hovered && ImGui::IsMouseDoubleClicked(0)) {
+        const Pixel pointer = pixel_in(under, io.MousePos);
+        const auto hit = pick_at(under.scene, under.camera, under.size(), pointer, 0);
+        Camera camera = under.camera;
+        if (under.scene.ball > 0 && hit)
+            recentre(camera, under, hit->where);
+        else
+            camera.centre = hit ? hit->where : to_world(camera, under.size(), pointer);
+        set_camera(view, under, camera);
+        view.set("pick", picked_before_);
+        dragging_ = true; // the button's release is no click
+    }
+    if (!ImGui::IsItemDeactivated()) return;
+    const ImVec2 clicked = io.MouseClickedPos[0];
+    const float x = io.MousePos.x - clicked.x, y = io.MousePos.y - clicked.y;
+    const bool moved = x * x + y * y > drag_threshold * drag_threshold * scale * scale;
+    if (!dragging_ && ImGui::IsMouseReleased(0) && moved) { // all of a drag since the last frame
+        drag(view, view_at(*plan_, clicked), 0, {x, y});
+    } else if (!dragging_ && hovered && ImGui::IsMouseReleased(0)) {
+        picked_before_ = view.text("pick");
+        click(view, under, pixel_in(under, io.MousePos), scale);
+    }
+    dragging_ = false;
+}
+
+void ViewportPane::drag(Values& view, const PlannedView& shown, int button, ImVec2 step) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Pixel by{static_cast<double>(step.x), static_cast<double>(step.y)};
+    Camera camera = shown.camera;
+    if (shown.scene.planar() || button != 0 || io.KeyShift) {
+        pan(camera, by);
+    } else if (shown.scene.ball > 0) {
+        const Pixel to = pixel_in(shown, io.MousePos);
+        turn_ball(camera, shown.size(), {to.x - by.x, to.y - by.y}, to, pivot_of(shown.scene),
+                  shown.scene.ball);
+    } else {
+        // A mesh turns about its own middle as long as that is to be seen.
+        const Vec3 middle = shown.scene.box.centre();
+        const Pixel seen = to_pixel(camera, shown.size(), middle);
+        const bool visible =
+            seen.x >= 0 && seen.y >= 0 && seen.x <= shown.size().width && seen.y <= shown.size().height;
+        rotate(camera, shown.size(), by, visible ? middle : camera.centre);
+    }
+    set_camera(view, shown, camera);
+}
+
+void ViewportPane::click(Values& view, const PlannedView& shown, Pixel pointer, float scale) {
+    const auto hit =
+        pick_at(shown.scene, shown.camera, shown.size(), pointer, pick_reach * static_cast<double>(scale));
+    view.set("pick", hit ? format_pick(hit->pick) : std::string());
+}
+
+} // namespace gaspard

@@ -1,0 +1,175 @@
+#include "gui/plot/plot_axes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gaspard {
+
+namespace {
+
+struct Hull {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    void add(double position) {
+        if (std::isnan(position)) return;
+        low = std::min(low, position), high = std::max(high, position);
+    }
+};
+
+/// Of a curve whose extremes are known: nothing is searched through.
+void add_indexed(const CurveView& curve, const PlotView& plot, bool vertical, Hull& hull) {
+    const Axis& axis = vertical ? plot.y : plot.x;
+    if (vertical) {
+        const Extent& all = curve.extremes->all();
+        hull.add(to_axis(axis, axis.logarithmic ? all.min_positive : all.min));
+        hull.add(to_axis(axis, all.max));
+        return;
+    }
+    const auto first =
+        axis.logarithmic ? std::upper_bound(curve.x.begin(), curve.x.end(), 0.0) : curve.x.begin();
+    if (first == curve.x.end()) return;
+    hull.add(to_axis(axis, *first));
+    hull.add(to_axis(axis, curve.x.back()));
+}
+
+void add_points(const CurveView& curve, const PlotView& plot, bool vertical, Hull& hull) {
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        // A point that the other axis cannot show asks for no room on this one.
+        const double x = to_axis(plot.x, curve.x[i]), y = to_axis(plot.y, curve.y[i]);
+        if (!std::isnan(x) && !std::isnan(y)) hull.add(vertical ? y : x);
+    }
+}
+
+float label_width(const std::vector<Tick>& ticks) {
+    float width = 0;
+    for (const Tick& tick : ticks) width = std::max(width, ImGui::CalcTextSize(tick.label.c_str()).x);
+    return width;
+}
+
+/// Minor lines help only where decades are wide.
+bool is_shown(const Tick& tick, AxisRange range, float length, float scale) {
+    return tick.major || length / static_cast<float>(range.span()) > 45 * scale;
+}
+
+ImVec2 text_size(std::string_view text) {
+    return ImGui::CalcTextSize(text.data(), text.data() + text.size());
+}
+
+void draw_labels(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, ScreenRect rect,
+                 const Theme& theme, float scale) {
+    const float line = ImGui::GetFontSize(), gap = 5 * scale;
+    const float middle = (frame.area.min.x + frame.area.max.x) / 2;
+    float top = rect.min.y;
+    const auto write = [&list](ImVec2 at, Colour colour, std::string_view text) {
+        list.AddText(at, packed(colour), text.data(), text.data() + text.size());
+    };
+    if (!plot.title.empty()) {
+        write({middle - text_size(plot.title).x / 2, top}, theme.text, plot.title);
+        top += line + gap;
+    }
+    const float left = std::max(rect.min.x, frame.area.min.x - label_width(frame.y_ticks) - gap);
+    write({left, top}, theme.faint_text, plot.y.label);
+    write({middle - text_size(plot.x.label).x / 2, rect.max.y - line}, theme.faint_text, plot.x.label);
+}
+
+} // namespace
+
+AxisRange home_range(const PlotView& plot, bool vertical) {
+    const Axis& axis = vertical ? plot.y : plot.x;
+    Hull hull;
+    bool markers = false;
+    for (const CurveView& curve : plot.curves) {
+        markers = markers || curve.markers;
+        (curve.extremes ? add_indexed : add_points)(curve, plot, vertical, hull);
+    }
+    return range_around(hull.low, hull.high, axis.logarithmic, vertical || markers);
+}
+
+AxisRange limited(AxisRange range, AxisRange home, bool logarithmic) {
+    const double low = logarithmic ? lowest_decade : -1e300, high = logarithmic ? highest_decade : 1e300;
+    const double size = std::max({std::abs(range.low), std::abs(range.high), 1e-290});
+    const double narrowest = std::max(1e-9 * size, 1e-9 * home.span());
+    const double widest = std::max(20 * home.span(), narrowest);
+    const double middle = std::clamp(range.low / 2 + range.high / 2, low, high);
+    const double span = std::clamp(range.span(), narrowest, widest);
+    if (span != range.span()) range = {middle - span / 2, middle + span / 2};
+    const bool sound = std::isfinite(range.low) && std::isfinite(range.high) && range.low < range.high &&
+                       range.low >= low && range.high <= high;
+    return sound ? range : home;
+}
+
+AxisRange scaled(AxisRange range, double about, double factor) {
+    return {about + (range.low - about) * factor, about + (range.high - about) * factor};
+}
+
+double PlotFrame::pixel_of_x(double position) const {
+    return static_cast<double>(area.min.x) +
+           (position - x_range.low) / x_range.span() * static_cast<double>(area.width());
+}
+
+double PlotFrame::pixel_of_y(double position) const {
+    return static_cast<double>(area.max.y) -
+           (position - y_range.low) / y_range.span() * static_cast<double>(area.height());
+}
+
+double PlotFrame::position_x(double pixel) const {
+    return x_range.low +
+           (pixel - static_cast<double>(area.min.x)) / static_cast<double>(area.width()) * x_range.span();
+}
+
+double PlotFrame::position_y(double pixel) const {
+    return y_range.low +
+           (static_cast<double>(area.max.y) - pixel) / static_cast<double>(area.height()) * y_range.span();
+}
+
+PlotFrame make_frame(const PlotView& plot, ScreenRect rect, const PlotZoom& zoom, float scale) {
+    const float line = ImGui::GetFontSize(), gap = 5 * scale;
+    PlotFrame frame;
+    frame.x = plot.x, frame.y = plot.y;
+    frame.area = rect;
+    if (!plot.title.empty()) frame.area.min.y += line + gap;
+    if (!plot.y.label.empty()) frame.area.min.y += line + gap;
+    frame.area.min.y += line / 2; // half of the uppermost label
+    frame.area.max.y -= line + gap;
+    if (!plot.x.label.empty()) frame.area.max.y -= line + gap / 2;
+    frame.x_range = zoom.x ? *zoom.x : home_range(plot, false);
+    frame.y_range = zoom.y ? *zoom.y : home_range(plot, true);
+    if (!frame.drawable()) return frame;
+    const float spacing = plot.y.logarithmic ? 2.0F : 2.6F; // in lines of text
+    frame.y_ticks =
+        axis_ticks(plot.y, frame.y_range, static_cast<int>(frame.area.height() / (spacing * line)));
+    frame.area.min.x += label_width(frame.y_ticks) + gap;
+    frame.x_ticks = axis_ticks(plot.x, frame.x_range, static_cast<int>(frame.area.width() / (5 * line)));
+    const float last_label =
+        frame.x_ticks.empty() ? 0 : ImGui::CalcTextSize(frame.x_ticks.back().label.c_str()).x;
+    frame.area.max.x -= std::max(last_label / 2, gap);
+    return frame;
+}
+
+void draw_frame(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, ScreenRect rect,
+                const Theme& theme, float scale) {
+    const ScreenRect& area = frame.area;
+    const float gap = 5 * scale, thin = std::max(1.0F, std::round(scale));
+    const auto grid = [&](bool major) { return packed(theme.grid, major ? 1.0F : 0.4F); };
+    list.AddRectFilled(area.min, area.max, packed(theme.frame, 0.45F));
+    for (const Tick& tick : frame.x_ticks) {
+        const float x = std::round(static_cast<float>(frame.pixel_x(tick.value)));
+        if (!(x >= area.min.x - 1 && x <= area.max.x + 1)) continue;
+        if (!is_shown(tick, frame.x_range, area.width(), scale)) continue;
+        list.AddRectFilled({x, area.min.y}, {x + thin, area.max.y}, grid(tick.major));
+        const float width = ImGui::CalcTextSize(tick.label.c_str()).x;
+        list.AddText({x - width / 2, area.max.y + gap}, packed(theme.faint_text), tick.label.c_str());
+    }
+    for (const Tick& tick : frame.y_ticks) {
+        const float y = std::round(static_cast<float>(frame.pixel_y(tick.value)));
+        if (!(y >= area.min.y - 1 && y <= area.max.y + 1)) continue;
+        if (!is_shown(tick, frame.y_range, area.height(), scale)) continue;
+        list.AddRectFilled({area.min.x, y}, {area.max.x, y + thin}, grid(tick.major));
+        const ImVec2 size = ImGui::CalcTextSize(tick.label.c_str());
+        list.AddText({area.min.x - gap - size.x, y - size.y / 2}, packed(theme.faint_text),
+                     tick.label.c_str());
+    }
+    draw_labels(list, plot, frame, rect, theme, scale);
+}
+
+} // namespace gaspard

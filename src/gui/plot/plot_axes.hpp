@@ -1,0 +1,59 @@
+// The axes of a plot: which stretch each shows, where a value lies on the screen, ticks, grid and labels.
+//
+// Axes count in axis units, as in core/tessellate/plot_axis.hpp. Screen positions are ImGui's, y downwards.
+#pragma once
+
+#include "core/tessellate/plot_axis.hpp"
+#include "gui/base/theme.hpp"
+#include "gui/plot/plot_view.hpp"
+
+#include <imgui.h>
+#include <optional>
+#include <vector>
+
+namespace gaspard {
+
+struct ScreenRect {
+    ImVec2 min, max;
+    float width() const { return max.x - min.x; }
+    float height() const { return max.y - min.y; }
+    bool contains(ImVec2 p) const { return p.x >= min.x && p.x < max.x && p.y >= min.y && p.y < max.y; }
+};
+
+/// What an axis must span to show every value that it can show, with a little room; [0, 1] (or one decade) if
+/// there is none.
+AxisRange home_range(const PlotView& plot, bool vertical);
+
+/// What a user has zoomed to; an axis without a range shows all there is, also of what is yet to come.
+struct PlotZoom {
+    std::optional<AxisRange> x, y;
+    friend bool operator==(const PlotZoom&, const PlotZoom&) = default;
+};
+
+/// Ranges that can be shown: neither narrower than numbers can tell apart nor much wider than `home`.
+AxisRange limited(AxisRange range, AxisRange home, bool logarithmic);
+/// Makes a range `factor` times as wide about a position that stays where it is.
+AxisRange scaled(AxisRange range, double about, double factor);
+
+/// A plot's axes on the screen.
+struct PlotFrame {
+    Axis x, y;
+    AxisRange x_range, y_range;
+    std::vector<Tick> x_ticks, y_ticks;
+    ScreenRect area; ///< of the curves
+
+    bool drawable() const { return area.width() >= 8 && area.height() >= 8; }
+    double pixel_x(double value) const { return pixel_of_x(to_axis(x, value)); }
+    double pixel_y(double value) const { return pixel_of_y(to_axis(y, value)); }
+    double pixel_of_x(double position) const;
+    double pixel_of_y(double position) const;
+    double position_x(double pixel) const; ///< in axis units
+    double position_y(double pixel) const;
+};
+
+PlotFrame make_frame(const PlotView& plot, ScreenRect rect, const PlotZoom& zoom, float scale);
+/// Background, grid, ticks and what is written beside them.
+void draw_frame(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, ScreenRect rect,
+                const Theme& theme, float scale);
+
+} // namespace gaspard

@@ -1,0 +1,16 @@
+// The names of a plot's curves, in the corner where they hide least of the curves.
+#pragma once
+
+#include "gui/plot/plot_curves.hpp"
+
+namespace gaspard {
+
+/// Nothing where there is no need (a single curve) or no room. `paths`: of the plot's curves.
+void draw_legend(ImDrawList& list, const PlotView& plot, const std::vector<PixelPath>& paths,
+                 const PlotFrame& frame, const Theme& theme, float scale);
+
+/// The first of the corners (upper right, lower left, upper left, lower right) that is free for a box of this
+/// size, or else the one in which least is hidden.
+ScreenRect legend_place(const std::vector<PixelPath>& paths, ScreenRect area, ImVec2 size, float margin);
+
+} // namespace gaspard

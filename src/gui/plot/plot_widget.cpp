@@ -1,0 +1,171 @@
+#include "gui/plot/plot_widget.hpp"
+
+#include "gui/plot/plot_legend.hpp"
+#include "gui/plot/plot_read_out.hpp"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <optional>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double wheel_step = 1.2; // per notch
+constexpr float click_slack = 6;   // how far a mouse may move during a click, in pixels of scale 1
+
+void draw_marks(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, const Theme& theme,
+                float scale) {
+    float last = -FLT_MAX;
+    for (const MarkView& mark : plot.marks) {
+        const float x = std::round(static_cast<float>(frame.pixel_x(mark.x)));
+        if (!(x >= frame.area.min.x && x <= frame.area.max.x) || std::abs(x - last) < 3 * scale) continue;
+        last = x;
+        const ImU32 colour = packed(curve_colour(theme, mark.colour), 0.55F);
+        const float dash = 4 * scale;
+        for (float y = frame.area.min.y; y < frame.area.max.y; y += 2 * dash)
+            list.AddRectFilled({x, y},
+                               {x + std::max(1.0F, std::round(scale)), std::min(y + dash, frame.area.max.y)},
+                               colour);
+    }
+}
+
+/// Which axes the mouse steers at a place.
+struct Steered {
+    bool x = false, y = false;
+    bool any() const { return x || y; }
+};
+
+Steered steered_at(const PlotFrame& frame, ImVec2 place) {
+    const ScreenRect& area = frame.area;
+    const bool beside = place.x < area.min.x, below = place.y >= area.max.y;
+    if (area.contains(place)) return {true, true};
+    if (below && !beside && place.x < area.max.x) return {true, false};
+    if (beside && !below && place.y >= area.min.y) return {false, true};
+    return {};
+}
+
+/// Moves ranges about; `home` keeps them within reason.
+class Steering {
+  public:
+    Steering(const PlotView& plot, const PlotFrame& frame, PlotZoom& zoom)
+        : plot_(plot), frame_(frame), zoom_(zoom) {}
+
+    void wheel(ImVec2 pointer, float turns, Steered which) {
+        const double factor = std::pow(wheel_step, -static_cast<double>(turns));
+        if (which.x) set_x(scaled(frame_.x_range, frame_.position_x(static_cast<double>(pointer.x)), factor));
+        if (which.y) set_y(scaled(frame_.y_range, frame_.position_y(static_cast<double>(pointer.y)), factor));
+    }
+    void pan(ImVec2 by, Steered which) {
+        const auto moved = [](AxisRange range, double fraction) {
+            return AxisRange{range.low - fraction * range.span(), range.high - fraction * range.span()};
+        };
+        if (which.x) set_x(moved(frame_.x_range, static_cast<double>(by.x / frame_.area.width())));
+        if (which.y) set_y(moved(frame_.y_range, static_cast<double>(-by.y / frame_.area.height())));
+    }
+    void show(ScreenRect rect) {
+        set_x({frame_.position_x(static_cast<double>(rect.min.x)),
+               frame_.position_x(static_cast<double>(rect.max.x))});
+        set_y({frame_.position_y(static_cast<double>(rect.max.y)),
+               frame_.position_y(static_cast<double>(rect.min.y))});
+    }
+    void reset(Steered which) {
+        if (which.x) zoom_.x.reset();
+        if (which.y) zoom_.y.reset();
+    }
+
+  private:
+    void set_x(AxisRange range) { zoom_.x = limited(range, home_range(plot_, false), frame_.x.logarithmic); }
+    void set_y(AxisRange range) { zoom_.y = limited(range, home_range(plot_, true), frame_.y.logarithmic); }
+
+    const PlotView& plot_;
+    const PlotFrame& frame_;
+    PlotZoom& zoom_;
+};
+
+/// What the right button has drawn so far, within the area; nothing while that is still a click.
+std::optional<ScreenRect> dragged_rectangle(const PlotFrame& frame, float scale) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 from = io.MouseClickedPos[1], to = io.MousePos;
+    if (!frame.area.contains(from) || !ImGui::IsMousePosValid(&to)) return std::nullopt;
+    ScreenRect rect{{std::min(from.x, to.x), std::min(from.y, to.y)},
+                    {std::max(from.x, to.x), std::max(from.y, to.y)}};
+    rect.min = {std::max(rect.min.x, frame.area.min.x), std::max(rect.min.y, frame.area.min.y)};
+    rect.max = {std::min(rect.max.x, frame.area.max.x), std::min(rect.max.y, frame.area.max.y)};
+    if (std::min(rect.width(), rect.height()) < click_slack * scale) return std::nullopt;
+    return rect;
+}
+
+/// True when a menu is asked for.
+bool steer(const PlotView& plot, const PlotFrame& frame, PlotZoom& zoom, float scale) {
+    const ImGuiIO& io = ImGui::GetIO();
+    Steering steering(plot, frame, zoom);
+    if (ImGui::IsItemHovered()) {
+        Steered which = steered_at(frame, io.MousePos);
+        if (io.MouseWheel != 0 && which.any()) {
+            if (io.KeyShift) which = {true, false};
+            if (io.KeyCtrl) which = {false, true};
+            steering.wheel(io.MousePos, io.MouseWheel, which);
+        }
+        if (ImGui::IsMouseDoubleClicked(0)) {
+            steering.reset(steered_at(frame, io.MousePos));
+            return false;
+        }
+    }
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, 0) &&
+        (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
+        steering.pan(io.MouseDelta, steered_at(frame, io.MouseClickedPos[0]));
+    if (!ImGui::IsItemDeactivated() || !ImGui::IsMouseReleased(1)) return false;
+    if (const auto rect = dragged_rectangle(frame, scale)) {
+        steering.show(*rect);
+        return false;
+    }
+    const ImVec2 from = io.MouseClickedPos[1];
+    return std::hypot(io.MousePos.x - from.x, io.MousePos.y - from.y) < click_slack * scale;
+}
+
+void draw(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, ScreenRect rect, const Theme& theme,
+          float scale) {
+    draw_frame(list, plot, frame, rect, theme, scale);
+    draw_marks(list, plot, frame, theme, scale);
+    const std::vector<PixelPath> paths = pixel_paths(plot, frame);
+    draw_curves(list, plot, paths, frame, theme, scale);
+    draw_legend(list, plot, paths, frame, theme, scale);
+}
+
+} // namespace
+
+void draw_plot(ImDrawList& list, const Plot& plot, ScreenRect rect, const Theme& theme, float scale) {
+    const PlotView view = view_of(plot);
+    const PlotFrame frame =
+        make_frame(view, rect, {shown_range(plot, false), shown_range(plot, true)}, scale);
+    if (frame.drawable()) draw(list, view, frame, rect, theme, scale);
+}
+
+bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zoom, const Theme& theme,
+                 float scale) {
+    size = {std::max(size.x, 1.0F), std::max(size.y, 1.0F)};
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton(id, size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    const ScreenRect rect{low, {low.x + size.x, low.y + size.y}};
+    PlotFrame frame = make_frame(plot, rect, zoom, scale);
+    if (!frame.drawable()) return false; // no room for anything
+    const PlotZoom before = zoom;
+    const bool menu = steer(plot, frame, zoom, scale);
+    if (zoom != before) frame = make_frame(plot, rect, zoom, scale);
+    if (!frame.drawable()) return menu;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw(list, plot, frame, rect, theme, scale);
+    const ImVec2 pointer = ImGui::GetIO().MousePos;
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive() && frame.area.contains(pointer))
+        draw_read_out(list, plot, frame, pointer, theme, scale);
+    if (ImGui::IsItemActive() && ImGui::IsMouseDown(1))
+        if (const auto rectangle = dragged_rectangle(frame, scale)) {
+            list.AddRectFilled(rectangle->min, rectangle->max, packed(theme.accent, 0.18F));
+            list.AddRect(rectangle->min, rectangle->max, packed(theme.accent), 0, 0, scale);
+        }
+    return menu;
+}
+
+} // namespace gaspard

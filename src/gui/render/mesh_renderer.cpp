@@ -1,0 +1,498 @@
+#include "gui/render/mesh_renderer.hpp"
+
+#include "core/base/check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+
+namespace gaspard {
+
+namespace {
+
+constexpr std::size_t table_width = 2048; // as in the shaders
+
+// Texture units.
+constexpr int computational_unit = 0, physical_unit = 1, colours_unit = 2, segments_unit = 3, cells_unit = 4,
+              cell_values_unit = 5;
+
+// In pixels at scale 1.
+constexpr float line_cell_width = 9, disc_width = 4.5F, rimmed_disc_width = 7;
+// A tangled cell, however small, is a magenta dot in a ring of the text's colour in a ring of the
+// background's: some two of the three stand out from any colour map.
+constexpr float tangled_width = 5, tangled_ring_width = 8, tangled_rim_width = 11;
+constexpr float few_tangled = 20;
+constexpr float arrow_shaft_width = 0.8F, arrow_head_width = 3, arrow_rim_width = 1;
+constexpr float arrow_pull = 0.06F; // of half the view's depth
+// Lines closer than `begin` vanish, beyond `end` they are whole; `haze` is the even tint instead of vanished
+// ones. A mesh without colours has to show how dense it is by its lines, one with colours shows those.
+struct Fading {
+    float begin, end, haze;
+};
+constexpr Fading plain_fading{1.5F, 3.8F, 1}, coloured_fading{1.6F, 5.5F, 0.015F};
+constexpr float pull_pixels = 2;
+constexpr float overlay_width = 1, overlay_pull = 0.004F; // the second of half the view's depth
+constexpr float dusk = 0.42F;                             // as in mesh_fill.frag
+constexpr float bent = 0.3F;                              // as in mesh_line.vert
+constexpr float limb_begin = 0.04F, limb_end = 0.5F;
+
+void set_colour(const Gl& gl, GLint where, Colour c) { gl.Uniform4f(where, c.r, c.g, c.b, c.a); }
+
+/// Half the depth of the view, so that all of the box lies within it.
+double view_depth(const Camera& camera, const Box& box) {
+    const double offset = std::abs(dot(towards_viewer(camera), box.centre() - camera.centre));
+    return 1.01 * (offset + box.size() / 2) + 1e-300;
+}
+
+/// Where values lie in a range, linearly; the shaders take the logarithm.
+class Place {
+  public:
+    explicit Place(const ColourRange& range)
+        : low_(range.low), scale_(range.high > range.low ? 1 / (range.high - range.low) : 0),
+          shift_(range.high > range.low ? 0.0F : 0.5F) {}
+    float of(double value) const {
+        const float place = static_cast<float>((value - low_) * scale_) + shift_;
+        return place - place == 0 ? place : 0.0F; // what is not finite has the lowest colour
+    }
+
+  private:
+    double low_, scale_;
+    float shift_;
+};
+
+glm::vec3 single(Vec3 v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+float logarithm_of(const MeshScene& scene) {
+    if (scene.colouring == nullptr || !scene.colouring->range.logarithmic) return 0;
+    return static_cast<float>(std::log(scene.colouring->range.high / scene.colouring->range.low));
+}
+
+} // namespace
+
+MeshRenderer::MeshRenderer(const Gl& gl)
+    : gl_(gl), fill_program_(make_program(gl, "mesh_fill")), line_program_(make_program(gl, "mesh_line")),
+      arrow_program_(make_program(gl, "arrow")), fill_array_(gl), tangled_array_(gl), empty_array_(gl),
+      triangles_(gl), tangled_triangles_(gl), colours_(gl), layer_(gl) {
+    const auto fill = [&](const char* name) { return uniform(gl, fill_program_, name); };
+    const auto line = [&](const char* name) { return uniform(gl, line_program_, name); };
+    const auto arrow = [&](const char* name) { return uniform(gl, arrow_program_, name); };
+    fill_ = {fill("clip"),        fill("blend"),      fill("clip_to_pixels"), fill("surface"),
+             fill("logarithm"),   fill("flat_cells"), fill("ball"),           fill("viewer"),
+             fill("round_cells"), fill("dusk")};
+    line_ = {line("clip"),      line("blend"),  line("half_viewport"), line("half_width"), line("fade"),
+             line("haze"),      line("pieces"), line("pull"),          line("surface"),    line("flat_ink"),
+             line("logarithm"), line("by_map"), line("flat_cells"),    line("ball"),       line("viewer"),
+             line("limb"),      line("bent")};
+    arrow_ = {arrow("clip"),      arrow("half_viewport"), arrow("head_width"), arrow("shaft_width"),
+              arrow("rim_width"), arrow("pull"),          arrow("ink"),        arrow("rim")};
+    for (const GlProgram* program : {&fill_program_, &line_program_, &arrow_program_}) {
+        gl.UseProgram(program->name());
+        gl.Uniform1i(uniform(gl, *program, "computational"), computational_unit);
+        gl.Uniform1i(uniform(gl, *program, "physical"), physical_unit);
+        gl.Uniform1i(uniform(gl, *program, "colours"), colours_unit);
+        gl.Uniform1i(uniform(gl, *program, "segments"), segments_unit);
+        gl.Uniform1i(uniform(gl, *program, "shown_cells"), cells_unit);
+        gl.Uniform1i(uniform(gl, *program, "cell_values"), cell_values_unit);
+    }
+    gl.BindVertexArray(fill_array_.name());
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.name());
+    gl.BindVertexArray(tangled_array_.name());
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, tangled_triangles_.name());
+}
+
+void MeshRenderer::fill_table(Table& table, const TexelFormat& texel, const void* texels, std::size_t count) {
+    const auto rows = static_cast<int>((count + table_width - 1) / table_width);
+    const auto width = static_cast<GLsizei>(table_width);
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    if (table.texture.name() == 0) table.texture = GlTexture(gl_);
+    gl_.BindTexture(GL_TEXTURE_2D, table.texture.name());
+    if (rows > table.rows) {
+        gl_.TexImage2D(GL_TEXTURE_2D, 0, texel.internal, width, rows, 0, texel.format, texel.type, nullptr);
+        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        table.rows = rows;
+    }
+    const auto full = static_cast<GLsizei>(count / table_width),
+               rest = static_cast<GLsizei>(count % table_width);
+    const auto* bytes = static_cast<const unsigned char*>(texels);
+    if (full > 0) gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, full, texel.format, texel.type, bytes);
+    if (rest > 0)
+        gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, texel.format, texel.type,
+                          bytes + static_cast<std::size_t>(full) * table_width * texel.bytes);
+    uploaded_bytes_ += count * texel.bytes;
+}
+
+void MeshRenderer::upload_points(const Points& points, const MeshScene& scene, bool with_values,
+                                 Table& table) {
+    texels_.resize(points.size());
+    const double *x = points.x.data(), *y = points.y.data(), *z = points.z.data();
+    for (std::size_t i = 0; i < texels_.size(); ++i)
+        texels_[i] = {static_cast<float>(x[i] - centre_.x), static_cast<float>(y[i] - centre_.y),
+                      static_cast<float>(z[i] - centre_.z), 0};
+    if (with_values && scene.point_values != nullptr) {
+        const Place place(scene.colouring->range);
+        const double* values = scene.point_values->data();
+        for (std::size_t i = 0; i < texels_.size(); ++i) texels_[i].a = place.of(values[i]);
+    }
+    fill_table(table, {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16}, texels_.data(), texels_.size());
+}
+
+void MeshRenderer::upload_cell_values(const MeshScene& scene) {
+    const Place place(scene.colouring->range);
+    const std::vector<double>& values = scene.colouring->values;
+    numbers_.resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) numbers_[i] = place.of(values[i]);
+    fill_table(cell_values_, {GL_R32F, GL_RED, GL_FLOAT, 4}, numbers_.data(), numbers_.size());
+}
+
+void MeshRenderer::upload_numbers(Table& table, const std::vector<std::uint32_t>& numbers) {
+    fill_table(table, {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4}, numbers.data(), numbers.size());
+}
+
+void MeshRenderer::upload_triangles(const GlVertexArray& array, const std::vector<std::uint32_t>& triangles) {
+    const std::size_t bytes = triangles.size() * sizeof(std::uint32_t);
+    gl_.BindVertexArray(array.name());
+    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), triangles.data(), GL_STATIC_DRAW);
+    uploaded_bytes_ += bytes;
+}
+
+void MeshRenderer::upload_segments(LineSet& set, const std::vector<Segment>& segments) {
+    set.count = segments.size();
+    fill_table(set.table, {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16}, segments.data(),
+               segments.size());
+}
+
+std::vector<MeshRenderer::Segment> MeshRenderer::segments_of(const Tessellation& tessellation) {
+    const auto& ends = tessellation.segments;
+    const auto& sides = tessellation.segment_sides;
+    GASPARD_CHECK(sides.size() == ends.size());
+    std::vector<Segment> segments(ends.size() / 2);
+    for (std::size_t i = 0; i < segments.size(); ++i)
+        segments[i] = {ends[2 * i], ends[2 * i + 1], sides[2 * i], sides[2 * i + 1]};
+    return segments;
+}
+
+void MeshRenderer::upload_overlay(const MeshScene& scene, bool new_centre) {
+    if (scene.overlay == nullptr || (scene.overlay == overlay_ && !new_centre)) return;
+    if (overlay_ == nullptr || scene.overlay->tessellation != overlay_->tessellation)
+        upload_segments(overlay_edges_, segments_of(*scene.overlay->tessellation));
+    upload_points(*scene.overlay->points, scene, false, overlay_points_);
+    overlay_ = scene.overlay;
+}
+
+void MeshRenderer::upload_structure(const Tessellation& tessellation, int cell_dimension) {
+    upload_triangles(fill_array_, tessellation.triangles);
+    upload_segments(edges_, segments_of(tessellation));
+
+    std::vector<Segment> discs;
+    if (cell_dimension == 1)
+        for (std::uint32_t p = 0; p < tessellation.point_count; ++p) discs.push_back({p, p, p, p});
+    upload_segments(discs_, discs);
+    upload_numbers(shown_cells_,
+                   cell_dimension == 1 ? tessellation.segment_cells : tessellation.triangle_cells);
+}
+
+void MeshRenderer::upload_tangled(const MeshScene& scene) {
+    std::vector<std::uint32_t> triangles;
+    std::vector<Segment> outlines;
+    if (scene.tangled != nullptr) {
+        const Tessellation& t = *scene.tessellation;
+        std::vector<char> marked(scene.tangled->back() + std::size_t{1}, 0);
+        for (const std::uint32_t cell : *scene.tangled) marked[cell] = 1;
+        for (std::size_t i = 0; i < t.segment_cells.size(); ++i)
+            if (t.segment_cells[i] < marked.size() && marked[t.segment_cells[i]] != 0)
+                outlines.push_back(
+                    {t.segments[2 * i], t.segments[2 * i + 1], t.segments[2 * i], t.segments[2 * i]});
+        for (std::size_t i = 0; i < t.triangle_cells.size(); ++i) {
+            if (t.triangle_cells[i] >= marked.size() || marked[t.triangle_cells[i]] == 0) continue;
+            for (std::size_t k = 0; k < 3; ++k) triangles.push_back(t.triangles[3 * i + k]);
+        }
+        for (const auto& loop : cell_outlines(t, *scene.tangled))
+            for (std::size_t k = 0; k < loop.size(); ++k) { // beside it is what lies across the cell
+                const std::uint32_t across = loop[(k + loop.size() / 2) % loop.size()];
+                outlines.push_back({loop[k], loop[(k + 1) % loop.size()], across, across});
+            }
+    }
+    tangled_count_ = triangles.size();
+    upload_triangles(tangled_array_, triangles);
+    upload_segments(outlines_, outlines);
+}
+
+void MeshRenderer::upload_colours(const ColourMap& map) {
+    const auto& colours = map.colours;
+    std::vector<unsigned char> texels;
+    for (const auto& c : colours) texels.insert(texels.end(), {c[0], c[1], c[2], 255});
+    gl_.ActiveTexture(GL_TEXTURE0 + colours_unit);
+    gl_.BindTexture(GL_TEXTURE_2D, colours_.name());
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, static_cast<GLsizei>(colours.size()), 1, 0, GL_RGBA,
+                   GL_UNSIGNED_BYTE, texels.data());
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    uploaded_bytes_ += texels.size();
+}
+
+void MeshRenderer::upload(const MeshScene& scene) {
+    const bool new_structure = scene.tessellation != shown_.tessellation;
+    const bool new_computational = scene.computational != shown_.computational;
+    if (new_structure) upload_structure(*scene.tessellation, scene.cell_dimension);
+    if (new_computational) {
+        centre_ = bounding_box(*scene.computational).centre();
+        upload_points(*scene.computational, scene, false, computational_);
+    }
+    const bool new_colouring = scene.colouring != shown_.colouring;
+    if (new_computational || new_colouring || scene.physical != shown_.physical)
+        upload_points(*scene.physical, scene, true, physical_);
+    if (new_colouring && scene.flat()) upload_cell_values(scene);
+    if (new_structure || scene.tangled != shown_.tangled) upload_tangled(scene);
+    upload_overlay(scene, new_computational);
+    if (scene.arrows != nullptr && scene.arrows != shown_.arrows) upload_numbers(arrows_, *scene.arrows);
+    if (scene.colouring != nullptr && scene.colouring->map != map_) {
+        map_ = scene.colouring->map;
+        upload_colours(*map_);
+    }
+    shown_ = scene;
+}
+
+void MeshRenderer::clear(PixelRect area, int bottom, const Theme& theme) {
+    gl_.Viewport(area.x, bottom, area.width, area.height);
+    gl_.Scissor(area.x, bottom, area.width, area.height);
+    gl_.Enable(GL_SCISSOR_TEST);
+    gl_.DepthMask(GL_TRUE);
+    gl_.ClearColor(theme.background.r, theme.background.g, theme.background.b, 1);
+    gl_.ClearDepth(1);
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.Enable(GL_BLEND);
+    gl_.BlendEquation(GL_FUNC_ADD);
+    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void MeshRenderer::bind_points(const Table& computational, const Table& physical) {
+    gl_.ActiveTexture(GL_TEXTURE0 + computational_unit);
+    gl_.BindTexture(GL_TEXTURE_2D, computational.texture.name());
+    gl_.ActiveTexture(GL_TEXTURE0 + physical_unit);
+    gl_.BindTexture(GL_TEXTURE_2D, physical.texture.name());
+}
+
+void MeshRenderer::bind_tables() {
+    const auto bind = [&](int unit, GLuint texture) {
+        gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        gl_.BindTexture(GL_TEXTURE_2D, texture);
+    };
+    bind_points(computational_, physical_);
+    bind(colours_unit, colours_.name());
+    bind(cells_unit, shown_cells_.texture.name());
+    bind(cell_values_unit, cell_values_.texture.name());
+}
+
+void MeshRenderer::draw_fill(const Frame& frame, const GlVertexArray& array, std::size_t count,
+                             Colour surface) {
+    gl_.UseProgram(fill_program_.name());
+    gl_.UniformMatrix4fv(fill_.clip, 1, GL_FALSE, glm::value_ptr(frame.clip));
+    gl_.Uniform1f(fill_.blend, frame.blend);
+    gl_.Uniform3f(fill_.clip_to_pixels, frame.clip_to_pixels.x, frame.clip_to_pixels.y,
+                  frame.clip_to_pixels.z);
+    set_colour(gl_, fill_.surface, surface);
+    gl_.Uniform1f(fill_.logarithm, frame.logarithm);
+    gl_.Uniform1i(fill_.flat_cells, shown_.flat() ? 1 : 0);
+    gl_.Uniform4f(fill_.ball, frame.ball.x, frame.ball.y, frame.ball.z, frame.ball.w);
+    gl_.Uniform3f(fill_.viewer, frame.viewer.x, frame.viewer.y, frame.viewer.z);
+    gl_.Uniform1i(fill_.round_cells, shown_.ball > 0 && shown_.tessellation->cuts > 1 ? 1 : 0);
+    gl_.Uniform1f(fill_.dusk, frame.planar ? 0 : dusk);
+    gl_.BindVertexArray(array.name());
+    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT, nullptr);
+}
+
+void MeshRenderer::draw_lines(const Frame& frame, const LineSet& set, const LineStyle& style) {
+    if (set.count == 0) return;
+    gl_.UseProgram(line_program_.name());
+    gl_.ActiveTexture(GL_TEXTURE0 + segments_unit);
+    gl_.BindTexture(GL_TEXTURE_2D, set.table.texture.name());
+    gl_.UniformMatrix4fv(line_.clip, 1, GL_FALSE, glm::value_ptr(frame.clip));
+    gl_.Uniform1f(line_.blend, frame.blend);
+    gl_.Uniform2f(line_.half_viewport, frame.clip_to_pixels.x, frame.clip_to_pixels.y);
+    gl_.Uniform1f(line_.half_width, style.width / 2);
+    gl_.Uniform2f(line_.fade, style.fade_begin, style.fade_end);
+    gl_.Uniform1f(line_.haze, style.haze);
+    gl_.Uniform1f(line_.pieces, static_cast<float>(shown_.tessellation->cuts));
+    gl_.Uniform1f(line_.pull, style.pull);
+    set_colour(gl_, line_.surface, style.surface);
+    set_colour(gl_, line_.flat_ink, style.flat_ink);
+    gl_.Uniform1f(line_.logarithm, frame.logarithm);
+    gl_.Uniform4f(line_.ball, frame.ball.x, frame.ball.y, frame.ball.z, frame.ball.w);
+    gl_.Uniform3f(line_.viewer, frame.viewer.x, frame.viewer.y, frame.viewer.z);
+    gl_.Uniform2f(line_.limb, style.limb_begin, style.limb_end);
+    gl_.Uniform1f(line_.bent, shown_.map ? bent : 0);
+    gl_.Uniform1i(line_.by_map, style.by_map ? 1 : 0);
+    gl_.Uniform1i(line_.flat_cells, style.by_map && shown_.flat() ? 1 : 0);
+    gl_.BindVertexArray(empty_array_.name());
+    gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * set.count));
+}
+
+void MeshRenderer::set_depth_test(bool on) {
+    if (on)
+        gl_.Enable(GL_DEPTH_TEST);
+    else
+        gl_.Disable(GL_DEPTH_TEST);
+    gl_.DepthFunc(GL_LEQUAL);
+}
+
+/// Lines go to a layer from here on, but for what the faces hide.
+void MeshRenderer::begin_layer(const Frame& frame, PixelRect area) {
+    layer_.begin(area.width, area.height);
+    set_depth_test(!frame.planar);
+    bind_tables();
+    if (!frame.planar) {
+        gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        gl_.Enable(GL_POLYGON_OFFSET_FILL);
+        gl_.PolygonOffset(2, 2); // away from the viewer, the more the steeper, so that edges stay visible
+        draw_fill(frame, fill_array_, shown_.tessellation->triangles.size(), {});
+        gl_.Disable(GL_POLYGON_OFFSET_FILL);
+        gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    }
+    gl_.DepthMask(GL_FALSE);
+}
+
+void MeshRenderer::end_layer(const Frame& frame, PixelRect area, int bottom, Colour light_ink,
+                             Colour dark_ink) {
+    layer_.end(area.x, bottom, light_ink, dark_ink);
+    bind_tables();
+    set_depth_test(!frame.planar);
+}
+
+void MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect area, int framebuffer_height,
+                        const Theme& theme, float scale) {
+    if (area.width <= 0 || area.height <= 0) return;
+    GASPARD_CHECK(scene.tessellation != nullptr);
+    upload(scene);
+    const int bottom = framebuffer_height - area.y - area.height;
+    clear(area, bottom, theme);
+    bind_tables();
+
+    const Size size = area.size();
+    const double depth = view_depth(camera, scene.box);
+    const Frame frame{clip_matrix(camera, size, centre_, depth),
+                      {static_cast<float>(size.width / 2), static_cast<float>(size.height / 2),
+                       static_cast<float>(depth / camera.scale)},
+                      static_cast<float>(scene.blend),
+                      scene.planar(),
+                      logarithm_of(scene),
+                      {single(Vec3{} - centre_), static_cast<float>(scene.ball)},
+                      single(towards_viewer(camera))};
+    const Colour nothing{0, 0, 0, 0};
+    const bool plain = scene.colouring == nullptr;
+    const Colour surface = plain ? theme.surface : nothing;
+    set_depth_test(!frame.planar);
+    draw_fill(frame, fill_array_, shown_.tessellation->triangles.size(), surface);
+
+    // Where there are more pixels, part of them goes into finer lines.
+    const float fineness = std::max(1.0F, 0.7F * scale);
+    LineStyle style;
+    style.width = theme.line_width * fineness;
+    const Fading& fading = plain ? plain_fading : coloured_fading;
+    style.fade_begin = fading.begin * fineness;
+    style.fade_end = fading.end * fineness;
+    style.haze = fading.haze;
+    style.pull = frame.planar ? 0 : pull_pixels / frame.clip_to_pixels.z;
+    style.surface = surface;
+    style.flat_ink = nothing;
+    style.limb_begin = limb_begin, style.limb_end = limb_end;
+    if (scene.cell_dimension > 1 && scene.lines) {
+        begin_layer(frame, area);
+        draw_lines(frame, edges_, style);
+        end_layer(frame, area, bottom, theme.line_on_dark, theme.line_on_light);
+    }
+    if (scene.overlay != nullptr) {
+        begin_layer(frame, area);
+        draw_overlay(frame, style, scale);
+        end_layer(frame, area, bottom, theme.overlay, theme.overlay);
+    }
+    style.limb_begin = style.limb_end = 0;
+    gl_.DepthMask(GL_FALSE);
+    if (scene.cell_dimension == 1) draw_line_cells(frame, style, theme, scale);
+    draw_tangled(frame, style, theme, scale);
+    if (scene.arrows != nullptr) draw_arrows(frame, theme, scale);
+    gl_.DepthMask(GL_TRUE);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.Disable(GL_SCISSOR_TEST);
+}
+
+/// Cells that are lines: wide ones in the colours of their values, with their ends marked.
+void MeshRenderer::draw_line_cells(const Frame& frame, LineStyle style, const Theme& theme, float scale) {
+    style.width = line_cell_width * scale;
+    style.flat_ink = theme.faint_text;
+    style.by_map = shown_.colouring != nullptr;
+    draw_lines(frame, edges_, style);
+    if (!shown_.lines) return;
+    style.by_map = false;
+    style.width = rimmed_disc_width * scale;
+    style.flat_ink = theme.background;
+    draw_lines(frame, discs_, style);
+    style.width = disc_width * scale;
+    style.flat_ink = theme.text;
+    draw_lines(frame, discs_, style);
+}
+
+/// Its own curves stray from the picture's faces; what lies that little below them is still seen.
+void MeshRenderer::draw_overlay(Frame frame, LineStyle style, float scale) {
+    bind_points(overlay_points_, overlay_points_);
+    frame.blend = 1;
+    style.width = overlay_width * std::max(1.0F, 0.7F * scale);
+    style.surface = {1, 1, 1, 1}; // whatever lies below, one ink
+    style.haze = 0;
+    style.limb_begin = limb_begin, style.limb_end = limb_end;
+    if (!frame.planar) style.pull += overlay_pull;
+    draw_lines(frame, overlay_edges_, style);
+    bind_points(computational_, physical_);
+}
+
+void MeshRenderer::draw_tangled(const Frame& frame, LineStyle style, const Theme& theme, float scale) {
+    if (outlines_.count == 0) return;
+    const LineStyle thin = style;
+    // Many are seen anyway, and are to be seen one by one.
+    const float many = static_cast<float>(shown_.tangled->size()) / few_tangled;
+    const float slim = std::max(0.3F, 1 / std::sqrt(std::max(1.0F, many)));
+    style.fade_begin = -1, style.fade_end = 1e-6F; // whole, however close they are
+    style.haze = 0;
+    if (!frame.planar) style.pull += overlay_pull; // over whatever it is folded with
+    const auto outline = [&](float width, Colour ink) {
+        style.width = width * scale * slim;
+        style.flat_ink = ink;
+        draw_lines(frame, outlines_, style);
+    };
+    outline(tangled_rim_width, theme.background);
+    outline(tangled_ring_width, theme.text);
+    if (tangled_count_ > 0) draw_fill(frame, tangled_array_, tangled_count_, theme.tangled);
+    outline(tangled_width, theme.tangled);
+    if (tangled_count_ == 0 || !shown_.lines) return;
+    style.fade_begin = thin.fade_end, style.fade_end = 3 * thin.fade_end; // of cells that can be told
+    outline(thin.width / scale / slim, theme.line_on_light);
+}
+
+void MeshRenderer::draw_arrows(const Frame& frame, const Theme& theme, float scale) {
+    gl_.UseProgram(arrow_program_.name());
+    gl_.ActiveTexture(GL_TEXTURE0 + segments_unit);
+    gl_.BindTexture(GL_TEXTURE_2D, arrows_.texture.name());
+    gl_.UniformMatrix4fv(arrow_.clip, 1, GL_FALSE, glm::value_ptr(frame.clip));
+    gl_.Uniform2f(arrow_.half_viewport, frame.clip_to_pixels.x, frame.clip_to_pixels.y);
+    gl_.Uniform1f(arrow_.head_width, arrow_head_width * scale);
+    gl_.Uniform1f(arrow_.shaft_width, arrow_shaft_width * scale);
+    gl_.Uniform1f(arrow_.rim_width, arrow_rim_width * scale);
+    gl_.Uniform1f(arrow_.pull, frame.planar ? 0 : arrow_pull);
+    // Colours of a map are dark for the most part, whatever the theme: on them a light arrow is the calmer
+    // one.
+    const auto sum = [](Colour c) { return c.r + c.g + c.b; };
+    const bool swapped = shown_.colouring != nullptr && sum(theme.text) < sum(theme.background);
+    set_colour(gl_, arrow_.ink, swapped ? theme.background : theme.text);
+    set_colour(gl_, arrow_.rim, swapped ? theme.text : theme.background);
+    gl_.BindVertexArray(empty_array_.name());
+    gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * shown_.arrows->size()));
+}
+
+} // namespace gaspard

@@ -1,0 +1,148 @@
+// Draws a MeshScene with OpenGL: cells filled by a colour map, edges as smooth lines of constant width,
+// tangled cells with a rim on top, and arrows. Leaves the rest of the framebuffer alone.
+//
+// Positions go to the graphics card in single precision relative to a centre that was subtracted in double.
+#pragma once
+
+#include "gui/base/theme.hpp"
+#include "gui/gl/gl_objects.hpp"
+#include "gui/render/line_layer.hpp"
+#include "gui/scene/camera.hpp"
+#include "gui/scene/mesh_scene.hpp"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace gaspard {
+
+/// A part of the framebuffer in its own pixels, from the upper left corner.
+struct PixelRect {
+    int x = 0, y = 0, width = 0, height = 0;
+    Size size() const { return {static_cast<double>(width), static_cast<double>(height)}; }
+};
+
+class MeshRenderer {
+  public:
+    /// `gl` must outlive the renderer and be current whenever it is used and when it dies.
+    explicit MeshRenderer(const Gl& gl);
+
+    /// Fills `area` of the bound framebuffer, which is `framebuffer_height` high, with the theme's background
+    /// and the picture. `camera` speaks of area.size() pixels; `scale` widens lines on high-density displays.
+    void draw(const MeshScene& scene, const Camera& camera, PixelRect area, int framebuffer_height,
+              const Theme& theme, float scale);
+
+    /// Bytes sent to the graphics card so far: unchanged arrays send none.
+    std::size_t uploaded_bytes() const { return uploaded_bytes_; }
+
+  private:
+    /// Numbers that shaders fetch by index: a texture, 2048 texels wide, as buffer textures may be too small.
+    struct Table {
+        GlTexture texture;
+        int rows = 0;
+    };
+    /// Two ends and what lies beside (see Tessellation::segment_sides).
+    using Segment = std::array<std::uint32_t, 4>;
+    struct Texel {
+        float r, g, b, a;
+    };
+    /// What one texel of a table is.
+    struct TexelFormat {
+        GLint internal;
+        GLenum format, type;
+        std::size_t bytes;
+    };
+    struct LineSet {
+        Table table;
+        std::size_t count = 0;
+    };
+    struct LineStyle {
+        float width = 1; ///< in pixels, like the two below
+        float fade_begin = 0, fade_end = 0;
+        float haze = 0, pull = 0;           ///< as in mesh_line.vert
+        Colour surface, flat_ink;           ///< as in mesh_line.frag
+        bool by_map = false;                ///< as in mesh_line.frag
+        float limb_begin = 0, limb_end = 0; ///< as in mesh_line.vert; equal: lines do not fade
+    };
+    /// What all draws of one picture share.
+    struct Frame {
+        glm::mat4 clip;
+        glm::vec3 clip_to_pixels;
+        float blend = 1;
+        bool planar = true;
+        float logarithm = 0; ///< as in colour_map.glsl
+        glm::vec4 ball{0};   ///< as in place.glsl
+        glm::vec3 viewer{0, 0, 1};
+    };
+    struct FillUniforms {
+        GLint clip, blend, clip_to_pixels, surface, logarithm, flat_cells, ball, viewer, round_cells, dusk;
+    };
+    struct LineUniforms {
+        GLint clip, blend, half_viewport, half_width, fade, haze, pieces, pull, surface, flat_ink, logarithm,
+            by_map, flat_cells, ball, viewer, limb, bent;
+    };
+    struct ArrowUniforms {
+        GLint clip, half_viewport, head_width, shaft_width, rim_width, pull, ink, rim;
+    };
+
+    void upload(const MeshScene& scene);
+    void upload_structure(const Tessellation& tessellation, int cell_dimension);
+    void upload_points(const Points& points, const MeshScene& scene, bool with_values, Table& table);
+    void upload_cell_values(const MeshScene& scene);
+    void upload_colours(const ColourMap& map);
+    static std::vector<Segment> segments_of(const Tessellation& tessellation);
+    void upload_overlay(const MeshScene& scene, bool new_centre);
+    void upload_tangled(const MeshScene& scene);
+    void upload_triangles(const GlVertexArray& array, const std::vector<std::uint32_t>& triangles);
+    void upload_segments(LineSet& set, const std::vector<Segment>& segments);
+    void upload_numbers(Table& table, const std::vector<std::uint32_t>& numbers);
+    void fill_table(Table& table, const TexelFormat& format, const void* texels, std::size_t count);
+    void clear(PixelRect area, int bottom, const Theme& theme);
+    void bind_points(const Table& computational, const Table& physical);
+    void bind_tables();
+    void set_depth_test(bool on);
+    void draw_fill(const Frame& frame, const GlVertexArray& array, std::size_t count, Colour surface);
+    void draw_line_cells(const Frame& frame, LineStyle style, const Theme& theme, float scale);
+    void draw_tangled(const Frame& frame, LineStyle style, const Theme& theme, float scale);
+    void draw_overlay(Frame frame, LineStyle style, float scale);
+    void draw_arrows(const Frame& frame, const Theme& theme, float scale);
+    void draw_lines(const Frame& frame, const LineSet& set, const LineStyle& style);
+    void begin_layer(const Frame& frame, PixelRect area);
+    void end_layer(const Frame& frame, PixelRect area, int bottom, Colour light_ink, Colour dark_ink);
+
+    const Gl& gl_;
+    GlProgram fill_program_, line_program_, arrow_program_;
+    FillUniforms fill_{};
+    LineUniforms line_{};
+    ArrowUniforms arrow_{};
+    GlVertexArray fill_array_, tangled_array_, empty_array_;
+    GlBuffer triangles_, tangled_triangles_;
+    Table computational_, physical_, shown_cells_, cell_values_, arrows_, overlay_points_;
+    LineSet edges_, discs_, outlines_, overlay_edges_;
+    std::vector<Texel> texels_; ///< room to convert in
+    std::vector<float> numbers_;
+    GlTexture colours_;
+    LineLayer layer_;
+    const ColourMap* map_ = nullptr;             ///< what colours_ holds
+    std::shared_ptr<const MeshOverlay> overlay_; ///< on the card
+    std::size_t tangled_count_ = 0;              ///< corners of triangles
+    Vec3 centre_;
+    MeshScene shown_; ///< what is on the card; holds its arrays, so that a pointer is a version
+    std::size_t uploaded_bytes_ = 0;
+};
+
+/// A renderer for each of several meshes in one frame, so that none is sent anew because of the others.
+class MeshRenderers {
+  public:
+    explicit MeshRenderers(const Gl& gl) : gl_(gl) {}
+    MeshRenderer& at(std::size_t which) {
+        while (renderers_.size() <= which) renderers_.push_back(std::make_unique<MeshRenderer>(gl_));
+        return *renderers_[which];
+    }
+
+  private:
+    const Gl& gl_;
+    std::vector<std::unique_ptr<MeshRenderer>> renderers_;
+};
+
+} // namespace gaspard

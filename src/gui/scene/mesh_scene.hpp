@@ -1,0 +1,92 @@
+// What to draw of a mesh, as plain data: made from a snapshot and a view, drawn by MeshRenderer, and readable
+// by tests.
+//
+// Arrays are shared and immutable: another array (another pointer) is another version, and only that is
+// uploaded.
+#pragma once
+
+#include "core/base/parameter.hpp"
+#include "core/session/snapshot.hpp"
+#include "core/tessellate/colouring.hpp"
+#include "core/tessellate/sphere_map.hpp"
+#include "core/tessellate/tessellation_cache.hpp"
+#include "gui/scene/camera.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace gaspard {
+
+/// Lines of another mesh over a picture.
+struct MeshOverlay {
+    std::shared_ptr<const Tessellation> tessellation;
+    std::shared_ptr<const Points> points;
+};
+
+struct MeshScene {
+    std::shared_ptr<const Tessellation> tessellation;
+    int cell_dimension = 2;                      ///< 1: cells are lines, nodes are marked by discs
+    std::shared_ptr<const Points> computational; ///< shown points at xi
+    std::shared_ptr<const Points> physical;      ///< shown points at x
+    std::shared_ptr<const Colouring> colouring;  ///< null: no colour map
+    /// Per shown point what the colouring shows there (of cells: the mean around), null without a colouring.
+    std::shared_ptr<const std::vector<double>> point_values;
+    std::shared_ptr<const std::vector<std::uint32_t>> tangled; ///< cells; null: none
+    std::shared_ptr<const std::vector<std::uint32_t>>
+        arrows;                                 ///< shown points with an arrow from xi to x; null: none
+    std::shared_ptr<const MeshOverlay> overlay; ///< null: none
+    std::shared_ptr<const Mesh> mesh;
+    double ball = 0; ///< radius of the sphere around the origin that all nodes of the mesh lie on; 0: none
+    std::optional<MapProjection> map; ///< the picture is a map of that ball; its blend is 1
+    Box box;                          ///< around both meshes
+    bool burst = false; ///< the physical mesh is far larger than the computational one: it has blown up
+    Box home_box;      ///< what one wants to see: both meshes, or the computational one where the other burst
+    double blend = 1;  ///< 0 shows xi, 1 shows x
+    bool lines = true; ///< the cells' edges
+
+    /// The same picture: arrays are compared by pointer.
+    friend bool operator==(const MeshScene&, const MeshScene&) = default;
+    bool planar() const { return box.low.z == box.high.z; }
+    /// Cells are filled with one colour each.
+    bool flat() const { return colouring != nullptr && colouring->place == FieldPlace::cell; }
+};
+
+/// Where a picture shows a point, by its blend; on a ball every blend lies on the ball.
+Vec3 shown_point(const MeshScene& scene, std::uint32_t point);
+
+/// Makes pictures of one run's snapshots; keeps what does not change between them.
+class SceneBuilder {
+  public:
+    explicit SceneBuilder(std::shared_ptr<TessellationCache> cache = std::make_shared<TessellationCache>())
+        : cache_(std::move(cache)) {}
+    /// `view`: values of view_rows(). Leaves out the arrows, for which one has to know the camera.
+    MeshScene make(const Snapshot& snapshot, const Values& view);
+    const std::shared_ptr<TessellationCache>& cache() const { return cache_; }
+    /// What is known of the cells; of the snapshot last shown.
+    ColouringMaker& cells() { return colouring_maker_; }
+
+  private:
+    /// Room that no picture shows any more, so that no memory is asked for with every snapshot.
+    std::shared_ptr<Points> available();
+    void take_mesh(const Snapshot& snapshot, std::shared_ptr<const Tessellation> tessellation);
+    void take_positions(const Snapshot& snapshot);
+    void take_tangled(const Snapshot& snapshot);
+    void take_overlay(const Snapshot& snapshot, bool wanted);
+    void take_colouring(const Snapshot& snapshot, const ColourChoice& choice);
+
+    std::shared_ptr<TessellationCache> cache_;
+    std::shared_ptr<const Mesh> mesh_;
+    Box computational_box_;
+    ColouringMaker colouring_maker_;
+    ColourChoice choice_;
+    std::shared_ptr<const Points> exact_; ///< what the overlay was made of
+    MeshScene last_;
+    std::uint64_t last_version_ = 0;
+    std::vector<std::shared_ptr<Points>> workspaces_;
+};
+
+} // namespace gaspard

@@ -1,0 +1,150 @@
+#include "gui/viewport/handles.hpp"
+
+#include "core/base/error.hpp"
+#include "core/spline/control_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr const char* control_key = "control_points";
+
+const ParameterRow& row_of(const Values& values, const std::string& key) {
+    return *std::find_if(values.rows().begin(), values.rows().end(),
+                         [&](const ParameterRow& row) { return row.key == key; });
+}
+
+double rounded(double value, double digits) { return std::round(value * digits) / digits; }
+
+/// What a hand can aim for: 1e-4 of the larger side of a patch, as a power of ten.
+double rounded_within(const Points& patch, double value) {
+    const Box box = bounding_box(patch);
+    const double span = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+    if (!(span > 0)) return value;
+    const double decimals = 4 - std::floor(std::log10(span));
+    const double factor = std::pow(10.0, std::abs(decimals)); // a whole number, so that texts stay short
+    return decimals >= 0 ? rounded(value, factor) : std::round(value / factor) * factor;
+}
+
+/// Within the range of its row, or round it.
+void put(Values& values, const std::string& key, double value, bool periodic) {
+    const ParameterRow& row = row_of(values, key);
+    const double span = row.maximum - row.minimum;
+    if (periodic && span > 0) value -= span * std::floor((value - row.minimum) / span);
+    values.set(key, std::clamp(value, row.minimum, row.maximum));
+}
+
+} // namespace
+
+std::vector<Handle> monitor_handles(const Scenario& scenario) {
+    const Values& values = scenario.monitor.values;
+    std::vector<Handle> handles;
+    const auto other_key = [&](const std::string& key, std::string_view ending, const char* other) {
+        if (!key.ends_with(ending)) return std::string();
+        const std::string second = key.substr(0, key.size() - ending.size()) + other;
+        return values.has(second) ? second : std::string();
+    };
+    for (const ParameterRow& row : values.rows()) {
+        if (const std::string y = other_key(row.key, "_x", "_y"); !y.empty())
+            handles.push_back({row.key, y, false, {values.real(row.key), values.real(y), 0}});
+        if (const std::string second = other_key(row.key, "_latitude", "_longitude"); !second.empty()) {
+            const double p = values.real(row.key) * degree, l = values.real(second) * degree;
+            handles.push_back(
+                {row.key, second, true, {std::cos(p) * std::cos(l), std::cos(p) * std::sin(l), std::sin(p)}});
+        }
+    }
+    return handles;
+}
+
+std::vector<Handle> control_handles(const Scenario& scenario, const Snapshot& snapshot) {
+    const Values& values = scenario.domain.values;
+    if (!snapshot.control || !values.has(control_key)) return {};
+    auto control = snapshot.control;
+    try {
+        if (const std::string& text = values.text(control_key); !text.empty())
+            control = std::make_shared<const Points>(parse_control_points(text, control->size()));
+    } catch (const InputError&) { // it is being typed, or of another patch
+        return {};
+    }
+    std::vector<Handle> handles;
+    for (std::size_t i = 0; i < control->size(); ++i)
+        handles.push_back({control_key, {}, false, (*control)[i], control, i});
+    return handles;
+}
+
+Scenario with_handle_at(const Scenario& scenario, const Handle& handle, Vec3 place) {
+    Scenario moved = scenario;
+    if (handle.control) {
+        Points control = *handle.control;
+        control.set(handle.number, {rounded_within(control, place.x), rounded_within(control, place.y), 0});
+        moved.domain.values.set(control_key, format_control_points(control));
+        return moved;
+    }
+    Values& values = moved.monitor.values;
+    if (handle.on_sphere) {
+        const double latitude = std::atan2(place.z, std::hypot(place.x, place.y)) / degree;
+        put(values, handle.first, rounded(latitude, 100), false);
+        put(values, handle.second, rounded(std::atan2(place.y, place.x) / degree, 100), true);
+        return moved;
+    }
+    const Values& domain = scenario.domain.values;
+    const bool periodic = domain.has("boundary") && domain.text("boundary") == "periodic";
+    put(values, handle.first, rounded(place.x, 10000), periodic);
+    put(values, handle.second, rounded(place.y, 10000), periodic);
+    return moved;
+}
+
+std::optional<Pixel> pixel_of(const Handle& handle, const PlannedView& shown) {
+    const MeshScene& scene = shown.scene;
+    if (scene.blend <= 0) return std::nullopt;
+    if (scene.map && handle.on_sphere)
+        return to_pixel(shown.camera, shown.size(), to_map(*scene.map, handle.place));
+    if (handle.on_sphere != (scene.ball > 0)) return std::nullopt;
+    if (!handle.on_sphere && !scene.planar()) return std::nullopt; // a surface in space
+    if (!handle.on_sphere) return to_pixel(shown.camera, shown.size(), handle.place);
+    if (dot(handle.place, towards_viewer(shown.camera)) <= 0) return std::nullopt;
+    return to_pixel(shown.camera, shown.size(), scene.ball * handle.place);
+}
+
+std::optional<Vec3> place_under(const Handle& handle, const PlannedView& shown, Pixel pixel) {
+    const MeshScene& scene = shown.scene;
+    const Vec3 there = to_world(shown.camera, shown.size(), pixel);
+    if (scene.map) return from_map(*scene.map, there);
+    if (!handle.on_sphere) return there;
+    const Vec3 viewer = towards_viewer(shown.camera);
+    const Vec3 on_scene = (1 / scene.ball) * (there - dot(there, viewer) * viewer);
+    const double away = norm(on_scene);
+    if (away >= 1) return (1 / away) * on_scene;
+    return on_scene + std::sqrt(1 - away * away) * viewer;
+}
+
+std::string item_name(const Handle& handle) {
+    std::string name = "handle." + handle.first;
+    if (handle.control) name += '.' + std::to_string(handle.number);
+    return name;
+}
+
+/// A monitor's place is a circle with a cross, a control point a square.
+void draw_handle(const Handle& handle, ImDrawList& list, ImVec2 at, bool lit, const Theme& theme,
+                 float scale) {
+    const float radius = (lit ? 9.0F : 7.0F) * scale, arm = 4 * scale;
+    const std::pair<float, ImU32> strokes[] = {{4.5F, packed(theme.background, lit ? 1.0F : 0.75F)},
+                                               {lit ? 2.2F : 1.6F, packed(theme.text, lit ? 1.0F : 0.8F)}};
+    for (const auto& [width, ink] : strokes) {
+        if (handle.control) {
+            const float half = (lit ? 5.5F : 4.0F) * scale;
+            list.AddRect({at.x - half, at.y - half}, {at.x + half, at.y + half}, ink, 0, 0, width * scale);
+            continue;
+        }
+        list.AddCircle(at, radius, ink, 32, width * scale);
+        list.AddLine({at.x - arm, at.y}, {at.x + arm, at.y}, ink, width * scale);
+        list.AddLine({at.x, at.y - arm}, {at.x, at.y + arm}, ink, width * scale);
+    }
+}
+
+} // namespace gaspard

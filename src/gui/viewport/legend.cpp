@@ -1,0 +1,132 @@
+#include "gui/viewport/legend.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace gaspard {
+
+namespace {
+
+// At scale 1.
+constexpr float margin = 14, gap = 6, bar_width = 14, histogram_width = 34, pad = 8;
+constexpr const char* widest_label = "-1.25×10⁻³"; // what room is kept for
+
+float label_width() { return ImGui::CalcTextSize(widest_label).x; }
+
+float line_height() { return ImGui::GetFontSize() * 1.35F; }
+
+std::string title_of(const Colouring& colouring) {
+    return colouring.label + (colouring.range.logarithmic ? " (log)" : "");
+}
+
+struct Frame {
+    ScreenRect all;   ///< with its title
+    ImVec2 low, high; ///< the bar
+};
+
+Frame frame_of(const Colouring& colouring, bool histogram, ScreenRect available, float scale) {
+    const float line = line_height();
+    const float width = legend_width(colouring, histogram, scale) - 2 * margin * scale;
+    const float free = available.height() - 2 * line - 2 * (pad + gap) * scale;
+    const float height =
+        std::round(std::max(std::min(free, std::min(0.66F * available.height(), 420 * scale)), 1.0F));
+    const float left = std::round(available.max.x - margin * scale - width);
+    const float top = std::round((available.min.y + available.max.y - height + line) / 2);
+    const float bar = std::round(left + (histogram ? histogram_width * scale : 0));
+    return {{{left - pad * scale, top - line - pad * scale},
+             {left + width + pad * scale, top + height + pad * scale + line / 2}},
+            {bar, top},
+            {bar + std::round(bar_width * scale), top + height}};
+}
+
+void draw_bar(ImDrawList& list, const ColourMap& map, ImVec2 low, ImVec2 high) {
+    constexpr int pieces = 64;
+    const auto colour = [&](int i) {
+        const auto c = colour_at(map, 1 - static_cast<double>(i) / pieces);
+        return IM_COL32(c[0], c[1], c[2], 255);
+    };
+    for (int i = 0; i < pieces; ++i) {
+        const auto y = [&](int k) { return low.y + (high.y - low.y) * static_cast<float>(k) / pieces; };
+        list.AddRectFilledMultiColor({low.x, y(i)}, {high.x, y(i + 1)}, colour(i), colour(i), colour(i + 1),
+                                     colour(i + 1));
+    }
+}
+
+/// Bars to the left of the colours, as long as the square roots of the counts: with the counts themselves, a
+/// mesh that has one colour nearly everywhere would show one bar and nothing else.
+void draw_histogram(ImDrawList& list, const Colouring& colouring, ImVec2 low, ImVec2 high, const Theme& theme,
+                    float scale) {
+    const auto& counts = colouring.histogram;
+    const std::uint32_t most = *std::max_element(counts.begin(), counts.end());
+    if (most == 0) return;
+    const auto y = [&](std::size_t k) {
+        return std::round(high.y -
+                          (high.y - low.y) * static_cast<float>(k) / static_cast<float>(counts.size()));
+    };
+    const float longest = (histogram_width - 4) * scale, right = low.x - 2 * scale;
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+        if (counts[k] == 0) continue;
+        const float length = std::max(
+            longest * std::sqrt(static_cast<float>(counts[k]) / static_cast<float>(most)), 1.5F * scale);
+        list.AddRectFilled({right - length, y(k + 1)}, {right, y(k)}, packed(theme.faint_text, 0.85F));
+    }
+}
+
+/// A tip at an end of the bar where values go on beyond it.
+void draw_tips(ImDrawList& list, const Colouring& colouring, ImVec2 low, ImVec2 high, float scale) {
+    const auto tip = [&](double at, float y, float direction) {
+        const auto c = colour_at(*colouring.map, at);
+        const ImVec2 a{low.x, y}, b{high.x, y}, top{(low.x + high.x) / 2, y + direction * 7 * scale};
+        list.AddTriangleFilled(a, direction < 0 ? top : b, direction < 0 ? b : top,
+                               IM_COL32(c[0], c[1], c[2], 255));
+    };
+    if (colouring.above) tip(1, low.y, -1);
+    if (colouring.below) tip(0, high.y, 1);
+}
+
+} // namespace
+
+std::vector<Tick> legend_ticks(const ColourRange& range) {
+    if (!(range.high > range.low)) return {{range.low, short_number(range.low, 4), true}};
+    std::vector<Tick> ticks =
+        range.logarithmic ? log_ticks(range.low, range.high, 6) : linear_ticks(range.low, range.high, 6);
+    std::erase_if(ticks, [&](const Tick& tick) {
+        const double at = range.position(tick.value);
+        return tick.label.empty() || at < 0.07 || at > 0.93;
+    });
+    // A zero that rounding has missed is a zero.
+    const auto label = [&](double value) {
+        return short_number(std::abs(value) < 1e-10 * (range.high - range.low) ? 0 : value, 3);
+    };
+    ticks.push_back({range.low, range.logarithmic ? short_number(range.low, 3) : label(range.low), true});
+    ticks.push_back({range.high, label(range.high), true});
+    return ticks;
+}
+
+float legend_width(const Colouring& colouring, bool histogram, float scale) {
+    const float bar = (bar_width + gap + (histogram ? histogram_width : 0)) * scale + label_width();
+    return std::max(bar, ImGui::CalcTextSize(title_of(colouring).c_str()).x) + 2 * margin * scale;
+}
+
+void draw_legend(ImDrawList& list, const Colouring& colouring, bool histogram, ScreenRect available,
+                 const Theme& theme, float scale) {
+    const Frame frame = frame_of(colouring, histogram, available, scale);
+    const auto [low, high] = std::pair(frame.low, frame.high);
+    list.AddRectFilled(frame.all.min, frame.all.max, packed(theme.background, 0.82F), 6 * scale);
+    list.AddText({frame.all.min.x + pad * scale, frame.all.min.y + pad * scale / 2}, packed(theme.text),
+                 title_of(colouring).c_str());
+    draw_bar(list, *colouring.map, low, high);
+    if (histogram) draw_histogram(list, colouring, low, high, theme, scale);
+    draw_tips(list, colouring, low, high, scale);
+    for (const Tick& tick : legend_ticks(colouring.range)) {
+        const float at = static_cast<float>(colouring.range.position(tick.value));
+        const float y = std::round(high.y - at * (high.y - low.y));
+        list.AddRectFilled({high.x, y}, {high.x + 3 * scale, y + std::max(1.0F, std::round(scale))},
+                           packed(theme.faint_text));
+        list.AddText({high.x + gap * scale, y - ImGui::GetFontSize() / 2}, packed(theme.text, 0.85F),
+                     tick.label.c_str());
+    }
+}
+
+} // namespace gaspard

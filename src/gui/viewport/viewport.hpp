@@ -1,0 +1,137 @@
+// How a viewport looks, in the window and in a picture alike: one mesh or two side by side, the legend of
+// their colours, a caption, a card about what is picked.
+//
+// A ViewportPlanner says what goes where; MeshRenderer draws the meshes; draw_viewport_overlay() draws the
+// rest with an ImDrawList. Everything is in pixels of the current ImGui frame, and everything a user can
+// choose comes from values of view_rows().
+#pragma once
+
+#include "core/session/snapshot.hpp"
+#include "gui/base/theme.hpp"
+#include "gui/plot/plot_widget.hpp"
+#include "gui/scene/camera.hpp"
+#include "gui/scene/map_scene.hpp"
+#include "gui/scene/picking.hpp"
+
+#include <imgui.h>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gaspard {
+
+struct ViewportText {
+    std::string title{};   ///< above the mesh; may be empty
+    std::string subject{}; ///< what is solved: "plane, ring"; may be empty
+    StepReport report{};
+    bool caption = true; ///< whether the line at the bottom is drawn
+    std::string note{};  ///< in the lower left corner; may be empty
+};
+
+/// "plane, ring", "iteration 52", "residual 9.8×10⁻⁹", "equidistribution 0.0367", "converged": what the
+/// caption says.
+std::vector<std::string> caption_parts(const ViewportText& text);
+
+/// A mesh to be drawn: what, from where, and where it belongs.
+struct PlannedView {
+    MeshScene scene;
+    Camera camera; ///< speaks of the size of `rect`
+    ScreenRect rect;
+    std::string title; ///< above it; may be empty
+    bool rear = false; ///< its camera looks from behind the view's
+
+    Size size() const { return {static_cast<double>(rect.width()), static_cast<double>(rect.height())}; }
+};
+
+/// Another mesh to be shown beside a viewport's own.
+struct NamedSnapshot {
+    std::string title;
+    const Snapshot* snapshot = nullptr;
+};
+
+struct ViewportPlan {
+    ScreenRect rect;
+    /// One, or more of one size, whose cameras are one, or look from both sides.
+    std::vector<PlannedView> views;
+    ViewportText text;
+    std::optional<Pick> pick;
+    PickFacts facts;       ///< of the pick
+    std::string complaint; ///< what was wrong with the view's texts
+    bool histogram = true;
+    std::vector<std::string> unavailable; ///< choices of the view that this mesh has not: "layout=map"
+};
+
+/// What a picture's mesh turns about.
+Vec3 pivot_of(const MeshScene& scene);
+/// Which text of the view says from where a picture is seen.
+const char* camera_key(const MeshScene& scene);
+
+/// Plans one viewport, frame after frame; keeps what does not change between them.
+class ViewportPlanner {
+  public:
+    ViewportPlanner() = default;
+    /// With tessellations that may have been made elsewhere.
+    explicit ViewportPlanner(std::shared_ptr<TessellationCache> cache) : maker_(std::move(cache)) {}
+
+    /// Needs a current ImGui frame, for the sizes of texts. `view`: values of view_rows(). Texts that cannot
+    /// be read are as good as empty, but for a complaint.
+    ///
+    /// `others` come beside it where view.layout is "runs", in the colours of the first.
+    ViewportPlan plan(const Snapshot& snapshot, const Values& view, const ViewportText& text, ScreenRect rect,
+                      float scale, std::span<const NamedSnapshot> others = {});
+    /// Home is what showed the whole mesh when it was first seen, lest the picture tremble while it moves;
+    /// from now on it is for the mesh of the next plan.
+    void forget_home() { home_ = {}; }
+    /// A mesh in space is shown turned eastward by so many radians, from now on.
+    void turn_by(double radians) { spun_ = radians; }
+
+  private:
+    Camera camera_of(const MeshScene& scene, const Values& view, Size size, Insets insets,
+                     std::string& complaint);
+    Camera turned(Camera camera, const MeshScene& scene) const;
+    void place_views(const MeshScene& scene, const Values& view, ViewportPlan& plan, float scale);
+    void place_runs(const MeshScene& scene, const Values& view, ViewportPlan& plan,
+                    std::span<const NamedSnapshot> others, float scale);
+    void add_arrows(ViewportPlan& plan, float scale);
+    void add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan);
+
+    SceneBuilder maker_;
+    std::vector<SceneBuilder> other_makers_; ///< of the meshes beside it, in their order
+    MapSceneBuilder map_maker_;
+    double spun_ = 0;
+    struct Home {
+        std::shared_ptr<const Mesh> of;
+        Size size;
+        Insets insets;
+        std::string direction;
+        Camera camera;
+    } home_;
+    /// What the last arrows and the last facts were made for.
+    struct Arrows {
+        std::shared_ptr<const Tessellation> of;
+        Camera camera;
+        double width = 0, height = 0, spacing = 0;
+        std::shared_ptr<const std::vector<std::uint32_t>> points;
+    };
+    std::vector<Arrows> arrows_; ///< of the plan's pictures
+    struct Facts {
+        std::shared_ptr<const Mesh> mesh;
+        std::uint64_t version = 0;
+        std::optional<Pick> pick;
+        PickFacts facts;
+    } facts_;
+};
+
+/// Everything but the meshes, over them.
+void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale);
+
+/// A sentence about what the view asks for and this mesh has not, where that is no error; else empty.
+std::string missing_note(const Values& view, const Snapshot& snapshot);
+
+/// Throws InputError where a text of the view cannot be read, or a fixed range is empty. With a mesh also
+/// where the picked cell or node is none of it.
+void check_view(const Values& view, const Mesh* mesh = nullptr);
+
+} // namespace gaspard

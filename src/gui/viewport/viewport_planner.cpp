@@ -1,0 +1,298 @@
+#include "core/base/error.hpp"
+#include "core/tessellate/ticks.hpp"
+#include "gui/scene/arrows.hpp"
+#include "gui/viewport/legend.hpp"
+#include "gui/viewport/viewport.hpp"
+#include "gui/viewport/viewport_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gaspard {
+
+namespace {
+
+constexpr float margin = viewport_margin, gap = viewport_gap;
+constexpr double arrow_spacing = 26; // at scale 1
+
+/// What to keep the mesh clear of in a picture that fills the viewport.
+Insets insets_of(const ViewportPlan& plan, const MeshScene& scene, float scale) {
+    Insets insets;
+    const ScreenRect rect = plan.rect;
+    insets.top = static_cast<double>(title_height(plan.text.title, scale));
+    insets.bottom = static_cast<double>(caption_height(plan.text, rect.width(), scale));
+    if (scene.colouring != nullptr)
+        insets.right = static_cast<double>(legend_width(*scene.colouring, plan.histogram, scale));
+    if (scene.map) insets.left = static_cast<double>(ImGui::CalcTextSize("30° N").x + 2 * margin * scale);
+    // Where the legend's strip is free anyway beside a centred mesh, the mesh stays centred.
+    const double free_side =
+        (static_cast<double>(rect.width() - rect.height()) + insets.top + insets.bottom) / 2;
+    if (free_side > insets.right && !scene.map) insets.left = insets.right;
+    return insets;
+}
+
+std::string blend_title(double blend) {
+    if (blend == 1) return "physical";
+    return "t = " + short_number(blend, 3);
+}
+
+Size size_of(ScreenRect rect) {
+    return {std::max(1.0, static_cast<double>(rect.width())),
+            std::max(1.0, static_cast<double>(rect.height()))};
+}
+
+/// Two parts of one size, beside each other or one above the other.
+std::pair<ScreenRect, ScreenRect> halves(ScreenRect available) {
+    const bool beside = available.width() >= available.height();
+    const float half = std::floor((beside ? available.width() : available.height()) / 2);
+    ScreenRect first = available, second = available;
+    (beside ? first.max.x : first.max.y) = (beside ? available.min.x : available.min.y) + half;
+    (beside ? second.min.x : second.min.y) = (beside ? first.max.x : first.max.y);
+    (beside ? second.max.x : second.max.y) = (beside ? second.min.x : second.min.y) + half;
+    return {first, second};
+}
+
+/// The layout that the mesh can be shown in.
+std::string layout_of(const MeshScene& scene, const Values& view) {
+    const std::string& wish = view.text("layout");
+    if (wish == "runs") return "single"; // there are no others
+    const bool fits = wish == "map" ? scene.ball > 0 : wish != "front-and-rear" || !scene.planar();
+    return fits ? wish : "single";
+}
+
+} // namespace
+
+std::vector<std::vector<std::string>> caption_lines(const ViewportText& text, float width, float scale) {
+    std::vector<std::vector<std::string>> lines;
+    float used = width + 1;
+    for (auto& part : caption_parts(text)) {
+        const float need = ImGui::CalcTextSize(part.c_str()).x + 4 * gap * scale;
+        if (used + need > width) {
+            lines.emplace_back();
+            used = 0;
+        }
+        used += need;
+        lines.back().push_back(std::move(part));
+    }
+    return lines;
+}
+
+float caption_height(const ViewportText& text, float width, float scale) {
+    if (!text.caption) return 0;
+    const auto lines = caption_lines(text, width - 2 * margin * scale, scale);
+    return std::round(viewport_line_height() * static_cast<float>(lines.size()) + gap * scale);
+}
+
+float title_height(const std::string& title, float scale) {
+    return title.empty() ? 0 : viewport_line_height() + margin * scale;
+}
+
+ScreenRect above_caption(const ViewportPlan& plan, float scale) {
+    ScreenRect available = plan.rect;
+    available.max.y -= caption_height(plan.text, available.width(), scale);
+    return available;
+}
+
+const char* camera_key(const MeshScene& scene) { return scene.map ? "map_camera" : "camera"; }
+
+/// As far as the mesh has spun.
+Camera ViewportPlanner::turned(Camera camera, const MeshScene& scene) const {
+    if (spun_ != 0 && !scene.planar()) spin(camera, spun_, pivot_of(scene));
+    return camera;
+}
+
+Vec3 pivot_of(const MeshScene& scene) { return scene.ball > 0 ? Vec3{} : scene.home_box.centre(); }
+
+Camera ViewportPlanner::camera_of(const MeshScene& scene, const Values& view, Size size, Insets insets,
+                                  std::string& complaint) {
+    const std::string& text = view.text(camera_key(scene));
+    std::optional<Camera> wish;
+    try {
+        if (!text.empty()) wish = parse_camera(text, size);
+    } catch (const InputError& error) {
+        complaint = error.what();
+    }
+    if (wish && !shows_all(text)) return turned(*wish, scene);
+    if (scene.map) return planar_home(scene.box, size, insets);
+    const std::string& direction = wish ? text : view.text("direction");
+    if (home_.of == scene.mesh && home_.size == size && home_.insets == insets &&
+        home_.direction == direction)
+        return turned(home_.camera, scene);
+    home_ = {scene.mesh, size, insets, direction, home(scene.home_box, size, insets, view.text("direction"))};
+    if (scene.planar()) return home_.camera;
+    if (wish) home_.camera.right = wish->right, home_.camera.up = wish->up;
+    if (scene.ball > 0) {
+        fit_ball(home_.camera, pivot_of(scene), scene.ball, size, insets);
+    } else {
+        home_.camera.centre = scene.home_box.centre();
+        std::vector<const Points*> points{scene.computational.get()};
+        if (!scene.burst) points.push_back(scene.physical.get());
+        fit_points(home_.camera, points, size, insets);
+    }
+    return turned(home_.camera, scene);
+}
+
+void ViewportPlanner::place_views(const MeshScene& scene, const Values& view, ViewportPlan& plan,
+                                  float scale) {
+    const std::string layout = layout_of(scene, view);
+    if (layout == "single" || layout == "map") {
+        const MeshScene shown = layout == "map" ? map_maker_.make(scene, view.real("map_longitude")) : scene;
+        const Camera camera =
+            camera_of(shown, view, size_of(plan.rect), insets_of(plan, shown, scale), plan.complaint);
+        plan.views = {{shown, camera, plan.rect, plan.text.title}};
+        return;
+    }
+    // Two of the same size; the legend has a strip of its own.
+    ScreenRect available = above_caption(plan, scale);
+    if (scene.colouring != nullptr)
+        available.max.x -= std::round(legend_width(*scene.colouring, plan.histogram, scale));
+    const auto [first, second] = halves(available);
+    const bool around = layout == "front-and-rear";
+    PlannedView left{scene, {}, first, around ? "front" : "computational"};
+    if (!around) left.scene.blend = 0, left.scene.overlay = nullptr;
+    const Insets insets{.top = static_cast<double>(title_height(left.title, scale))};
+    left.camera = camera_of(scene, view, size_of(first), insets, plan.complaint);
+    PlannedView right{scene, left.camera, second, around ? "rear" : blend_title(scene.blend)};
+    if (around) right.camera = from_behind(left.camera, pivot_of(scene)), right.rear = true;
+    plan.views = {std::move(left), std::move(right)};
+}
+
+namespace {
+
+/// So many columns that the parts are as wide as they are high, as nearly as can be.
+int columns_for(std::size_t count, ScreenRect available) {
+    const auto shorter = [&](int columns) {
+        const int rows = (static_cast<int>(count) + columns - 1) / columns;
+        return std::min(available.width() / static_cast<float>(columns),
+                        available.height() / static_cast<float>(rows));
+    };
+    int best = 1;
+    for (int columns = 2; columns <= static_cast<int>(count); ++columns)
+        if (shorter(columns) > shorter(best)) best = columns;
+    return best;
+}
+
+/// The view with the colours' range fixed to that of a picture, for others beside it.
+Values in_colours_of(const MeshScene& scene, Values view) {
+    if (scene.colouring == nullptr) return view;
+    const ColourRange& range = scene.colouring->range;
+    if (!(range.low < range.high)) return view;
+    view.set("range", std::string("fixed"));
+    view.set("low", range.low);
+    view.set("high", range.high);
+    return view;
+}
+
+} // namespace
+
+void ViewportPlanner::place_runs(const MeshScene& scene, const Values& view, ViewportPlan& plan,
+                                 std::span<const NamedSnapshot> others, float scale) {
+    ScreenRect available = above_caption(plan, scale);
+    if (scene.colouring != nullptr)
+        available.max.x -= std::round(legend_width(*scene.colouring, plan.histogram, scale));
+    const int columns = columns_for(others.size() + 1, available);
+    const int rows = (static_cast<int>(others.size()) + columns) / columns;
+    const ImVec2 part{std::floor(available.width() / static_cast<float>(columns)),
+                      std::floor(available.height() / static_cast<float>(rows))};
+    const Values like_first = in_colours_of(scene, view);
+    while (other_makers_.size() < others.size()) other_makers_.emplace_back(maker_.cache());
+    for (std::size_t i = 0; i <= others.size(); ++i) {
+        const auto column = static_cast<float>(static_cast<int>(i) % columns),
+                   row = static_cast<float>(static_cast<int>(i) / columns);
+        const ImVec2 corner{available.min.x + column * part.x, available.min.y + row * part.y};
+        plan.views.push_back({i == 0 ? scene : other_makers_[i - 1].make(*others[i - 1].snapshot, like_first),
+                              {},
+                              {corner, {corner.x + part.x, corner.y + part.y}},
+                              i == 0 ? plan.text.subject : others[i - 1].title});
+    }
+    PlannedView& first = plan.views.front();
+    const Insets insets{.top = static_cast<double>(title_height(first.title, scale))};
+    first.camera = camera_of(scene, view, first.size(), insets, plan.complaint);
+    for (PlannedView& shown : plan.views) shown.camera = first.camera;
+}
+
+void ViewportPlanner::add_arrows(ViewportPlan& plan, float scale) {
+    arrows_.resize(std::max(arrows_.size(), plan.views.size()));
+    for (std::size_t i = 0; i < plan.views.size(); ++i) {
+        PlannedView& shown = plan.views[i];
+        Arrows& arrows = arrows_[i];
+        const Size size = shown.size();
+        const double spacing = arrow_spacing * static_cast<double>(scale);
+        if (shown.scene.map) continue;
+        if (arrows.of != shown.scene.tessellation || !(arrows.camera == shown.camera) ||
+            arrows.width != size.width || arrows.height != size.height || arrows.spacing != spacing)
+            arrows = {shown.scene.tessellation,
+                      shown.camera,
+                      size.width,
+                      size.height,
+                      spacing,
+                      std::make_shared<const std::vector<std::uint32_t>>(
+                          points_with_arrows(shown.scene, shown.camera, size, spacing))};
+        shown.scene.arrows = arrows.points;
+    }
+}
+
+void ViewportPlanner::add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan) {
+    try {
+        plan.pick = parse_pick(view.text("pick"));
+    } catch (const InputError& error) {
+        plan.complaint = error.what();
+    }
+    if (!plan.pick) return;
+    if (!has(*snapshot.mesh, *plan.pick)) {
+        plan.pick.reset();
+        return;
+    }
+    if (facts_.mesh != snapshot.mesh || facts_.version != snapshot.version || facts_.pick != plan.pick)
+        facts_ = {snapshot.mesh, snapshot.version, plan.pick, facts_of(*plan.pick, snapshot, maker_.cells())};
+    plan.facts = facts_.facts;
+}
+
+ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view, const ViewportText& text,
+                                   ScreenRect rect, float scale, std::span<const NamedSnapshot> others) {
+    const MeshScene scene = maker_.make(snapshot, view);
+    ViewportPlan plan;
+    plan.rect = rect;
+    plan.text = text;
+    plan.histogram = view.boolean("histogram");
+    if (scene.planar()) plan.unavailable.emplace_back("layout=front-and-rear");
+    if (scene.ball == 0) plan.unavailable.emplace_back("layout=map");
+    if (!snapshot.exact) plan.unavailable.emplace_back("overlay=exact");
+    if (view.text("layout") == "runs" && !others.empty())
+        place_runs(scene, view, plan, others, scale);
+    else
+        place_views(scene, view, plan, scale);
+    if (view.boolean("arrows")) add_arrows(plan, scale);
+    add_pick(snapshot, view, plan);
+    return plan;
+}
+
+std::string missing_note(const Values& view, const Snapshot& snapshot) {
+    if (view.text("overlay") != "exact" || snapshot.exact) return {};
+    return "view.overlay = exact shows nothing: the exact mesh is known on a sphere only, for monitors that "
+           "have an axis";
+}
+
+void check_view(const Values& view, const Mesh* mesh) {
+    for (const char* key : {"camera", "map_camera"})
+        if (!view.text(key).empty()) parse_camera(view.text(key), {1, 1});
+    const auto pick = parse_pick(view.text("pick"));
+    if (pick && mesh != nullptr && !has(*mesh, *pick))
+        throw InputError("view.pick = '" + view.text("pick") + "': the mesh has " +
+                         (pick->kind == Pick::Kind::cell ? std::to_string(mesh->cell_count()) + " cells"
+                                                         : std::to_string(mesh->node_count()) + " nodes") +
+                         ", counted from 0");
+    const std::string& layout = view.text("layout");
+    if (mesh != nullptr && layout == "map" && !(radius_of_ball(*mesh) > 0))
+        throw InputError(
+            "view.layout = map is for meshes on a sphere; single and side-by-side show this one");
+    if (mesh != nullptr && layout == "front-and-rear" && mesh->space_dimension < 3)
+        throw InputError("view.layout = front-and-rear is for meshes in space; single and side-by-side show "
+                         "this one");
+    if (view.text("range") == "fixed" && !(view.real("low") < view.real("high")))
+        throw InputError("view.low = " + format_number(view.real("low")) +
+                         " must be below view.high = " + format_number(view.real("high")));
+}
+
+} // namespace gaspard

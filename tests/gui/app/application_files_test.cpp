@@ -1,0 +1,158 @@
+#include "gui/application_fixture.hpp"
+
+#include <fstream>
+
+namespace gaspard {
+namespace {
+
+TEST_F(ApplicationTest, ExportWritesTheFilesAndSaysSo) {
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3; }));
+    EXPECT_TRUE(application.press_key("E"));
+    ASSERT_TRUE(wait_until([&] { return application.message().text.starts_with("Exported to "); }))
+        << application.message().text;
+    for (const char* file : {"summary.json", "history.csv", "state.bin", "adapted.obj", "adapted.glb"})
+        EXPECT_TRUE(std::filesystem::exists(folder / "plane-ring" / file)) << file;
+}
+
+TEST_F(ApplicationTest, AnExportThatFailsIsASentence) {
+    std::filesystem::remove_all(folder);
+    std::ofstream(folder) << "a file where a folder should be";
+    application.perform(ActionId::export_files);
+    ASSERT_TRUE(wait_until([&] { return application.message().error; }));
+    EXPECT_NE(application.message().text.find(folder.string()), std::string::npos)
+        << application.message().text;
+}
+
+TEST_F(ApplicationTest, PicturesAreNumbered) {
+    const Image image{2, 2, std::vector<std::uint8_t>(16, 200)};
+    for (const char* name : {"view.png", "view-2.png", "view-3.png"}) {
+        application.save_image(image);
+        const auto file = folder / "plane-ring" / name;
+        ASSERT_TRUE(wait_until([&] { return application.message().text == "Saved " + file.string(); }));
+        EXPECT_EQ(read_image(file).width, 2);
+    }
+}
+
+TEST_F(ApplicationTest, AnotherScenarioStartsFromItsOwnBeginning) {
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3; }));
+    ui.click(application.items().find("scenario")->second, drawing());
+    frame();
+    ASSERT_TRUE(application.items().count("scenario=plane-bell"));
+    ui.click(application.items().find("scenario=plane-bell")->second, drawing());
+    ASSERT_TRUE(wait_until([&] { return run().scenario.name != "plane-ring"; }));
+    EXPECT_EQ(run().scenario.name, "plane-bell");
+    EXPECT_EQ(solved_scenario().monitor.type, "bell");
+    EXPECT_EQ(solved_scenario().method.type, "auto") << "the method chooses by itself";
+    ASSERT_TRUE(wait_until([&] { return run().snapshot && run().snapshot->mesh->cell_count() == 3600; }));
+}
+
+TEST_F(ApplicationTest, AScenarioFileIsOpenedAndRemembered) {
+    Scenario other = small_ring();
+    other.title = "Another one";
+    set_value(*catalogue, other, "monitor.amplitude", 3.0);
+    std::ofstream(folder / "other.toml") << to_toml(other);
+    application.open_file(folder / "other.toml");
+    ASSERT_TRUE(wait_until([&] { return application.title() == "Another one"; }));
+    EXPECT_EQ(solved_scenario().monitor.values.real("amplitude"), 3);
+    ASSERT_EQ(application.settings().recent.size(), 1U);
+    EXPECT_EQ(application.settings().recent.front(),
+              std::filesystem::absolute(folder / "other.toml").string());
+    EXPECT_FALSE(application.error().open());
+}
+
+TEST_F(ApplicationTest, AFileThatIsNoScenarioIsOneSentenceAndLosesNothing) {
+    std::ofstream(folder / "broken.toml") << "[monitor]\namplitud = 3\n";
+    std::ofstream(folder / "combination.toml") << "[domain]\nboundary = 'walls'\n[method]\ntype='magic'\n";
+    std::ofstream(folder / "picture.png") << "no";
+    const std::string title = application.title();
+    for (const char* name : {"broken.toml", "combination.toml", "picture.png", "missing.toml"}) {
+        application.open_file(folder / name);
+        ASSERT_TRUE(wait_until([&] { return application.error().open(); })) << name;
+        EXPECT_NE(application.error().sentence().find(name), std::string::npos)
+            << application.error().sentence();
+        EXPECT_EQ(application.log().lines().back().notice.text, application.error().sentence());
+        EXPECT_EQ(application.title(), title);
+        frame();
+        ASSERT_TRUE(application.items().count("error.ok"));
+        ui.click(application.items().find("error.ok")->second, drawing());
+        EXPECT_FALSE(application.error().open()) << name;
+    }
+    EXPECT_TRUE(application.settings().recent.empty());
+    EXPECT_EQ(solved_scenario(), small_ring());
+}
+
+TEST_F(ApplicationTest, AnErrorComesBeforeTheOpenDialog) {
+    application.perform(ActionId::open);
+    frame();
+    frame();
+    application.open_file(folder / "missing.toml");
+    ASSERT_TRUE(wait_until([&] { return application.items().count("error.ok") == 1; }));
+    frame();
+    EXPECT_FALSE(application.press_key("Space")) << "a dialog comes first";
+    ui.click(application.items().find("error.ok")->second, drawing());
+    EXPECT_FALSE(application.error().open());
+    for (int i = 0; i < 3; ++i) frame();
+    ui.click(application.items().find("open.cancel")->second, drawing());
+    frame();
+    EXPECT_EQ(application.items().count("open.path"), 0U);
+}
+
+TEST_F(ApplicationTest, AScenarioThatTheSolverRefusesLeavesEverythingAsItWas) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const std::size_t rows = run().history.size();
+    Scenario wrong = small_ring();
+    wrong.title = "Wrong";
+    wrong.method.type = "magic";
+    application.document().replace(0, wrong);
+    ASSERT_TRUE(wait_until([&] { return application.error().open(); }));
+    EXPECT_EQ(application.title(), small_ring().title);
+    EXPECT_EQ(run().opened, small_ring());
+    EXPECT_EQ(run().history.size(), rows);
+    EXPECT_TRUE(run().ended());
+}
+
+TEST_F(ApplicationTest, ExportWritesTheChosenFormatsColouredAsTheViewIs) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    ui.click(application.items().find("menu.File")->second, drawing());
+    ASSERT_TRUE(application.items().count("menu.export"));
+    auto output = run().scenario;
+    output.output.set("formats", std::string("svg"));
+    application.document().change(0, output);
+    application.document().viewports().front().view.set("color", std::string("area"));
+    application.perform(ActionId::export_files);
+    ASSERT_TRUE(wait_until([&] { return application.message().text.starts_with("Exported to "); }));
+    std::ifstream file(folder / "plane-ring" / "adapted.svg");
+    const std::string svg((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_NE(svg.find("cell area"), std::string::npos) << svg.substr(0, 1000);
+    EXPECT_FALSE(std::filesystem::exists(folder / "plane-ring" / "adapted.obj"));
+}
+
+TEST_F(ApplicationTest, TheOpenDialogTakesAPath) {
+    Scenario other = small_ring();
+    other.title = "Typed";
+    std::ofstream(folder / "typed.toml") << to_toml(other);
+    EXPECT_TRUE(application.press_key("Ctrl+O"));
+    for (int i = 0; i < 3; ++i) frame();
+    ui.click(application.items().find("open.path")->second, drawing());
+    ui.type((folder / "typed.toml").string(), drawing());
+    ui.click(application.items().find("open.ok")->second, drawing());
+    EXPECT_TRUE(wait_until([&] { return application.title() == "Typed"; })) << application.message().text;
+    EXPECT_TRUE(application.press_key("Ctrl+O"));
+    frame();
+    application.perform(ActionId::cancel);
+    frame();
+    EXPECT_EQ(application.items().count("open.path"), 0U);
+}
+
+TEST_F(ApplicationTest, ASavedScenarioOpensAgain) {
+    ASSERT_TRUE(wait_until([&] { return run().history.size() > 3; }));
+    ui.drag(application.items().find("monitor.amplitude")->second, 0.4F, 0.6F, drawing());
+    const double amplitude = run().scenario.monitor.values.real("amplitude");
+    EXPECT_TRUE(application.press_key("Ctrl+S"));
+    const auto file = folder / "plane-ring" / "plane-ring.toml";
+    ASSERT_TRUE(wait_until([&] { return application.message().text == "Saved " + file.string(); }));
+    EXPECT_EQ(load_scenario(*catalogue, file).monitor.values.real("amplitude"), amplitude);
+}
+
+} // namespace
+} // namespace gaspard

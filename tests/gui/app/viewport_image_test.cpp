@@ -1,0 +1,288 @@
+// Pictures compared with stored ones, and wrong pictures that must be found different.
+#include "core/scenario/view_rows.hpp"
+#include "core/tessellate/colouring.hpp"
+#include "gui/app/viewport_image.hpp"
+#include "gui/base/theme.hpp"
+#include "gui/scenes.hpp"
+#include "gui/similarity.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+Image golden(const std::string& name) {
+    return read_image(std::filesystem::path(GASPARD_SOURCE_DIR) / "tests/goldens" / (name + ".png"));
+}
+
+Image ring(const Snapshot& snapshot, const char* colour = "monitor", double blend = 1) {
+    Values view("view", view_rows());
+    view.set("color", std::string(colour));
+    view.set("blend", blend);
+    return render_view(snapshot, view, 400, 300, "plane, ring");
+}
+
+class Golden : public testing::TestWithParam<Scene> {};
+
+TEST_P(Golden, LooksAsStored) {
+    // read_image throws where the picture is missing, which fails the test.
+    EXPECT_EQ(difference(GetParam().draw(OffscreenBackend::osmesa), golden(GetParam().name)), "");
+}
+
+TEST_P(Golden, LooksTheSameThroughEgl) {
+    EXPECT_EQ(difference(GetParam().draw(OffscreenBackend::egl), golden(GetParam().name)), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(scenes()), [](const auto& parameter) {
+    std::string name = parameter.param.name;
+    std::erase(name, '-');
+    return name;
+});
+
+TEST(WrongPicture, IsFoundDifferent) {
+    const Image right = golden("ring-16");
+    EXPECT_NE(difference(golden("ring-60"), right), "") << "another mesh";
+    EXPECT_NE(difference(golden("ring-computational"), right), "") << "nodes not moved";
+    EXPECT_NE(difference(golden("ring-plain"), right), "") << "no colours";
+    EXPECT_NE(difference(golden("tangled"), right), "") << "one tangled cell";
+    EXPECT_NE(difference(Image{400, 300, std::vector<std::uint8_t>(400 * 300 * 4, 0)}, right), "") << "black";
+}
+
+/// What a view with other settings shows of the same mesh.
+Image drawn(const Snapshot& snapshot, const std::vector<std::pair<std::string, std::string>>& settings) {
+    Values values("view", view_rows());
+    for (const auto& [key, text] : settings) values.parse(key, text);
+    return render_view(snapshot, values, 400, 300, "plane, ring");
+}
+
+TEST(WrongPicture, OfAnyOtherViewIsFoundDifferent) {
+    const Snapshot snapshot = ring_snapshot(16);
+    const Image right = drawn(snapshot, {});
+    const std::pair<std::string, std::string> settings[] = {{"color", "area"},
+                                                            {"color", "jacobian"},
+                                                            {"color", "displacement"},
+                                                            {"color", "none"},
+                                                            {"map", "plasma"},
+                                                            {"map", "ember"},
+                                                            {"map", "grey"},
+                                                            {"map", "blue-yellow"},
+                                                            {"map", "blue-red"},
+                                                            {"log", "true"},
+                                                            {"range", "fixed"},
+                                                            {"histogram", "false"},
+                                                            {"lines", "false"},
+                                                            {"arrows", "true"},
+                                                            {"blend", "0.5"},
+                                                            {"layout", "side-by-side"},
+                                                            {"pick", "cell 200"},
+                                                            {"theme", "light"},
+                                                            {"camera", "centre 0.5 0.5 height 1"}};
+    std::vector<Image> views = {right};
+    for (const auto& [key, text] : settings) {
+        views.push_back(drawn(snapshot, {{key, text}}));
+        for (std::size_t i = 0; i + 1 < views.size(); ++i)
+            EXPECT_NE(difference(views.back(), views[i]), "") << key << "=" << text << " and picture " << i;
+    }
+    EXPECT_EQ(difference(drawn(snapshot, {{"map", "viridis"}}), right), "") << "which is the automatic one";
+    EXPECT_EQ(difference(drawn(snapshot, {{"direction", "left"}}), right), "") << "a plane has one side";
+}
+
+TEST(WrongPicture, OfAnotherDirectionIsFoundDifferent) {
+    const Snapshot snapshot = cube_snapshot(4);
+    std::vector<Image> views;
+    for (const char* direction : {"home", "front", "left", "top"}) {
+        views.push_back(drawn(snapshot, {{"direction", direction}}));
+        for (std::size_t i = 0; i + 1 < views.size(); ++i)
+            EXPECT_NE(difference(views.back(), views[i]), "") << direction;
+    }
+}
+
+TEST(WrongPicture, OfAnotherMonitorIsFoundDifferent) {
+    Snapshot snapshot = ring_snapshot(16);
+    for (std::size_t i = 0; i < snapshot.x.size(); ++i)
+        snapshot.fields[0].values[i] = 1 + 10 * std::exp(-20 * dot(snapshot.x[i], snapshot.x[i]));
+    EXPECT_NE(difference(ring(snapshot), golden("ring-16")), "");
+}
+
+TEST(WrongPicture, OfAMirroredMeshIsFoundDifferent) {
+    Snapshot snapshot = ring_snapshot(16);
+    for (std::size_t i = 0; i < snapshot.x.size(); ++i) // not symmetric, so that a mirror shows
+        snapshot.x.x[i] += 0.05 * snapshot.x.y[i] * (1 - snapshot.x.y[i]);
+    const Image right = ring(snapshot);
+    for (double& x : snapshot.x.x) x = 1 - x;
+    EXPECT_NE(difference(ring(snapshot), right), "");
+}
+
+TEST(WrongPicture, WithoutLinesIsFoundDifferent) {
+    // The same surface from one cell: no lines inside.
+    Snapshot lines = ring_snapshot(16), none = ring_snapshot(1);
+    lines.x = lines.mesh->nodes;
+    none.x = none.mesh->nodes;
+    EXPECT_NE(difference(ring(lines, "none"), ring(none, "none")), "");
+}
+
+TEST(WrongPicture, WithALaterIterationInItsCaptionIsFoundDifferent) {
+    Snapshot snapshot = ring_snapshot(16);
+    snapshot.report.status = RunStatus::diverged;
+    EXPECT_NE(difference(ring(snapshot), golden("ring-16")), "");
+}
+
+TEST(Picture, BlendGoesFromComputationalToPhysical) {
+    const Snapshot snapshot = ring_snapshot(16);
+    Snapshot unmoved = snapshot, half = snapshot;
+    unmoved.x = snapshot.mesh->nodes;
+    for (std::size_t i = 0; i < half.x.size(); ++i)
+        half.x.set(i, 0.5 * (snapshot.mesh->nodes[i] + snapshot.x[i]));
+    EXPECT_EQ(difference(ring(snapshot, "none", 0), ring(unmoved, "none")), "");
+    EXPECT_EQ(difference(ring(snapshot, "none", 0.5), ring(half, "none")), "");
+    EXPECT_NE(difference(ring(snapshot, "none", 0.5), ring(snapshot, "none")), "");
+}
+
+TEST(Picture, SameInputGivesTheSameBytes) {
+    const Snapshot snapshot = ring_snapshot(30);
+    EXPECT_EQ(ring(snapshot).rgba, ring(snapshot).rgba);
+}
+
+TEST(Picture, IsOpaqueAndOfTheSizeAskedFor) {
+    Values view("view", view_rows());
+    for (const auto& [width, height] : {std::pair{64, 64}, {65, 131}, {1000, 300}}) {
+        const Image image = render_view(ring_snapshot(8), view, width, height);
+        EXPECT_EQ(image.width, width);
+        EXPECT_EQ(image.height, height);
+        ASSERT_EQ(image.rgba.size(), static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+        for (std::size_t i = 3; i < image.rgba.size(); i += 4) ASSERT_EQ(image.rgba[i], 255);
+    }
+}
+
+TEST(Picture, TangledCellsShowInEveryMapAndThemeEvenWhereCellsAreTiny) {
+    const auto magenta = [](const Image& image) {
+        int found = 0;
+        for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+            found += image.rgba[i] > 220 && image.rgba[i + 1] < 80 && image.rgba[i + 2] > 180;
+        return found;
+    };
+    for (const int n : {16, 120})
+        for (const char* theme : {"dark", "light"})
+            for (const ColourMap& map : colour_maps()) {
+                const std::vector<std::pair<std::string, std::string>> settings = {
+                    {"theme", theme}, {"map", std::string(map.name)}};
+                const Image with = drawn(tangled_snapshot(n), settings),
+                            without = drawn(ring_snapshot(n), settings);
+                EXPECT_GE(magenta(with) - magenta(without), 9)
+                    << "n = " << n << ", " << theme << ", " << map.name;
+                // Where it is, one also sees rings of both the text's and the background's colour.
+                int dark = 0, light = 0;
+                for (std::size_t i = 0; i < with.rgba.size() - 4 * 400 * 40; i += 4) { // above the caption
+                    if (std::equal(&with.rgba[i], &with.rgba[i] + 3, &without.rgba[i])) continue;
+                    const int sum = with.rgba[i] + with.rgba[i + 1] + with.rgba[i + 2];
+                    dark += sum<150, light += sum> 600;
+                }
+                EXPECT_GE(dark, 8) << "n = " << n << ", " << theme << ", " << map.name;
+                EXPECT_GE(light, 8) << "n = " << n << ", " << theme << ", " << map.name;
+            }
+}
+
+TEST(Picture, LegendAndMeshHaveTheSameColours) {
+    // Cells of one colour each: the middle of a cell has the colour of its value, whatever the scale.
+    const Snapshot snapshot = ring_snapshot(8);
+    for (const char* log : {"false", "true"}) {
+        const Image image =
+            drawn(snapshot, {{"color", "area"}, {"log", log}, {"camera", "centre 0.5 0.5 height 1"}});
+        const auto colouring =
+            make_colouring(snapshot, {.colouring = "area", .logarithmic = std::string(log) == "true"});
+        ASSERT_TRUE(colouring);
+        const auto corners = snapshot.mesh->cell(27);
+        Vec3 middle;
+        for (const auto node : corners) middle = middle + 0.25 * snapshot.x[static_cast<std::size_t>(node)];
+        const int x = static_cast<int>(200 + (middle.x - 0.5) * 300),
+                  y = static_cast<int>(150 - (middle.y - 0.5) * 300);
+        const auto expected = colouring->colour(27);
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(image.rgba[static_cast<std::size_t>(y * 400 + x) * 4 + c], expected[c], 3) << log;
+    }
+}
+
+/// Brightness around a pixel as the eye averages it: in linear light, through a soft window.
+double blurred(const Image& image, int left, int top) {
+    constexpr int side = 24;
+    double sum = 0, weights = 0;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const auto window = [](int i) { return 1 - std::cos(2 * 3.14159265358979 * (i + 0.5) / side); };
+            const auto at = static_cast<std::size_t>((top + y) * image.width + left + x) * 4;
+            const double weight = window(x) * window(y);
+            sum += weight * std::pow(image.rgba[at] / 255.0, 2.2);
+            weights += weight;
+        }
+    return 255 * std::pow(sum / weights, 1 / 2.2);
+}
+
+TEST(Picture, DenseLinesDoNotBeatWithThePixels) {
+    // A uniform mesh looks the same all over, from an open net to lines too close to be told.
+    for (const int n : {110, 150, 190, 240, 480}) {
+        Snapshot snapshot = ring_snapshot(n);
+        snapshot.x = snapshot.mesh->nodes;
+        for (const char* theme : {"dark", "light"}) {
+            const Image image = drawn(
+                snapshot, {{"color", "none"}, {"theme", theme}, {"camera", "centre 0.5 0.5 height 0.53"}});
+            double low = 255, high = 0;
+            for (int top = 20; top < 220; top += 5)
+                for (int left = 60; left < 320; left += 5) {
+                    const double here = blurred(image, left, top);
+                    low = std::min(low, here), high = std::max(high, here);
+                }
+            EXPECT_LT(high - low, 6) << "n = " << n << ", " << theme;
+        }
+    }
+}
+
+TEST(Picture, ManyPointsDoNotDisturbWhatIsDrawnAfterThem) {
+    // More corners of triangles than 16 bits can number; the second curve and the legend come after them.
+    Plot plot;
+    plot.curves = {{"many", {}, {}, false}, {"few", {0, 40000}, {0.5, 0.5}, false}};
+    for (int i = 0; i < 40000; ++i) {
+        plot.curves[0].x.push_back(i);
+        plot.curves[0].y.push_back(i % 2);
+    }
+    const Image image = render_plot(plot, 400, 300);
+    const Colour orange = dark_theme().curves[1];
+    int found = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+        found += std::abs(static_cast<float>(image.rgba[i]) - 255 * orange.r) < 12 &&
+                 std::abs(static_cast<float>(image.rgba[i + 1]) - 255 * orange.g) < 12 &&
+                 std::abs(static_cast<float>(image.rgba[i + 2]) - 255 * orange.b) < 12;
+    EXPECT_GT(found, 300) << "a line across the plot, and one in the legend";
+    EXPECT_LT(found, 1500);
+}
+
+TEST(Picture, NodesThatAreNotFiniteLeaveTheRestToBeSeen) {
+    Snapshot snapshot = ring_snapshot(16);
+    snapshot.x.x[40] = std::nan("");
+    const Similarity s = compare(ring(snapshot), golden("ring-16"));
+    EXPECT_GT(s.mean_structure, 0.95);
+}
+
+TEST(Picture, FarFromTheOriginLooksTheSame) {
+    Snapshot snapshot = ring_snapshot(16);
+    Mesh mesh = *snapshot.mesh;
+    for (auto* x : {&mesh.nodes.x, &mesh.nodes.y, &snapshot.x.x, &snapshot.x.y})
+        for (double& value : *x) value += 1e8;
+    snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
+    EXPECT_EQ(difference(ring(snapshot), golden("ring-16")), "");
+}
+
+TEST(Picture, HugeAndTinyMeshesLookTheSame) {
+    for (const double factor : {1e8, 1e-8}) {
+        Snapshot snapshot = ring_snapshot(16);
+        Mesh mesh = *snapshot.mesh;
+        for (auto* x : {&mesh.nodes.x, &mesh.nodes.y, &snapshot.x.x, &snapshot.x.y})
+            for (double& value : *x) value *= factor;
+        snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
+        EXPECT_EQ(difference(ring(snapshot), golden("ring-16")), "") << factor;
+    }
+}
+
+} // namespace
+} // namespace gaspard

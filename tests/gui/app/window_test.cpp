@@ -1,0 +1,343 @@
+// The program in a real window on a screen in memory, with synthetic mouse and keys.
+#include "core/io/image.hpp"
+#include "core/scenario/toml.hpp"
+#include "gui/app/application.hpp"
+#include "gui/headless_ui.hpp"
+#include "gui/virtual_display.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+namespace gaspard {
+namespace {
+
+using namespace std::chrono_literals;
+
+bool eventually(const std::function<bool()>& condition, std::chrono::seconds patience = 60s) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (std::chrono::steady_clock::now() < end) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(50ms);
+    }
+    return false;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Where the window's items are at this size, by the window's own code.
+ItemRectangles layout_of(int width, int height) {
+    const Theme theme = dark_theme();
+    HeadlessUi ui(static_cast<float>(width), static_cast<float>(height), &theme);
+    const auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
+    Application application(catalogue, find_scenario(*catalogue, "plane-ring"));
+    application.perform(ActionId::run_pause);
+    for (int i = 0; i < 3; ++i) ui.frame([&] { application.frame(); });
+    return application.items();
+}
+
+class WindowTest : public testing::Test {
+  protected:
+    WindowTest() {
+        std::filesystem::remove_all(folder);
+        std::filesystem::create_directories(folder);
+    }
+    ~WindowTest() override {
+        program.reset();
+        std::filesystem::remove_all(folder);
+    }
+
+    void start(const std::string& scenario, int width, int height,
+               const std::vector<std::string>& options = {}) {
+        ChildProcess::Setup setup;
+        setup.command = {GASPARD_PROGRAM, scenario};
+        if (width > 0) // else: as it was remembered
+            for (const auto& word :
+                 {std::string("--size"), std::to_string(width) + "x" + std::to_string(height)})
+                setup.command.push_back(word);
+        setup.command.insert(setup.command.end(), options.begin(), options.end());
+        setup.environment = {{"DISPLAY", display.name()},
+                             {"WAYLAND_DISPLAY", ""},
+                             {"XDG_CONFIG_HOME", (folder / "config").string()}};
+        setup.folder = folder;
+        setup.output = folder / "log";
+        program.emplace(setup);
+        ASSERT_TRUE(eventually([&] {
+            window = display.xdotool({"search", "--onlyvisible", "--name", "Gaspard"});
+            return !window.empty() || !program->running();
+        }));
+        ASSERT_FALSE(window.empty()) << text_of(folder / "log");
+        display.xdotool({"windowmove", window, "0", "0"});
+        std::this_thread::sleep_for(1500ms); // the first frames
+    }
+    void move(float x, float y) {
+        display.xdotool({"mousemove", "--window", window, std::to_string(std::lround(x)),
+                         std::to_string(std::lround(y))});
+        std::this_thread::sleep_for(80ms); // a frame for each
+    }
+    void drag(const ItemRectangle& item, float from, float to) {
+        move(item.left + from * item.width(), item.center_y());
+        display.xdotool({"mousedown", "1"});
+        std::this_thread::sleep_for(100ms);
+        for (int i = 1; i <= 4; ++i)
+            move(item.left + (from + (to - from) * static_cast<float>(i) / 4) * item.width(),
+                 item.center_y());
+        display.xdotool({"mouseup", "1"});
+        std::this_thread::sleep_for(100ms);
+    }
+    void press(const std::string& key) {
+        display.xdotool({"key", key});
+        std::this_thread::sleep_for(100ms);
+    }
+    /// A ring that solves for as long as a test needs, whatever its sliders say.
+    void write_slow_ring(int cells) const {
+        const Catalogue catalogue = builtin_catalogue();
+        Scenario scenario = find_scenario(catalogue, "plane-ring");
+        set_value(catalogue, scenario, "domain.cells", std::int64_t{cells});
+        set_value(catalogue, scenario, "method.tolerance", 1e-14);
+        set_value(catalogue, scenario, "method.step_size", 1e-3);
+        set_value(catalogue, scenario, "method.max_iterations", std::int64_t{1000000});
+        std::ofstream(folder / "slow.toml") << to_toml(scenario);
+    }
+    /// One that has converged soon.
+    void write_quick_ring() const {
+        const Catalogue catalogue = builtin_catalogue();
+        Scenario scenario = find_scenario(catalogue, "plane-ring");
+        set_value(catalogue, scenario, "domain.cells", std::int64_t{24});
+        std::ofstream(folder / "quick.toml") << to_toml(scenario);
+    }
+    std::filesystem::path out(const std::string& scenario) const { return folder / "gaspard-out" / scenario; }
+    nlohmann::json exported() {
+        const auto file = out("slow") / "summary.json";
+        std::filesystem::remove(file);
+        press("e");
+        EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << text_of(folder / "log");
+        return nlohmann::json::parse(text_of(file));
+    }
+
+    std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) /
+        (std::string("gaspard-window-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    VirtualDisplay display{1500, 1000};
+    std::optional<ChildProcess> program;
+    std::string window;
+};
+
+TEST_F(WindowTest, ASliderDraggedWithTheMouseAndKeysPressedReachTheFiles) {
+    const ItemRectangles items = layout_of(1200, 800);
+    write_slow_ring(60);
+    start("slow.toml", 1200, 800);
+    const auto before = exported();
+    EXPECT_EQ(before["monitor"]["amplitude"], 10.0);
+
+    drag(items.find("monitor.sharpness")->second, 0.7F, 0.3F);
+    drag(items.find("monitor.amplitude")->second, 0.05F, 0.3F);
+    press("space");
+    const auto after = exported();
+    EXPECT_NE(after["monitor"]["amplitude"], 10.0);
+    EXPECT_NE(after["monitor"]["sharpness"], 200.0);
+    EXPECT_GT(after["iterations"], 0);
+    const std::string history = text_of(out("slow") / "history.csv");
+    EXPECT_EQ(history.rfind("iteration,residual,", 0), 0U);
+    EXPECT_GT(std::count(history.begin(), history.end(), '\n'), 3);
+
+    EXPECT_EQ(exported()["iterations"], after["iterations"]) << "space pauses";
+    press("n");
+    EXPECT_EQ(exported()["iterations"], after["iterations"].get<int>() + 1) << "n does one step";
+    press("ctrl+q");
+    EXPECT_EQ(program->wait(10s), 0) << text_of(folder / "log");
+}
+
+TEST_F(WindowTest, OpensWithTheAutomaticMethod) {
+    start("plane-ring", 1000, 700);
+    press("e");
+    const auto summary = out("plane-ring") / "summary.json";
+    ASSERT_TRUE(eventually([&] { return std::filesystem::exists(summary); }));
+    EXPECT_EQ(nlohmann::json::parse(text_of(summary))["method"]["type"], "auto");
+}
+
+TEST_F(WindowTest, APinnedMethodStaysWhereASettingSpeaksOfIt) {
+    start("plane-ring", 1000, 700, {"--set", "method.step_size=0.05"});
+    press("e");
+    const auto summary = out("plane-ring") / "summary.json";
+    ASSERT_TRUE(eventually([&] { return std::filesystem::exists(summary); })) << text_of(folder / "log");
+    const auto method = nlohmann::json::parse(text_of(summary))["method"];
+    EXPECT_EQ(method["type"], "relaxation");
+    EXPECT_EQ(method["step_size"], 0.05);
+}
+
+TEST_F(WindowTest, ItDrawsWhatIsDrawnOffscreenAtEverySizeItIsGiven) {
+    write_quick_ring();
+    start("quick.toml", 1000, 700);
+    move(5, 5);
+    ASSERT_TRUE(eventually([&] {
+        std::filesystem::remove_all(out("quick"));
+        press("e");
+        std::this_thread::sleep_for(300ms);
+        return text_of(out("quick") / "summary.json").find("\"converged\"") != std::string::npos;
+    }));
+    for (const auto& [width, height] : {std::pair{1000, 700}, {1300, 850}, {900, 640}}) {
+        display.xdotool({"windowsize", window, std::to_string(width), std::to_string(height)});
+        std::this_thread::sleep_for(1200ms);
+        press("h"); // home follows the mesh only when asked
+        press("p");
+        const auto file = out("quick") / "view.png";
+        ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << text_of(folder / "log");
+        const Image shown = read_image(file);
+        std::filesystem::remove(file);
+
+        ChildProcess::Setup setup;
+        setup.command = {GASPARD_PROGRAM,  "run",    "quick.toml",
+                         "--whole-window", "--size", std::to_string(width) + "x" + std::to_string(height),
+                         "--quiet",        "--out",  "offscreen"};
+        setup.folder = folder;
+        setup.output = folder / "offscreen-log";
+        ASSERT_EQ(ChildProcess(setup).wait(60s), 0) << text_of(folder / "offscreen-log");
+        const Image whole = read_image(folder / "offscreen" / "view.png");
+        const ItemRectangle area = layout_of(width, height).find("viewport")->second;
+        ASSERT_EQ(shown.width, std::lround(area.width()));
+        ASSERT_EQ(shown.height, std::lround(area.height()));
+        const auto row_of = [](const Image& image, int y, float left) {
+            return image.rgba.data() + 4 * (std::ptrdiff_t{y} * image.width + std::lround(left));
+        };
+        int different = 0;
+        for (int y = 0; y < shown.height; ++y) {
+            const auto *here = row_of(shown, y, 0),
+                       *there = row_of(whole, y + static_cast<int>(std::lround(area.top)), area.left);
+            for (int x = 0; x < 4 * shown.width; ++x) different += here[x] != there[x] ? 1 : 0;
+        }
+        EXPECT_EQ(different, 0) << "of " << shown.rgba.size() << " at " << width << " x " << height;
+    }
+}
+
+TEST_F(WindowTest, WhatIsTypedFasterThanFramesArriveIsNotLost) {
+    write_quick_ring();
+    start("plane-ring", 1000, 700);
+    move(5, 5);
+    // In one burst: the first letters come before the dialog can be written in.
+    display.xdotool({"key", "--delay", "0", "h", "ctrl+o", "q", "u", "i", "c", "k", "period", "t", "o", "m",
+                     "l", "z", "BackSpace", "Return"});
+    EXPECT_TRUE(eventually([&] {
+        press("e");
+        return std::filesystem::exists(out("quick") / "summary.json");
+    })) << text_of(folder / "log");
+}
+
+TEST_F(WindowTest, EscapeAndQuitWorkWhileADialogsFieldIsWrittenIn) {
+    start("plane-ring", 1000, 700);
+    move(5, 5);
+    press("ctrl+o");
+    press("Escape");
+    std::this_thread::sleep_for(300ms);
+    press("e"); // not a letter for the field any more
+    EXPECT_TRUE(eventually([&] { return std::filesystem::exists(out("plane-ring") / "summary.json"); }))
+        << text_of(folder / "log");
+    press("ctrl+o");
+    press("ctrl+q");
+    EXPECT_EQ(program->wait(10s), 0) << text_of(folder / "log");
+}
+
+TEST_F(WindowTest, ClosingWhileSolvingEndsQuickly) {
+    write_slow_ring(300);
+    start("slow.toml", 1000, 700);
+    const double before = program->cpu_seconds();
+    std::this_thread::sleep_for(1s);
+    EXPECT_GT(program->cpu_seconds() - before, 0.3) << "it is not solving";
+    press("ctrl+q");
+    EXPECT_EQ(program->wait(8s), 0) << text_of(folder / "log");
+}
+
+TEST_F(WindowTest, WhatWasChangedIsThereTheNextTime) {
+    write_slow_ring(120);
+    start("slow.toml", 1000, 700);
+    press("t");
+    press("F10");
+    press("F4");
+    display.xdotool({"windowsize", window, "1100", "760"});
+    std::this_thread::sleep_for(700ms);
+    move(700, 300); // over the picture: pan, zoom
+    display.xdotool({"mousedown", "1"});
+    move(740, 330);
+    display.xdotool({"mouseup", "1", "click", "4", "click", "4"});
+    press("ctrl+q"); // while it solves
+    ASSERT_EQ(program->wait(10s), 0) << text_of(folder / "log");
+    const std::string remembered = text_of(folder / "config" / "gaspard" / "window.toml");
+    for (const char* line :
+         {"theme = 'light'", "text_size = 1.7", "log = true", "width = 1100", "height = 760", "slow.toml"})
+        EXPECT_NE(remembered.find(line), std::string::npos) << line << " in\n" << remembered;
+
+    program.reset();
+    window.clear();
+    start("slow.toml", 0, 0);
+    const std::string geometry = display.xdotool({"getwindowgeometry", "--shell", window});
+    EXPECT_NE(geometry.find("WIDTH=1100"), std::string::npos) << geometry;
+    EXPECT_NE(geometry.find("HEIGHT=760"), std::string::npos) << geometry;
+    press("p");
+    const auto file = out("slow") / "view.png";
+    ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << text_of(folder / "log");
+    EXPECT_EQ(read_image(file).rgba.front(), 255) << "the corner of a light picture";
+}
+
+TEST_F(WindowTest, OnADenseScreenEverythingIsLargerAndTheWindowStaysAsItIs) {
+    ASSERT_TRUE(display.set_density(120));
+    std::string first;
+    for (int time = 0; time < 3; ++time) {
+        window.clear();
+        start("plane-ring", time == 0 ? 900 : 0, 600);
+        const std::string geometry = display.xdotool({"getwindowgeometry", "--shell", window});
+        const std::string size = geometry.substr(geometry.find("WIDTH="));
+        if (time == 0) first = size;
+        EXPECT_EQ(size, first) << "at start " << time;
+        press("ctrl+q");
+        ASSERT_EQ(program->wait(10s), 0) << text_of(folder / "log");
+        program.reset();
+    }
+    EXPECT_NE(first.find("WIDTH=1125"), std::string::npos) << first;
+}
+
+TEST_F(WindowTest, SettingsThatCannotBeReadOrWrittenAreNoReasonToFail) {
+    std::filesystem::create_directories(folder / "config");
+    std::ofstream(folder / "config" / "gaspard") << "a file where a folder belongs";
+    start("plane-ring", 1000, 700);
+    press("ctrl+q");
+    EXPECT_EQ(program->wait(10s), 0) << text_of(folder / "log");
+    EXPECT_NE(text_of(folder / "log").find("not remembered"), std::string::npos) << text_of(folder / "log");
+}
+
+TEST_F(WindowTest, AnIdleWindowCostsNothing) {
+    write_slow_ring(60);
+    start("slow.toml", 1000, 700);
+    press("space"); // pause
+    move(10, 10);
+    std::this_thread::sleep_for(2s);
+    const double before = program->cpu_seconds();
+    std::this_thread::sleep_for(3s);
+    EXPECT_LT(program->cpu_seconds() - before, 0.05);
+    ASSERT_TRUE(program->running());
+}
+
+TEST(WithoutADisplay, TheWindowIsRefusedInOneSentence) {
+    const auto log = std::filesystem::path(testing::TempDir()) / "gaspard-no-display";
+    ChildProcess::Setup setup;
+    setup.command = {GASPARD_PROGRAM};
+    setup.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
+    setup.output = log;
+    ChildProcess process(setup);
+    EXPECT_EQ(process.wait(20s), 1);
+    const std::string text = text_of(log);
+    EXPECT_NE(text.find("No display"), std::string::npos) << text;
+    EXPECT_NE(text.find("gaspard run"), std::string::npos) << text;
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+    std::filesystem::remove(log);
+}
+
+} // namespace
+} // namespace gaspard

@@ -1,0 +1,52 @@
+#include "core/scenario/toml.hpp"
+#include "gui/document/value_changes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+class ValueChangesTest : public testing::Test {
+  protected:
+    Scenario with(const std::vector<std::string>& settings) const {
+        Scenario scenario = ring;
+        apply_settings(catalogue, scenario, settings);
+        return scenario;
+    }
+    Catalogue catalogue = builtin_catalogue();
+    Scenario ring = find_scenario(catalogue, "plane-ring");
+};
+
+TEST_F(ValueChangesTest, NameEveryValueThatDiffersAndNoOther) {
+    EXPECT_TRUE(value_changes(ring, ring).empty());
+    EXPECT_TRUE(value_changes(ring, with({"view.blend=0.5"})).empty()) << "a view changes no solution";
+    const auto changes = value_changes(ring, with({"monitor.amplitude=20", "domain.cells=120"}));
+    EXPECT_EQ(describe_changes(changes), "cells per side 60 to 120, amplitude 10 to 20");
+    ASSERT_EQ(changes.size(), 2U);
+    EXPECT_EQ(changes[1].key, "monitor.amplitude");
+}
+
+TEST_F(ValueChangesTest, OfAnotherTypeNameTheTypeOnly) {
+    EXPECT_EQ(describe_changes(value_changes(ring, with({"monitor.type=bell"}))), "monitor ring to bell");
+}
+
+TEST_F(ValueChangesTest, MakeTheNameOfARun) {
+    EXPECT_EQ(describe_scenario(catalogue, ring, ring), "Ring");
+    EXPECT_EQ(describe_scenario(catalogue, ring, with({"monitor.amplitude=20", "method.step_size=1e-3"})),
+              "Ring, amplitude 20, step size 0.001");
+    EXPECT_EQ(describe_scenario(catalogue, ring, with({"monitor.type=bell"})), "Bell");
+}
+
+TEST(WhatDiffers, LeavesOutWhatStandsInAll) {
+    using Texts = std::vector<std::string>;
+    EXPECT_EQ(what_differs({}), Texts{});
+    EXPECT_EQ(what_differs({"Ring, amplitude 20"}), (Texts{"Ring, amplitude 20"}));
+    EXPECT_EQ(
+        what_differs({"Ring, amplitude 20, radius 0.3", "Ring, radius 0.3", "Ring, amplitude 9, radius 0.3"}),
+        (Texts{"amplitude 20", "Ring", "amplitude 9"}));
+    EXPECT_EQ(what_differs({"Ring", "Bell"}), (Texts{"Ring", "Bell"}));
+    EXPECT_EQ(what_differs({"Ring, amplitude 20", "Ring, amplitude 20"}), (Texts{"Ring", "Ring"}));
+}
+
+} // namespace
+} // namespace gaspard

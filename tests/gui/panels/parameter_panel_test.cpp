@@ -1,0 +1,231 @@
+#include "core/scenario/toml.hpp"
+#include "gui/headless_ui.hpp"
+#include "gui/panels/parameter_panel.hpp"
+
+#include <gtest/gtest.h>
+#include <imgui_internal.h>
+
+namespace gaspard {
+namespace {
+
+/// One window with the three sections of a scenario, as the program shows them.
+class PanelTest : public testing::Test {
+  protected:
+    explicit PanelTest()
+        : catalogue(builtin_catalogue()), opened(find_scenario(catalogue, "plane-ring")), scenario(opened) {}
+
+    void draw() {
+        items.clear();
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({380, 900});
+        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+        for (const auto kind : {SectionKind::domain, SectionKind::monitor, SectionKind::method})
+            if (panel.draw_section(kind, {catalogue, opened, theme, items}, scenario)) ++changes;
+        ImGui::End();
+    }
+    std::function<void()> drawing() {
+        return [this] { draw(); };
+    }
+    void settle() {
+        for (int i = 0; i < 3; ++i) ui.frame(drawing());
+    }
+    void pick(const std::string& combo, const std::string& choice) {
+        ui.click(items.at(combo), drawing());
+        settle();
+        ASSERT_TRUE(items.count(combo + "=" + choice)) << "the list did not open";
+        ui.click(items.at(combo + "=" + choice), drawing());
+        settle();
+    }
+
+    HeadlessUi ui;
+    Catalogue catalogue;
+    Scenario opened, scenario;
+    Theme theme = dark_theme();
+    ParameterPanel panel;
+    ItemRectangles items;
+    int changes = 0;
+};
+
+TEST_F(PanelTest, EveryRowHasItsItem) {
+    settle();
+    for (const Values* values : {&scenario.domain.values, &scenario.monitor.values, &scenario.method.values})
+        for (const auto& row : values->rows())
+            EXPECT_TRUE(items.count(values->section() + "." + row.key)) << row.key;
+    EXPECT_EQ(changes, 0);
+    EXPECT_EQ(scenario, opened);
+}
+
+TEST_F(PanelTest, DraggingASliderChangesTheValueAndStaysInRange) {
+    settle();
+    ui.drag(items.at("monitor.amplitude"), 0.1F, 0.6F, drawing());
+    const double middle = scenario.monitor.values.real("amplitude");
+    EXPECT_GT(middle, opened.monitor.values.real("amplitude"));
+    EXPECT_GT(changes, 0);
+    ui.drag(items.at("monitor.amplitude"), 0.5F, 3.0F, drawing()); // far beyond the end
+    const auto& row = scenario.monitor.values.rows().front();
+    ASSERT_EQ(row.key, "amplitude");
+    EXPECT_EQ(scenario.monitor.values.real("amplitude"), row.maximum);
+    ui.drag(items.at("monitor.amplitude"), 0.5F, -3.0F, drawing());
+    EXPECT_EQ(scenario.monitor.values.real("amplitude"), row.minimum);
+}
+
+TEST_F(PanelTest, ALogarithmicSliderHasTheGeometricMeanInItsMiddle) {
+    settle();
+    ui.drag(items.at("monitor.sharpness"), 0.1F, 0.5F, drawing());
+    const double value = scenario.monitor.values.real("sharpness"), mean = std::sqrt(1.0 * 2000.0);
+    EXPECT_GT(value, mean / 1.5);
+    EXPECT_LT(value, mean * 1.5);
+}
+
+TEST_F(PanelTest, AWholeNumberStaysWhole) {
+    settle();
+    ui.drag(items.at("domain.cells"), 0.2F, 0.7F, drawing());
+    EXPECT_NE(scenario.domain.values.integer("cells"), opened.domain.values.integer("cells"));
+    EXPECT_GT(scenario.domain.values.integer("cells"), 60);
+}
+
+TEST_F(PanelTest, ResetIsThereOnlyWhenChangedAndRestoresTheOpenedValue) {
+    settle();
+    EXPECT_FALSE(items.count("monitor.radius.reset"));
+    scenario.monitor.values.set("radius", 0.4);
+    settle();
+    ASSERT_TRUE(items.count("monitor.radius.reset"));
+    ui.click(items.at("monitor.radius.reset"), drawing());
+    EXPECT_EQ(scenario, opened);
+    settle();
+    EXPECT_FALSE(items.count("monitor.radius.reset"));
+}
+
+TEST_F(PanelTest, ATypedValueIsTakenExactlyWhenTheFieldIsLeft) {
+    settle();
+    ui.click(items.at("monitor.amplitude.input"), drawing());
+    ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+    ui.type("12.345", drawing());
+    EXPECT_EQ(changes, 0) << "a half-typed number was taken";
+    ui.click(items.at("domain.cells.input"), drawing()); // an item drawn earlier
+    settle();
+    EXPECT_EQ(scenario.monitor.values.real("amplitude"), 12.345);
+    EXPECT_EQ(changes, 1);
+}
+
+TEST_F(PanelTest, ATypedTextIsTakenWhenTheFieldIsLeft) {
+    scenario.domain = domain_section(catalogue, "spline-patch");
+    settle();
+    ui.click(items.at("domain.file"), drawing());
+    ui.type("disk.json", drawing());
+    EXPECT_EQ(changes, 0) << "half a name was taken";
+    EXPECT_EQ(scenario.domain.values.text("file"), "");
+    ui.click(items.at("domain.cells.input"), drawing());
+    settle();
+    EXPECT_EQ(scenario.domain.values.text("file"), "disk.json");
+    EXPECT_EQ(changes, 1);
+}
+
+TEST_F(PanelTest, ATypedValueOutOfRangeBecomesTheNearestAllowed) {
+    settle();
+    ui.click(items.at("domain.cells.input"), drawing());
+    ui.type("1e9", drawing());
+    ui.click(items.at("monitor.amplitude.input"), drawing());
+    settle();
+    EXPECT_EQ(scenario.domain.values.integer("cells"), 480);
+}
+
+TEST_F(PanelTest, ControlAndClickOnASliderTypesItsValue) {
+    settle();
+    ImGui::GetIO().KeyCtrl = true;
+    ui.click(items.at("monitor.radius"), drawing());
+    ImGui::GetIO().KeyCtrl = false;
+    settle();
+    EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+    EXPECT_EQ(scenario, opened) << "the slider moved";
+    ui.type("0.125", drawing());
+    ui.click(items.at("domain.cells.input"), drawing());
+    settle();
+    EXPECT_EQ(scenario.monitor.values.real("radius"), 0.125);
+}
+
+TEST_F(PanelTest, ARowUnderTheMouseExplainsItselfBesideThePanel) {
+    settle();
+    EXPECT_EQ(ImGui::FindWindowByName("##Tooltip_00"), nullptr);
+    const ItemRectangle slider = items.at("monitor.amplitude");
+    ui.move(slider.center_x(), slider.center_y());
+    settle();
+    const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+    ASSERT_NE(tooltip, nullptr);
+    EXPECT_TRUE(tooltip->Active);
+    EXPECT_GE(tooltip->Pos.x, 380);
+    EXPECT_GT(tooltip->Size.y, 3 * ImGui::GetFontSize());
+    ui.move_away();
+    settle();
+    EXPECT_FALSE(tooltip->Active);
+}
+
+TEST_F(PanelTest, AnotherTypeTakesThatTypesRows) {
+    settle();
+    pick("monitor.type", "bell");
+    EXPECT_EQ(scenario.monitor, monitor_section(catalogue, "bell"));
+    EXPECT_FALSE(items.count("monitor.radius"));
+    scenario.monitor.values.set("sharpness", 7.0);
+    pick("monitor.type", "ring");
+    EXPECT_EQ(scenario, opened) << "the values it was opened with come back";
+}
+
+TEST_F(PanelTest, TheMonitorsRowsFollowTheDomain) {
+    scenario.monitor.values.set("amplitude", 3.0);
+    settle();
+    pick("domain.type", "cubed-sphere");
+    EXPECT_EQ(scenario.domain.type, "cubed-sphere");
+    EXPECT_EQ(scenario.monitor.values.real("amplitude"), 3);
+    settle();
+    EXPECT_TRUE(items.count("monitor.center_latitude"));
+    EXPECT_FALSE(items.count("monitor.center_x"));
+    pick("monitor.type", "x-n");
+    EXPECT_EQ(scenario.monitor.type, "x-n");
+    pick("monitor.type", "ring"); // as it was opened, but for this domain
+    EXPECT_TRUE(scenario.monitor.values.has("center_longitude"));
+    pick("monitor.type", "x-n");
+    pick("domain.type", "plane"); // which has no such monitor
+    EXPECT_EQ(scenario.monitor.type, "ring");
+    EXPECT_TRUE(scenario.monitor.values.has("center_x"));
+}
+
+TEST_F(PanelTest, WhatDoesNotGoTogetherIsGreyedOut) {
+    catalogue.capabilities.front().monitors = {"ring", "constant"};
+    settle();
+    pick("monitor.type", "bell");
+    EXPECT_EQ(scenario, opened);
+    ui.click({600, 800, 700, 850}, drawing()); // closes the list
+    settle();
+    pick("monitor.type", "constant");
+    EXPECT_EQ(scenario.monitor.type, "constant");
+}
+
+TEST_F(PanelTest, AChoiceThatDoesNotGoWithTheRestIsGreyedOut) {
+    catalogue.capabilities.front().boundaries = {"periodic"};
+    settle();
+    pick("domain.boundary", "walls");
+    EXPECT_EQ(scenario.domain.values.text("boundary"), "periodic");
+    catalogue.capabilities.front().boundaries = {"periodic", "walls"};
+    ui.click({600, 800, 700, 850}, drawing());
+    settle();
+    pick("domain.boundary", "walls");
+    EXPECT_EQ(scenario.domain.values.text("boundary"), "walls");
+}
+
+TEST_F(PanelTest, AnotherDomainBringsWhatGoesWithIt) {
+    DomainType other = catalogue.domains.front();
+    other.name = "other", other.label = "Other";
+    Capability capability = catalogue.capabilities.front();
+    capability.domain = "other", capability.monitors = {"bell"};
+    catalogue.domains.push_back(other);
+    catalogue.capabilities.push_back(capability);
+    const auto changed = with_type(catalogue, opened, scenario, SectionKind::domain, "other");
+    ASSERT_TRUE(changed.has_value());
+    EXPECT_EQ(changed->domain.type, "other");
+    EXPECT_EQ(changed->monitor.type, "bell");
+    EXPECT_EQ(changed->method, scenario.method);
+    EXPECT_FALSE(with_type(catalogue, opened, *changed, SectionKind::monitor, "ring").has_value());
+}
+
+} // namespace
+} // namespace gaspard

@@ -1,0 +1,166 @@
+// Contexts without a window, and what the renderer sends to the graphics card.
+#include "core/base/error.hpp"
+#include "gui/gl/offscreen.hpp"
+#include "gui/render/mesh_renderer.hpp"
+#include "gui/scenes.hpp"
+#include "support/messages.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+TEST(Offscreen, BothWaysWorkAndCanBeForced) {
+    EXPECT_EQ(make_offscreen_context(OffscreenBackend::osmesa)->backend(), "OSMesa");
+    EXPECT_EQ(make_offscreen_context(OffscreenBackend::egl)->backend(), "EGL");
+    EXPECT_EQ(make_offscreen_context()->backend(), "OSMesa");
+}
+
+TEST(Offscreen, ContextsComeAndGo) {
+    for (int i = 0; i < 3; ++i)
+        for (const auto backend : {OffscreenBackend::osmesa, OffscreenBackend::egl}) {
+            const auto context = make_offscreen_context(backend);
+            const RenderTarget target(context->gl(), 8, 4);
+            target.bind();
+            context->gl().ClearColor(1, 0, 0.2F, 1);
+            context->gl().Clear(GL_COLOR_BUFFER_BIT);
+            const Image image = target.read();
+            ASSERT_EQ(image.rgba.size(), 8U * 4 * 4);
+            EXPECT_EQ(image.rgba[0], 255);
+            EXPECT_EQ(image.rgba[1], 0);
+            EXPECT_EQ(image.rgba[2], 51);
+        }
+}
+
+TEST(Offscreen, RowsRunFromTopToBottom) {
+    const auto context = make_offscreen_context();
+    const Gl& gl = context->gl();
+    const RenderTarget target(gl, 4, 4);
+    target.bind();
+    gl.ClearColor(0, 0, 0, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(0, 3, 4, 1); // the uppermost row, as OpenGL counts
+    gl.ClearColor(1, 1, 1, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    const Image image = target.read();
+    EXPECT_EQ(image.rgba[0], 255);
+    EXPECT_EQ(image.rgba[3 * 4 * 4], 0);
+}
+
+TEST(Offscreen, ATooLargePictureIsTheMachinesLimit) {
+    const auto context = make_offscreen_context();
+    EXPECT_NE(message_of<MachineError>([&] { RenderTarget(context->gl(), 1000000, 10); }).find("at most"),
+              std::string::npos);
+}
+
+TEST(Gl, AMissingFunctionIsNamed) {
+    const std::string text =
+        message_of<MachineError>([] { load_gl([](const char*) -> void* { return nullptr; }); });
+    EXPECT_NE(text.find("glActiveTexture"), std::string::npos) << text;
+    EXPECT_NE(text.find("3.3"), std::string::npos) << text;
+}
+
+class Renderer : public testing::Test {
+  protected:
+    void draw(const MeshScene& scene) {
+        target_.bind();
+        renderer_.draw(scene, home(scene.box, size_), {0, 0, 320, 240}, 240, dark_theme(), 1);
+        EXPECT_EQ(context_->gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    }
+    /// Bytes sent for one more picture.
+    std::size_t sent_for(const MeshScene& scene) {
+        const std::size_t before = renderer_.uploaded_bytes();
+        draw(scene);
+        return renderer_.uploaded_bytes() - before;
+    }
+
+    Size size_{320, 240};
+    std::unique_ptr<OffscreenContext> context_ = make_offscreen_context();
+    RenderTarget target_{context_->gl(), 320, 240};
+    MeshRenderer renderer_{context_->gl()};
+    SceneBuilder maker_;
+};
+
+TEST_F(Renderer, SendsOnlyWhatChanged) {
+    Snapshot snapshot = ring_snapshot(20);
+    const std::size_t points = snapshot.x.size() * 16;
+    EXPECT_GT(sent_for(maker_.make(snapshot, view("monitor", 1))), 2 * points);
+    EXPECT_EQ(sent_for(maker_.make(snapshot, view("monitor", 1))), 0U);
+    EXPECT_EQ(sent_for(maker_.make(snapshot, view("monitor", 0.3))), 0U) << "blending is done on the card";
+    ++snapshot.version;
+    EXPECT_EQ(sent_for(maker_.make(snapshot, view("monitor", 1))), points) << "positions and values";
+    const std::size_t cells = snapshot.mesh->cell_count() * 4;
+    EXPECT_EQ(sent_for(maker_.make(snapshot, view("area", 1))), points + cells) << "one number per cell";
+    EXPECT_EQ(sent_for(maker_.make(snapshot, view("area", 0.5))), 0U);
+    Values other = view("area", 1);
+    other.set("map", std::string("grey"));
+    EXPECT_GT(sent_for(maker_.make(snapshot, other)), 0U);
+    MeshScene arrows = maker_.make(snapshot, other);
+    arrows.arrows = std::make_shared<const std::vector<std::uint32_t>>(7, 3U);
+    EXPECT_EQ(sent_for(arrows), 7U * 4);
+    EXPECT_EQ(sent_for(arrows), 0U);
+}
+
+TEST_F(Renderer, DrawsIntoItsAreaOnly) {
+    const MeshScene scene = maker_.make(ring_snapshot(10), view("monitor", 1));
+    const Gl& gl = context_->gl();
+    target_.bind();
+    gl.ClearColor(1, 1, 1, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    Camera camera = home(scene.box, {100, 80});
+    camera.scale /= 10; // the mesh is larger than the area
+    renderer_.draw(scene, camera, {40, 30, 100, 80}, 240, dark_theme(), 1);
+    const Image image = target_.read();
+    for (int y = 0; y < 240; ++y)
+        for (int x = 0; x < 320; ++x) {
+            const bool inside = x >= 40 && x < 140 && y >= 30 && y < 110;
+            const auto at = static_cast<std::size_t>(y * 320 + x) * 4;
+            const bool white =
+                image.rgba[at] == 255 && image.rgba[at + 1] == 255 && image.rgba[at + 2] == 255;
+            ASSERT_EQ(white, !inside) << x << ", " << y;
+        }
+}
+
+TEST_F(Renderer, ShowsOneMeshAfterAnother) {
+    draw(maker_.make(ring_snapshot(10), view("monitor", 1)));
+    draw(maker_.make(sphere_snapshot(3), view("monitor", 1)));
+    const Image after_others = (draw(maker_.make(ring_snapshot(5), view("none", 1))), target_.read());
+    MeshRenderer fresh(context_->gl());
+    const MeshScene scene = maker_.make(ring_snapshot(5), view("none", 1));
+    target_.bind();
+    fresh.draw(scene, home(scene.box, size_), {0, 0, 320, 240}, 240, dark_theme(), 1);
+    EXPECT_EQ(after_others.rgba, target_.read().rgba);
+}
+
+TEST_F(Renderer, LinesAreAsWideAsTheThemeSaysAtAnyZoom) {
+    Snapshot snapshot = ring_snapshot(2);
+    snapshot.x = snapshot.mesh->nodes;
+    const MeshScene scene = maker_.make(snapshot, view("none", 1));
+    const Theme theme = dark_theme();
+    for (const double closer : {1.0, 3.0, 20.0}) {
+        Camera camera = home(scene.box, size_);
+        camera.scale /= closer;
+        pan(camera, {5.5, -30});
+        target_.bind();
+        renderer_.draw(scene, camera, {0, 0, 320, 240}, 240, theme, 4);
+        const Image image = target_.read();
+        // The vertical line through the middle, summed over a row: how much of the way from the cells around
+        // it to the line's full colour the pixels have gone. Pixels that it covers whole have gone all of it.
+        const double full = static_cast<double>(
+            theme.surface.r + theme.line_on_dark.a * (theme.line_on_dark.r - theme.surface.r));
+        double ink = 0, most = 0;
+        for (int x = 140; x < 190; ++x) {
+            const auto at = static_cast<std::size_t>(60 * 320 + x) * 4;
+            const double share = (image.rgba[at] / 255.0 - static_cast<double>(theme.surface.r)) /
+                                 (full - static_cast<double>(theme.surface.r));
+            ink += std::pow(std::max(0.0, share), 1 / 0.62); // as line_layer.frag has it: light adds up
+            most = std::max(most, share);
+        }
+        EXPECT_NEAR(ink, 0.7 * 4, 0.07) << closer;
+        EXPECT_NEAR(most, 1, 0.01) << closer;
+    }
+}
+
+} // namespace
+} // namespace gaspard
