@@ -8,10 +8,9 @@
 
 #include "core/diagnostics/flat_squares.hpp"
 #include "core/diagnostics/sphere_cells.hpp"
-#include "core/mesh/mesh.hpp"
+#include "core/mesh/cell_measure.hpp"
 #include "core/monitor/monitor.hpp"
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -52,7 +51,6 @@ class QualityMeter {
         std::vector<Vec3> gradients;
         double weight = 0; ///< of the quadrature; 0 at points that only look at the sign of the Jacobian
     };
-    using Tangents = std::array<Vec3, 3>;
 
     void add_sample(Vec3 point, double weight);
     void gather(std::size_t cell, const Points& x, std::span<Vec3> nodes) const;

@@ -85,28 +85,19 @@ CellGeometry::CellGeometry(std::shared_ptr<const Mesh> mesh)
     turns_left_ = straight_in_the_plane() && tangled_in_the_plane(mesh_->nodes).empty();
 }
 
-CellGeometry::Tangents CellGeometry::tangents(std::span<const std::int32_t> cell, const Points& x,
-                                              const Sample& sample) const {
-    Tangents t{};
-    for (std::size_t k = 0; k < cell.size(); ++k) {
-        const Vec3 g = sample.gradients[k], node = x[static_cast<std::size_t>(cell[k])];
-        t[0] = t[0] + g.x * node;
-        if (dimension_ > 1) t[1] = t[1] + g.y * node;
-        if (dimension_ > 2) t[2] = t[2] + g.z * node;
-        if (on_ball_) t[2] = t[2] + sample.values[k] * node; // the place itself
-    }
+Tangents CellGeometry::tangents(std::span<const std::int32_t> cell, const Points& x,
+                                const Sample& sample) const {
+    const auto node = [&](std::size_t k) { return x[static_cast<std::size_t>(cell[k])]; };
+    Tangents t = cell_tangents(dimension_, sample.gradients, node);
+    for (std::size_t k = 0; on_ball_ && k < cell.size(); ++k) t[2] = t[2] + sample.values[k] * node(k);
     return t;
 }
 
 double CellGeometry::signed_measure(const Tangents& of, const Tangents& reference) const {
-    if (dimension_ == 2 && mesh_->space_dimension == 2) return of[0].x * of[1].y - of[0].y * of[1].x;
-    if (dimension_ == 1) return std::copysign(norm(of[0]), dot(of[0], reference[0]));
+    if (!on_ball_) return gaspard::signed_measure(dimension_, mesh_->space_dimension, of, reference);
     const Vec3 normal = cross(of[0], of[1]);
-    if (dimension_ == 3) return dot(normal, of[2]);
-    if (on_ball_)
-        return std::copysign(norm(normal),
-                             dot(normal, of[2]) * dot(cross(reference[0], reference[1]), reference[2]));
-    return std::copysign(norm(normal), dot(normal, cross(reference[0], reference[1])));
+    return std::copysign(norm(normal),
+                         dot(normal, of[2]) * dot(cross(reference[0], reference[1]), reference[2]));
 }
 
 bool CellGeometry::straight_in_the_plane() const {

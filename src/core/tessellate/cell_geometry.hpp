@@ -3,9 +3,8 @@
 // between.
 #pragma once
 
-#include "core/mesh/mesh.hpp"
+#include "core/mesh/cell_measure.hpp"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -34,14 +33,13 @@ class CellGeometry {
     std::vector<std::uint32_t> tangled(const Points& x) const;
 
   private:
-    /// d/ds, d/dt, d/du; of a surface on a ball, the third is the place.
-    using Tangents = std::array<Vec3, 3>;
     struct Sample {
         std::vector<double> values;  ///< of the shape functions
         std::vector<Vec3> gradients; ///< likewise
         double weight = 0;
     };
 
+    /// Of a surface on a ball the third is the position.
     Tangents tangents(std::span<const std::int32_t> cell, const Points& x, const Sample& sample) const;
     double signed_measure(const Tangents& of, const Tangents& reference) const;
     bool straight_in_the_plane() const;
