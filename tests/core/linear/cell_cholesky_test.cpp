@@ -68,7 +68,7 @@ void expect_solves(const CellCholesky& factor, const Dissection& dissection, con
     const Eigen::MatrixXd expected = dense.llt().solve(b);
     std::vector<double> rows(factor.size() * columns);
     const auto row = [&](Eigen::Index i) {
-        return &rows[static_cast<std::size_t>(dissection.place[static_cast<std::size_t>(i)]) * columns];
+        return &rows[static_cast<std::size_t>(dissection.permutation[static_cast<std::size_t>(i)]) * columns];
     };
     for (Eigen::Index i = 0; i < dense.rows(); ++i)
         for (int c = 0; c < columns; ++c) row(i)[c] = b(i, c);
@@ -80,7 +80,8 @@ void expect_solves(const CellCholesky& factor, const Dissection& dissection, con
 TEST(Dissection, PlacesEveryUnknownOnceAndChildrenBeforeParents) {
     const Squares grid = squares(9, 5);
     const Dissection d = dissect(grid.unknowns, grid.middles);
-    std::set<std::int32_t> places(d.place.begin(), d.place.end()), cells(d.cells.begin(), d.cells.end());
+    std::set<std::int32_t> places(d.permutation.begin(), d.permutation.end());
+    std::set<std::int32_t> cells(d.cells.begin(), d.cells.end());
     EXPECT_EQ(places.size(), grid.unknowns.count);
     EXPECT_EQ(*places.begin(), 0);
     EXPECT_EQ(cells.size(), grid.unknowns.cells());
