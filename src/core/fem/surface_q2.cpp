@@ -18,7 +18,7 @@ std::shared_ptr<const Mesh> scaled(Mesh mesh, double factor) {
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 
-/// Unknowns of every cell of a mesh whose nodes have these unknowns.
+/// The unknowns of every cell of a mesh, given the unknown of every node.
 CellUnknowns cell_unknowns(const Mesh& mesh, const std::vector<std::int32_t>& of_node) {
     CellUnknowns unknowns{
         .count = 0, .per_cell = static_cast<std::size_t>(nodes_per_cell(mesh.kind)), .numbers = mesh.cells};
@@ -29,7 +29,7 @@ CellUnknowns cell_unknowns(const Mesh& mesh, const std::vector<std::int32_t>& of
     return unknowns;
 }
 
-/// Rows of the cells in another order, with other numbers.
+/// The cells' rows of indices in the order `order`, each index mapped by the permutation `place`.
 std::vector<std::int32_t> rearranged(const std::vector<std::int32_t>& numbers, std::size_t per_cell,
                                      const std::vector<std::int32_t>& order,
                                      const std::vector<std::int32_t>& place) {
@@ -108,7 +108,7 @@ Points SurfaceQ2::middles() const {
 }
 
 void SurfaceQ2::factorise(const Progress& progress, std::stop_token stop) {
-    // The elements count cells in the order of the dissection.
+    // The elements number the cells in the order of the dissection.
     std::vector<std::size_t> position(dissection_->cells.size());
     for (std::size_t i = 0; i < position.size(); ++i)
         position[static_cast<std::size_t>(dissection_->cells[i])] = i;
@@ -131,8 +131,8 @@ void SurfaceQ2::factorise(const Progress& progress, std::stop_token stop) {
         phi_cells_, dissection_,
         [&](std::size_t cell, std::span<double> matrix) { elements_->mass(position[cell], matrix); },
         advance(0.1, "factorising the mass matrix"), stop);
-    // The constant is the kernel of the stiffness matrix. A positive number added to one place of the
-    // diagonal makes it definite; the solution for a load of sum 0 is then the one that vanishes there.
+    // The kernel of the stiffness matrix consists of the constants. Adding a positive number to one diagonal
+    // entry makes the matrix definite; for a load of sum 0 the solution then vanishes at that unknown.
     stiffness_ = std::make_unique<CellCholesky>(
         phi_cells_, dissection_,
         [&](std::size_t cell, std::span<double> matrix) {
@@ -237,11 +237,11 @@ SurfaceQ2::Residual SurfaceQ2::residual(std::span<const double> monitor, std::sp
     return {theta, std::sqrt(dot(r, r) / dot(weights_, weights_)) / std::abs(theta)};
 }
 
-/// From integrals <v, f>, theta the mean of f: what remains is <v, f - theta>. Returns theta.
+/// Turns r_v = <v, f> into <v, f - theta> with theta the mean of f; returns theta.
 double SurfaceQ2::take_mean(const Workspace& workspace, std::span<double> r) const {
     for (std::size_t i = 0; i < r.size(); ++i)
         r[i] = workspace.r[static_cast<std::size_t>(dissection_->permutation[i])];
-    const double theta = sum(r) / area_; // the functions v add up to 1
+    const double theta = sum(r) / area_; // the functions v sum to 1
     for (std::size_t i = 0; i < r.size(); ++i) r[i] -= theta * weights_[i];
     return theta;
 }
