@@ -212,7 +212,7 @@ TEST(PatchXml, SaysWhatIsWrong) {
     expect("degree=\"2\"", "order=\"2\"", "1 to 7");
     expect("0 0 0 1 1 1", "0 0 0 1 1 x", "list of numbers");
     expect("0 0 0 1 1 1", "0 0 1 1 1", "knots[1]");
-    expect("0 1 \n0 2", "0 1 \n0", "no whole number");
+    expect("0 1 \n0 2", "0 1 \n0", "not a multiple");
     expect("0.7071067811865476\n", "", "as many weights");
     expect("</coefs>\n </Geometry>", "</Geometry>", "coefs");
 }
@@ -237,7 +237,7 @@ TEST(PatchFile, IsRefusedWhereItFoldsOrHasNoArea) {
 
 TEST(PatchFile, SaysWhatIsWrong) {
     const std::vector<std::pair<std::string, std::string>> cases = {
-        {"{", "no JSON from character 2"},
+        {"{", "JSON syntax error at character 2"},
         {"[]", "object"},
         {R"({"degrees": [1, 1]})", "'knots'"},
         {R"({"degrees": [1], "knots": [[0,0,1,1]], "control_points": []})", "two"},
