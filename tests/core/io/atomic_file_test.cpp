@@ -153,15 +153,15 @@ TEST(CheckWritable, NamesAFileInTheWay) {
     put(folder / "f", "mine");
     for (const fs::path& wanted : {folder / "f", folder.path() / "f" / "g"})
         EXPECT_EQ(message_of<InputError>([&] { check_writable(wanted); }),
-                  "cannot write into the folder " + wanted.string() + ": Not a directory");
+                  "cannot write to the folder " + wanted.string() + ": Not a directory");
     EXPECT_EQ(read_file(folder / "f"), "mine");
 }
 
 TEST(CheckWritable, NamesWhatTheSystemForbids) {
     const std::string inside = message_of<InputError>([] { check_writable("/proc"); });
-    EXPECT_TRUE(contains(inside, "cannot write into the folder /proc: ")) << inside;
+    EXPECT_TRUE(contains(inside, "cannot write to the folder /proc: ")) << inside;
     const std::string below = message_of<InputError>([] { check_writable("/proc/gaspard/out"); });
-    EXPECT_TRUE(contains(below, "cannot write into the folder /proc/gaspard/out: ")) << below;
+    EXPECT_TRUE(contains(below, "cannot write to the folder /proc/gaspard/out: ")) << below;
     EXPECT_THROW(check_writable(""), InputError);
 }
 

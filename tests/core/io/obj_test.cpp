@@ -225,7 +225,7 @@ TEST(Formats, AListIsParsedAndAnUnknownNameToldWithTheNearest) {
     EXPECT_EQ(both[0]->name, "glb");
     EXPECT_EQ(both[1]->name, "obj");
     EXPECT_EQ(message_of<InputError>([] { parse_formats("obj,glbb"); }),
-              "unknown format 'glbb' (did you mean 'glb'?); there are: obj, glb, obj-curved, glb-curved, "
+              "unknown format 'glbb' (did you mean 'glb'?); allowed: obj, glb, obj-curved, glb-curved, "
               "vtu, msh, ply, ugrid, patch, svg");
     for (const char* wrong : {"", "obj,", ",obj", "obj glb", "OBJ"})
         EXPECT_THROW(parse_formats(wrong), InputError) << wrong;

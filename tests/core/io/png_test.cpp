@@ -88,12 +88,12 @@ TEST(Png, WhatIsNoPictureIsNamed) {
     std::filesystem::create_directory(folder / "folder.png");
     EXPECT_EQ(message("folder.png"), "cannot read " + (folder / "folder.png").string() + ": Is a directory");
     std::ofstream(folder / "text.png") << "I am not a picture\n";
-    EXPECT_EQ(message("text.png").find("cannot read the picture " + (folder / "text.png").string()), 0u);
+    EXPECT_EQ(message("text.png").find("cannot read the image " + (folder / "text.png").string()), 0u);
 
     write_png(folder / "whole.png", noise(40, 40));
     const std::string bytes = read_file(folder / "whole.png");
     std::ofstream(folder / "half.png", std::ios::binary) << bytes.substr(0, bytes.size() / 2);
-    EXPECT_EQ(message("half.png").find("cannot read the picture " + (folder / "half.png").string()), 0u);
+    EXPECT_EQ(message("half.png").find("cannot read the image " + (folder / "half.png").string()), 0u);
 }
 
 TEST(Png, APictureThatCannotBeWrittenIsTheMachinesFault) {
