@@ -236,15 +236,15 @@ class BadInput(Contract):
         self.refused(self.run_quick("--set", "view.pick=cell 144"), "the mesh has 144 cells")
         self.refused(self.run_quick("--set", "view.range=fixed", "--set", "view.low=2"), "below view.high = 1")
         self.refused(gaspard("plane-ring", "--set", "view.camera=from afar"), "the camera 'from afar'")
-        self.refused(self.run_quick("--size", "big"), "--size wants")
+        self.refused(self.run_quick("--size", "big"), "--size must be")
 
     def test_unknown_names_get_the_nearest(self):
         self.refused(self.run_quick("--set", "monitor.amplitud=3"), "'monitor.amplitude'")
         self.refused(self.run_quick("--set", "monitor.type=rong"), "'ring'")
         self.refused(self.run_quick(name="plane-rin"), "'plane-ring'")
         self.refused(self.run_quick("--formats", "obj,gld"), "'glb'")
-        self.refused(self.run_quick("--formats", "obj,"), "between its commas")
-        self.refused(self.run_quick("--formats", "obj,patch"), "for spline patches")
+        self.refused(self.run_quick("--formats", "obj,"), "between commas")
+        self.refused(self.run_quick("--formats", "obj,patch"), "requires a spline patch")
         self.refused(gaspard("list", "monitor"), "'monitors'")
         self.refused(gaspard("reproduce", "mcrae-fig20", "--out", self.out), "'mcrae-fig2'")
         self.refused(gaspard("show", "plane-bel"), "'plane-bell'")
