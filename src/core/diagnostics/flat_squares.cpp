@@ -45,8 +45,8 @@ Lane jacobian(const Corners& at, std::size_t k) {
 double smaller(double a, double b) { return b < a || b != b ? b : a; }
 double larger(double a, double b) { return b > a || b != b ? b : a; }
 
-/// The coefficients of x = x0 + s a + t b + s t d, one coordinate.
 /// The coefficients of one coordinate of x = x0 + s a + t b + s t d.
+struct Bilinear {
 Lane start, a, b, d;
 
 explicit Bilinear(const std::array<Lane, 4>& x) : start(x[0]), a(), b(), d() {

@@ -12,7 +12,6 @@
 //
 // In the mixed form Psi follows from phi, so that phi is the only unknown of either form. Sums are factorised
 // by direction. In arrays over tensor products x runs fastest.
-// direction after the other. Arrays over a product run fastest in x.
 #pragma once
 
 #include "core/linear/fast_diagonalisation.hpp"

@@ -51,7 +51,7 @@ TEST(StateFile, ReadsBackToTheSameBits) {
     }
 }
 
-TEST(StateFile, HasTheLayoutThatIsWrittenDown) {
+TEST(StateFile, HasTheDocumentedLayout) {
     const TemporaryFolder folder;
     write_state(folder / "state.bin", State{"L=1", {{"ab", {1.0, -2.0}}}});
     const std::string body = std::string("GASPARD STATE\n\0\0", 16) + little_endian(1, 4) +
@@ -61,7 +61,7 @@ TEST(StateFile, HasTheLayoutThatIsWrittenDown) {
     EXPECT_EQ(read_file(folder / "state.bin"), with_checksum(body));
 }
 
-TEST(StateFile, AnyChangedByteIsFound) {
+TEST(StateFile, DetectsAnyChangedByte) {
     const TemporaryFolder folder;
     write_state(folder / "state.bin", sample());
     const std::string whole = read_file(folder / "state.bin");
@@ -75,7 +75,7 @@ TEST(StateFile, AnyChangedByteIsFound) {
         }
 }
 
-TEST(StateFile, AnyOtherLengthIsFound) {
+TEST(StateFile, DetectsAnyOtherLength) {
     const TemporaryFolder folder;
     write_state(folder / "state.bin", sample());
     const std::string whole = read_file(folder / "state.bin");
@@ -87,7 +87,7 @@ TEST(StateFile, AnyOtherLengthIsFound) {
     EXPECT_THROW(read_state(folder / "long.bin"), InputError);
 }
 
-TEST(StateFile, LengthsThatLieAreFoundEvenUnderARightChecksum) {
+TEST(StateFile, DetectsWrongLengthsDespiteAValidChecksum) {
     const TemporaryFolder folder;
     const std::string start = std::string("GASPARD STATE\n\0\0", 16) + little_endian(1, 4);
     const std::string one = little_endian(1, 4);
@@ -103,7 +103,7 @@ TEST(StateFile, LengthsThatLieAreFoundEvenUnderARightChecksum) {
     }
 }
 
-TEST(StateFile, SaysWhatIsWrong) {
+TEST(StateFile, ReportsErrors) {
     const TemporaryFolder folder;
     const std::string file = (folder / "state.bin").string();
     EXPECT_EQ(refusal(file), "cannot read " + file + ": No such file or directory");

@@ -10,7 +10,7 @@
 namespace gaspard {
 namespace {
 
-/// Quadratic squares, n x m, as nine unknowns a cell; the places of the cells.
+/// n x m biquadratic squares, nine unknowns per cell; and the centres of the cells.
 struct Squares {
     CellUnknowns unknowns;
     Points middles;
@@ -77,7 +77,7 @@ void expect_solves(const CellCholesky& factor, const Dissection& dissection, con
         for (int c = 0; c < columns; ++c) ASSERT_NEAR(row(i)[c], expected(i, c), 1e-12);
 }
 
-TEST(Dissection, PlacesEveryUnknownOnceAndChildrenBeforeParents) {
+TEST(Dissection, OrdersEveryUnknownOnceAndChildrenBeforeParents) {
     const Squares grid = squares(9, 5);
     const Dissection d = dissect(grid.unknowns, grid.middles);
     std::set<std::int32_t> places(d.permutation.begin(), d.permutation.end());
@@ -96,13 +96,13 @@ TEST(Dissection, PlacesEveryUnknownOnceAndChildrenBeforeParents) {
     EXPECT_TRUE(d.parts.back().border.empty());
 }
 
-TEST(Dissection, CutsAcrossTheNarrowSide) {
+TEST(Dissection, BisectsTheLongSide) {
     const Squares grid = squares(32, 4);
     const Dissection d = dissect(grid.unknowns, grid.middles);
     EXPECT_EQ(d.parts.back().end - d.parts.back().begin, 9); // one line of nodes
 }
 
-TEST(CellCholesky, SolvesWhatADenseMatrixSolves) {
+TEST(CellCholesky, AgreesWithDenseElimination) {
     for (const auto& [n, m] : {std::pair{1, 1}, {2, 1}, {3, 3}, {6, 5}, {8, 8}}) {
         const Squares grid = squares(n, m);
         const auto matrices = random_matrices(grid.unknowns);
@@ -115,8 +115,8 @@ TEST(CellCholesky, SolvesWhatADenseMatrixSolves) {
     }
 }
 
-TEST(CellCholesky, HasLittleFill) {
-    // Of a band matrix there would be about n^(3/2) entries; dissection leaves n log n.
+TEST(CellCholesky, HasLittleFillIn) {
+    // A band factorisation has about n^(3/2) entries, nested dissection n log n.
     const Squares grid = squares(32, 32);
     const auto matrices = random_matrices(grid.unknowns);
     const auto dissection = std::make_shared<const Dissection>(dissect(grid.unknowns, grid.middles));
@@ -124,7 +124,7 @@ TEST(CellCholesky, HasLittleFill) {
     EXPECT_LT(factor.entries(), 55 * grid.unknowns.count);
 }
 
-TEST(CellCholesky, TellsOfItsProgressAndStops) {
+TEST(CellCholesky, ReportsProgressAndStops) {
     const Squares grid = squares(8, 8);
     const auto matrices = random_matrices(grid.unknowns);
     const auto dissection = std::make_shared<const Dissection>(dissect(grid.unknowns, grid.middles));
@@ -140,7 +140,7 @@ TEST(CellCholesky, TellsOfItsProgressAndStops) {
                  Interrupted);
 }
 
-TEST(CellCholesky, RefusesWhatIsNotPositiveDefinite) {
+TEST(CellCholesky, RejectsIndefiniteMatrices) {
     const Squares grid = squares(2, 2);
     auto matrices = random_matrices(grid.unknowns);
     matrices[1] = -10 * matrices[1];
