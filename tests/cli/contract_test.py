@@ -175,7 +175,7 @@ class Runs(Contract):
             self.assertEqual((again.returncode, again.stderr), (0, ""))
         shutil.rmtree(self.out)
         self.refused(gaspard("run", "spline-circle", "--out", self.out, *chosen, "--set", "domain.control_points=1 2"),
-                     "has 1 points, and the patch 4")
+                     "lists 1 points, but the patch has 4")
         self.refused(gaspard("run", "spline-circle", "--out", self.out, *chosen, "--set", "domain.control_points=1, 2"),
                      "points of two numbers")
 

@@ -6,7 +6,7 @@
 
 namespace gaspard {
 
-/// exp(t) for t <= 700, to about two units in the last place. Returns 0 for t < -708 and NaN for NaN.
+/// exp(t) for t <= 0, to about two units in the last place. Returns 0 for t < -708 and NaN for NaN.
 /// The result is undefined for t > 700.
 inline double exponential(double t) {
     // t = k ln 2 + r, |r| <= ln 2 / 2; adding 1.5 * 2^52 leaves the integer k in the lowest bits.

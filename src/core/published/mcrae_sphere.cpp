@@ -84,9 +84,9 @@ std::vector<Recipe> mcrae_sphere_recipes() {
         return [=](const Workshop& workshop) { return one_mesh(workshop, scenario, title, caption); };
     };
     return {make_recipe("mcrae-fig5", "cubed-sphere X2 mesh, 6 x 16 x 16",
-                        mesh("sphere-x2", "X2", "Cubed-sphere X2 mesh (5.10), gamma = (1/2)^4")),
+                        mesh("sphere-x2", "X2", "Cubed-sphere X2 mesh (5.10), γ = (1/2)⁴")),
             make_recipe("mcrae-fig6", "cubed-sphere X16 mesh, 6 x 16 x 16",
-                        mesh("sphere-x16", "X16", "Cubed-sphere X16 mesh (5.10), gamma = (1/16)^4")),
+                        mesh("sphere-x16", "X16", "Cubed-sphere X16 mesh (5.10), γ = (1/16)⁴")),
             make_recipe("mcrae-fig7", "icosahedral mesh adapted to crossing bands, 5120 triangles",
                         mesh("sphere-cross", "Cross", "Icosahedral mesh adapted to crossing bands (5.11)")),
             make_recipe("mcrae-fig8", "convergence of the relaxation method on the cubed sphere, X2 and X16",

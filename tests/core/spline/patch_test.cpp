@@ -193,7 +193,7 @@ TEST(ControlPoints, ReadBackAndReportErrors) {
             std::string::npos)
             << wrong;
     EXPECT_EQ(message_of<InputError>([] { parse_control_points("1 2, 3 4", 9); }),
-              "domain.control_points has 2 points, and the patch 9");
+              "domain.control_points lists 2 points, but the patch has 9");
 }
 
 TEST(PatchXml, ReportsErrors) {
