@@ -117,8 +117,23 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 Values::Values(std::string section, std::vector<ParameterRow> rows)
     : section_(std::move(section)), rows_(std::move(rows)) {
     for (const auto& row : rows_) values_.push_back(row.default_value);
-    for (const auto& row : rows_)
-        set(row.key, row.default_value); // checks that the default is in range
+    for (const auto& row : rows_) set(row.key, row.default_value); // checks that the default is in range
+}
+
+const ParameterRow* find_role(const std::vector<ParameterRow>& rows, ParameterRole role) {
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.role == role; });
+    return row == rows.end() ? nullptr : &*row;
+}
+
+std::optional<Remedy> find_remedy(const Values& values) {
+    for (const ParameterRow& row : values.rows())
+        if (row.remedy && *row.remedy != values.at(row.key)) return Remedy{row.key, *row.remedy};
+    return std::nullopt;
+}
+
+std::string describe(const Values& section, const Remedy& remedy) {
+    return section.section() + "." + remedy.key + " = " + format_value(remedy.value);
 }
 
 bool is_default(const Values& values, std::string_view key) {

@@ -18,19 +18,38 @@ enum class ParameterScale { linear, logarithmic };
 
 using Value = std::variant<double, std::int64_t, bool, std::string>;
 
+/// Special meaning of a parameter, independent of its key.
+enum class ParameterRole {
+    none,
+    x, ///< with role y and the same `point`: a draggable point of the plane
+    y,
+    latitude, ///< with role longitude and the same `point`: a draggable point of the sphere
+    longitude,
+    seed,           ///< of the random number generator
+    control_points, ///< of a spline patch, as text
+    defines_rows,   ///< other rows depend on its value, so it is set before them
+};
+
 struct ParameterRow {
-    std::string key{}; ///< key within its section: "amplitude"
-    std::string label{}; ///< label of its slider: "Amplitude"
+    std::string key{};    ///< key within its section: "amplitude"
+    std::string label{};  ///< label of its slider: "Amplitude"
     std::string symbol{}; ///< symbol in the paper; may be empty
     std::string unit{};   ///< may be empty
     ParameterKind kind = ParameterKind::real;
     double minimum = -std::numeric_limits<double>::infinity(); ///< inclusive; numeric kinds only
-    double maximum = std::numeric_limits<double>::infinity(); ///< inclusive; numeric kinds only
+    double maximum = std::numeric_limits<double>::infinity();  ///< inclusive; numeric kinds only
     ParameterScale scale = ParameterScale::linear;
     Value default_value = 0.0;
     std::vector<std::string> choices{}; ///< kind choice only
     std::string help{};                 ///< one line
+    ParameterRole role = ParameterRole::none;
+    std::string point{};           ///< coordinates only: the point they belong to ("center")
+    bool periodic = false;         ///< minimum and maximum are equivalent
+    std::optional<Value> remedy{}; ///< the value that often helps if a run fails
 };
+
+/// The first row with a role; null if there is none.
+const ParameterRow* find_role(const std::vector<ParameterRow>& rows, ParameterRole role);
 
 /// The values of one section, such as "monitor": one value per row, always within its range.
 class Values {
@@ -68,6 +87,16 @@ class Values {
     std::vector<ParameterRow> rows_;
     std::vector<Value> values_;
 };
+
+/// Another value of one parameter, which often helps if a run fails.
+struct Remedy {
+    std::string key;
+    Value value;
+};
+/// The remedy of the first row whose value differs from it; nullopt if there is none.
+std::optional<Remedy> find_remedy(const Values& values);
+/// "domain.geometry_order = 2".
+std::string describe(const Values& section, const Remedy& remedy);
 
 /// Whether the value equals its row's default.
 bool is_default(const Values& values, std::string_view key);

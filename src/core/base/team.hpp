@@ -43,9 +43,9 @@ class Team {
     void work_until_stopped(std::size_t worker);
 
     const std::function<void(std::size_t)>* work_ = nullptr; ///< null: the workers end
-    std::atomic<unsigned> round_ = 0; ///< incremented for each call of share
+    std::atomic<unsigned> round_ = 0;                        ///< incremented for each call of share
     std::atomic<std::size_t> busy_ = 0; ///< number of other workers still busy in this round
-    std::vector<Other> others_; ///< last, so that threads are joined before the other members go
+    std::vector<Other> others_;         ///< last, so that threads are joined before the other members go
 };
 
 } // namespace gaspard

@@ -47,18 +47,18 @@ double larger(double a, double b) { return b > a || b != b ? b : a; }
 
 /// The coefficients of one coordinate of x = x0 + s a + t b + s t d.
 struct Bilinear {
-Lane start, a, b, d;
+    Lane start, a, b, d;
 
-explicit Bilinear(const std::array<Lane, 4>& x) : start(x[0]), a(), b(), d() {
-    for (std::size_t c = 0; c < batch; ++c) {
-        a[c] = x[1][c] - x[0][c];
-        b[c] = x[3][c] - x[0][c];
-        d[c] = (x[2][c] - x[3][c]) - a[c];
+    explicit Bilinear(const std::array<Lane, 4>& x) : start(x[0]), a(), b(), d() {
+        for (std::size_t c = 0; c < batch; ++c) {
+            a[c] = x[1][c] - x[0][c];
+            b[c] = x[3][c] - x[0][c];
+            d[c] = (x[2][c] - x[3][c]) - a[c];
+        }
     }
-}
-void at(double s, double t, double* __restrict out) const {
-    for (std::size_t c = 0; c < batch; ++c) out[c] = start[c] + s * a[c] + t * (b[c] + s * d[c]);
-}
+    void at(double s, double t, double* __restrict out) const {
+        for (std::size_t c = 0; c < batch; ++c) out[c] = start[c] + s * a[c] + t * (b[c] + s * d[c]);
+    }
 };
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "core/base/parameter.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/svg.hpp"
+#include "core/scenario/catalogue.hpp"
 #include "core/spline/patch_file.hpp"
 #include "core/spline/patch_xml.hpp"
 #include "core/tessellate/colouring.hpp"
@@ -180,10 +181,11 @@ std::vector<const Format*> parse_formats(std::string_view list) {
     }
 }
 
-std::vector<const Format*> formats_of(const Scenario& scenario) {
+std::vector<const Format*> formats_of(const Catalogue& catalogue, const Scenario& scenario) {
+    const bool is_spline = catalogue.domain(scenario.domain.type).spline_patch;
     auto chosen = parse_formats(scenario.output.text("formats"));
     for (const Format* format : chosen)
-        if (format->splines_only && !scenario.domain.values.has("degree"))
+        if (format->splines_only && !is_spline)
             throw InputError("format '" + format->name + "' requires a spline patch; domain '" +
                              scenario.domain.type + "' is not one");
     return chosen;

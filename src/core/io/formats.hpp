@@ -15,6 +15,8 @@
 
 namespace gaspard {
 
+struct Catalogue;
+
 struct SplinePatch;
 struct Tessellation;
 
@@ -57,8 +59,7 @@ struct RunResult {
     const std::vector<StepReport>& history;
     Space space;            ///< of the domain; tells whether opposite sides are identified
     ColourChoice colours{}; ///< from the view
-    double curve_tolerance =
-        default_curve_tolerance;                ///< relative to the size of the mesh
+    double curve_tolerance = default_curve_tolerance; ///< relative to the size of the mesh
     std::shared_ptr<const SplinePatch> patch{}; ///< the mesh as splines; null if it is not a spline mesh
 };
 
@@ -76,6 +77,6 @@ bool exports(const Scenario& scenario, std::string_view format);
 /// Parses a list such as "obj,glb". Throws InputError for an unknown name; the message names the nearest.
 std::vector<const Format*> parse_formats(std::string_view list);
 /// The formats of a scenario. Throws InputError also if a format does not support the domain.
-std::vector<const Format*> formats_of(const Scenario& scenario);
+std::vector<const Format*> formats_of(const Catalogue& catalogue, const Scenario& scenario);
 
 } // namespace gaspard

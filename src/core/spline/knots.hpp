@@ -19,9 +19,7 @@ struct KnotVector {
     int degree = 1;            ///< 0 to highest_degree
     std::vector<double> knots; ///< ascending from 0 to 1; multiplicities at most degree + 1
 
-    std::size_t size() const {
-        return knots.size() - static_cast<std::size_t>(degree) - 1;
-    } ///< dimension
+    std::size_t size() const { return knots.size() - static_cast<std::size_t>(degree) - 1; } ///< dimension
     /// The distinct knots, which bound the cells.
     std::vector<double> breaks() const;
     friend bool operator==(const KnotVector&, const KnotVector&) = default;
