@@ -12,14 +12,14 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t batch = 64; // cells whose quadrature points are handed to the monitor at once
+constexpr std::size_t batch = 64; // cells whose quadrature points are evaluated by the monitor in one call
 
 std::size_t checked(int threads) {
     GASPARD_CHECK(threads >= 1);
     return static_cast<std::size_t>(threads);
 }
 
-// Of two numbers; what is not a number wins, so that it does not get lost.
+// Minimum and maximum that return NaN if b is NaN.
 double smaller(double a, double b) { return std::isnan(b) || b < a ? b : a; }
 double larger(double a, double b) { return std::isnan(b) || b > a ? b : a; }
 

@@ -11,7 +11,7 @@ namespace gaspard {
 
 namespace {
 
-/// The facets of one cell as local node numbers.
+/// The facets of one cell as lists of local node numbers.
 using LocalFacets = std::vector<std::vector<int>>;
 
 Vec3 mean_of(CellKind kind, std::span<const int> local) {
@@ -27,7 +27,7 @@ int node_at(CellKind kind, Vec3 where) {
     return static_cast<int>(found - nodes.begin());
 }
 
-/// The faces of a solid with the nodes on their edges and in their middle.
+/// The faces of a solid cell with the nodes on their edges and in their interior.
 LocalFacets whole_faces(CellKind kind) {
     LocalFacets faces;
     for (const auto& corners : cell_faces(kind)) {
@@ -59,7 +59,7 @@ Facets no_facets(CellKind cell) {
 }
 
 struct Candidate {
-    std::array<std::int32_t, 4> corners{-1, -1, -1, -1}; ///< sorted: the same for both cells beside it
+    std::array<std::int32_t, 4> corners{-1, -1, -1, -1}; ///< sorted: equal for both cells of the facet
     std::uint32_t cell = 0, local = 0;
 };
 
@@ -79,7 +79,7 @@ std::vector<Candidate> candidates(const Mesh& mesh, const LocalFacets& local, st
     return all;
 }
 
-/// Those that are there once only, in the order of cells.
+/// The candidates that occur exactly once, in the order of cells.
 std::vector<Candidate> single_candidates(const Mesh& mesh, const LocalFacets& local, std::size_t corners) {
     std::vector<Candidate> all = candidates(mesh, local, corners);
     std::sort(all.begin(), all.end(),
@@ -115,7 +115,7 @@ std::vector<BoxSide> box_sides(int dimension) {
     return sides;
 }
 
-/// Whether all these nodes lie on a side of the box around the mesh.
+/// Whether all nodes lie on the given side of the bounding box.
 bool lies_on(const Mesh& mesh, std::span<const std::int32_t> nodes, const BoxSide& side, double place,
              double slack) {
     return std::all_of(nodes.begin(), nodes.end(), [&](std::int32_t node) {

@@ -11,14 +11,14 @@ namespace gaspard {
 
 namespace {
 
-constexpr int quadrature_points = 3; // per direction: exact for cells of order 2 in the plane
+constexpr int quadrature_points = 3; // per direction; exact for cells of order 2 in the plane
 
-/// Of the parallelograms at the `corners` of a straight cell in the plane, between both neighbours each.
-/// Inline, for what it finds belongs into registers.
+/// Areas of the parallelograms spanned at each corner of a straight-edged planar cell by its two edges.
+/// Inlined, so that the result stays in registers.
 template <std::size_t corners>
 [[gnu::always_inline]] inline std::array<double, corners> corner_areas(const std::int32_t* cell,
                                                                        const double* x, const double* y) {
-    std::array<double, corners> to_x, to_y, areas; // to_*: from the corner before
+    std::array<double, corners> to_x, to_y, areas; // to_*: vector from the previous corner
     for (std::size_t k = 0; k < corners; ++k) {
         to_x[k] = x[cell[k]] - x[cell[(k + corners - 1) % corners]];
         to_y[k] = y[cell[k]] - y[cell[(k + corners - 1) % corners]];
@@ -38,7 +38,7 @@ void straight_jacobians(const Mesh& mesh, const Points& x, std::vector<double>& 
         const std::int32_t* cell = mesh.cells.data() + corners * i;
         const auto areas = corner_areas<corners>(cell, to_x, to_y);
         const auto of = corner_areas<corners>(cell, from_x, from_y);
-        double smallest = areas[0] / of[0], sum = smallest; // no branch: which is smallest cannot be foretold
+        double smallest = areas[0] / of[0], sum = smallest; // branch-free, because the order is unpredictable
         for (std::size_t k = 1; k < corners; ++k) {
             const double jacobian = areas[k] / of[k];
             smallest = jacobian < smallest ? jacobian : smallest;
@@ -107,7 +107,7 @@ bool CellGeometry::straight_in_the_plane() const {
 std::vector<double> CellGeometry::measures(const Points& x) const {
     GASPARD_CHECK(x.size() == mesh_->node_count());
     std::vector<double> found(mesh_->cell_count());
-    if (straight_in_the_plane()) { // half the product of the diagonals, or of two sides
+    if (straight_in_the_plane()) { // half the cross product of the diagonals, or of two sides
         const auto corners = static_cast<std::size_t>(corners_per_cell(mesh_->kind));
         for (std::size_t i = 0; i < found.size(); ++i) {
             const std::int32_t* c = mesh_->cells.data() + i * corners;
