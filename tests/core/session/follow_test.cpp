@@ -96,7 +96,7 @@ TEST_F(Follow, ABadMonitorIsOneSentenceAndTheRunGoesOn) {
             run.follow(function_monitor([bad](Vec3 p) { return p.x > 0.5 ? bad : 1; }));
             FAIL() << bad;
         } catch (const InputError& error) {
-            EXPECT_NE(std::string(error.what()).find("must be positive and finite, and is"),
+            EXPECT_NE(std::string(error.what()).find("must be positive and finite, but is"),
                       std::string::npos);
         }
         EXPECT_EQ(run.state(), state);
