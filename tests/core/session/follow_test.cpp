@@ -117,7 +117,7 @@ TEST_F(Follow, AFunctionOfAnotherSpaceIsRefused) {
         FAIL() << "a function of the periodic square";
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(),
-                     "the monitor is a function of a periodic square, which domain 'cubed-sphere' is not");
+                     "the monitor is a function on a periodic square, but domain 'cubed-sphere' is not");
     }
     EXPECT_EQ(run.scenario().monitor.type, "x-n") << "the run is as it was";
     run.follow(function_monitor([](Vec3 p) { return 2 + p.z; }, run.space()));
