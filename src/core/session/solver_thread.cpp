@@ -172,8 +172,8 @@ bool SolverThread::prepare(std::stop_token stop) {
                 std::make_unique<Run>(catalogue_, scenario_, options_.run, activity.progress, activity.stop);
         });
         if (!finished)
-            return give_up(RunStatus::interrupted, "The preparation was cancelled; press Run to start it again.",
-                           false);
+            return give_up(RunStatus::interrupted,
+                           "The preparation was cancelled; press Run to start it again.", false);
     } catch (const InputError& error) {
         return give_up(RunStatus::failed, error.what(), true);
     }

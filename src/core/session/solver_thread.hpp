@@ -62,11 +62,11 @@ struct SolverMessage {
 struct SolverStatus {
     RunStatus run = RunStatus::preparing;
     bool paused = true;
-    double progress = 0;        ///< progress of the preparation, in [0, 1]
-    std::string activity;       ///< current step of the preparation
-    std::uint64_t messages = 0; ///< total number of messages
-    std::uint64_t answered = 0; ///< number of the last ChangeCommand that was executed
-    bool refused = false;       ///< whether that command failed: invalid values, or cancelled
+    double progress = 0;                      ///< progress of the preparation, in [0, 1]
+    std::string activity;                     ///< current step of the preparation
+    std::uint64_t messages = 0;               ///< total number of messages
+    std::uint64_t answered = 0;               ///< number of the last ChangeCommand that was executed
+    bool refused = false;                     ///< whether that command failed: invalid values, or cancelled
     std::shared_ptr<const Scenario> scenario; ///< current values of the run; null before the first run
 };
 
