@@ -23,7 +23,8 @@ bool starts_with_key(std::string_view key, std::string_view prefix) {
 /// The sections with a type in this scenario; monitor.target precedes monitor, which is a prefix of its name.
 std::vector<Section*> typed_sections(Scenario& scenario) {
     std::vector<Section*> sections;
-    for (Section* section : {&scenario.target, &scenario.domain, &scenario.monitor, &scenario.method, &scenario.pde})
+    for (Section* section :
+         {&scenario.target, &scenario.domain, &scenario.monitor, &scenario.method, &scenario.pde})
         if (!section->type.empty()) sections.push_back(section);
     return sections;
 }
