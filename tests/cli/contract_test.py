@@ -69,7 +69,7 @@ class Runs(Contract):
     def test_the_summary_tells_what_a_method_did(self):
         result = self.run_quick("--set", "method.type=auto")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertTrue(self.summary()["note"].startswith("1: accelerated relaxation first"), self.summary()["note"])
+        self.assertTrue(self.summary()["note"].startswith("1: starting with accelerated relaxation"), self.summary()["note"])
 
     def test_converges_and_writes_every_file(self):
         result = self.run_quick(render=True)

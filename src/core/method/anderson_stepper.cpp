@@ -1,6 +1,6 @@
-// The relaxation, accelerated by Anderson's method. A step of his is taken as long as it leaves the map
-// convex; where it does not, a plain one of the length that is stable takes its place, and what was
-// remembered is forgotten.
+// The relaxation with Anderson acceleration. An accelerated step is accepted if the map keeps at least a
+// tenth of its convexity and the residual grows by less than a factor of 10. Otherwise a plain relaxation
+// step of stable length is taken, and the acceleration restarts: the stored differences are discarded.
 #include "core/method/anderson.hpp"
 #include "core/method/stepper.hpp"
 
@@ -11,10 +11,10 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t memory = 10;      ///< differences that Anderson's method remembers
-constexpr double least_convexity = 0.1; ///< of that before a step; less is not taken
-constexpr double largest_growth = 10;   ///< of the residual in a step
-constexpr int longest_wait = 4;         ///< plain steps between two attempts of Anderson's
+constexpr std::size_t memory = 10;      ///< number of differences stored
+constexpr double least_convexity = 0.1; ///< accepted convexity after a step, relative to that before it
+constexpr double largest_growth = 10;   ///< accepted growth of the residual in a step
+constexpr int longest_wait = 4;         ///< maximum number of plain steps between accelerated steps
 
 class AndersonStepper final : public Stepper {
   public:
@@ -36,7 +36,7 @@ class AndersonStepper final : public Stepper {
         double length = now.shape.stable_step;
         problem_->direction(direction_);
         anderson_->propose(u, direction_, problem_->residual(), length, next_);
-        std::swap(u, next_); // next_ keeps the iterate from which the step is made
+        std::swap(u, next_); // next_ now holds the iterate before the step
         Iterate next;
         if (waiting_ == 0) {
             next = evaluate(*problem_, data, u);
@@ -52,7 +52,7 @@ class AndersonStepper final : public Stepper {
             --waiting_;
         }
 
-        // A plain one; shorter, as long as there is convexity to lose.
+        // A plain step; if the iterate is convex, it is halved until the result is acceptable.
         int halvings = now.shape.admissibility > 0 ? 4 : 0;
         if (anderson_->count() == 0) length /= 2, halvings = std::max(0, halvings - 1);
         if (forget) anderson_->forget_differences();
@@ -68,7 +68,7 @@ class AndersonStepper final : public Stepper {
     NonlinearProblem* problem_ = nullptr;
     std::optional<Anderson> anderson_;
     std::vector<double> direction_, next_;
-    int failures_ = 0, waiting_ = 0; ///< of his steps in a row; plain steps to make before the next one
+    int failures_ = 0, waiting_ = 0; ///< rejected steps in a row; plain steps left
 };
 
 } // namespace

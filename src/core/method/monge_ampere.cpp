@@ -9,7 +9,7 @@
 namespace gaspard {
 
 IterateShape MongeAmpereEquation::shape() const {
-    constexpr double not_elliptic = 1e4; // there the condition number is not defined
+    constexpr double not_elliptic = 1e4; // condition number reported if lambda_min <= 0
     const Ellipticity of = ellipticity();
     return {.admissibility = of.convexity,
             .stable_step = gaspard::stable_step(of),
@@ -29,8 +29,8 @@ std::string MongeAmpereEquation::name_of_continued(double t) const {
 }
 
 double stable_step(const Ellipticity& ellipticity) {
-    constexpr double shortened = 0.98; // the extremes are those at the vertices
-    constexpr double careful = 0.1;    // where nothing is elliptic, and so nothing to go by
+    constexpr double shortened = 0.98; // lambda_max is taken at vertices only and may be underestimated
+    constexpr double careful = 0.1;    // if lambda_max <= 0, there is no stability bound
     if (!(ellipticity.fastest > 0)) return careful;
     return std::min(longest_step, shortened * 2 / (ellipticity.fastest + std::max(0.0, ellipticity.slowest)));
 }

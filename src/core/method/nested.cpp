@@ -9,15 +9,15 @@ namespace gaspard {
 
 namespace {
 
-constexpr double far = 0.3;            ///< a residual from which coarser meshes are worth the way
-constexpr double good_enough = 3e-2;   ///< a residual with which a coarser mesh has done its work
-constexpr int coarse_iterations = 150; ///< more are not spent on a coarser mesh
-constexpr double hopeless = 100;       ///< a residual from which a coarser mesh leads nowhere
+constexpr double far = 0.3;            ///< residual above which the iteration starts on the coarsest mesh
+constexpr double good_enough = 3e-2;   ///< residual below which a coarser mesh is solved
+constexpr int coarse_iterations = 150; ///< maximum number of iterations on a coarser mesh
+constexpr double hopeless = 100;       ///< residual above which a coarser mesh is given up
 
 } // namespace
 
-Nested::Nested(std::unique_ptr<NonlinearProblem> problem, std::unique_ptr<Stepper> stepper, const Values& values,
-               const Progress& progress, std::stop_token stop)
+Nested::Nested(std::unique_ptr<NonlinearProblem> problem, std::unique_ptr<Stepper> stepper,
+               const Values& values, const Progress& progress, std::stop_token stop)
     : stepper_(std::move(stepper)) {
     for (; problem; problem = levels_.back()->coarser(progress, stop))
         levels_.push_back(std::move(problem));
@@ -41,7 +41,7 @@ double Nested::other_cpu_seconds() const {
 }
 
 std::optional<State> Nested::adopt(const State& other, const Discretisation* of) {
-    for (const auto& level : levels_) // the way up goes on from there
+    for (const auto& level : levels_) // continue from that level
         if (other.layout == level->layout()) return level->adopt(other, of);
     return levels_[0]->adopt(other, of);
 }
@@ -54,14 +54,14 @@ Evaluation Nested::evaluate(const ProblemData& data, const State& state, std::st
     may_go_down_ = true;
     look_at(data, here().unknowns(state));
     if (level_ == 0) return now_.evaluation;
-    // What is said of a map is said of the mesh that was asked for, or a coarse one might end a run.
+    // Report the residual on the finest mesh; a small residual on a coarser one must not end the run.
     const State fine = levels_[0]->adopt(here(), here().unknowns(state));
     prolonged_ = true;
     return levels_[0]->evaluate(data, fine.arrays[0].values);
 }
 
 Evaluation Nested::step(const ProblemData& data, State& state, std::stop_token stop) {
-    here().unknowns(state); // checks that it is of this layout before anything is written
+    here().unknowns(state); // checks the layout before anything is changed
     if (std::exchange(may_go_down_, false) && level_ == 0 && now_.evaluation.residual > far &&
         levels_.size() > 1) {
         start_ = here().unknowns(state);
@@ -94,7 +94,7 @@ const Points& Nested::positions() {
 }
 
 std::vector<Measure> Nested::measures(const ProblemData& data) {
-    positions(); // of which the finest mesh's are measured
+    positions(); // prolongs to the finest mesh, where measures are taken
     return levels_[0]->measures(data);
 }
 
@@ -110,24 +110,25 @@ void Nested::look_at(const ProblemData& data, const std::vector<double>& u) {
     if (level_ > 0) u_of_positions_ = u;
 }
 
-/// To a level, with the map of a potential of the present one.
+/// Changes to another level; u: unknowns on the current level, which are transferred.
 void Nested::go_to(std::size_t level, const std::vector<double>& u, const ProblemData& data, State& state) {
     State there = levels_[level]->adopt(here(), u);
-    state = std::move(there); // u may have been part of it
+    state = std::move(there); // u may refer to an array of state
     select(level);
     look_at(data, here().unknowns(state));
 }
 
-/// To the next finer mesh; from the very start where this one is too coarse to have been of use.
+/// Continues on the next finer level; if the result of this level is no use there, restarts from start_ on
+/// that level.
 void Nested::go_up(bool arrived, const ProblemData& data, State& state) {
     const std::size_t next = level_ - 1;
     if (arrived) go_to(next, here().unknowns(state), data, state);
     if (arrived && (now_.shape.admissibility > 0 || now_.evaluation.residual < far)) {
         if (level_ > 0 && now_.evaluation.residual < enough_)
-            go_up(true, data, state); // nothing to do here
+            go_up(true, data, state); // already solved on this level
         return;
     }
-    if (start_.empty()) start_ = levels_[0]->start(); // began in the middle
+    if (start_.empty()) start_ = levels_[0]->start(); // the run started on a coarser level
     select(0);
     go_to(next, start_, data, state);
 }

@@ -3,11 +3,11 @@
 //
 //   -(dr/dphi) dphi = r,   phi -> phi + s dphi
 //
-// Near a solution s = 1 is taken and convergence is quadratic. Far from it, McRae et al. found that the full
-// linearisation loses convexity; so the way goes over powers of the monitor, m^t from t = 0, where the
-// uniform mesh is the solution: one step for m^t, then on to a larger t, as far as steps remain good. A step
-// is good if the map stays convex and solves the equation of m^t to `close`; else it is taken back, and t
-// grows less.
+// Near a solution, s = 1 is accepted and convergence is quadratic. Far from a solution, the full
+// linearisation loses convexity, as McRae et al. found; therefore a continuation in powers of the monitor is
+// used: m^t, from t = 0, for which the uniform mesh is the solution, to t = 1. For each t one Newton step is
+// made. It is accepted if the map stays convex and the residual for m^t is below `close`; then t increases
+// further. Otherwise the step is discarded and the increment of t halved.
 #include "core/linear/gmres.hpp"
 #include "core/method/stepper.hpp"
 
@@ -19,22 +19,22 @@ namespace gaspard {
 
 namespace {
 
-constexpr double least_convexity = 0.1; ///< of that before a step; less is not taken
-constexpr double close = 0.3;           ///< residual of m^t up to which a step has led to a solution for m^t
-constexpr double aim = 0.1;             ///< residual of m^t that the next t is chosen for
-constexpr double shortest = 1.0 / 64;   ///< part of a step that is tried
-constexpr double least_advance = 1e-3;  ///< of t
-constexpr double loosest = 0.1;         ///< tolerance of the linear solver
-constexpr std::size_t memory = 30;      ///< of GMRES
-constexpr int most_inner = 300, most_inner_far = 100; ///< near a solution, else
-constexpr int shortest_rest = 8, longest_rest = 128;  ///< relaxations between two attempts
+constexpr double least_convexity = 0.1; ///< accepted convexity after a step, relative to that before it
+constexpr double close = 0.3;           ///< residual for m^t below which a step is accepted
+constexpr double aim = 0.1;             ///< residual for m^t at which the increment of t aims
+constexpr double shortest = 1.0 / 64;   ///< smallest s in the line search
+constexpr double least_advance = 1e-3;  ///< smallest increment of t
+constexpr double loosest = 0.1;         ///< largest tolerance of the linear solver
+constexpr std::size_t memory = 30;      ///< restart length of GMRES
+constexpr int most_inner = 300, most_inner_far = 100; ///< max. GMRES iterations near a solution; else
+constexpr int shortest_rest = 8, longest_rest = 128;  ///< relaxation steps after a failed Newton step
 
 class NewtonStepper final : public Stepper {
   public:
     void begin(NonlinearProblem& problem, double target) override {
         problem_ = &problem;
         target_ = target;
-        gmres_.reset(); // made when needed
+        gmres_.reset(); // made at the first step
         on_path_ = begun_ = false;
         resting_ = 0, rest_ = shortest_rest;
     }
@@ -48,7 +48,8 @@ class NewtonStepper final : public Stepper {
         }
         inner_ = 0;
         note_.clear();
-        if (!std::exchange(begun_, true) && u == problem_->start() && now.evaluation.residual > close) set_out(now);
+        if (!std::exchange(begun_, true) && u == problem_->start() && now.evaluation.residual > close)
+            set_out(now);
         before_ = u;
         if (resting_ > 0) {
             --resting_;
@@ -65,16 +66,17 @@ class NewtonStepper final : public Stepper {
         on_path_ = true;
         t_ = 0;
         advance_ = std::min(1.0, close / now.evaluation.residual);
-        tell("over powers of the monitor, " + problem_->name_of_continued(advance_) + " first");
+        tell("continuation in powers of the monitor, starting with " + problem_->name_of_continued(advance_));
     }
     void tell(const std::string& sentence) { note_ += (note_.empty() ? "" : "; ") + sentence; }
 
-    /// The update for the monitor for which the equation was last evaluated.
+    /// Computes update_ for the data with which the problem was last evaluated. Returns whether it is usable.
     bool solve(const ProblemData& data, double residual, std::stop_token stop) {
         problem_->linearise(data, NonlinearProblem::Linearised::fully);
-        // As exact as convergence can make use of, and as the last step needs.
+        // Tolerance proportional to the residual, for quadratic convergence; not smaller than the target
+        // needs.
         const double tolerance = std::clamp(residual, std::min(loosest, 0.1 * target_ / residual), loosest);
-        const bool far = residual > close; // where many iterations mean that there is a better way
+        const bool far = residual > close; // then the step must be solved within most_inner_far
         const auto result =
             gmres_->solve([&](auto v, auto out) { problem_->derivative(v, out); },
                           [&](auto v, auto out) { problem_->precondition(v, out); }, problem_->residual(),
@@ -86,7 +88,7 @@ class NewtonStepper final : public Stepper {
         for (std::size_t i = 0; i < u.size(); ++i) u[i] = before_[i] + length * update_[i];
     }
 
-    /// For m itself, with a step that is shortened until the residual decreases.
+    /// Newton step for m itself, with a line search: s is halved until the residual decreases.
     Iterate directly(const ProblemData& data, std::vector<double>& u, const Iterate& now,
                      std::stop_token stop) {
         const bool solved = solve(data, now.evaluation.residual, stop);
@@ -104,7 +106,7 @@ class NewtonStepper final : public Stepper {
         return give_way(data, u, same);
     }
 
-    /// One step for m^t, with a larger t than before.
+    /// One Newton step of the continuation, for m^t with an increased t.
     Iterate along_path(const ProblemData& data, std::vector<double>& u, std::stop_token stop) {
         while (!stop.stop_requested()) {
             const double t = std::min(1.0, t_ + advance_);
@@ -121,7 +123,7 @@ class NewtonStepper final : public Stepper {
                 advance_ *= std::clamp(std::sqrt(aim / residual), 0.5, 3.0);
                 if (t == 1) {
                     on_path_ = false;
-                    tell("the monitor itself from here");
+                    tell("continuation finished, solving for the monitor itself");
                 } else {
                     next = evaluate(*problem_, data, u);
                 }
@@ -131,21 +133,22 @@ class NewtonStepper final : public Stepper {
             u = before_;
             advance_ = (t - t_) / 2;
             if (advance_ < least_advance) {
-                tell("the path ends at " + problem_->name_of_continued(t_));
+                tell("continuation stopped at " + problem_->name_of_continued(t_));
                 return give_way(data, u, evaluate(*problem_, data, u));
             }
-            tell(problem_->name_of_continued(t) + " is too far, " + problem_->name_of_continued(t_ + advance_) + " instead");
+            tell("the step to " + problem_->name_of_continued(t) + " failed, trying " +
+                 problem_->name_of_continued(t_ + advance_));
         }
         u = before_;
         return evaluate(*problem_, data, u);
     }
 
-    /// Where no step of Newton's is any good: some of the relaxation, which are made with the Laplacian in
-    /// place of the linearisation, and directly from there.
+    /// If no Newton step is accepted: some relaxation steps, which use the Laplacian instead of the
+    /// linearisation; then Newton steps for m itself.
     Iterate give_way(const ProblemData& data, std::vector<double>& u, const Iterate& now) {
         on_path_ = false;
         resting_ = rest_ - 1;
-        tell("no step is any good here: " + std::to_string(rest_) + " of the relaxation");
+        tell("no Newton step was accepted: " + std::to_string(rest_) + " relaxation steps");
         rest_ = std::min(2 * rest_, longest_rest);
         Iterate next = relax(data, u, now);
         next.lost = true;
@@ -165,8 +168,8 @@ class NewtonStepper final : public Stepper {
     std::optional<Gmres> gmres_;
     std::vector<double> update_, before_;
     bool begun_ = false, on_path_ = false;
-    double t_ = 0, advance_ = 0; ///< the map solves the equation of m^t roughly; how much t is to grow
-    int resting_ = 0, rest_ = shortest_rest; ///< relaxations to make now; at the next failure
+    double t_ = 0, advance_ = 0;             ///< t of the continuation; next increment of t
+    int resting_ = 0, rest_ = shortest_rest; ///< relaxation steps left; number after the next failure
     int inner_ = 0;
     std::string note_;
 };

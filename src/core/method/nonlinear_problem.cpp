@@ -16,7 +16,7 @@ std::vector<double>& NonlinearProblem::unknowns(State& state) const {
 }
 
 const std::vector<double>& NonlinearProblem::unknowns(const State& state) const {
-    return unknowns(const_cast<State&>(state)); // which is not changed
+    return unknowns(const_cast<State&>(state)); // which is not modified
 }
 
 } // namespace gaspard

@@ -6,7 +6,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t coarsest = 24; // cells a side that a coarser plane has at least
+constexpr std::size_t coarsest = 24; // minimum number of cells per side of a coarser mesh
 
 std::string layout_of(const LineGrid& grid) {
     return std::string("plane ") + (grid.periodic ? "periodic" : "walls") +
@@ -56,7 +56,7 @@ void PlaneEquation::linearise(const ProblemData& data, Linearised how) {
     slope_.resize(0);
     if (how == Linearised::fully) data.monitor->gradients(positions_, slope_);
 
-    // At the vertices m itself, between them the mean of two or four.
+    // m at the unknowns: the nodal value at vertices, else the mean of the two or four nearest vertices.
     scale_.resize(size());
     scaled_.resize(size());
     const std::size_t line = plane_->size(), side = plane_->grid().cells + 1;

@@ -1,4 +1,4 @@
-// m^t: the continuation from the constant monitor (t = 0) to m itself (t = 1).
+// The monitor m^t, for the continuation from a constant monitor (t = 0) to m itself (t = 1).
 #pragma once
 
 #include "core/monitor/monitor.hpp"

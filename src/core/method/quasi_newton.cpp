@@ -1,11 +1,12 @@
-// The quasi-Newton method of McRae, Cotter, Budd, section 3.2, failures included: the linearisation (3.10),
-// which leaves out how m changes with the map,
+// The quasi-Newton method of McRae, Cotter, Budd, section 3.2, with the linearisation (3.10), which neglects
+// the derivative of m with respect to the map:
 //
-//   -<v, m cof(I + sigma^k) : dsigma> + dtheta <v, 1> = r,     phi^{k+1} = phi^k + s dphi
+//   -<v, m cof(I + sigma^k) : dsigma> + dtheta <v, 1> = r_v,     phi^{k+1} = phi^k + s dphi
 //
-// sigma is eliminated exactly and dtheta kept (without it (3.10) is inconsistent); GMRES with the scaled
-// Laplacian as preconditioner, where the paper has the Riesz map of the mixed system. s makes the l2 norm of
-// the residual small, by five secant steps (Brune, Knepley, Smith, Tu, 2015). Nothing guards convexity.
+// sigma is eliminated exactly, and dtheta is kept as an unknown; without it, (3.10) is inconsistent. The
+// linear solver is GMRES, preconditioned by the scaled Laplacian; the paper uses the Riesz map of the mixed
+// system. The line search for s reduces the l2 norm of the residual by five secant steps (Brune, Knepley,
+// Smith, Tu, 2015). As in the paper, convexity is not enforced, and the method fails for strong monitors.
 #include "core/linear/gmres.hpp"
 #include "core/method/nonlinear_problem.hpp"
 
@@ -15,10 +16,10 @@ namespace gaspard {
 
 namespace {
 
-constexpr double tolerance = 1e-5; ///< of the linear solver
+constexpr double tolerance = 1e-5; ///< tolerance of the linear solver
 constexpr int most_inner = 120;
-constexpr std::size_t memory = 30; ///< of GMRES
-constexpr int searches = 5;        ///< inner steps of the line search
+constexpr std::size_t memory = 30; ///< restart length of GMRES
+constexpr int searches = 5;        ///< secant steps of the line search
 constexpr double least_step = 1e-12, longest_step = 1e8;
 
 class QuasiNewton final : public Method {
@@ -52,9 +53,9 @@ class QuasiNewton final : public Method {
         now_ = at(data, u, length);
         now_.step_size = length;
         now_.inner_iterations = solved.iterations;
-        if (problem_->shape().admissibility <= 0) now_.note = "the map has lost its convexity";
+        if (problem_->shape().admissibility <= 0) now_.note = "the map is no longer convex";
         if (!solved.converged && !stop.stop_requested())
-            now_.note += std::string(now_.note.empty() ? "" : "; ") + "the linear solver stagnates";
+            now_.note += std::string(now_.note.empty() ? "" : "; ") + "the linear solver did not converge";
         return now_;
     }
 
@@ -64,7 +65,8 @@ class QuasiNewton final : public Method {
         return problem_->evaluate(data, u);
     }
 
-    /// Secants for the derivative of |r|^2 along the line, from values at both ends and in the middle.
+    /// Secant method for the zero of d|r|^2/ds; derivatives are finite differences of the values at both ends
+    /// and at the midpoint of the interval.
     double search(const ProblemData& data, std::vector<double>& u) {
         const auto squared = [&](double length) {
             const double residual = at(data, u, length).residual;
@@ -77,7 +79,7 @@ class QuasiNewton final : public Method {
             const double slope = (3 * at_length - 4 * at_middle + at_old) / across;
             const double slope_old = (-3 * at_old + 4 * at_middle - at_length) / across;
             const double curvature = (slope - slope_old) / across;
-            // Of a hill rather than a valley, away from the top.
+            // For negative curvature (a maximum), step in the direction of decrease.
             double next = length + (curvature > 0 ? -slope : slope) / curvature;
             if (next < least_step) next = (length + old) / 2;
             if (!std::isfinite(next) || next > longest_step) break;
@@ -97,8 +99,8 @@ class QuasiNewton final : public Method {
 MethodType quasi_newton_method() {
     return {.name = "quasi-newton",
             .label = "Quasi-Newton",
-            .help = "the paper's linearisation with an l2 line search: far fewer iterations than the "
-                    "relaxation, but it fails for harsh monitors",
+            .help = "the linearisation of the paper with an l2 line search: far fewer iterations than the "
+                    "relaxation, but it fails for strong monitors",
             .rows = {},
             .make = [](const MethodContext& context, const Values&) -> std::unique_ptr<Method> {
                 return std::make_unique<QuasiNewton>(context.problem());

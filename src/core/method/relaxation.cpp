@@ -2,7 +2,7 @@
 //
 //   <grad v, grad phi^{k+1}> = <grad v, grad phi^k> + dt <v, m det(I + sigma^k) - theta^k>       (3.7)
 //
-// sigma, x and theta follow from phi; see method/monge_ampere.hpp.
+// with sigma, x and theta computed from phi; see method/monge_ampere.hpp.
 #include "core/method/nonlinear_problem.hpp"
 
 namespace gaspard {
@@ -44,30 +44,31 @@ class Relaxation final : public Method {
 
   private:
     std::unique_ptr<NonlinearProblem> problem_;
-    std::optional<double> step_size_; ///< none: as long as is stable, anew for every iterate
+    std::optional<double> step_size_; ///< nullopt: the stable step of each iterate
     std::vector<double> update_;
 };
 
 } // namespace
 
 MethodType relaxation_method() {
-    return {.name = "relaxation",
-            .label = "Relaxation",
-            .help = "an explicit step of the parabolic equation: robust, linear convergence",
-            .rows = {{.key = "step_size",
-                      .label = "Step size",
-                      .symbol = "dt",
-                      .kind = ParameterKind::real_or_auto,
-                      .minimum = 1e-4,
-                      .maximum = 10,
-                      .scale = ParameterScale::logarithmic,
-                      .default_value = std::string("auto"),
-                      .help = "larger is faster until the iteration diverges; auto: as large as the present "
-                              "mesh allows",
-                      .remedy = std::string("auto")}},
-            .make = [](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
-                return std::make_unique<Relaxation>(context.problem(), values);
-            }};
+    return {
+        .name = "relaxation",
+        .label = "Relaxation",
+        .help = "explicit time steps of a parabolic equation; robust, converges linearly",
+        .rows = {{.key = "step_size",
+                  .label = "Step size",
+                  .symbol = "Δt",
+                  .kind = ParameterKind::real_or_auto,
+                  .minimum = 1e-4,
+                  .maximum = 10,
+                  .scale = ParameterScale::logarithmic,
+                  .default_value = std::string("auto"),
+                  .help = "larger is faster until the iteration diverges; auto: the largest stable step for "
+                          "the current mesh",
+                  .remedy = std::string("auto")}},
+        .make = [](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
+            return std::make_unique<Relaxation>(context.problem(), values);
+        }};
 }
 
 Values default_values(const MethodType& type) {
@@ -84,23 +85,25 @@ std::vector<ParameterRow> common_method_rows() {
          .maximum = 1,
          .scale = ParameterScale::logarithmic,
          .default_value = 1e-8,
-         .help = "converged when the normalised residual is below"},
+         .help = "the run converges when the normalised residual is below this value"},
         {.key = "max_iterations",
-         .label = "Iterations at most",
+         .label = "Max. iterations",
          .kind = ParameterKind::integer,
          .minimum = 0,
          .maximum = 1000000,
          .scale = ParameterScale::logarithmic,
          .default_value = std::int64_t{5000},
-         .help = "the run ends as iteration-limit after so many"},
+         .help = "the run ends with status iteration-limit after this number of iterations"},
         {.key = "diagnostics_every",
-         .label = "Diagnostics every",
+         .label = "Diagnostics interval",
          .kind = ParameterKind::integer,
          .minimum = 1,
          .maximum = 1000,
          .scale = ParameterScale::logarithmic,
          .default_value = std::int64_t{10},
-         .help = "iterations between two measurements of equidistribution and cells; always for the last"}};
+         .help =
+             "iterations between evaluations of equidistribution and Jacobians; the last iterate is always "
+             "evaluated"}};
 }
 
 } // namespace gaspard

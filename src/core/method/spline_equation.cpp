@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t coarsest = 16; // cells
 
-/// |<v, 2>| over all functions v.
+/// |<v, 2>|, the l2 norm over all basis functions v.
 double size_of_divergence(const SplineForm& form) {
     auto workspace = form.make_workspace();
     const std::size_t points = form.line().points.size();

@@ -1,10 +1,10 @@
-// The standard form on a patch as an equation for phi = Phi - |xi|^2 / 2, Psi = grad Phi:
+// The standard form on a patch as a nonlinear problem for phi = Phi - |xi|^2 / 2, with Psi = grad Phi:
 //
-//   r_v = <Psi . n, v> at the border - <s G(Phi), v> - <grad Phi, grad v>
+//   r_v = <Psi . n, v>_boundary - <s G(Phi), v> - <grad Phi, grad v>
 //
-// Its solution is the fixed point of the method picard; direction() is Picard's increment, so that a
-// relaxation with the step 1 is that method. The residual is |r| / |<v, 2>|, 2 being the divergence of the
-// identity.
+// Its solution is the fixed point of the method picard; direction() is the Picard increment, so that
+// relaxation with step size 1 is Picard's method. The normalised residual is |r| / |<v, 2>|, where 2 is the
+// divergence of the identity map.
 #pragma once
 
 #include "core/method/monge_ampere.hpp"
@@ -16,9 +16,8 @@ class SplineEquation final : public MongeAmpereEquation {
   public:
     explicit SplineEquation(std::shared_ptr<const SplineDomain> domain)
         : SplineEquation(domain, domain->cells()) {}
-    /// With fewer cells than the domain's mesh has.
+    /// On a coarser mesh than that of the domain.
     SplineEquation(std::shared_ptr<const SplineDomain> domain, std::size_t cells);
-
 
     std::optional<State> adopt(const State& other, const Discretisation* of) override;
     State adopt(NonlinearProblem& other, std::span<const double> phi) override;
@@ -48,7 +47,7 @@ class SplineEquation final : public MongeAmpereEquation {
     Points positions_;
     Bfo::Shape shape_;
     std::vector<double> whole_, next_, residual_; ///< Phi, T(Phi), r
-    std::vector<double> shown_;                   ///< the Phi whose map positions() are
+    std::vector<double> shown_;                   ///< the Phi of positions()
 };
 
 } // namespace gaspard

@@ -5,20 +5,20 @@
 
 namespace gaspard {
 
-/// An iterate, evaluated.
+/// An evaluated iterate.
 struct Iterate {
-    Evaluation evaluation; ///< for the data itself; with the update's step size, inner iterations and note
+    Evaluation evaluation; ///< for the original data; step size, inner iterations, note of the update
     IterateShape shape;
-    bool lost = false; ///< the update was made only because one has to be: no better one is known
+    bool lost = false; ///< no update was accepted; this one is a fallback
 };
 
 class Stepper {
   public:
     virtual ~Stepper() = default;
-    /// The updates from here on are for this problem, down to a residual of `target`. Forgets everything.
+    /// Restarts for this problem, with target residual `target`. Discards all previous information.
     virtual void begin(NonlinearProblem& problem, double target) = 0;
-    /// One update of the unknowns u; `now` is the iterate last evaluated. Evaluates the result. If it is asked
-    /// to stop, u may stay as it is.
+    /// Updates the unknowns u and evaluates the result; `now` is the evaluation of u before. If asked to
+    /// stop, it may leave u unchanged.
     virtual Iterate step(const ProblemData& data, std::vector<double>& u, const Iterate& now,
                          std::stop_token stop) = 0;
 };
@@ -32,7 +32,7 @@ inline Iterate evaluate(NonlinearProblem& problem, const ProblemData& data, cons
 
 std::unique_ptr<Stepper> make_anderson_stepper();
 std::unique_ptr<Stepper> make_newton_stepper();
-/// Chooses between the two.
+/// Chooses between these two.
 std::unique_ptr<Stepper> make_automatic_stepper();
 
 } // namespace gaspard

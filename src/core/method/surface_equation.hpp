@@ -1,4 +1,4 @@
-// The equation of the sphere, or of a flat surface by the same elements (fem/surface_q2.hpp).
+// The Monge-Ampère equation on the sphere, or on a flat surface with the same elements (fem/surface_q2.hpp).
 #pragma once
 
 #include "core/fem/surface_q2.hpp"
@@ -10,7 +10,8 @@ class SurfaceEquation final : public MongeAmpereEquation {
   public:
     explicit SurfaceEquation(std::shared_ptr<const SurfaceQ2> surface);
 
-    /// From any mesh of the sphere, of whatever cells; of flat surfaces from the same alone.
+    /// Accepts states of any mesh of the sphere, with any cells; on flat surfaces only states of the same
+    /// mesh.
     std::optional<State> adopt(const State& other, const Discretisation* of) override;
     State adopt(NonlinearProblem& other, std::span<const double> phi) override;
     std::unique_ptr<NonlinearProblem> coarser(const Progress& progress, std::stop_token stop) const override;
@@ -19,7 +20,7 @@ class SurfaceEquation final : public MongeAmpereEquation {
     const Points& positions() const override { return positions_; }
     void move(std::span<const double> phi) override;
     std::span<const double> residual() const override { return residual_; }
-    /// At the mesh's nodes.
+    /// Extremes over the mesh nodes.
     Ellipticity ellipticity() const override;
     void direction(std::span<double> u) override { surface_->poisson(residual_, u, workspace_); }
 
@@ -32,15 +33,15 @@ class SurfaceEquation final : public MongeAmpereEquation {
 
     std::shared_ptr<const SurfaceQ2> surface_;
     SurfaceQ2::Workspace workspace_;
-    Points gradient_; ///< w' (4.11)
+    Points gradient_; ///< w' of (4.11)
     Points positions_;
-    std::vector<double> monitor_; ///< m at the mesh's nodes
+    std::vector<double> monitor_; ///< m at the mesh nodes
     std::vector<double> residual_;
-    // Of the linearisation:
-    std::optional<SurfaceQ2::Workspace> d_workspace_; ///< none before the first
-    Points slope_, displacement_;                     ///< grad m at the nodes; how far they move with w
-    std::vector<double> d_monitor_;                   ///< how much m changes there
-    std::vector<double> scale_;                       ///< of the preconditioner
+    // The linearisation:
+    std::optional<SurfaceQ2::Workspace> d_workspace_; ///< nullopt before the first linearise()
+    Points slope_, displacement_;                     ///< at the nodes: grad m, displacement for w
+    std::vector<double> d_monitor_;                   ///< at the nodes: derivative of m for w
+    std::vector<double> scale_;                       ///< 1 / S of the preconditioner
 };
 
 } // namespace gaspard

@@ -10,7 +10,7 @@ std::vector<ParameterRow> center_in_space_rows(Vec3 centre) {
                             .minimum = -10,
                             .maximum = 10,
                             .default_value = value,
-                            .help = "where the feature stands",
+                            .help = "position of the centre",
                             .role = role,
                             .point = "center"};
     };

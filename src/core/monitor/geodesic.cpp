@@ -15,7 +15,7 @@ std::vector<ParameterRow> place_rows(const std::string& prefix, const std::strin
                                      double longitude) {
     return {{.key = prefix + "_latitude",
              .label = what + " latitude",
-             .unit = "degrees",
+             .unit = "°",
              .minimum = -90,
              .maximum = 90,
              .default_value = latitude,
@@ -24,7 +24,7 @@ std::vector<ParameterRow> place_rows(const std::string& prefix, const std::strin
              .point = prefix},
             {.key = prefix + "_longitude",
              .label = what + " longitude",
-             .unit = "degrees",
+             .unit = "°",
              .minimum = -180,
              .maximum = 360,
              .default_value = longitude,

@@ -1,4 +1,4 @@
-// The data of a problem, beside its domain: what a method gets of a scenario, made and checked once.
+// The data of a problem apart from its domain, as methods get it; made and checked once per scenario.
 //
 //   mesh equidistribution   m(x) > 0, the monitor
 //   optimal transport       m(x) on the source domain, target(y) on the target domain
@@ -14,16 +14,16 @@ namespace gaspard {
 
 /// Immutable; copies share everything.
 struct ProblemData {
-    /// The density that the mesh equidistributes; never null. Diagnostics measure with it, whatever the method.
+    /// The density that the mesh equidistributes; never null. Diagnostics use it for every method.
     std::shared_ptr<const Monitor> monitor;
-    std::shared_ptr<const TensorMonitor> tensor{}; ///< null: the problem is one of the scalar monitor
+    std::shared_ptr<const TensorMonitor> tensor{}; ///< null: the problem has a scalar monitor
     std::shared_ptr<const Monitor> target{};       ///< density on the target domain; null: constant
     std::shared_ptr<const Values> pde{};           ///< null: no PDE is solved on the mesh
 };
 
-/// Of a scalar monitor. Throws InputError if the monitor is not positive (Monitor::check).
+/// Problem data of a scalar monitor. Throws InputError if the monitor is not positive (Monitor::check).
 ProblemData scalar_problem(std::shared_ptr<const Monitor> monitor);
-/// Of a tensor, with m = sqrt(det M) as monitor. Throws InputError if it is not positive definite
+/// Problem data of a tensor monitor M, with m = sqrt(det M). Throws InputError if M is not positive definite
 /// (TensorMonitor::check).
 ProblemData tensor_problem(std::shared_ptr<const TensorMonitor> tensor);
 

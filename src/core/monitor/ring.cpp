@@ -24,7 +24,7 @@ MonitorType ring_monitor() {
                                                    .minimum = 0,
                                                    .maximum = sphere ? std::numbers::pi : 0.5,
                                                    .default_value = sphere ? std::numbers::pi / 4 : 0.25,
-                                                   .help = "of the ring"}};
+                                                   .help = "radius of the ring"}};
                 for (auto& row : center_rows(space)) rows.push_back(std::move(row));
                 return rows;
             },

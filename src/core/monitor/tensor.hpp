@@ -1,5 +1,5 @@
-// Tensor monitors: a symmetric positive definite matrix M(x) for every point, where a scalar monitor has m(x).
-// A mesh that is uniform in the metric M has cells that are short along the eigenvectors of large eigenvalues.
+// Tensor monitors: a symmetric positive definite matrix M(x) instead of a scalar m(x). A mesh that is uniform
+// in the metric M has cells that are short along the eigenvectors of large eigenvalues.
 #pragma once
 
 #include "core/monitor/monitor.hpp"
@@ -18,9 +18,10 @@ bool positive_definite(const SymmetricTensor& m);
 class TensorMonitor {
   public:
     virtual ~TensorMonitor() = default;
-    /// M at every point (physical coordinates). `values` has x.size() entries.
+    /// M at every point (physical coordinates). `values`: x.size() entries.
     virtual void values(const Points& x, std::span<SymmetricTensor> values) const = 0;
-    /// Throws InputError if M is not positive definite for some point of space, naming the parameter to change.
+    /// Throws InputError if M is not positive definite at some point; the message names the parameter to
+    /// change.
     virtual void check() const = 0;
 };
 

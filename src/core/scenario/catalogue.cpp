@@ -24,7 +24,7 @@ const Type& find(const std::vector<Type>& types, std::string_view name, const ch
     std::string list;
     for (const auto& one : known) list += (list.empty() ? "" : ", ") + one;
     throw InputError("unknown " + std::string(what) + " '" + std::string(name) + "'" +
-                     did_you_mean(name, known) + "; there are: " + list);
+                     did_you_mean(name, known) + "; available: " + list);
 }
 
 bool contains(const std::vector<std::string>& list, const std::string& word) {
@@ -146,7 +146,7 @@ Scenario default_scenario(const Catalogue& catalogue) {
     return scenario;
 }
 
-/// Whether an optional section is of one of the types that a row offers, or is missing where it offers none.
+/// Whether an optional section has one of the offered types, or is absent if none is offered.
 static bool fits(const std::vector<std::string>& offered, const Section& section) {
     return offered.empty() ? section.type.empty() : contains(offered, section.type);
 }
@@ -166,12 +166,12 @@ const Capability* find_capability(const Catalogue& catalogue, const Scenario& sc
     std::string possible, boundary;
     for (const auto& row : catalogue.capabilities) {
         if (row.domain != scenario.domain.type) continue;
-        possible += "; possible there: monitors " + join(row.monitors) + " with methods " + join(row.methods);
+        possible += "; possible: monitors " + join(row.monitors) + " with methods " + join(row.methods);
         if (!row.boundaries.empty())
             boundary = " with boundary '" + scenario.domain.values.text("boundary") + "'";
     }
     throw InputError("monitor '" + scenario.monitor.type + "' and method '" + scenario.method.type +
-                     "' do not go together on domain '" + scenario.domain.type + "'" + boundary + possible);
+                     "' cannot be combined on domain '" + scenario.domain.type + "'" + boundary + possible);
 }
 
 Problem check(const Catalogue& catalogue, Scenario scenario, const Monitor* own) {
@@ -179,8 +179,8 @@ Problem check(const Catalogue& catalogue, Scenario scenario, const Monitor* own)
         scenario.monitor = {std::string(own_monitor), Values("monitor", {})};
         const auto made_for = own->made_for();
         if (made_for && *made_for != space_of(catalogue, scenario).kind)
-            throw InputError("the monitor is a function of " + std::string(name_of(*made_for)) +
-                             ", which domain '" + scenario.domain.type + "' is not");
+            throw InputError("the monitor is a function on " + std::string(name_of(*made_for)) +
+                             ", but domain '" + scenario.domain.type + "' is not");
     }
     const Capability* capability = find_capability(catalogue, scenario);
     if (!capability) refuse(catalogue, scenario);

@@ -1,5 +1,4 @@
-// For the rows of the capability table: makes a nonlinear problem from the discretisation that the row's
-// `prepare` has made.
+// Helper for capability rows: makes a nonlinear problem from the discretisation that `prepare` made.
 #pragma once
 
 #include "core/base/check.hpp"

@@ -1,4 +1,4 @@
-// Setting one value of a scenario by its full key, from TOML or from a command line.
+// Setting values of a scenario by their full keys, from TOML or the command line.
 #include "core/base/check.hpp"
 #include "core/scenario/catalogue.hpp"
 
@@ -11,8 +11,8 @@ namespace gaspard {
 
 namespace {
 
-// Names of sections that only some problems have, and of sections to come: where a problem lacks them, a key
-// in them has an error of its own.
+// Sections that only some problems have, and names reserved for future sections. If a problem does not have
+// the section, keys in it produce a specific error.
 const std::vector<std::string> reserved = {"domain.target", "monitor.target", "pde", "time"};
 
 bool starts_with_key(std::string_view key, std::string_view prefix) {
@@ -20,10 +20,11 @@ bool starts_with_key(std::string_view key, std::string_view prefix) {
            (key.starts_with(prefix) && key.size() > prefix.size() && key[prefix.size()] == '.');
 }
 
-/// The sections with a type that this scenario has; monitor.target before monitor, whose name begins its own.
+/// The sections with a type in this scenario; monitor.target precedes monitor, which is a prefix of its name.
 std::vector<Section*> typed_sections(Scenario& scenario) {
     std::vector<Section*> sections;
-    for (Section* section : {&scenario.target, &scenario.domain, &scenario.monitor, &scenario.method, &scenario.pde})
+    for (Section* section :
+         {&scenario.target, &scenario.domain, &scenario.monitor, &scenario.method, &scenario.pde})
         if (!section->type.empty()) sections.push_back(section);
     return sections;
 }
@@ -44,7 +45,7 @@ std::vector<std::string> all_keys(Scenario& scenario) {
 struct Target {
     Values* values = nullptr;   ///< the section's values
     Section* section = nullptr; ///< the section that the key belongs to; null for view and output
-    std::string key;            ///< "type", or that of a row
+    std::string key;            ///< "type", or the key of a row
 };
 
 bool has_row(const std::vector<ParameterRow>& rows, std::string_view key) {
@@ -64,18 +65,18 @@ std::string list_keys(const Values& values) {
     return list;
 }
 
-/// A key that another domain has, or the monitor on another domain: it is known, but has no meaning here.
+/// Throws a specific InputError if the key belongs to another domain, or to this monitor on another domain.
 void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, std::string_view full_key,
                         std::string_view section, std::string_view key) {
     const auto refuse = [&](const Values& here, const std::string& where) {
-        throw InputError(std::string(full_key) + " has no meaning on domain '" + scenario.domain.type + "'" +
-                         where + "; there are: " + list_keys(here));
+        throw InputError(std::string(full_key) + " is not a key for domain '" + scenario.domain.type + "'" +
+                         where + "; available: " + list_keys(here));
     };
     if (section == "domain") {
         std::string owners;
         for (const auto& type : catalogue.domains)
             if (has_row(type.rows, key)) owners += (owners.empty() ? "'" : " and '") + type.name + "'";
-        if (!owners.empty()) refuse(scenario.domain.values, ", it belongs to " + owners);
+        if (!owners.empty()) refuse(scenario.domain.values, ", but for " + owners);
     }
     if (section == "monitor" && scenario.monitor.type != own_monitor)
         for (const auto kind : {SpaceKind::euclidean, SpaceKind::sphere})
@@ -121,13 +122,13 @@ void set_type(const Catalogue& catalogue, Scenario& scenario, Section& section, 
     update_rows(catalogue, scenario);
 }
 
-/// Values that were chosen stay if the key still exists and allows them.
+/// Copies values that differ from the default, if the key still exists and allows them.
 void carry_over(const Values& before, Values& after) {
     for (const auto& row : after.rows()) {
         if (!before.has(row.key) || is_default(before, row.key)) continue;
         try {
             after.set(row.key, before.at(row.key));
-        } catch (const InputError&) { // out of its new range: the default stands
+        } catch (const InputError&) { // out of the new range: keep the default
         }
     }
 }
@@ -148,7 +149,7 @@ void update_monitor_rows(const Catalogue& catalogue, const Space& space, Section
     section.values = std::move(values);
 }
 
-/// A section that only some domains and methods have: `offered` are its types there.
+/// Adds, keeps or removes a section that only some domains and methods have; `offered`: its possible types.
 template <class Make>
 void update_optional(Section& section, const std::vector<std::string>& offered, const Make& make) {
     if (offered.empty())
@@ -194,7 +195,7 @@ void check_section(Scenario& scenario, std::string_view key) {
     };
     for (const auto& name : reserved)
         if (starts_with_key(key, name) && !present(name))
-            throw InputError(std::string(key) + ": " + name + " is reserved and has no meaning for domain '" +
+            throw InputError(std::string(key) + ": " + name + " is reserved and not available for domain '" +
                              scenario.domain.type + "'");
 }
 
@@ -204,10 +205,10 @@ void set_value(const Catalogue& catalogue, Scenario& scenario, std::string_view 
     const Target target = locate(catalogue, scenario, key);
     if (target.section && target.key == "type") {
         const auto* type = std::get_if<std::string>(&value);
-        if (!type) throw InputError(std::string(key) + " wants a name, not '" + format_value(value) + "'");
+        if (!type) throw InputError(std::string(key) + " must be a name, not '" + format_value(value) + "'");
         return set_type(catalogue, scenario, *target.section, *type);
     }
-    Scenario changed = scenario; // all or nothing: the value may have no meaning for the rows that follow from it
+    Scenario changed = scenario; // update_rows may throw; then nothing changes
     const Target there = *find_target(changed, key);
     there.values->set(there.key, value);
     if (there.section) update_rows(catalogue, changed);
@@ -220,12 +221,12 @@ void apply_settings(const Catalogue& catalogue, Scenario& scenario,
     for (const auto& setting : settings) {
         const auto equals = setting.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw InputError("--set wants key=value, not '" + setting + "'");
+            throw InputError("--set must be key=value, not '" + setting + "'");
         pairs.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
     }
     std::stable_partition(pairs.begin(), pairs.end(),
                           [](const auto& pair) { return pair.first.ends_with(".type"); });
-    // A key may exist only once another one is set (a constant of a formula): such keys wait for their turn.
+    // Some keys exist only after another one is set (the constants of a formula); they are postponed.
     for (std::size_t waiting = 0; !pairs.empty();) {
         auto [key, text] = std::move(pairs.front());
         pairs.pop_front();

@@ -22,11 +22,11 @@ Value to_value(const toml::node& node, const std::string& key) {
     if (const auto* whole = node.as_integer()) return whole->get();
     if (const auto* boolean = node.as_boolean()) return boolean->get();
     if (const auto* text = node.as_string()) return text->get();
-    throw InputError(key + " wants a single value, not a section or a list");
+    throw InputError(key + " must be a single value, not a section or a list");
 }
 
-/// Sets every key of one table, its type first; a key that does not exist yet waits for the others, whose
-/// values it may depend on. Says where an error is.
+/// Sets every key of one table, its type first. Keys that do not exist yet are postponed, because they may
+/// depend on the values of others. Errors name file and line.
 void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::table& table,
                   const std::string& section, const std::string& origin) {
     std::deque<std::pair<std::string, const toml::node*>> entries;
@@ -44,7 +44,7 @@ void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::ta
         const auto [key, node] = entries.front();
         entries.pop_front();
         const bool subsection = key == "monitor.target" && node->is_table();
-        if (subsection) continue; // read_document reads it, once its method is known
+        if (subsection) continue; // parse_scenario reads it after this table
         if (!has_key(scenario, key) && waiting < entries.size()) {
             ++waiting;
             entries.emplace_back(key, node);
@@ -52,7 +52,7 @@ void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::ta
         }
         waiting = 0;
         try {
-            check_key(catalogue, scenario, key); // reserved and unknown sections have a sentence of their own
+            check_key(catalogue, scenario, key); // has specific messages for reserved and unknown sections
             set_value(catalogue, scenario, key, to_value(*node, key));
         } catch (const InputError& error) {
             throw InputError(place(origin, node->source()) + error.what());
@@ -66,7 +66,7 @@ std::string quoted(const std::string& text) {
     return out.str();
 }
 
-// A real keeps its point, so that it reads back as a real.
+// A real number keeps its decimal point, so that it is read back as a real number.
 std::string toml_value(const Value& value) {
     if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
     std::string number = format_value(value);
@@ -97,10 +97,10 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
         const std::string name(key.str());
         try {
             if (name == "title" || name == "description") {
-                if (!node.is_string()) throw InputError(name + " wants a text");
+                if (!node.is_string()) throw InputError(name + " must be a string");
                 (name == "title" ? scenario.title : scenario.description) = node.as_string()->get();
             } else if (std::find(sections.begin(), sections.end(), name) != sections.end()) {
-                if (!node.is_table()) throw InputError(name + " is a section: write [" + name + "]");
+                if (!node.is_table()) throw InputError(name + " is a section; write [" + name + "]");
             } else {
                 auto known = sections;
                 known.insert(known.end(), {"title", "description"});
@@ -111,7 +111,7 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
             throw InputError(place(origin, node.source()) + error.what());
         }
     }
-    // Domain and method first: which sections and rows there are depends on them.
+    // Domain and method first: the available sections and rows depend on them.
     for (const auto& name : sections) {
         if (const auto* table = document[name].as_table())
             read_section(catalogue, scenario, *table, name, origin);
@@ -141,7 +141,7 @@ std::string to_toml(const Scenario& scenario) {
     return out.str();
 }
 
-/// By letters, but numbers in them by their size: x8 before x16.
+/// Natural order: alphabetical, with numbers compared by value (x8 before x16).
 static bool comes_before(std::string_view a, std::string_view b) {
     const auto [at, bt] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
     std::size_t begin = static_cast<std::size_t>(at - a.begin());
@@ -180,8 +180,8 @@ Scenario find_scenario(const Catalogue& catalogue, const std::string& name_or_fi
         names.emplace_back(builtin.name);
     }
     if (name_or_file.ends_with(".toml")) return load_scenario(catalogue, name_or_file);
-    throw InputError("there is no scenario '" + name_or_file + "'" + did_you_mean(name_or_file, names) +
-                     "; `gaspard list scenarios` shows them, and a file's name ends in .toml");
+    throw InputError("unknown scenario '" + name_or_file + "'" + did_you_mean(name_or_file, names) +
+                     "; see `gaspard list scenarios`, or give a file whose name ends in .toml");
 }
 
 } // namespace gaspard

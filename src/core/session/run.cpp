@@ -15,12 +15,12 @@ namespace gaspard {
 
 namespace {
 
-// Theta is the integral of m over the physical domain, which a map of the domain to itself keeps; the
-// residual is measured in units of theta.
-constexpr double divergence_factor =
-    1e3; // of the first theta; of the first residual, or of 1 where that is larger
-constexpr double worthwhile = 0.999; // a residual counts as better when it is below this part of the best
-constexpr int patience = 200;        // iterations without a better residual
+// A run has diverged if theta exceeds divergence_factor times its first value, or the residual exceeds
+// divergence_factor times max(1, first residual). theta is an integral of m over the physical domain, which
+// is constant for maps of the domain onto itself; the residual is normalised by theta.
+constexpr double divergence_factor = 1e3;
+constexpr double worthwhile = 0.999; // an improvement is a residual below this fraction of the best one
+constexpr int patience = 200;        // iterations without improvement after which a run has stalled
 
 } // namespace
 
@@ -68,8 +68,8 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
     if (options_.start) {
         auto adopted = method_->adopt(*options_.start, nullptr);
         if (!adopted)
-            throw InputError("the start state is of '" + options_.start->layout + "', which does not fit '" +
-                             state.layout + "'");
+            throw InputError("the start state has layout '" + options_.start->layout +
+                             "', which is not compatible with '" + state.layout + "'");
         state = std::move(*adopted);
     }
     setup_seconds_ = watch.seconds();
@@ -80,12 +80,12 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
 Run::Run(Run&&) noexcept = default;
 Run::~Run() = default;
 
-// A state or a monitor of the caller's may be unfit; one of our own may not.
+// Only a state or monitor of the caller may have no finite residual.
 Evaluation Run::first_look(const ProblemData& data, const State& state) {
     const Evaluation evaluation = method_->evaluate(data, state, {});
     if (std::isfinite(evaluation.residual)) return evaluation;
     GASPARD_CHECK(options_.start || data.monitor != data_.monitor || own_);
-    throw InputError("the start state has no finite residual for this monitor");
+    throw InputError("the residual of the start state is not finite for this monitor");
 }
 
 void Run::make_meter() {
@@ -121,7 +121,7 @@ void Run::reset() {
 }
 
 void Run::follow(std::shared_ptr<const Monitor> monitor) {
-    if (!monitor) throw InputError("there is no monitor to follow");
+    if (!monitor) throw InputError("Run::follow: the monitor is null");
     Problem problem = check(*catalogue_, problem_.scenario, monitor.get());
     ProblemData data = data_;
     data.monitor = scalar_problem(monitor).monitor;
@@ -155,7 +155,7 @@ const StepReport& Run::step(std::stop_token stop) {
     Evaluation evaluation;
     try {
         evaluation = method_->step(data_, state_, stop);
-    } catch (...) { // half a step is none
+    } catch (...) { // undo the incomplete step
         state_ = last_finite_;
         throw;
     }
@@ -170,7 +170,7 @@ const StepReport& Run::step(std::stop_token stop) {
     return history_.back();
 }
 
-// Numbers that are not finite go no further than this: the run ends with the last iterate that was.
+// If an update is not finite, the run ends with the iterate before it.
 void Run::take_back(Evaluation& evaluation, std::string& note) {
     const Evaluation lost = evaluation;
     state_ = last_finite_;
@@ -178,7 +178,7 @@ void Run::take_back(Evaluation& evaluation, std::string& note) {
     evaluation.step_size = lost.step_size;
     evaluation.inner_iterations = lost.inner_iterations;
     not_finite_ = true;
-    note = "the last update was not finite and was taken back";
+    note = "the last update was not finite and was discarded";
 }
 
 void Run::record(const Evaluation& evaluation, int iteration, std::string note) {
@@ -260,7 +260,7 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     }
     const bool new_domain = !(problem.scenario.domain == old.domain);
     const bool new_method = new_domain || problem.scenario.method.type != old.method.type;
-    // What has blown up is no start: a smaller step, say, goes on from the last mesh that was one.
+    // After divergence or tangling, restart from the last untangled mesh, for example with a smaller step.
     const bool back = status() == RunStatus::diverged || status() == RunStatus::tangled;
     std::optional<State> state = back ? last_untangled_ : state_;
     std::optional<State> untangled = last_untangled_;
@@ -287,7 +287,7 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     if (new_data) find_exact_map();
     if (!state) {
         reset();
-        return "The map could not be kept: the mesh starts again from the beginning.";
+        return "The map could not be transferred; the run restarts from the uniform mesh.";
     }
     state_ = std::move(*state);
     last_untangled_ = untangled ? std::move(*untangled) : method_->initial_state();
@@ -295,7 +295,7 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     GASPARD_CHECK(std::isfinite(evaluation.residual));
     restart_judging();
     record(evaluation, history_.back().iteration,
-           back ? "values changed; back at the last mesh without tangled cells" : "values changed");
+           back ? "values changed; restarted from the last mesh without tangled cells" : "values changed");
     measure(history_.back());
     return {};
 }

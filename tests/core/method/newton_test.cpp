@@ -94,16 +94,18 @@ TEST(Newton, RelaxesWhereNoStepIsAnyGood) { // on a mesh that is too coarse for 
     Driven run(newton_method(), 30, true);
     run.begin(monitor_of("ring-and-bell", true));
     run.solve();
-    EXPECT_NE(notes(run).find("of the relaxation"), std::string::npos) << notes(run);
+    EXPECT_NE(notes(run).find("relaxation steps"), std::string::npos) << notes(run);
 }
 
 TEST(Newton, SaysWhereItsPathBeginsAndEnds) {
     Driven run(newton_method(), 30, true);
     run.begin(monitor_of("bell", true));
     run.solve();
-    EXPECT_NE(run.history[1].note.find("over powers of the monitor, m^0."), std::string::npos) << notes(run);
-    EXPECT_NE(notes(run).find("is too far"), std::string::npos) << notes(run);
-    EXPECT_NE(notes(run).find("the monitor itself from here"), std::string::npos) << notes(run);
+    EXPECT_NE(run.history[1].note.find("continuation in powers of the monitor, starting with m^0."),
+              std::string::npos)
+        << notes(run);
+    EXPECT_NE(notes(run).find("failed, trying m^"), std::string::npos) << notes(run);
+    EXPECT_NE(notes(run).find("solving for the monitor itself"), std::string::npos) << notes(run);
 }
 
 TEST(Newton, MovesNothingForAConstantMonitor) {
@@ -200,7 +202,7 @@ TEST(Newton, SaysSoWhereItsStepsAreOfNoUse) {
         EXPECT_EQ(now.evaluation.residual < 1e-8, !wrong);
         if (wrong) {
             EXPECT_LE(steps, 5);
-            EXPECT_NE(now.evaluation.note.find("of the relaxation"), std::string::npos);
+            EXPECT_NE(now.evaluation.note.find("relaxation steps"), std::string::npos);
         }
     }
 }
@@ -239,8 +241,8 @@ TEST(QuasiNewton, FailsForAHarshMonitorAndSaysHow) {
         ASSERT_TRUE(std::isfinite(run.history.back().residual));
     }
     EXPECT_GT(run.history.back().residual, 1e-3);
-    EXPECT_TRUE(notes(run).find("lost its convexity") != std::string::npos ||
-                notes(run).find("stagnates") != std::string::npos)
+    EXPECT_TRUE(notes(run).find("no longer convex") != std::string::npos ||
+                notes(run).find("did not converge") != std::string::npos)
         << notes(run);
 }
 
