@@ -91,7 +91,7 @@ void Application::take_messages() {
         for (RunMessage& message : std::exchange(one.messages, {})) {
             if (&one != &run())
                 log_.add({one.name + ": " + message.text, message.error});
-            else if (message.by_hand && run().solver->status().run != RunStatus::failed)
+            else if (message.dragging && run().solver->status().run != RunStatus::failed)
                 message_ = {std::move(message.text), message.error};
             else
                 say({std::move(message.text), message.error});
@@ -117,6 +117,7 @@ static bool belongs_to_text(std::string_view key) {
 bool Application::press_key(std::string_view key) {
     const Action* row = action_for_key(key);
     if (!row) return false;
+    document_.record_views(); // of keys since the last frame, which undo is to find
     const bool dialog = error_.open() || open_dialog_.open(); // it comes first
     if (dialog && row->id != ActionId::cancel && row->id != ActionId::quit) return false;
     if (ImGui::GetIO().WantTextInput && !dialog && belongs_to_text(key)) return false;
@@ -136,7 +137,7 @@ bool Application::possible(ActionId id) {
     switch (id) {
     case ActionId::cancel:
         return ImGui::IsPopupOpen("", any_popup) || error_.open() || open_dialog_.open() || help_ ||
-               working() || document_.comparing() || comparison_panel_.open() ||
+               working() || document_.comparison().running() || comparison_panel_.open() ||
                !viewport().view.text("pick").empty();
     case ActionId::front:
     case ActionId::back:
@@ -147,6 +148,10 @@ bool Application::possible(ActionId id) {
         return run().snapshot && run().snapshot->mesh->space_dimension == 3;
     case ActionId::copy_camera:
         return !viewport_pane_.views().empty();
+    case ActionId::undo:
+        return document_.edits().can_undo();
+    case ActionId::redo:
+        return document_.edits().can_redo();
     case ActionId::spin:
         return run().snapshot && run().snapshot->mesh->space_dimension == 3 && !checked(ActionId::map);
     case ActionId::front_and_rear:
@@ -193,6 +198,9 @@ std::string Application::obstacle(ActionId id) {
                " is for monitors on a sphere that have an axis; the exact mesh of this one is not known.";
     case ActionId::quadratic:
         return name + ": only linear cells on a sphere can become quadratic; these are not.";
+    case ActionId::undo:
+    case ActionId::redo:
+        return "There is nothing to " + std::string(action(id).name) + ".";
     case ActionId::step:
         return "The run has ended; " + describe_keys(action(ActionId::run_pause)) + " begins it again.";
     default:
@@ -203,15 +211,20 @@ std::string Application::obstacle(ActionId id) {
 void Application::perform(ActionId id) {
     if (!run().live() && needs_solver(id)) return; // a run to be looked at
     message_ = {};
+    document_.end_gesture();
     switch (id) {
     case ActionId::run_pause:
         return toggle_running();
     case ActionId::step:
-        return document_.step(0);
+        return document_.step(run().id);
     case ActionId::reset:
-        return document_.reset(0);
+        return document_.reset(run().id);
     case ActionId::keep:
         return keep();
+    case ActionId::undo:
+        return move_in_history(false);
+    case ActionId::redo:
+        return move_in_history(true);
     case ActionId::cancel:
         return cancel();
     case ActionId::home:
@@ -331,8 +344,8 @@ void Application::use_quadratic_cells() {
     Scenario scenario = run().scenario;
     scenario.domain.values.parse("geometry_order", "2");
     viewport().view.set("pick", std::string());
-    document_.change(0, scenario);
-    document_.reset(0);
+    document_.change(run().id, scenario);
+    document_.reset(run().id);
     message_ = {};
     run().solver->post(StartCommand{});
     run().wants_to_run = true;
@@ -340,9 +353,9 @@ void Application::use_quadratic_cells() {
 
 void Application::toggle_running() {
     if (run().solving())
-        document_.pause(0);
+        document_.pause(run().id);
     else
-        document_.start(0);
+        document_.start(run().id);
 }
 
 void Application::toggle(const char* setting) {
@@ -392,7 +405,7 @@ void Application::cancel() {
         open_dialog_.close();
     else if (help_)
         help_ = false;
-    else if (document_.comparing())
+    else if (document_.comparison().running())
         document_.cancel_comparison();
     else if (working())
         run().solver->cancel();
@@ -414,14 +427,14 @@ void Application::toggle_format(const std::string& name) {
     if (names.empty()) return;
     Scenario scenario = run().scenario;
     scenario.output.set("formats", names);
-    document_.change(0, scenario);
+    document_.change(run().id, scenario);
 }
 
 void Application::export_files() {
     // The files are coloured as the viewport is.
     Scenario scenario = run().scenario;
     scenario.view = viewport().view;
-    if (scenario != run().scenario) document_.change(0, scenario);
+    if (scenario != run().scenario) document_.change(run().id, scenario);
     // The board is shared, for the task may come to its turn when the window is already closing.
     run().solver->post(InspectCommand{
         [board = board_, folder = output_folder(),
@@ -448,7 +461,31 @@ Settings Application::settings() {
 }
 
 void Application::keep() {
-    if (const auto kept = document_.keep(0)) say({"Kept as " + document_.runs()[*kept].name, false});
+    if (const auto kept = document_.keep(run().id))
+        say({"Kept as " + document_.runs().find(*kept)->name, false});
+}
+
+void Application::move_in_history(bool forward) {
+    const EditHistory& edits = document_.edits();
+    const std::string label = forward ? edits.redo_label() : edits.undo_label();
+    const double spin = viewport().view.real("spin");
+    if (!(forward ? document_.redo() : document_.undo())) return;
+    if (viewport().view.real("spin") != spin) viewport_pane_.stop_turning();
+    opening_file_.clear();
+    message_ = {(forward ? "Redone: " : "Undone: ") + label, false};
+}
+
+/// Makes an edit of what this frame has changed in the view. One drag is one edit, and so is one burst of the
+/// wheel.
+void Application::record_edits() {
+    constexpr double longest_pause = 0.5; // seconds between two steps of a burst
+    const bool wheel = ImGui::GetIO().MouseWheel != 0, active = ImGui::IsAnyItemActive();
+    const double now = ImGui::GetTime();
+    wheel_burst_ = wheel_burst_ && !active && now - wheeled_ < longest_pause;
+    if (wheel && !wheel_burst_) document_.end_gesture();
+    if (wheel) wheel_burst_ = true, wheeled_ = now;
+    document_.record_views(wheel ? " wheel" : "");
+    if (!active && !wheel_burst_) document_.end_gesture();
 }
 
 void Application::fulfil(const PlotWish& wish) {
@@ -481,7 +518,7 @@ void Application::draw_comparison() {
     case Wish::cancel:
         return document_.cancel_comparison();
     case Wish::copy:
-        ImGui::SetClipboardText(comparison_csv(document_.comparison_rows()).c_str());
+        ImGui::SetClipboardText(comparison_csv(document_.comparison().rows()).c_str());
         return say({"Copied the table of methods", false});
     case Wish::meshes:
         return perform(ActionId::runs);
@@ -525,19 +562,18 @@ void Application::open_file(const std::filesystem::path& file) {
 
 void Application::open_scenario(const Scenario& scenario) {
     opening_file_.clear();
-    document_.replace(0, scenario);
+    document_.replace(run().id, scenario);
 }
 
 /// A scenario has been found good and is there.
 void Application::take_opening() {
     openings_seen_ = run().openings;
-    if (is_default(viewport().view, "theme")) // it has no wish of its own
-        viewport().view.set("theme", theme_name());
     follow_theme();
     viewport_pane_.forget_home();
-    if (opening_file_.empty()) return;
-    remember_recent(settings_, opening_file_);
-    say({"Opened " + opening_file_.string(), false});
+    const auto file = std::exchange(opening_file_, {});
+    if (file.empty()) return;
+    remember_recent(settings_, file);
+    say({"Opened " + file.string(), false});
 }
 
 void Application::open_builtin(const std::string& name) {
@@ -546,6 +582,9 @@ void Application::open_builtin(const std::string& name) {
 }
 
 std::string Application::label_of(const Action& row) {
+    const EditHistory& edits = document_.edits();
+    if (row.id == ActionId::undo && edits.can_undo()) return "Undo " + edits.undo_label();
+    if (row.id == ActionId::redo && edits.can_redo()) return "Redo " + edits.redo_label();
     if (row.id != ActionId::run_pause) return std::string(row.label);
     return run().solving() ? "Pause" : run().ended() ? "Run again" : std::string(row.label);
 }

@@ -101,7 +101,7 @@ class Application {
         std::optional<Arrival> newest;
     };
 
-    DocumentRun& run() { return document_.runs().front(); }
+    DocumentRun& run() { return document_.active(); }
     DocumentViewport& viewport() { return document_.viewports().front(); }
     bool possible(ActionId id);
     std::string obstacle(ActionId id);
@@ -147,6 +147,8 @@ class Application {
     void set_text_size(double size);
     void cancel();
     void keep();
+    void move_in_history(bool forward);
+    void record_edits();
     void fulfil(const PlotWish& wish);
     void export_files();
     void save_scenario();
@@ -183,6 +185,8 @@ class Application {
     RunList run_list_;
     std::optional<Plot> plot_picture_;
     std::string plot_name_; ///< of the file to come
+    double wheeled_ = 0;       ///< when the wheel was last turned, by ImGui::GetTime()
+    bool wheel_burst_ = false; ///< nothing else was done since
     bool quit_ = false, help_ = false, fullscreen_ = false;
     bool screenshot_ = false;        ///< asked for
     bool taking_screenshot_ = false; ///< this frame is the picture: it shows no tooltip

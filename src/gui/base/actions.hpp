@@ -13,6 +13,8 @@ enum class ActionId {
     run_pause,
     step,
     reset,
+    undo,
+    redo,
     keep,
     compare,
     quadratic,

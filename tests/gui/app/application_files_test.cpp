@@ -103,7 +103,7 @@ TEST_F(ApplicationTest, AScenarioThatTheSolverRefusesLeavesEverythingAsItWas) {
     Scenario wrong = small_ring();
     wrong.title = "Wrong";
     wrong.method.type = "magic";
-    application.document().replace(0, wrong);
+    application.document().replace(run().id, wrong);
     ASSERT_TRUE(wait_until([&] { return application.error().open(); }));
     EXPECT_EQ(application.title(), small_ring().title);
     EXPECT_EQ(run().opened, small_ring());
@@ -117,7 +117,7 @@ TEST_F(ApplicationTest, ExportWritesTheChosenFormatsColouredAsTheViewIs) {
     ASSERT_TRUE(application.items().count("menu.export"));
     auto output = run().scenario;
     output.output.set("formats", std::string("svg"));
-    application.document().change(0, output);
+    application.document().change(run().id, output);
     application.document().viewports().front().view.set("color", std::string("area"));
     application.perform(ActionId::export_files);
     ASSERT_TRUE(wait_until([&] { return application.message().text.starts_with("Exported to "); }));

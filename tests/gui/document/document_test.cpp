@@ -4,7 +4,9 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <gtest/gtest.h>
+#include <memory>
 #include <thread>
 
 namespace gaspard {
@@ -12,7 +14,7 @@ namespace {
 
 constexpr auto patience = std::chrono::seconds(60);
 
-/// A small ring that is solved in a moment.
+/// A small ring that is solved at once.
 Scenario small_ring(const Catalogue& catalogue) {
     Scenario scenario = find_scenario(catalogue, "plane-ring");
     set_value(catalogue, scenario, "domain.cells", std::int64_t{12});
@@ -32,7 +34,20 @@ class DocumentTest : public testing::Test {
         }
         return false;
     }
-    DocumentRun& run() { return document.runs().front(); }
+    DocumentRun& run() { return document.active(); }
+    /// Waits until the solver has executed all commands and the document has collected what came of them.
+    bool solver_is_idle() {
+        // The thread publishes between two batches of commands: what follows the second answer is published.
+        for (int batch = 0; batch < 2; ++batch) {
+            const auto reached = std::make_shared<std::promise<void>>();
+            auto answer = reached->get_future();
+            run().solver->post(
+                InspectCommand{[reached](gaspard::Run&, const Activity&) { reached->set_value(); }});
+            if (!wait_until([&] { return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }))
+                return false;
+        }
+        return wait_until([&] { return run().changes.settled(); });
+    }
 
     std::shared_ptr<const Catalogue> catalogue = std::make_shared<Catalogue>(builtin_catalogue());
     std::atomic<int> notified = 0;
@@ -42,7 +57,7 @@ class DocumentTest : public testing::Test {
 TEST_F(DocumentTest, KeepsEveryReportInOrderAndPlotsIt) {
     document.open(small_ring(*catalogue));
     ASSERT_EQ(document.viewports().size(), 1U);
-    EXPECT_EQ(document.viewports().front().run, 0U);
+    EXPECT_EQ(document.viewports().front().run, run().id);
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     const auto& history = run().history;
     ASSERT_EQ(history.size(), 41U);
@@ -53,45 +68,47 @@ TEST_F(DocumentTest, KeepsEveryReportInOrderAndPlotsIt) {
     EXPECT_EQ(curves.residual.seconds[7], history[7].seconds);
     EXPECT_EQ(curves.equidistribution.values[40], *history[40].equidistribution);
     EXPECT_EQ(curves.max_jacobian.values[40], *history[40].max_jacobian);
-    EXPECT_EQ(curves.step_size.values.size(), 40U) << "no step led to the start";
+    EXPECT_EQ(curves.step_size.values.size(), 40U) << "the start has no step size";
     EXPECT_GT(notified, 0);
     ASSERT_NE(run().snapshot, nullptr);
     EXPECT_EQ(run().snapshot->report.iteration, 40);
     EXPECT_GT(*iteration_rate(history), 0);
 }
 
-TEST_F(DocumentTest, AChangeGoesOnAndAResetBeginsAnew) {
+TEST_F(DocumentTest, AChangeContinuesAndAResetStartsOver) {
     document.open(small_ring(*catalogue));
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     Scenario changed = run().scenario;
     set_value(*catalogue, changed, "monitor.amplitude", 20.0);
-    document.change(0, changed);
+    document.change(run().id, changed);
     ASSERT_TRUE(wait_until([&] { return run().ended() && run().history.back().iteration == 80; }));
-    document.reset(0);
+    document.reset(run().id);
     ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
     EXPECT_EQ(run().history.front().iteration, 0);
     EXPECT_EQ(run().curves.residual.values.size(), 1U);
-    EXPECT_FALSE(run().wants_to_run) << "a run that had ended rests after a reset";
-    document.start(0);
+    EXPECT_FALSE(run().wants_to_run) << "a run that had ended is paused by a reset";
+    document.start(run().id);
     ASSERT_TRUE(wait_until([&] { return run().ended() && run().history.back().iteration == 40; }));
 }
 
 TEST_F(DocumentTest, AKeptRunStaysWhileTheLiveOneGoesOn) {
     document.open(small_ring(*catalogue));
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
-    ASSERT_EQ(document.keep(0), 1U);
-    EXPECT_EQ(document.runs()[1].name, "Ring");
-    EXPECT_FALSE(document.runs()[1].live());
-    EXPECT_NE(document.runs()[1].colour, run().colour);
+    const auto id = document.keep(run().id);
+    ASSERT_TRUE(id);
+    const DocumentRun& kept = *document.runs().find(*id);
+    EXPECT_EQ(&kept, &document.runs()[1]);
+    EXPECT_EQ(kept.name, "Ring");
+    EXPECT_FALSE(kept.live());
+    EXPECT_NE(kept.colour, run().colour);
     const auto snapshot = run().snapshot;
 
     Scenario changed = run().scenario;
     set_value(*catalogue, changed, "monitor.amplitude", 20.0);
-    document.change(0, changed);
+    document.change(run().id, changed);
     EXPECT_EQ(run().name, "Ring, amplitude 20");
-    document.reset(0);
-    document.start(0);
-    const DocumentRun& kept = document.runs()[1];
+    document.reset(run().id);
+    document.start(run().id);
     ASSERT_TRUE(wait_until([&] {
         return run().ended() && run().history.size() == 41 &&
                run().history[40].residual != kept.history[40].residual;
@@ -103,35 +120,51 @@ TEST_F(DocumentTest, AKeptRunStaysWhileTheLiveOneGoesOn) {
     EXPECT_EQ(kept.scenario.monitor.values.real("amplitude"), 10);
     EXPECT_TRUE(kept.ended());
 
-    ASSERT_EQ(document.keep(0), 2U);
+    ASSERT_TRUE(document.keep(run().id));
     EXPECT_EQ(document.runs()[2].name, "Ring, amplitude 20");
     EXPECT_EQ(document.runs()[2].scenario.monitor.values.real("amplitude"), 20);
-    ASSERT_EQ(document.keep(0), 3U);
+    ASSERT_TRUE(document.keep(run().id));
     EXPECT_EQ(document.runs()[3].name, "Ring, amplitude 20 (2)") << "no two have the same name";
 }
 
-TEST_F(DocumentTest, OfARemovedRunNothingRemains) {
+TEST_F(DocumentTest, ReferencesToRunsStayValid) {
     document.open(small_ring(*catalogue));
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
-    document.keep(0), document.keep(0);
-    const std::size_t colour = document.runs()[1].colour;
-    document.viewports().push_back({.run = 1, .view = run().scenario.view});
-    document.viewports().push_back({.run = 2, .view = run().scenario.view});
-    document.remove(1);
-    ASSERT_EQ(document.runs().size(), 2U);
-    EXPECT_EQ(document.runs()[1].name, "Ring (2)");
-    EXPECT_EQ(document.viewports()[1].run, 0U) << "what it looked at is gone";
-    EXPECT_EQ(document.viewports()[2].run, 1U) << "the same run as before";
-    document.keep(0);
-    EXPECT_EQ(document.runs()[2].colour, colour) << "its colour is free again";
+    DocumentRun& live = run();
+    const DocumentRun& first = *document.runs().find(*document.keep(run().id));
+    const std::string name = first.name;
+    const std::size_t reports = first.history.size();
+    for (int i = 0; i < 50; ++i) ASSERT_TRUE(document.keep(run().id));
+    document.open(small_ring(*catalogue));
+    document.remove(document.runs()[2].id);
+    EXPECT_EQ(&live, &document.active()) << "the first run is active";
+    EXPECT_EQ(&first, &document.runs()[1]);
+    EXPECT_EQ(first.name, name);
+    EXPECT_EQ(first.history.size(), reports);
 }
 
-TEST_F(DocumentTest, ARunThatHasDoneNothingIsNotKept) {
+TEST_F(DocumentTest, AViewportOfARemovedRunShowsTheActiveOne) {
+    document.open(small_ring(*catalogue));
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const RunId first = *document.keep(run().id), second = *document.keep(run().id);
+    const std::size_t colour = document.runs().find(first)->colour;
+    document.viewports().push_back({.run = first, .view = run().scenario.view});
+    document.viewports().push_back({.run = second, .view = run().scenario.view});
+    document.remove(first);
+    ASSERT_EQ(document.runs().size(), 2U);
+    EXPECT_EQ(document.runs()[1].name, "Ring (2)");
+    EXPECT_EQ(document.viewports()[1].run, document.active().id);
+    EXPECT_EQ(document.viewports()[2].run, second) << "the same run as before";
+    document.keep(run().id);
+    EXPECT_EQ(document.runs()[2].colour, colour) << "the colour is free again";
+}
+
+TEST_F(DocumentTest, ARunWithoutReportsIsNotKept) {
     Scenario refused = small_ring(*catalogue);
     refused.method.type = "magic";
     document.open(refused);
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
-    EXPECT_FALSE(document.keep(0));
+    EXPECT_FALSE(document.keep(run().id));
     EXPECT_EQ(document.runs().size(), 1U);
 }
 
@@ -140,17 +173,17 @@ TEST_F(DocumentTest, AChangeOfValuesMarksTheHistory) {
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     EXPECT_TRUE(run().marks.empty());
     Scenario changed = run().scenario;
-    for (const double amplitude : {12.0, 15.0, 20.0}) { // a slider being dragged
+    for (const double amplitude : {12.0, 15.0, 20.0}) { // as by a slider
         set_value(*catalogue, changed, "monitor.amplitude", amplitude);
-        document.change(0, changed);
-        ASSERT_TRUE(wait_until([&] { return run().answered == run().asked; }));
+        document.change(run().id, changed);
+        ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
     }
     ASSERT_TRUE(wait_until([&] { return run().ended() && run().history.back().iteration >= 80; }));
     ASSERT_EQ(run().marks.size(), 1U);
     EXPECT_EQ(run().marks[0].iteration, 40);
     EXPECT_EQ(run().marks[0].text, "amplitude 10 to 20");
-    document.keep(0);
-    document.reset(0);
+    document.keep(run().id);
+    document.reset(run().id);
     ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
     EXPECT_TRUE(run().marks.empty());
     EXPECT_EQ(document.runs()[1].marks.size(), 1U);
@@ -159,13 +192,13 @@ TEST_F(DocumentTest, AChangeOfValuesMarksTheHistory) {
 TEST_F(DocumentTest, RunsDifferInColour) {
     document.open(small_ring(*catalogue));
     document.open(find_scenario(*catalogue, "plane-bell"));
-    document.pause(1);
+    document.pause(document.runs()[1].id);
     ASSERT_TRUE(wait_until([&] { return run().ended() && !document.runs()[1].history.empty(); }));
-    EXPECT_EQ(document.viewports()[1].run, 1U);
+    EXPECT_EQ(document.viewports()[1].run, document.runs()[1].id);
     EXPECT_NE(document.runs()[0].colour, document.runs()[1].colour);
 }
 
-TEST_F(DocumentTest, AComparisonLeavesAloneWhatTheFirstRunHasDoneMeanwhile) {
+TEST_F(DocumentTest, AComparisonLeavesAScenarioAloneThatWasOpenedMeanwhile) {
     Scenario endless = small_ring(*catalogue);
     set_value(*catalogue, endless, "method.tolerance", 1e-14);
     set_value(*catalogue, endless, "method.max_iterations", std::int64_t{1000000});
@@ -175,19 +208,19 @@ TEST_F(DocumentTest, AComparisonLeavesAloneWhatTheFirstRunHasDoneMeanwhile) {
     document.compare({"relaxation"});
     ASSERT_TRUE(wait_until([&] { return run().status.paused && document.runs()[1].history.size() > 1; }));
     EXPECT_FALSE(run().solving());
-    document.replace(0, small_ring(*catalogue)); // another scenario is opened, and solved
+    document.replace(run().id, small_ring(*catalogue)); // another scenario is opened, and solved
     ASSERT_TRUE(wait_until([&] { return run().openings == 1 && run().ended(); }));
     ASSERT_EQ(run().history.size(), 41U);
     const auto solved = run().snapshot;
-    ASSERT_TRUE(document.comparing());
+    ASSERT_TRUE(document.comparison().running());
     document.cancel_comparison();
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
-    EXPECT_EQ(run().snapshot, solved) << "it was thrown away";
+    ASSERT_TRUE(solver_is_idle());
+    EXPECT_TRUE(run().ended());
+    EXPECT_EQ(run().snapshot, solved) << "the run was started again";
     EXPECT_EQ(run().history.size(), 41U);
 }
 
-TEST_F(DocumentTest, AComparisonDoesNotWakeARunThatWasPausedMeanwhile) {
+TEST_F(DocumentTest, AComparisonDoesNotResumeARunThatWasPausedMeanwhile) {
     Scenario endless = small_ring(*catalogue);
     set_value(*catalogue, endless, "method.tolerance", 1e-14);
     set_value(*catalogue, endless, "method.max_iterations", std::int64_t{1000000});
@@ -195,8 +228,8 @@ TEST_F(DocumentTest, AComparisonDoesNotWakeARunThatWasPausedMeanwhile) {
     document.open(endless);
     ASSERT_TRUE(wait_until([&] { return run().solving(); }));
     document.compare({"relaxation"});
-    document.start(0);
-    document.pause(0);
+    document.start(run().id);
+    document.pause(run().id);
     document.cancel_comparison();
     EXPECT_FALSE(run().wants_to_run);
 }
