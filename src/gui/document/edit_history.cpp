@@ -119,7 +119,9 @@ bool EditHistory::mentions(RunId run) const {
 
 void EditHistory::erase(std::size_t index) {
     edits_.erase(edits_.begin() + static_cast<std::ptrdiff_t>(index));
-    if (index < done_) --done_;
+    if (index >= done_) return;
+    if (index + 1 == done_) gesture_ = false; // the edit before it belongs to another gesture
+    --done_;
 }
 
 } // namespace gaspard

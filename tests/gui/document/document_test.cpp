@@ -1,61 +1,14 @@
-#include "core/scenario/toml.hpp"
-#include "gui/document/document.hpp"
+#include "gui/document_fixture.hpp"
 
-#include <atomic>
-#include <chrono>
 #include <cmath>
-#include <future>
-#include <gtest/gtest.h>
-#include <memory>
-#include <thread>
 
 namespace gaspard {
 namespace {
 
-constexpr auto patience = std::chrono::seconds(60);
-
-/// A small ring that is solved at once.
-Scenario small_ring(const Catalogue& catalogue) {
-    Scenario scenario = find_scenario(catalogue, "plane-ring");
-    set_value(catalogue, scenario, "domain.cells", std::int64_t{12});
-    set_value(catalogue, scenario, "method.max_iterations", std::int64_t{40});
-    return scenario;
-}
-
-class DocumentTest : public testing::Test {
-  protected:
-    template <class Condition>
-    bool wait_until(Condition condition) {
-        const auto end = std::chrono::steady_clock::now() + patience;
-        while (std::chrono::steady_clock::now() < end) {
-            document.collect();
-            if (condition()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        }
-        return false;
-    }
-    DocumentRun& run() { return document.active(); }
-    /// Waits until the solver has executed all commands and the document has collected what came of them.
-    bool solver_is_idle() {
-        // The thread publishes between two batches of commands: what follows the second answer is published.
-        for (int batch = 0; batch < 2; ++batch) {
-            const auto reached = std::make_shared<std::promise<void>>();
-            auto answer = reached->get_future();
-            run().solver->post(
-                InspectCommand{[reached](gaspard::Run&, const Activity&) { reached->set_value(); }});
-            if (!wait_until([&] { return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }))
-                return false;
-        }
-        return wait_until([&] { return run().changes.settled(); });
-    }
-
-    std::shared_ptr<const Catalogue> catalogue = std::make_shared<Catalogue>(builtin_catalogue());
-    std::atomic<int> notified = 0;
-    Document document{catalogue, [this] { ++notified; }};
-};
+class DocumentTest : public DocumentFixture {};
 
 TEST_F(DocumentTest, KeepsEveryReportInOrderAndPlotsIt) {
-    document.open(small_ring(*catalogue));
+    document.open(small_ring());
     ASSERT_EQ(document.viewports().size(), 1U);
     EXPECT_EQ(document.viewports().front().run, run().id);
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
@@ -76,7 +29,7 @@ TEST_F(DocumentTest, KeepsEveryReportInOrderAndPlotsIt) {
 }
 
 TEST_F(DocumentTest, AChangeContinuesAndAResetStartsOver) {
-    document.open(small_ring(*catalogue));
+    document.open(small_ring());
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     Scenario changed = run().scenario;
     set_value(*catalogue, changed, "monitor.amplitude", 20.0);
@@ -92,7 +45,7 @@ TEST_F(DocumentTest, AChangeContinuesAndAResetStartsOver) {
 }
 
 TEST_F(DocumentTest, AKeptRunStaysWhileTheLiveOneGoesOn) {
-    document.open(small_ring(*catalogue));
+    document.open(small_ring());
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     const auto id = document.keep(run().id);
     ASSERT_TRUE(id);
@@ -128,14 +81,14 @@ TEST_F(DocumentTest, AKeptRunStaysWhileTheLiveOneGoesOn) {
 }
 
 TEST_F(DocumentTest, ReferencesToRunsStayValid) {
-    document.open(small_ring(*catalogue));
+    document.open(small_ring());
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     DocumentRun& live = run();
     const DocumentRun& first = *document.runs().find(*document.keep(run().id));
     const std::string name = first.name;
     const std::size_t reports = first.history.size();
     for (int i = 0; i < 50; ++i) ASSERT_TRUE(document.keep(run().id));
-    document.open(small_ring(*catalogue));
+    document.open(small_ring());
     document.remove(document.runs()[2].id);
     EXPECT_EQ(&live, &document.active()) << "the first run is active";
     EXPECT_EQ(&first, &document.runs()[1]);
@@ -144,7 +97,7 @@ TEST_F(DocumentTest, ReferencesToRunsStayValid) {
 }
 
 TEST_F(DocumentTest, AViewportOfARemovedRunShowsTheActiveOne) {
-    document.open(small_ring(*catalogue));
+    document.open(small_ring());
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     const RunId first = *document.keep(run().id), second = *document.keep(run().id);
     const std::size_t colour = document.runs().find(first)->colour;
@@ -160,7 +113,7 @@ TEST_F(DocumentTest, AViewportOfARemovedRunShowsTheActiveOne) {
 }
 
 TEST_F(DocumentTest, ARunWithoutReportsIsNotKept) {
-    Scenario refused = small_ring(*catalogue);
+    Scenario refused = small_ring();
     refused.method.type = "magic";
     document.open(refused);
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
@@ -169,7 +122,7 @@ TEST_F(DocumentTest, ARunWithoutReportsIsNotKept) {
 }
 
 TEST_F(DocumentTest, AChangeOfValuesMarksTheHistory) {
-    document.open(small_ring(*catalogue));
+    document.open(small_ring());
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     EXPECT_TRUE(run().marks.empty());
     Scenario changed = run().scenario;
@@ -190,7 +143,7 @@ TEST_F(DocumentTest, AChangeOfValuesMarksTheHistory) {
 }
 
 TEST_F(DocumentTest, RunsDifferInColour) {
-    document.open(small_ring(*catalogue));
+    document.open(small_ring());
     document.open(find_scenario(*catalogue, "plane-bell"));
     document.pause(document.runs()[1].id);
     ASSERT_TRUE(wait_until([&] { return run().ended() && !document.runs()[1].history.empty(); }));
@@ -199,16 +152,12 @@ TEST_F(DocumentTest, RunsDifferInColour) {
 }
 
 TEST_F(DocumentTest, AComparisonLeavesAScenarioAloneThatWasOpenedMeanwhile) {
-    Scenario endless = small_ring(*catalogue);
-    set_value(*catalogue, endless, "method.tolerance", 1e-14);
-    set_value(*catalogue, endless, "method.max_iterations", std::int64_t{1000000});
-    set_value(*catalogue, endless, "method.step_size", 1e-4);
-    document.open(endless);
+    document.open(endless_ring());
     ASSERT_TRUE(wait_until([&] { return run().solving(); }));
     document.compare({"relaxation"});
     ASSERT_TRUE(wait_until([&] { return run().status.paused && document.runs()[1].history.size() > 1; }));
     EXPECT_FALSE(run().solving());
-    document.replace(run().id, small_ring(*catalogue)); // another scenario is opened, and solved
+    document.replace(run().id, small_ring()); // another scenario is opened, and solved
     ASSERT_TRUE(wait_until([&] { return run().openings == 1 && run().ended(); }));
     ASSERT_EQ(run().history.size(), 41U);
     const auto solved = run().snapshot;
@@ -221,11 +170,7 @@ TEST_F(DocumentTest, AComparisonLeavesAScenarioAloneThatWasOpenedMeanwhile) {
 }
 
 TEST_F(DocumentTest, AComparisonDoesNotResumeARunThatWasPausedMeanwhile) {
-    Scenario endless = small_ring(*catalogue);
-    set_value(*catalogue, endless, "method.tolerance", 1e-14);
-    set_value(*catalogue, endless, "method.max_iterations", std::int64_t{1000000});
-    set_value(*catalogue, endless, "method.step_size", 1e-4);
-    document.open(endless);
+    document.open(endless_ring());
     ASSERT_TRUE(wait_until([&] { return run().solving(); }));
     document.compare({"relaxation"});
     document.start(run().id);
