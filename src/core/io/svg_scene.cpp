@@ -1,6 +1,7 @@
 #include "core/io/svg_scene.hpp"
 
 #include "core/base/check.hpp"
+#include "core/scenario/view_directions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,13 +81,6 @@ Vec3 face_centre(const SvgScene& scene, std::size_t face) {
     return 1.0 / static_cast<double>(corners.size()) * sum;
 }
 
-SvgDirection somewhat_from_above() {
-    constexpr double azimuth = 0.6, elevation = 0.45; // radians, of the viewer; as in the window
-    return {{-std::sin(azimuth), std::cos(azimuth), 0},
-            {-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth),
-             std::cos(elevation)}};
-}
-
 } // namespace
 
 SvgScene svg_scene(const Snapshot& snapshot, const std::optional<Colouring>& colouring) {
@@ -112,7 +106,8 @@ SvgScene svg_scene(const Snapshot& snapshot, const std::optional<Colouring>& col
 SvgView svg_view(const SvgScene& scene, const std::optional<SvgDirection>& direction, PagePoint corner,
                  double width, double largest_height) {
     SvgView view;
-    if (scene.spatial) view.direction = direction.value_or(somewhat_from_above());
+    const ViewDirection& home = view_direction("home");
+    if (scene.spatial) view.direction = direction.value_or(SvgDirection{home.right, home.up});
     const auto& [right_axis, up_axis] = view.direction;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double left = infinity, right = -infinity, bottom = infinity, top = -infinity;

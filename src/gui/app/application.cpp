@@ -17,16 +17,7 @@ namespace gaspard {
 
 namespace {
 
-bool needs_solver(ActionId id) {
-    using enum ActionId;
-    for (const ActionId one : {run_pause, step, reset, export_files, cancel, keep, quadratic})
-        if (id == one) return true;
-    return false;
-}
-
 constexpr ImGuiPopupFlags any_popup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
-constexpr double projector_size = 1.7, text_step = 1.1;
-constexpr double usual_spin = 12; // degrees per second
 
 } // namespace
 
@@ -67,7 +58,7 @@ bool Application::collect() {
     take_messages();
     if (run().openings != openings_seen_) take_opening();
     note_what_is_missing();
-    const std::string note = closing_note(run());
+    const std::string note = closing_note(run(), action("reset"));
     if (note != closing_note_ && !note.empty()) log_.add({note, false});
     closing_note_ = note;
     std::optional<Arrivals::Arrival> arrival;
@@ -115,17 +106,21 @@ static bool belongs_to_text(std::string_view key) {
 }
 
 bool Application::press_key(std::string_view key) {
-    const Action* row = action_for_key(key);
+    const Action* row = action_for_key(actions_, key);
+    constexpr std::string_view shifted = "Ctrl+Shift+"; // means the same as Ctrl where it means nothing itself
+    if (!row && key.starts_with(shifted))
+        return press_key("Ctrl+" + std::string(key.substr(shifted.size())));
     if (!row) return false;
     document_.record_views(); // of keys since the last frame, which undo is to find
     const bool dialog = error_.open() || open_dialog_.open(); // it comes first
-    if (dialog && row->id != ActionId::cancel && row->id != ActionId::quit) return false;
+    if (dialog && row->name != "cancel" && row->name != "quit") return false;
     if (ImGui::GetIO().WantTextInput && !dialog && belongs_to_text(key)) return false;
-    if (!possible(row->id)) {
-        if (const std::string why = obstacle(row->id); !why.empty()) say({why, false});
+    if (!row->is_enabled()) {
+        const std::string why = run().snapshot ? row->why_disabled() : std::string();
+        if (!why.empty()) say({why, false});
         return false;
     }
-    perform(row->id);
+    perform(row->name);
     return true;
 }
 
@@ -133,205 +128,15 @@ bool Application::working() {
     return !run().status.activity.empty() || run().status.run == RunStatus::preparing;
 }
 
-bool Application::possible(ActionId id) {
-    switch (id) {
-    case ActionId::cancel:
-        return ImGui::IsPopupOpen("", any_popup) || error_.open() || open_dialog_.open() || help_ ||
-               working() || document_.comparison().running() || comparison_panel_.open() ||
-               !viewport().view.text("pick").empty();
-    case ActionId::front:
-    case ActionId::back:
-    case ActionId::left:
-    case ActionId::right:
-    case ActionId::top:
-    case ActionId::bottom:
-        return run().snapshot && run().snapshot->mesh->space_dimension == 3;
-    case ActionId::copy_camera:
-        return !viewport_pane_.views().empty();
-    case ActionId::undo:
-        return document_.edits().can_undo();
-    case ActionId::redo:
-        return document_.edits().can_redo();
-    case ActionId::spin:
-        return run().snapshot && run().snapshot->mesh->space_dimension == 3 && !checked(ActionId::map);
-    case ActionId::front_and_rear:
-        return available("layout=front-and-rear");
-    case ActionId::runs:
-        return document_.runs().size() > 1;
-    case ActionId::compare:
-        return run().live();
-    case ActionId::map:
-        return available("layout=map");
-    case ActionId::overlay:
-        return available("overlay=exact");
-    case ActionId::quadratic:
-        return has_linear_cells(run());
-    default:
-        break;
-    }
-    if (id == ActionId::step) return !run().ended();
-    return id != ActionId::keep || !run().history.empty();
-}
-
-/// Why an action that looks as if it did something does nothing here; empty where that is plain to see.
-std::string Application::obstacle(ActionId id) {
-    if (!run().snapshot) return {};
-    const std::string name(action(id).label);
-    switch (id) {
-    case ActionId::front:
-    case ActionId::back:
-    case ActionId::left:
-    case ActionId::right:
-    case ActionId::top:
-    case ActionId::bottom:
-    case ActionId::front_and_rear:
-        return name + " is for meshes in space; this one lies in the plane.";
-    case ActionId::runs:
-        return name + ": there is only one; K keeps this run, C compares methods.";
-    case ActionId::map:
-        return name + " is for meshes on a sphere.";
-    case ActionId::spin:
-        return name + (checked(ActionId::map) ? " is for a globe; M leads back from the map to it."
-                                              : " is for meshes in space; this one lies in the plane.");
-    case ActionId::overlay:
-        return name +
-               " is for monitors on a sphere that have an axis; the exact mesh of this one is not known.";
-    case ActionId::quadratic:
-        return name + ": only linear cells on a sphere can become quadratic; these are not.";
-    case ActionId::undo:
-    case ActionId::redo:
-        return "There is nothing to " + std::string(action(id).name) + ".";
-    case ActionId::step:
-        return "The run has ended; " + describe_keys(action(ActionId::run_pause)) + " begins it again.";
-    default:
-        return {};
-    }
-}
-
-void Application::perform(ActionId id) {
-    if (!run().live() && needs_solver(id)) return; // a run to be looked at
+void Application::perform(std::string_view name) {
+    const Action& row = action(name);
+    if (row.needs_solver && !run().live()) return; // the window shows a finished run
     message_ = {};
     document_.end_gesture();
-    switch (id) {
-    case ActionId::run_pause:
-        return toggle_running();
-    case ActionId::step:
-        return document_.step(run().id);
-    case ActionId::reset:
-        return document_.reset(run().id);
-    case ActionId::keep:
-        return keep();
-    case ActionId::undo:
-        return move_in_history(false);
-    case ActionId::redo:
-        return move_in_history(true);
-    case ActionId::cancel:
-        return cancel();
-    case ActionId::home:
-        return look_from(run().opened.view.text("direction"));
-    case ActionId::front:
-    case ActionId::back:
-    case ActionId::left:
-    case ActionId::right:
-    case ActionId::top:
-    case ActionId::bottom:
-        return look_from(std::string(action(id).name));
-    case ActionId::compare:
-        if (comparison_panel_.open())
-            comparison_panel_.close();
-        else
-            comparison_panel_.show();
-        return;
-    case ActionId::side_by_side:
-    case ActionId::runs:
-    case ActionId::front_and_rear:
-    case ActionId::map:
-        viewport().view.set("layout", std::string(checked(id) ? "single" : action(id).name));
-        return;
-    case ActionId::spin:
-        viewport().view.set("spin", checked(id) ? 0.0 : usual_spin);
-        return;
-    case ActionId::overlay:
-        viewport().view.set("overlay", std::string(checked(id) ? "none" : "exact"));
-        return;
-    case ActionId::quadratic:
-        return use_quadratic_cells();
-    case ActionId::lines:
-        return toggle_view("lines");
-    case ActionId::arrows:
-        return toggle_view("arrows");
-    case ActionId::copy_camera:
-        return copy_camera();
-    case ActionId::paste_camera:
-        return paste_camera();
-    case ActionId::theme:
-        viewport().view.set("theme", std::string(viewed_theme() == "dark" ? "light" : "dark"));
-        return follow_theme();
-    case ActionId::sidebar:
-        return toggle("sidebar");
-    case ActionId::plots:
-        return toggle("plots");
-    case ActionId::log:
-        return toggle("log");
-    case ActionId::larger:
-        return set_text_size(settings_.window.real("text_size") * text_step);
-    case ActionId::smaller:
-        return set_text_size(settings_.window.real("text_size") / text_step);
-    case ActionId::projector:
-        return set_text_size(checked(ActionId::projector) ? 1 : projector_size);
-    case ActionId::fullscreen:
-        fullscreen_ = !fullscreen_;
-        return;
-    case ActionId::open:
-        return open_dialog_.show();
-    case ActionId::save_scenario:
-        return save_scenario();
-    case ActionId::screenshot:
-        screenshot_ = true;
-        return;
-    case ActionId::export_files:
-        return export_files();
-    case ActionId::help:
-        help_ = !help_;
-        return;
-    case ActionId::quit:
-        quit_ = true;
-        return;
-    }
+    row.run();
 }
 
-bool Application::checked(ActionId id) const {
-    const Values& view = document_.viewports().front().view;
-    switch (id) {
-    case ActionId::compare:
-        return comparison_panel_.open();
-    case ActionId::side_by_side:
-    case ActionId::runs:
-    case ActionId::front_and_rear:
-    case ActionId::map:
-        return view.text("layout") == action(id).name;
-    case ActionId::spin:
-        return view.real("spin") != 0;
-    case ActionId::overlay:
-        return view.text("overlay") == "exact";
-    case ActionId::lines:
-        return view.boolean("lines");
-    case ActionId::arrows:
-        return view.boolean("arrows");
-    case ActionId::sidebar:
-        return settings_.window.boolean("sidebar");
-    case ActionId::plots:
-        return settings_.window.boolean("plots");
-    case ActionId::log:
-        return settings_.window.boolean("log");
-    case ActionId::projector:
-        return settings_.window.real("text_size") >= projector_size;
-    case ActionId::fullscreen:
-        return fullscreen_;
-    default:
-        return false;
-    }
-}
+bool Application::in_space() { return run().snapshot && run().snapshot->mesh->space_dimension == 3; }
 
 bool Application::available(const std::string& choice) const {
     const auto missing = viewport_pane_.unavailable();
@@ -350,19 +155,6 @@ void Application::use_quadratic_cells() {
     run().solver->post(StartCommand{});
     run().wants_to_run = true;
 }
-
-void Application::toggle_running() {
-    if (run().solving())
-        document_.pause(run().id);
-    else
-        document_.start(run().id);
-}
-
-void Application::toggle(const char* setting) {
-    settings_.window.set(setting, !settings_.window.boolean(setting));
-}
-
-void Application::toggle_view(const char* key) { viewport().view.set(key, !viewport().view.boolean(key)); }
 
 void Application::look_from(const std::string& direction) {
     viewport().view.set("direction", direction);
@@ -395,7 +187,12 @@ void Application::set_text_size(double size) {
     settings_.window.set("text_size", within(settings_.window, "text_size", size));
 }
 
-/// What lies on top goes first.
+bool Application::can_cancel() {
+    return ImGui::IsPopupOpen("", any_popup) || error_.open() || open_dialog_.open() || help_ || working() ||
+           document_.comparison().running() || comparison_panel_.open() || !viewport().view.text("pick").empty();
+}
+
+/// Closes or cancels the topmost thing only.
 void Application::cancel() {
     if (ImGui::IsPopupOpen("", any_popup) && !error_.open() && !open_dialog_.open())
         ImGui::ClosePopupToLevel(0, true); // a menu or a list
@@ -521,7 +318,7 @@ void Application::draw_comparison() {
         ImGui::SetClipboardText(comparison_csv(document_.comparison().rows()).c_str());
         return say({"Copied the table of methods", false});
     case Wish::meshes:
-        return perform(ActionId::runs);
+        return perform("runs");
     }
 }
 
@@ -579,14 +376,6 @@ void Application::take_opening() {
 void Application::open_builtin(const std::string& name) {
     open_scenario(for_window(*catalogue_, find_scenario(*catalogue_, name)));
     message_ = {};
-}
-
-std::string Application::label_of(const Action& row) {
-    const EditHistory& edits = document_.edits();
-    if (row.id == ActionId::undo && edits.can_undo()) return "Undo " + edits.undo_label();
-    if (row.id == ActionId::redo && edits.can_redo()) return "Redo " + edits.redo_label();
-    if (row.id != ActionId::run_pause) return std::string(row.label);
-    return run().solving() ? "Pause" : run().ended() ? "Run again" : std::string(row.label);
 }
 
 } // namespace gaspard

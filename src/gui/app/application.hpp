@@ -26,6 +26,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,7 +58,7 @@ class Application {
     /// A key as the table of actions writes it. Ignored while a text field has the keyboard. True if it did
     /// something.
     bool press_key(std::string_view key);
-    void perform(ActionId id);
+    void perform(std::string_view action);
     /// A scenario file, read on another thread; takes the place of what is shown once it is found good.
     void open_file(const std::filesystem::path& file);
 
@@ -80,6 +81,7 @@ class Application {
     /// What is to be remembered when the window closes.
     Settings settings();
 
+    std::span<const Action> actions() const { return actions_; }
     Document& document() { return document_; }
     /// The meshes that the last frame asks for.
     const std::vector<ShownView>& views() const { return viewport_pane_.views(); }
@@ -103,16 +105,28 @@ class Application {
 
     DocumentRun& run() { return document_.active(); }
     DocumentViewport& viewport() { return document_.viewports().front(); }
-    bool possible(ActionId id);
-    std::string obstacle(ActionId id);
-    bool checked(ActionId id) const;
+    std::vector<Action> make_actions();
+    std::vector<Action> edit_actions();
+    std::vector<Action> solve_actions();
+    std::vector<Action> camera_actions();
+    std::vector<Action> layout_actions();
+    std::vector<Action> show_actions();
+    std::vector<Action> window_actions();
+    std::vector<Action> file_actions();
+    Action layout_action(std::string_view name, std::string_view label, std::string_view key,
+                         std::string_view help);
+    Action view_toggle(std::string_view key, std::string_view label, std::string_view shortcut,
+                       std::string_view help);
+    Action part_toggle(std::string_view setting, std::string_view label, std::string_view key,
+                       std::string_view help);
+    const Action& action(std::string_view name) const { return find_action(actions_, name); }
+    bool in_space();
     bool working();
     void take_messages();
     void note_what_is_missing();
     bool available(const std::string& choice) const;
     void use_quadratic_cells();
     void draw_remedy();
-    std::string label_of(const Action& action);
     void say(Notice notice);
     void arrange();
     void draw_menus();
@@ -136,15 +150,13 @@ class Application {
     void draw_log();
     void draw_comparison();
     void draw_dialogs();
-    void toggle_running();
-    void toggle(const char* setting);
-    void toggle_view(const char* key);
     void look_from(const std::string& direction);
     void copy_camera();
     void paste_camera();
     const std::string& viewed_theme() { return viewport().view.text("theme"); }
     void follow_theme();
     void set_text_size(double size);
+    bool can_cancel();
     void cancel();
     void keep();
     void move_in_history(bool forward);
@@ -171,8 +183,9 @@ class Application {
     std::string closing_note_; ///< of the last end, which is in the log
     std::shared_ptr<const Mesh> looked_for_missing_;
     std::uint64_t openings_seen_ = 0;
-    std::filesystem::path opening_file_; ///< of the scenario on its way; empty: a built-in one
-    std::vector<Scenario> shipped_;      ///< for the list of them, once it has been opened
+    std::filesystem::path opening_file_;           ///< of the scenario on its way; empty: a built-in one
+    std::vector<Scenario> shipped_;                ///< for the list of them, once it has been opened
+    std::vector<Action> actions_ = make_actions(); ///< bound to this object
     ParameterPanel panel_;
     ItemRectangles items_;
     Layout layout_;

@@ -27,25 +27,6 @@ bool look_alike(const DocumentRun& one, const DocumentRun& other) {
            one.scenario.domain.type == other.scenario.domain.type;
 }
 
-Icon icon_of(ActionId id) {
-    switch (id) {
-    case ActionId::run_pause:
-        return Icon::run;
-    case ActionId::step:
-        return Icon::step;
-    case ActionId::reset:
-        return Icon::reset;
-    case ActionId::home:
-        return Icon::home;
-    case ActionId::screenshot:
-        return Icon::image;
-    case ActionId::export_files:
-        return Icon::save;
-    default:
-        return Icon::none;
-    }
-}
-
 } // namespace
 
 void Application::frame() {
@@ -77,10 +58,10 @@ void Application::frame() {
         if (!run().status.refused) message_ = {};
         document_.change(run().id, with_handle_at(run().scenario, move->handle, move->place), true);
     }
-    if (checked(ActionId::sidebar)) draw_sidebar();
-    if (checked(ActionId::plots)) draw_plots(context);
+    if (action("sidebar").is_checked()) draw_sidebar();
+    if (action("plots").is_checked()) draw_plots(context);
     draw_edges();
-    if (checked(ActionId::log)) draw_log();
+    if (action("log").is_checked()) draw_log();
     draw_remedy();
     draw_comparison();
     draw_status();
@@ -105,14 +86,14 @@ void Application::draw_menus() {
         const bool open = ImGui::BeginMenu(menu);
         remember_item(items_, "menu." + std::string(menu));
         if (!open) continue;
-        for (const Action& row : actions()) {
+        for (const Action& row : actions_) {
             if (row.menu != menu) continue;
-            if (ImGui::MenuItem(label_of(row).c_str(), describe_keys(row).c_str(), checked(row.id),
-                                possible(row.id)))
-                perform(row.id);
+            if (ImGui::MenuItem(row.current_label().c_str(), describe_keys(row).c_str(), row.is_checked(),
+                                row.is_enabled()))
+                perform(row.name);
             remember_item(items_, "menu." + std::string(row.name));
-            if (row.id == ActionId::open) draw_recent();
-            if (row.id == ActionId::export_files) draw_formats();
+            if (row.name == "open") draw_recent();
+            if (row.name == "export") draw_formats();
         }
         ImGui::EndMenu();
     }
@@ -143,18 +124,20 @@ void Application::draw_formats() {
 void Application::draw_toolbar() {
     begin_part("##toolbar", layout_.toolbar);
     const float em = ImGui::GetFontSize();
-    for (const Action& row : actions()) {
-        if (!row.toolbar) continue;
+    int group = 0;
+    for (const Action& row : actions_) {
+        if (row.toolbar == 0) continue;
+        if (group != 0) ImGui::SameLine(0, row.toolbar == group ? 0.5F * em : 1.6F * em);
         draw_button(row);
-        const bool last_of_group = row.id == ActionId::reset || row.id == ActionId::home;
-        ImGui::SameLine(0, last_of_group ? 1.6F * em : 0.5F * em);
+        group = row.toolbar;
     }
+    ImGui::SameLine(0, 0.5F * em);
     draw_scenarios();
     ImGui::End();
 }
 
 void Application::draw_button(const Action& row) {
-    const bool main = row.id == ActionId::run_pause;
+    const bool main = row.name == "run";
     if (main) { // what one looks for first
         const ImVec4 accent = to_imgui(theme_.accent);
         ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(theme_.background));
@@ -162,17 +145,15 @@ void Application::draw_button(const Action& row) {
         ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
         ImGui::PushStyleColor(ImGuiCol_ButtonActive, accent);
     }
-    ImGui::BeginDisabled(!possible(row.id));
+    ImGui::BeginDisabled(!row.is_enabled());
     const std::string id = "##" + std::string(row.name);
-    const Icon icon = main && run().solving() ? Icon::pause : icon_of(row.id);
-    if (icon_button(id.c_str(), icon, label_of(row).c_str(), main ? 7.5F * ImGui::GetFontSize() : 0))
-        perform(row.id);
+    const Icon icon = main && run().solving() ? Icon::pause : row.icon;
+    if (icon_button(id.c_str(), icon, row.current_label().c_str(), main ? 7.5F * ImGui::GetFontSize() : 0))
+        perform(row.name);
     ImGui::EndDisabled();
     if (main) ImGui::PopStyleColor(4);
     remember_item(items_, "action." + std::string(row.name));
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%.*s\nKey: %s", static_cast<int>(row.help.size()), row.help.data(),
-                          describe_keys(row).c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip_of(row).c_str());
 }
 
 void Application::draw_scenarios() {
@@ -215,11 +196,11 @@ void Application::draw_sidebar() {
         ImGui::Spacing();
     }
     if (ImGui::CollapsingHeader("Runs", ImGuiTreeNodeFlags_DefaultOpen)) {
-        if (run_list_.draw(document_, {theme_, scale_, items_})) perform(ActionId::keep);
-        const Action& row = action(ActionId::compare);
+        if (run_list_.draw(document_, action("keep"), {theme_, scale_, items_})) perform("keep");
+        const Action& row = action("compare");
         ImGui::SameLine();
-        ImGui::BeginDisabled(!possible(row.id));
-        if (ImGui::Button(std::string(row.label).c_str())) perform(row.id);
+        ImGui::BeginDisabled(!row.is_enabled());
+        if (ImGui::Button(std::string(row.label).c_str())) perform(row.name);
         ImGui::EndDisabled();
         remember_item(items_, "runs.compare");
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(row.help).c_str());
@@ -262,11 +243,11 @@ void Application::draw_plots(const FrameContext& context) {
 void Application::draw_edges() {
     const ItemRectangle& plots = layout_.plots_edge;
     const float right = ImGui::GetIO().DisplaySize.x, bottom = layout_.second_plot.bottom;
-    if (checked(ActionId::sidebar))
+    if (action("sidebar").is_checked())
         draw_edge("edge.sidebar", layout_.sidebar_edge, "sidebar_width", {true, 0, ImGui::GetFontSize()});
-    if (checked(ActionId::plots) && layout_.plots_beside)
+    if (action("plots").is_checked() && layout_.plots_beside)
         draw_edge("edge.plots", plots, "plots_share", {true, right, layout_.sidebar.width() - right});
-    else if (checked(ActionId::plots))
+    else if (action("plots").is_checked())
         draw_edge("edge.plots", plots, "plots_share", {false, bottom, layout_.viewport.top - bottom});
 }
 
@@ -301,7 +282,8 @@ void Application::draw_status() {
     const bool in_space = !views().empty() && !views().front().scene.planar();
     const std::string note = note_has_room() ? std::string() : method_note(run(), *catalogue_);
     const char* help = in_space ? hint_in_space : hint;
-    draw_status_bar(run(), message_, note.empty() ? help : note, theme_, items_);
+    draw_status_bar(run(), message_, closing_note(run(), action("reset")), note.empty() ? help : note, theme_,
+                    items_);
     ImGui::End();
 }
 
@@ -311,7 +293,7 @@ void Application::draw_remedy() {
     if (text.empty()) return;
     const float em = ImGui::GetFontSize();
     const ItemRectangle& available = layout_.viewport;
-    const Action& row = action(ActionId::quadratic);
+    const Action& row = action("quadratic");
     const std::string label = std::string(row.label) + " (" + describe_keys(row) + ")";
     const float button = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
     const float widest = std::max(12 * em, available.width() - 4 * em);
@@ -331,7 +313,7 @@ void Application::draw_remedy() {
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::SetCursorPos({width - button - em, (height - ImGui::GetFrameHeight()) / 2});
-    if (ImGui::Button(label.c_str())) perform(ActionId::quadratic);
+    if (ImGui::Button(label.c_str())) perform("quadratic");
     remember_item(items_, "remedy");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.*s", static_cast<int>(row.help.size()), row.help.data());
     ImGui::End();
@@ -353,7 +335,7 @@ void Application::draw_dialogs() {
         if (draw_progress("comparing methods", document_.comparison().progress(), layout_.viewport, items_))
             document_.cancel_comparison();
     }
-    draw_help(help_, theme_);
+    draw_help(help_, actions_, theme_);
     if (error_.open()) // two at once would close each other
         error_.draw(items_);
     else if (const auto path = open_dialog_.draw(settings_.recent, items_))

@@ -121,10 +121,9 @@ std::string key_name(int key, int scancode, int modifiers) {
         return prefix + "F" + std::to_string(key - GLFW_KEY_F1 + 1);
     const char* printed = glfwGetKeyName(key, scancode);
     if (!printed || printed[1] != '\0') return {};
-    const std::string letter(1, static_cast<char>(std::toupper(static_cast<unsigned char>(printed[0]))));
-    const std::string shifted = "Ctrl+Shift+" + letter;
-    if (!prefix.empty() && (modifiers & GLFW_MOD_SHIFT) && action_for_key(shifted)) return shifted;
-    return prefix + letter;
+    const bool shifted = !prefix.empty() && (modifiers & GLFW_MOD_SHIFT) != 0;
+    return prefix + (shifted ? "Shift+" : "") +
+           static_cast<char>(std::toupper(static_cast<unsigned char>(printed[0])));
 }
 
 /// A button of the mouse that went down or up.

@@ -1,7 +1,5 @@
 #include "gui/panels/dialogs.hpp"
 
-#include "gui/base/actions.hpp"
-
 #include <algorithm>
 #include <imgui.h>
 
@@ -96,7 +94,7 @@ std::optional<std::string> OpenDialog::draw(const std::vector<std::string>& rece
     return chosen;
 }
 
-void draw_help(bool& open, const Theme& theme) {
+void draw_help(bool& open, std::span<const Action> actions, const Theme& theme) {
     if (!open) return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
@@ -108,7 +106,7 @@ void draw_help(bool& open, const Theme& theme) {
                          ImGuiWindowFlags_NoSavedSettings)) {
         ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.6F * em, 0.25F * em});
         if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-            for (const Action& row : actions()) help_line(theme, describe_keys(row), row.help);
+            for (const Action& row : actions) help_line(theme, describe_keys(row), row.help);
             for (const MouseHelp& row : mouse_help()) help_line(theme, std::string(row.what), row.help);
             ImGui::EndTable();
         }

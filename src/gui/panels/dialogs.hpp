@@ -2,11 +2,13 @@
 // are ImGui calls and values; the caller draws each of them once a frame.
 #pragma once
 
+#include "gui/base/actions.hpp"
 #include "gui/base/item_rectangles.hpp"
 #include "gui/base/theme.hpp"
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,7 +44,7 @@ class OpenDialog {
 };
 
 /// Every action with its keys, and what the mouse does.
-void draw_help(bool& open, const Theme& theme);
+void draw_help(bool& open, std::span<const Action> actions, const Theme& theme);
 
 /// A bar for work under way, over the lower left corner of `over`; true when its Cancel was pressed. Keys
 /// "progress" and "progress.cancel".

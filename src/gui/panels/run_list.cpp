@@ -1,6 +1,5 @@
 #include "gui/panels/run_list.hpp"
 
-#include "gui/base/actions.hpp"
 #include "gui/base/plot_text.hpp"
 #include "gui/plot/plot_curves.hpp"
 
@@ -98,7 +97,7 @@ void RunList::draw_name(Document& document, const DocumentRun& run, const std::s
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("%s", run.name.c_str());
 }
 
-bool RunList::draw(Document& document, const FrameContext& context) {
+bool RunList::draw(Document& document, const Action& keep, const FrameContext& context) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, em = ImGui::GetFontSize();
     std::optional<RunId> removed;
     std::size_t place = 0;
@@ -121,13 +120,10 @@ bool RunList::draw(Document& document, const FrameContext& context) {
         ImGui::PopID();
     }
     if (removed) document.remove(*removed);
-    const Action& row = action(ActionId::keep);
-    const bool keep = ImGui::Button((std::string(row.label) + " this run").c_str());
+    const bool wanted = ImGui::Button((std::string(keep.label) + " this run").c_str());
     remember_item(context.items, "runs.keep");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%.*s\nKey: %s", static_cast<int>(row.help.size()), row.help.data(),
-                          describe_keys(row).c_str());
-    return keep;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip_of(keep).c_str());
+    return wanted;
 }
 
 } // namespace gaspard

@@ -2,6 +2,7 @@
 // called. Kept runs can be renamed in place and removed.
 #pragma once
 
+#include "gui/base/actions.hpp"
 #include "gui/document/document.hpp"
 #include "gui/panels/viewport_pane.hpp"
 
@@ -13,7 +14,7 @@ class RunList {
   public:
     /// Draws into the current ImGui window. True when the live run is to be kept. Notes "runs.keep" and per
     /// run, counted from 0, "runs.0.eye", "runs.0.name", "runs.0.remove".
-    bool draw(Document& document, const FrameContext& context);
+    bool draw(Document& document, const Action& keep, const FrameContext& context);
 
   private:
     void draw_name(Document& document, const DocumentRun& run, const std::string& key, float width,

@@ -1,7 +1,6 @@
 #include "gui/panels/status_bar.hpp"
 
 #include "core/tessellate/ticks.hpp"
-#include "gui/base/actions.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -94,13 +93,13 @@ std::string method_note(const DocumentRun& run, const Catalogue& catalogue) {
     return {};
 }
 
-std::string closing_note(const DocumentRun& run) {
+std::string closing_note(const DocumentRun& run, const Action& reset) {
     if (run.history.empty() || !run.ended() || run.status.run == RunStatus::converged) return {};
     std::string note = run.history.back().note;
     if (note.empty()) return {};
     note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
     const bool beyond_repair = run.status.run == RunStatus::diverged || run.status.run == RunStatus::tangled;
-    if (beyond_repair) note += "; " + describe_keys(action(ActionId::reset)) + " starts from the beginning";
+    if (beyond_repair) note += "; " + describe_keys(reset) + " starts from the beginning";
     return note + ".";
 }
 
@@ -120,8 +119,8 @@ std::string remedy_note(const DocumentRun& run) {
                     "this monitor.";
 }
 
-void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view hint, const Theme& theme,
-                     ItemRectangles& items) {
+void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view note,
+                     std::string_view hint, const Theme& theme, ItemRectangles& items) {
     const auto cells = status_cells(run);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float em = ImGui::GetFontSize(), line = 1.35F * em;
@@ -136,13 +135,13 @@ void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_
         items["status." + std::to_string(i)] = {at.x, at.y, at.x + pitch, at.y + 2 * line};
     }
     ImGui::SetCursorScreenPos({start.x, start.y + 2 * line + 0.3F * em});
-    const std::string note = closing_note(run);
     if (!message.text.empty()) {
         ImGui::TextColored(tone_colour(theme, message.error ? Tone::bad : Tone::good), "%s",
                            message.text.c_str());
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", message.text.c_str()); // a narrow window clips it
     } else if (!note.empty()) {
-        ImGui::TextColored(tone_colour(theme, Tone::warning), "%s", note.c_str());
+        ImGui::TextColored(tone_colour(theme, Tone::warning), "%.*s", static_cast<int>(note.size()),
+                           note.data());
     } else {
         ImGui::TextDisabled("%.*s", static_cast<int>(hint.size()), hint.data());
     }

@@ -1,6 +1,7 @@
 // How a run stands, in words and numbers, for the bar along the window's bottom edge.
 #pragma once
 
+#include "gui/base/actions.hpp"
 #include "gui/base/background_writer.hpp"
 #include "gui/base/item_rectangles.hpp"
 #include "gui/base/theme.hpp"
@@ -31,15 +32,15 @@ std::vector<StatusCell> status_cells(const DocumentRun& run);
 /// empty where it has said nothing.
 std::string method_note(const DocumentRun& run, const Catalogue& catalogue);
 /// What the last report has to say, if the run has ended with a remark about why it did not converge.
-std::string closing_note(const DocumentRun& run);
+std::string closing_note(const DocumentRun& run, const Action& reset);
 
 /// Whether the run's cells are linear where they could be curved: domain.geometry_order is 1.
 bool has_linear_cells(const DocumentRun& run);
 /// What would help a run that failed with linear cells; empty where that is not so.
 std::string remedy_note(const DocumentRun& run);
 
-/// Draws cells and message into the current ImGui window; keys "status.0", ... and "message".
-void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view hint, const Theme& theme,
-                     ItemRectangles& items);
+/// Draws cells and message, or else the note or the hint, into the current ImGui window; keys "status.0", ... and "message".
+void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view note,
+                     std::string_view hint, const Theme& theme, ItemRectangles& items);
 
 } // namespace gaspard

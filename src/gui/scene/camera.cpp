@@ -1,9 +1,9 @@
 #include "gui/scene/camera.hpp"
 
-#include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/base/finite_range.hpp"
 #include "core/base/parameter.hpp"
+#include "core/scenario/view_directions.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -11,7 +11,6 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 namespace gaspard {
@@ -54,24 +53,6 @@ void fit(Camera& camera, const Box& box, Size size, Insets insets) {
                     (corner & 4) != 0 ? box.high.z : box.low.z});
     camera.centre = box.centre();
     fit_extent(camera, extent, size, insets);
-}
-
-/// To the right and up in the picture.
-std::pair<Vec3, Vec3> axes_of(std::string_view direction) {
-    struct Row {
-        std::string_view name;
-        Vec3 right, up;
-    };
-    constexpr Row rows[] = {{"front", {1, 0, 0}, {0, 0, 1}}, {"back", {-1, 0, 0}, {0, 0, 1}},
-                            {"left", {0, -1, 0}, {0, 0, 1}}, {"right", {0, 1, 0}, {0, 0, 1}},
-                            {"top", {1, 0, 0}, {0, 1, 0}},   {"bottom", {1, 0, 0}, {0, -1, 0}}};
-    for (const Row& row : rows)
-        if (row.name == direction) return {row.right, row.up};
-    GASPARD_CHECK(direction == "home");
-    constexpr double azimuth = 0.6, elevation = 0.45; // radians, of the viewer as seen from the box
-    return {{-std::sin(azimuth), std::cos(azimuth), 0},
-            {-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth),
-             std::cos(elevation)}};
 }
 
 /// `v` turned about the axis `k` (of unit length).
@@ -156,7 +137,7 @@ Camera planar_home(const Box& box, Size size, Insets insets) {
 
 Camera spatial_home(const Box& box, Size size, Insets insets, std::string_view direction) {
     Camera camera;
-    std::tie(camera.right, camera.up) = axes_of(direction);
+    camera.right = view_direction(direction).right, camera.up = view_direction(direction).up;
     fit(camera, box, size, insets);
     return camera;
 }

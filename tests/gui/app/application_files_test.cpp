@@ -17,7 +17,7 @@ TEST_F(ApplicationTest, ExportWritesTheFilesAndSaysSo) {
 TEST_F(ApplicationTest, AnExportThatFailsIsASentence) {
     std::filesystem::remove_all(folder);
     std::ofstream(folder) << "a file where a folder should be";
-    application.perform(ActionId::export_files);
+    application.perform("export");
     ASSERT_TRUE(wait_until([&] { return application.message().error; }));
     EXPECT_NE(application.message().text.find(folder.string()), std::string::npos)
         << application.message().text;
@@ -82,7 +82,7 @@ TEST_F(ApplicationTest, AFileThatIsNoScenarioIsOneSentenceAndLosesNothing) {
 }
 
 TEST_F(ApplicationTest, AnErrorComesBeforeTheOpenDialog) {
-    application.perform(ActionId::open);
+    application.perform("open");
     frame();
     frame();
     application.open_file(folder / "missing.toml");
@@ -119,7 +119,7 @@ TEST_F(ApplicationTest, ExportWritesTheChosenFormatsColouredAsTheViewIs) {
     output.output.set("formats", std::string("svg"));
     application.document().change(run().id, output);
     application.document().viewports().front().view.set("color", std::string("area"));
-    application.perform(ActionId::export_files);
+    application.perform("export");
     ASSERT_TRUE(wait_until([&] { return application.message().text.starts_with("Exported to "); }));
     std::ifstream file(folder / "plane-ring" / "adapted.svg");
     const std::string svg((std::istreambuf_iterator<char>(file)), {});
@@ -139,7 +139,7 @@ TEST_F(ApplicationTest, TheOpenDialogTakesAPath) {
     EXPECT_TRUE(wait_until([&] { return application.title() == "Typed"; })) << application.message().text;
     EXPECT_TRUE(application.press_key("Ctrl+O"));
     frame();
-    application.perform(ActionId::cancel);
+    application.perform("cancel");
     frame();
     EXPECT_EQ(application.items().count("open.path"), 0U);
 }

@@ -153,6 +153,7 @@ class RandomInput {
 TEST_F(PlotPaneTest, RandomInputOnPlotsAndRunListBreaksNothing) {
     RandomInput random;
     RunList list;
+    const Action keep_action{.name = "keep", .label = "Keep", .help = "Keep this run."};
     int frames = 0, kept = 0, wishes = 0, zoomed = 0, removed = 0;
     const auto draw_both = [&] {
         const std::size_t before = document.runs().size();
@@ -160,7 +161,7 @@ TEST_F(PlotPaneTest, RandomInputOnPlotsAndRunListBreaksNothing) {
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize({390, 900});
         ImGui::Begin("runs", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-        const bool keep = list.draw(document, {theme, 1, items});
+        const bool keep = list.draw(document, keep_action, {theme, 1, items});
         ImGui::End();
         removed += document.runs().size() < before ? 1 : 0;
         if (keep && document.runs().size() < 30) {

@@ -7,6 +7,8 @@
 namespace gaspard {
 namespace {
 
+const Action keep_action{.name = "keep", .label = "Keep", .keys = {"K"}, .help = "Keep this run."};
+
 class RunListTest : public testing::Test {
   protected:
     RunListTest() {
@@ -18,7 +20,7 @@ class RunListTest : public testing::Test {
             ImGui::SetNextWindowPos({0, 0});
             ImGui::SetNextWindowSize({400, 600});
             ImGui::Begin("runs", nullptr, ImGuiWindowFlags_NoDecoration);
-            keep = list.draw(document, {theme, 1, items}) || keep;
+            keep = list.draw(document, keep_action, {theme, 1, items}) || keep;
             ImGui::End();
         };
     }

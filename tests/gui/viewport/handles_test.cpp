@@ -248,10 +248,14 @@ TEST_F(PatchApplicationTest, AFoldStopsAControlPointButNotTheHand) {
     for (std::size_t i = lines; i < application.log().lines().size(); ++i)
         EXPECT_FALSE(application.log().lines()[i].notice.error);
 
+    EXPECT_EQ(application.document().edits().undo_count(), 1U) << "one drag, although some of it was refused";
     Scenario typed = run().scenario; // by other ways the same is an error
     typed.domain.values.set("control_points", std::string("0 0"));
     application.document().change(run().id, typed);
-    EXPECT_TRUE(wait_until([&] { return application.error().open(); }));
+    EXPECT_TRUE(wait_until([&] { return application.error().open() && run().changes.settled(); }));
+    EXPECT_EQ(application.document().edits().undo_count(), 1U);
+    application.document().undo();
+    EXPECT_EQ(run().scenario.domain.values.text("control_points"), "") << "as before the drag";
 }
 
 TEST_F(HandleApplicationTest, AClickOnAHandlePicksWhatLiesBelow) {
