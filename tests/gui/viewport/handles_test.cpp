@@ -1,10 +1,10 @@
 // Centres of monitors that the mouse takes along.
-#include "gui/application_fixture.hpp"
 #include "core/spline/control_points.hpp"
+#include "gui/application_fixture.hpp"
 #include "gui/globes.hpp"
 #include "gui/panels/viewport_pane.hpp"
-#include "gui/viewport/handles.hpp"
 #include "gui/plan_fixture.hpp"
+#include "gui/viewport/handles.hpp"
 
 #include <cmath>
 
