@@ -5,6 +5,7 @@
 #include "core/io/run_files.hpp"
 #include "core/io/svg.hpp"
 #include "core/scenario/toml.hpp"
+#include "core/tessellate/check_view.hpp"
 #include "gui/document/runs_csv.hpp"
 #include "gui/panels/status_bar.hpp"
 

@@ -1,8 +1,8 @@
 // Everything the program has said since it began, with the time of day, for those who want to look again.
 #pragma once
 
-#include "gui/base/background_writer.hpp"
 #include "gui/base/item_rectangles.hpp"
+#include "gui/base/notice.hpp"
 #include "gui/base/theme.hpp"
 
 #include <deque>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "gui/base/actions.hpp"
-#include "gui/base/background_writer.hpp"
 #include "gui/base/item_rectangles.hpp"
+#include "gui/base/notice.hpp"
 #include "gui/base/theme.hpp"
 #include "gui/document/document.hpp"
 
@@ -39,7 +39,8 @@ bool has_linear_cells(const DocumentRun& run);
 /// What would help a run that failed with linear cells; empty where that is not so.
 std::string remedy_note(const DocumentRun& run);
 
-/// Draws cells and message, or else the note or the hint, into the current ImGui window; keys "status.0", ... and "message".
+/// Draws cells and message, or else the note or the hint, into the current ImGui window; keys "status.0",
+/// ... and "message".
 void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view note,
                      std::string_view hint, const Theme& theme, ItemRectangles& items);
 

@@ -6,8 +6,7 @@
 // else: the camera and the pick are texts there, which the mouse rewrites.
 #pragma once
 
-#include "gui/base/item_rectangles.hpp"
-#include "gui/base/theme.hpp"
+#include "gui/base/frame_context.hpp"
 #include "gui/document/document.hpp"
 #include "gui/viewport/handles.hpp"
 #include "gui/viewport/viewport.hpp"
@@ -25,13 +24,6 @@ struct ShownView {
     Camera camera; ///< speaks of the size of `rectangle`
     ItemRectangle rectangle;
     friend bool operator==(const ShownView&, const ShownView&) = default;
-};
-
-/// How things are drawn in this frame, and where it is noted what stands where.
-struct FrameContext {
-    const Theme& theme;
-    float scale = 1; ///< how much larger than the theme says everything is
-    ItemRectangles& items;
 };
 
 class ViewportPane {

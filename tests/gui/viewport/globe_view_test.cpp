@@ -1,7 +1,8 @@
 // Globes and maps in a viewport: cameras, picking, and what the window lets one do with them.
-#include "gui/application_fixture.hpp"
 #include "core/base/error.hpp"
+#include "core/tessellate/check_view.hpp"
 #include "fixtures/fixture_catalogue.hpp"
+#include "gui/application_fixture.hpp"
 #include "gui/globes.hpp"
 #include "gui/panels/status_bar.hpp"
 #include "gui/plan_fixture.hpp"
@@ -118,7 +119,7 @@ TEST_F(GlobeTest, WhatAMeshHasNotIsUnavailableAndNotShown) {
         EXPECT_FALSE(made.views[0].scene.map);
         const std::string sentence =
             message_of<InputError>([&] { check_view(view_, ring_snapshot(4).mesh.get()); });
-        EXPECT_NE(sentence.find("single and side-by-side"), std::string::npos) << sentence;
+        EXPECT_NE(sentence.find("use single or side-by-side"), std::string::npos) << sentence;
         EXPECT_NO_THROW(check_view(view_, sphere_snapshot(2).mesh.get()));
     }
     EXPECT_EQ(plan(ring_snapshot(6)).unavailable,
@@ -344,7 +345,8 @@ TEST_F(GlobeApplicationTest, KeysChangeTheLayoutAndWhatIsNotThereDoesNothing) {
     frame();
     EXPECT_FALSE(shown().scene.map);
     EXPECT_FALSE(application.press_key("X")) << "no exact mesh is known";
-    EXPECT_NE(application.message().text.find("exact mesh"), std::string::npos) << application.message().text;
+    EXPECT_NE(application.message().text.find("exact mesh"), std::string::npos)
+        << application.message().text;
 }
 
 TEST_F(GlobeApplicationTest, OffersQuadraticCellsWhereLinearOnesFail) {
