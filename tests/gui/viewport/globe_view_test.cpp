@@ -291,10 +291,10 @@ TEST_F(GlobeApplicationTest, SpinsOnlyWhenAskedAndStaysWhereItStops) {
     const Camera still = shown().camera;
     for (int i = 0; i < 5; ++i) frame();
     EXPECT_EQ(shown().camera, still);
-    EXPECT_FALSE(application.animating());
+    EXPECT_FALSE(application.window_state().animating);
     EXPECT_TRUE(application.press_key("S"));
     for (int i = 0; i < 30; ++i) frame();
-    EXPECT_TRUE(application.animating());
+    EXPECT_TRUE(application.window_state().animating);
     const Camera turned = shown().camera;
     const double angle = std::acos(dot(still.right, turned.right)) * 180 / std::numbers::pi;
     EXPECT_NEAR(angle, 12 * 30.0 / 60, 0.6) << "degrees in half a second";
@@ -303,7 +303,7 @@ TEST_F(GlobeApplicationTest, SpinsOnlyWhenAskedAndStaysWhereItStops) {
     EXPECT_TRUE(application.press_key("S"));
     frame();
     frame();
-    EXPECT_FALSE(application.animating());
+    EXPECT_FALSE(application.window_state().animating);
     const Camera stopped = shown().camera;
     EXPECT_GE(dot(turned.right, stopped.right), std::cos(0.02));
     for (int i = 0; i < 5; ++i) frame();
@@ -320,7 +320,7 @@ TEST_F(GlobeApplicationTest, SpinsOnlyWhenAskedAndStaysWhereItStops) {
     EXPECT_TRUE(application.press_key("M"));
     frame();
     frame();
-    EXPECT_FALSE(application.animating()) << "a map does not turn";
+    EXPECT_FALSE(application.window_state().animating) << "a map does not turn";
     EXPECT_EQ(look().text("map_camera"), "");
 }
 
@@ -345,8 +345,8 @@ TEST_F(GlobeApplicationTest, KeysChangeTheLayoutAndWhatIsNotThereDoesNothing) {
     frame();
     EXPECT_FALSE(shown().scene.map);
     EXPECT_FALSE(application.press_key("X")) << "no exact mesh is known";
-    EXPECT_NE(application.message().text.find("exact mesh"), std::string::npos)
-        << application.message().text;
+    EXPECT_NE(application.messages().last().text.find("exact mesh"), std::string::npos)
+        << application.messages().last().text;
 }
 
 TEST_F(GlobeApplicationTest, OffersQuadraticCellsWhereLinearOnesFail) {
