@@ -67,7 +67,7 @@ void Application::take_messages() {
         for (RunMessage& message : std::exchange(one.messages, {})) {
             if (&one != &run())
                 messages_.note({one.name + ": " + message.text, message.error});
-            else if (message.by_hand && run().solver->status().run != RunStatus::failed)
+            else if (message.dragging && run().solver->status().run != RunStatus::failed)
                 messages_.show({std::move(message.text), message.error});
             else
                 messages_.say({std::move(message.text), message.error});
@@ -92,7 +92,11 @@ static bool belongs_to_text(std::string_view key) {
 
 bool Application::press_key(std::string_view key) {
     const Action* row = action_for_key(actions_, key);
+    constexpr std::string_view shifted = "Ctrl+Shift+"; // means the same as Ctrl where it means nothing itself
+    if (!row && key.starts_with(shifted))
+        return press_key("Ctrl+" + std::string(key.substr(shifted.size())));
     if (!row) return false;
+    document_.record_views(); // of keys since the last frame, which undo is to find
     const bool dialog = messages_.error().open() || open_dialog_.open(); // it comes first
     if (dialog && row->name != "cancel" && row->name != "quit") return false;
     if (ImGui::GetIO().WantTextInput && !dialog && belongs_to_text(key)) return false;
@@ -113,6 +117,7 @@ void Application::perform(std::string_view name) {
     const Action& row = action(name);
     if (row.needs_solver && !run().live()) return; // the window shows a finished run
     messages_.clear();
+    document_.end_gesture();
     row.run();
 }
 
@@ -152,8 +157,8 @@ void Application::use_quadratic_cells() {
     Scenario scenario = run().scenario;
     scenario.domain.values.parse("geometry_order", "2");
     viewport().view.set("pick", std::string());
-    document_.change(0, scenario);
-    document_.reset(0);
+    document_.change(run().id, scenario);
+    document_.reset(run().id);
     messages_.clear();
     run().solver->post(StartCommand{});
     run().wants_to_run = true;
@@ -192,7 +197,7 @@ void Application::set_text_size(double size) {
 
 bool Application::can_cancel() {
     return ImGui::IsPopupOpen("", any_popup) || messages_.error().open() || open_dialog_.open() || help_ ||
-           working() || document_.comparing() || comparison_panel_.open() ||
+           working() || document_.comparison().running() || comparison_panel_.open() ||
            !viewport().view.text("pick").empty();
 }
 
@@ -206,7 +211,7 @@ void Application::cancel() {
         open_dialog_.close();
     else if (help_)
         help_ = false;
-    else if (document_.comparing())
+    else if (document_.comparison().running())
         document_.cancel_comparison();
     else if (working())
         run().solver->cancel();
@@ -226,14 +231,14 @@ void Application::toggle_format(const std::string& name) {
     if (names.empty()) return;
     Scenario scenario = run().scenario;
     scenario.output.set("formats", names);
-    document_.change(0, scenario);
+    document_.change(run().id, scenario);
 }
 
 void Application::export_files() {
     // The files use the colours and the camera of the viewport.
     Scenario scenario = run().scenario;
     scenario.view = viewport().view;
-    if (scenario != run().scenario) document_.change(0, scenario);
+    if (scenario != run().scenario) document_.change(run().id, scenario);
     files_.export_run(run());
     messages_.show({"Exporting ...", false});
 }
@@ -248,8 +253,31 @@ Settings Application::settings() {
 }
 
 void Application::keep() {
-    if (const auto kept = document_.keep(0))
-        messages_.say({"Kept as " + document_.runs()[*kept].name, false});
+    if (const auto kept = document_.keep(run().id))
+        messages_.say({"Kept as " + document_.runs().find(*kept)->name, false});
+}
+
+void Application::move_in_history(bool forward) {
+    const EditHistory& edits = document_.edits();
+    const std::string label = forward ? edits.redo_label() : edits.undo_label();
+    const double spin = viewport().view.real("spin");
+    if (!(forward ? document_.redo() : document_.undo())) return;
+    if (viewport().view.real("spin") != spin) viewport_pane_.stop_turning();
+    opening_file_.clear();
+    messages_.show({(forward ? "Redone: " : "Undone: ") + label, false});
+}
+
+/// Makes an edit of what this frame has changed in the view. One drag is one edit, and so is one burst of the
+/// wheel.
+void Application::record_edits() {
+    constexpr double longest_pause = 0.5; // seconds between two steps of a burst
+    const bool wheel = ImGui::GetIO().MouseWheel != 0, active = ImGui::IsAnyItemActive();
+    const double now = ImGui::GetTime();
+    wheel_burst_ = wheel_burst_ && !active && now - wheeled_ < longest_pause;
+    if (wheel && !wheel_burst_) document_.end_gesture();
+    if (wheel) wheel_burst_ = true, wheeled_ = now;
+    document_.record_views(wheel ? " wheel" : "");
+    if (!active && !wheel_burst_) document_.end_gesture();
 }
 
 void Application::fulfil(const PlotWish& wish) {
@@ -277,7 +305,7 @@ void Application::draw_comparison() {
     case Wish::cancel:
         return document_.cancel_comparison();
     case Wish::copy:
-        ImGui::SetClipboardText(comparison_csv(document_.comparison_rows()).c_str());
+        ImGui::SetClipboardText(comparison_csv(document_.comparison().rows()).c_str());
         return messages_.say({"Copied the table of methods", false});
     case Wish::meshes:
         return perform("runs");
@@ -304,19 +332,18 @@ void Application::open_file(const std::filesystem::path& file) { files_.open(fil
 
 void Application::open_scenario(const Scenario& scenario) {
     opening_file_.clear();
-    document_.replace(0, scenario);
+    document_.replace(run().id, scenario);
 }
 
 /// Called when a scenario has been opened.
 void Application::take_opening() {
     openings_seen_ = run().openings;
-    if (is_default(viewport().view, "theme")) // the scenario does not set it
-        viewport().view.set("theme", settings_.window.text("theme"));
     follow_theme();
     viewport_pane_.forget_home();
-    if (opening_file_.empty()) return;
-    remember_recent(settings_, opening_file_);
-    messages_.say({"Opened " + opening_file_.string(), false});
+    const auto file = std::exchange(opening_file_, {});
+    if (file.empty()) return;
+    remember_recent(settings_, file);
+    messages_.say({"Opened " + file.string(), false});
 }
 
 void Application::open_builtin(const std::string& name) {

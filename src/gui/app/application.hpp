@@ -91,9 +91,10 @@ class Application {
 
   private:
     Application(std::shared_ptr<const Catalogue> catalogue, ApplicationOptions options);
-    DocumentRun& run() { return document_.runs().front(); }
+    DocumentRun& run() { return document_.active(); }
     DocumentViewport& viewport() { return document_.viewports().front(); }
     std::vector<Action> make_actions();
+    std::vector<Action> edit_actions();
     std::vector<Action> solve_actions();
     std::vector<Action> camera_actions();
     std::vector<Action> layout_actions();
@@ -132,6 +133,8 @@ class Application {
     bool can_cancel();
     void cancel();
     void keep();
+    void move_in_history(bool forward);
+    void record_edits();
     void fulfil(const PlotWish& wish);
     void export_files();
     void save_scenario();
@@ -162,6 +165,8 @@ class Application {
     RunList run_list_;
     std::optional<Plot> plot_to_save_;
     std::string plot_name_; ///< of the file to come
+    double wheeled_ = 0;       ///< when the wheel was last turned, by ImGui::GetTime()
+    bool wheel_burst_ = false; ///< nothing else was done since
     bool quit_ = false, help_ = false, fullscreen_ = false;
     bool screenshot_ = false;        ///< asked for
     bool taking_screenshot_ = false; ///< this frame is the screenshot: it shows no tooltip

@@ -26,6 +26,7 @@ void append(std::vector<Action>& rows, std::vector<Action> more) {
 
 std::vector<Action> Application::make_actions() {
     std::vector<Action> rows;
+    append(rows, edit_actions());
     append(rows, solve_actions());
     append(rows, camera_actions());
     append(rows, layout_actions());
@@ -33,6 +34,37 @@ std::vector<Action> Application::make_actions() {
     append(rows, window_actions());
     append(rows, file_actions());
     return rows;
+}
+
+std::vector<Action> Application::edit_actions() {
+    return {
+        {.name = "undo",
+         .label = "Undo",
+         .menu = "Edit",
+         .keys = {"Ctrl+Z"},
+         .help = "Undo the last change of parameters, view or kept runs.",
+         .run = [this] { move_in_history(false); },
+         .enabled = [this] { return document_.edits().can_undo(); },
+         .reason = [] { return "There is nothing to undo."; },
+         .state_label =
+             [this] {
+                 const EditHistory& edits = document_.edits();
+                 return edits.can_undo() ? "Undo " + edits.undo_label() : std::string("Undo");
+             }},
+        {.name = "redo",
+         .label = "Redo",
+         .menu = "Edit",
+         .keys = {"Ctrl+Shift+Z", "Ctrl+Y"},
+         .help = "Redo the last change that was undone.",
+         .run = [this] { move_in_history(true); },
+         .enabled = [this] { return document_.edits().can_redo(); },
+         .reason = [] { return "There is nothing to redo."; },
+         .state_label =
+             [this] {
+                 const EditHistory& edits = document_.edits();
+                 return edits.can_redo() ? "Redo " + edits.redo_label() : std::string("Redo");
+             }},
+    };
 }
 
 std::vector<Action> Application::solve_actions() {
@@ -45,7 +77,7 @@ std::vector<Action> Application::solve_actions() {
          .icon = Icon::run,
          .help = "Start or pause the solver.",
          .needs_solver = true,
-         .run = [this] { run().solving() ? document_.pause(0) : document_.start(0); },
+         .run = [this] { run().solving() ? document_.pause(run().id) : document_.start(run().id); },
          .state_label = [this] { return run().solving() ? "Pause"
                                         : run().ended() ? "Run again"
                                                         : "Run"; }},
@@ -57,7 +89,7 @@ std::vector<Action> Application::solve_actions() {
          .icon = Icon::step,
          .help = "Do one iteration, then pause.",
          .needs_solver = true,
-         .run = [this] { document_.step(0); },
+         .run = [this] { document_.step(run().id); },
          .enabled = [this] { return !run().ended(); },
          .reason =
              [this] {
@@ -71,7 +103,7 @@ std::vector<Action> Application::solve_actions() {
          .icon = Icon::reset,
          .help = "Move every node back to its start position.",
          .needs_solver = true,
-         .run = [this] { document_.reset(0); }},
+         .run = [this] { document_.reset(run().id); }},
         {.name = "keep",
          .label = "Keep",
          .menu = "Solve",

@@ -58,7 +58,7 @@ void Application::frame() {
     viewport_pane_.frame(run(), viewport(), layout_.viewport, context, others);
     if (const auto move = viewport_pane_.take_handle_move()) {
         if (!run().status.refused) messages_.clear();
-        document_.change_by_hand(0, with_handle_at(run().scenario, move->handle, move->place));
+        document_.change(run().id, with_handle_at(run().scenario, move->handle, move->place), true);
     }
     if (action("sidebar").is_checked()) draw_sidebar();
     if (action("plots").is_checked()) draw_plots(context);
@@ -68,6 +68,7 @@ void Application::frame() {
     draw_comparison();
     draw_status();
     draw_dialogs();
+    record_edits();
 }
 
 void Application::arrange() {
@@ -106,7 +107,7 @@ void Application::draw_sidebar() {
     if (scenario.domain != run().scenario.domain) viewport().view.set("pick", std::string());
     scenario.view = viewport().view;
     if (changed) {
-        document_.change(0, scenario); // once per frame; of those that wait, the solver takes the newest
+        document_.change(run().id, scenario); // once per frame; of those that wait, the solver takes the newest
         messages_.clear();
     }
     ImGui::End();
@@ -161,8 +162,8 @@ void Application::draw_dialogs() {
         if (draw_progress(status.activity.empty() ? "preparing" : status.activity, status.progress,
                           layout_.viewport, items_))
             run().solver->cancel();
-    } else if (document_.comparing() && !comparison_panel_.open()) {
-        if (draw_progress("comparing methods", document_.comparison_progress(), layout_.viewport, items_))
+    } else if (document_.comparison().running() && !comparison_panel_.open()) {
+        if (draw_progress("comparing methods", document_.comparison().progress(), layout_.viewport, items_))
             document_.cancel_comparison();
     }
     draw_help(help_, actions_, theme_);

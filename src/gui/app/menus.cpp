@@ -83,7 +83,7 @@ bool draw_button(const MenuContext& context, const Action& row) {
 std::optional<MenuChoice> Menus::draw_menu_bar(const MenuContext& context) {
     if (!ImGui::BeginMainMenuBar()) return {};
     Choice chosen;
-    for (const char* menu : {"File", "Solve", "View", "Help"}) {
+    for (const char* menu : {"File", "Edit", "Solve", "View", "Help"}) {
         const bool open = ImGui::BeginMenu(menu);
         remember_item(context.frame.items, "menu." + std::string(menu));
         if (!open) continue;

@@ -110,7 +110,7 @@ GlfwWindow open_window(const std::string& title, const Values& remembered) {
     return window;
 }
 
-/// A key as the table of actions writes it: "Space", "Ctrl+Q". Letters by what is printed on the key.
+/// A key as the table of actions writes it: "Space", "Ctrl+Shift+Z". Letters by what is printed on the key.
 std::string key_name(int key, int scancode, int modifiers) {
     if (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) return {}; // the desktop's own
     const std::string prefix = (modifiers & GLFW_MOD_CONTROL) ? "Ctrl+" : "";
@@ -121,7 +121,9 @@ std::string key_name(int key, int scancode, int modifiers) {
         return prefix + "F" + std::to_string(key - GLFW_KEY_F1 + 1);
     const char* printed = glfwGetKeyName(key, scancode);
     if (!printed || printed[1] != '\0') return {};
-    return prefix + static_cast<char>(std::toupper(static_cast<unsigned char>(printed[0])));
+    const bool shifted = !prefix.empty() && (modifiers & GLFW_MOD_SHIFT) != 0;
+    return prefix + (shifted ? "Shift+" : "") +
+           static_cast<char>(std::toupper(static_cast<unsigned char>(printed[0])));
 }
 
 /// A button of the mouse that went down or up.

@@ -17,7 +17,8 @@ class RunList {
     bool draw(Document& document, const Action& keep, const FrameContext& context);
 
   private:
-    void draw_name(DocumentRun& run, const std::string& key, float width, const FrameContext& context);
+    void draw_name(Document& document, const DocumentRun& run, const std::string& key, float width,
+                   const FrameContext& context);
 
     std::string name_before_; ///< of the run whose name is being edited
 };

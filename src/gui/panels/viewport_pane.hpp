@@ -40,6 +40,8 @@ class ViewportPane {
     void forget_home() { planner_.forget_home(); }
     /// The present camera as text, also where the view's is empty; empty before the first snapshot.
     std::string camera_text() const;
+    /// A mesh that has turned by itself is shown as the view says again.
+    void stop_turning() { spun_ = 0; }
     /// Takes a camera's text as that of what is shown.
     void look_as(DocumentViewport& viewport, const std::string& camera);
     /// What the next frames say in the lower left corner.

@@ -17,7 +17,7 @@ class ActionsTest : public ApplicationTest {
 
 TEST_F(ActionsTest, EveryActionHasNameLabelMenuKeyHelpAndBehaviour) {
     ASSERT_FALSE(actions().empty());
-    const std::set<std::string_view> menus = {"File", "Solve", "View", "Help"};
+    const std::set<std::string_view> menus = {"File", "Edit", "Solve", "View", "Help"};
     for (const Action& row : actions()) {
         EXPECT_FALSE(row.name.empty());
         EXPECT_FALSE(row.label.empty()) << row.name;

@@ -105,7 +105,7 @@ TEST_F(ApplicationTest, AScenarioThatTheSolverRefusesLeavesEverythingAsItWas) {
     Scenario wrong = small_ring();
     wrong.title = "Wrong";
     wrong.method.type = "magic";
-    application.document().replace(0, wrong);
+    application.document().replace(run().id, wrong);
     ASSERT_TRUE(wait_until([&] { return application.messages().error().open(); }));
     EXPECT_EQ(application.title(), small_ring().title);
     EXPECT_EQ(run().opened, small_ring());
@@ -119,7 +119,7 @@ TEST_F(ApplicationTest, ExportWritesTheChosenFormatsColouredAsTheViewIs) {
     ASSERT_TRUE(application.items().count("menu.export"));
     auto output = run().scenario;
     output.output.set("formats", std::string("svg"));
-    application.document().change(0, output);
+    application.document().change(run().id, output);
     application.document().viewports().front().view.set("color", std::string("area"));
     application.perform("export");
     ASSERT_TRUE(wait_until([&] { return application.messages().last().text.starts_with("Exported to "); }));

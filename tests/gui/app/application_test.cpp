@@ -97,7 +97,7 @@ TEST_F(ApplicationTest, ATangledRunIsRedAndSaysHowToGoOn) {
     Scenario wild = run().scenario;
     set_value(*catalogue, wild, "monitor.amplitude", 500.0);
     set_value(*catalogue, wild, "method.step_size", 5.0);
-    application.document().change(0, wild);
+    application.document().change(run().id, wild);
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     const auto cells = status_cells(run());
     EXPECT_EQ(cells[0].tone, Tone::bad) << cells[0].value;
@@ -118,7 +118,7 @@ TEST_F(ApplicationTest, WhatTheSolverRefusesIsASentenceAndThePictureStays) {
     ASSERT_TRUE(wait_until([&] { return run().history.size() > 3 && !application.views().empty(); }));
     Scenario impossible = run().scenario;
     impossible.method.type = "no-such-method";
-    application.document().change(0, impossible);
+    application.document().change(run().id, impossible);
     ASSERT_TRUE(wait_until([&] { return application.messages().last().error; }));
     EXPECT_NE(application.messages().last().text.find("no-such-method"), std::string::npos)
         << application.messages().last().text;

@@ -12,10 +12,8 @@ namespace {
 class PlotPaneTest : public testing::Test {
   protected:
     PlotPaneTest() {
-        for (const char* name : {"Ring", "Ring, amplitude 20"}) {
-            document.runs().push_back(made_up_run(name, 200));
-            document.runs().back().number = document.runs().back().colour = document.runs().size();
-        }
+        for (const char* name : {"Ring", "Ring, amplitude 20"})
+            add_made_up_run(document, name, 200).colour = document.runs().size() + 1;
     }
     void draw() {
         items.clear();
@@ -167,9 +165,8 @@ TEST_F(PlotPaneTest, RandomInputOnPlotsAndRunListBreaksNothing) {
         ImGui::End();
         removed += document.runs().size() < before ? 1 : 0;
         if (keep && document.runs().size() < 30) {
-            document.runs().push_back(made_up_run("Run " + std::to_string(++kept), 100 * random.whole(0, 3)));
-            document.runs().back().number = static_cast<std::uint64_t>(100 + kept);
-            document.runs().back().colour = static_cast<std::size_t>(kept);
+            const std::string name = "Run " + std::to_string(++kept);
+            add_made_up_run(document, name, 100 * random.whole(0, 3)).colour = static_cast<std::size_t>(kept);
         }
         ++frames;
     };
@@ -178,7 +175,7 @@ TEST_F(PlotPaneTest, RandomInputOnPlotsAndRunListBreaksNothing) {
         if (random.once_in(100)) first.right = first.left + random.real(-10, 600);
         if (random.once_in(100)) second.bottom = second.top + random.real(-10, 600);
         if (!document.runs().empty())
-            document.runs().front().curves.append({.iteration = 201 + frames / 3,
+            document.active().curves.append({.iteration = 201 + frames / 3,
                                                    .residual = random.value(),
                                                    .step_size = random.value(),
                                                    .equidistribution = random.value(),

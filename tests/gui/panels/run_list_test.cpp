@@ -12,10 +12,7 @@ const Action keep_action{.name = "keep", .label = "Keep", .keys = {"K"}, .help =
 class RunListTest : public testing::Test {
   protected:
     RunListTest() {
-        for (const char* name : {"first", "second", "third"}) {
-            document.runs().push_back(made_up_run(name, 5));
-            document.runs().back().number = document.runs().size();
-        }
+        for (const char* name : {"first", "second", "third"}) add_made_up_run(document, name, 5);
     }
     std::function<void()> drawing() {
         return [this] {

@@ -188,7 +188,7 @@ TEST_F(HandleApplicationTest, TheMeshFollowsADraggedCentre) {
     EXPECT_NEAR(run().scenario.monitor.values.real("center_y"), 0.7, 0.01);
     EXPECT_EQ(shown().camera, before) << "the picture stays";
     EXPECT_EQ(look().text("pick"), "") << "nothing is picked";
-    ASSERT_TRUE(wait_until([&] { return run().answered == run().asked && run().ended(); }));
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
     EXPECT_EQ(run().status.run, RunStatus::converged);
     EXPECT_EQ(run().status.scenario->monitor, run().scenario.monitor);
     const ItemRectangle now = application.items().find("handle.center_x")->second;
@@ -230,7 +230,7 @@ TEST_F(PatchApplicationTest, AFoldStopsAControlPointButNotTheHand) {
     for (const float way : {0.1F, 0.2F, 2.5F}) {
         ui.move(from.left + way * (to.left - from.left), from.top + way * (to.top - from.top));
         frame();
-        ASSERT_TRUE(wait_until([&] { return run().answered == run().asked; }));
+        ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
     }
     EXPECT_TRUE(run().status.refused);
     EXPECT_NE(application.messages().last().text.find("folds"), std::string::npos)
@@ -241,7 +241,7 @@ TEST_F(PatchApplicationTest, AFoldStopsAControlPointButNotTheHand) {
     EXPECT_EQ(good, run().status.scenario->domain.values.text("control_points"));
     ui.move(from.left + 0.1F * (to.left - from.left), from.top + 0.1F * (to.top - from.top));
     frame();
-    ASSERT_TRUE(wait_until([&] { return run().answered == run().asked; }));
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
     EXPECT_FALSE(run().status.refused) << "the same drag goes on";
     EXPECT_NE(run().scenario.domain.values.text("control_points"), good);
     ui.button(false);
@@ -249,10 +249,14 @@ TEST_F(PatchApplicationTest, AFoldStopsAControlPointButNotTheHand) {
     for (std::size_t i = lines; i < application.messages().log().lines().size(); ++i)
         EXPECT_FALSE(application.messages().log().lines()[i].notice.error);
 
+    EXPECT_EQ(application.document().edits().undo_count(), 1U) << "one drag, although some of it was refused";
     Scenario typed = run().scenario; // by other ways the same is an error
     typed.domain.values.set("control_points", std::string("0 0"));
-    application.document().change(0, typed);
-    EXPECT_TRUE(wait_until([&] { return application.messages().error().open(); }));
+    application.document().change(run().id, typed);
+    EXPECT_TRUE(wait_until([&] { return application.messages().error().open() && run().changes.settled(); }));
+    EXPECT_EQ(application.document().edits().undo_count(), 1U);
+    application.document().undo();
+    EXPECT_EQ(run().scenario.domain.values.text("control_points"), "") << "as before the drag";
 }
 
 TEST_F(HandleApplicationTest, AClickOnAHandlePicksWhatLiesBelow) {
