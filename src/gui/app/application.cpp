@@ -92,9 +92,9 @@ static bool belongs_to_text(std::string_view key) {
 
 bool Application::press_key(std::string_view key) {
     const Action* row = action_for_key(actions_, key);
-    constexpr std::string_view shifted = "Ctrl+Shift+"; // means the same as Ctrl where it means nothing itself
-    if (!row && key.starts_with(shifted))
-        return press_key("Ctrl+" + std::string(key.substr(shifted.size())));
+    constexpr std::string_view shifted =
+        "Ctrl+Shift+"; // means the same as Ctrl where it means nothing itself
+    if (!row && key.starts_with(shifted)) return press_key("Ctrl+" + std::string(key.substr(shifted.size())));
     if (!row) return false;
     document_.record_views(); // of keys since the last frame, which undo is to find
     const bool dialog = messages_.error().open() || open_dialog_.open(); // it comes first

@@ -164,7 +164,7 @@ class Application {
     ComparisonPanel comparison_panel_;
     RunList run_list_;
     std::optional<Plot> plot_to_save_;
-    std::string plot_name_; ///< of the file to come
+    std::string plot_name_;    ///< of the file to come
     double wheeled_ = 0;       ///< when the wheel was last turned, by ImGui::GetTime()
     bool wheel_burst_ = false; ///< nothing else was done since
     bool quit_ = false, help_ = false, fullscreen_ = false;

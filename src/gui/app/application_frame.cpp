@@ -107,7 +107,8 @@ void Application::draw_sidebar() {
     if (scenario.domain != run().scenario.domain) viewport().view.set("pick", std::string());
     scenario.view = viewport().view;
     if (changed) {
-        document_.change(run().id, scenario); // once per frame; of those that wait, the solver takes the newest
+        document_.change(run().id,
+                         scenario); // once per frame; of those that wait, the solver takes the newest
         messages_.clear();
     }
     ImGui::End();

@@ -97,11 +97,11 @@ TEST_F(ActionsTest, MarkdownHasOneRowPerAction) {
             << row.name;
 }
 
-TEST_F(ActionsTest, TheReadmeHasTheTable) {
-    std::ifstream file(GASPARD_SOURCE_DIR "/README.md");
-    const std::string readme((std::istreambuf_iterator<char>(file)), {});
+TEST_F(ActionsTest, TheDocumentationHasTheTable) {
+    std::ifstream file(GASPARD_SOURCE_DIR "/docs/window.md");
+    const std::string page((std::istreambuf_iterator<char>(file)), {});
     const std::string table = actions_markdown(actions());
-    EXPECT_NE(readme.find(table), std::string::npos) << "README.md is to have:\n" << table;
+    EXPECT_NE(page.find(table), std::string::npos) << "docs/window.md should contain:\n" << table;
 }
 
 } // namespace
