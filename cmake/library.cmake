@@ -9,7 +9,7 @@ set(public_headers
   mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/space.hpp mesh/sphere_mesh.hpp
   monitor/function.hpp monitor/monitor.hpp method/method.hpp
   scenario/catalogue.hpp scenario/output_rows.hpp scenario/scenario.hpp scenario/toml.hpp session/run.hpp session/snapshot.hpp
-  tessellate/colour_choice.hpp io/formats.hpp io/run_files.hpp io/state_file.hpp)
+  tessellate/check_view.hpp tessellate/colour_choice.hpp io/formats.hpp io/run_files.hpp io/state_file.hpp)
 # Here they are "core/session/run.hpp", for others <gaspard/session/run.hpp>.
 foreach(header IN LISTS public_headers)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS src/core/${header})

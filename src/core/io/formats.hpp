@@ -61,6 +61,8 @@ struct RunResult {
     ColourChoice colours{};                           ///< of the view
     double curve_tolerance = default_curve_tolerance; ///< of tessellated files, relative to the mesh's size
     std::shared_ptr<const SplinePatch> patch{}; ///< the mesh as splines; null where it is not made of any
+    std::string camera{};                       ///< of the view
+    double aspect = 0.75;                       ///< of the view: height over width
 };
 
 struct Format {

@@ -1,9 +1,7 @@
 #include "gui/app/application.hpp"
 
 #include "core/base/error.hpp"
-#include "core/io/atomic_file.hpp"
-#include "core/io/run_files.hpp"
-#include "core/io/svg.hpp"
+#include "core/io/formats.hpp"
 #include "core/scenario/toml.hpp"
 #include "gui/document/runs_csv.hpp"
 #include "gui/panels/status_bar.hpp"
@@ -22,13 +20,13 @@ constexpr ImGuiPopupFlags any_popup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFla
 } // namespace
 
 Application::Application(std::shared_ptr<const Catalogue> catalogue, ApplicationOptions options)
-    : catalogue_(catalogue), output_(std::move(options.output)), settings_(std::move(options.settings)),
-      board_(std::make_shared<NoticeBoard>(options.wake)), theme_(dark_theme()), writer_(board_),
+    : catalogue_(catalogue), settings_(std::move(options.settings)), messages_(options.wake),
+      theme_(dark_theme()), files_(catalogue, messages_.board(), std::move(options.output)),
       document_(std::move(catalogue), std::move(options.wake),
                 [cache = tessellations_](const Snapshot& snapshot) { cache->get(snapshot); }) {
     if (const auto choice = parse_choice(settings_.window.text("first_plot"))) plot_pane_.choose(0, *choice);
     if (const auto choice = parse_choice(settings_.window.text("second_plot"))) plot_pane_.choose(1, *choice);
-    for (std::string& complaint : options.complaints) log_.add({std::move(complaint), true});
+    for (std::string& complaint : options.complaints) messages_.note({std::move(complaint), true});
 }
 
 Application::Application(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
@@ -45,59 +43,46 @@ Application::Application(std::shared_ptr<const Catalogue> catalogue, const Finis
     follow_theme();
 }
 
-/// Into the log and the status line; what went wrong comes up as well.
-void Application::say(Notice notice) {
-    log_.add(notice);
-    if (notice.error) error_.show(notice.text);
-    message_ = std::move(notice);
-}
-
 bool Application::collect() {
     bool news = document_.collect();
-    for (Notice& notice : board_->take()) say(std::move(notice)), news = true;
+    news = messages_.collect() || news;
     take_messages();
     if (run().openings != openings_seen_) take_opening();
     note_what_is_missing();
     const std::string note = closing_note(run(), action("reset"));
-    if (note != closing_note_ && !note.empty()) log_.add({note, false});
+    if (note != closing_note_ && !note.empty()) messages_.note({note, false});
     closing_note_ = note;
-    std::optional<Arrivals::Arrival> arrival;
-    {
-        std::lock_guard lock(arrivals_->mutex);
-        arrival = std::exchange(arrivals_->newest, std::nullopt);
-    }
-    if (arrival) {
-        open_scenario(arrival->scenario);
-        opening_file_ = arrival->file;
+    if (const auto opened = files_.take_opened()) {
+        open_scenario(opened->scenario);
+        opening_file_ = opened->file;
         news = true;
     }
     return news;
 }
 
-/// Those of the first run are for the user at once; those of other runs can be read in the log. What is
-/// refused while a handle is dragged is for the status line alone: a dialog would take the handle out of the
-/// hand.
+/// Messages of the active run are shown at once, those of other runs are in the log only. A value refused
+/// while a handle is dragged is reported in the status bar only, because a dialog would end the drag.
 void Application::take_messages() {
     for (DocumentRun& one : document_.runs())
         for (RunMessage& message : std::exchange(one.messages, {})) {
             if (&one != &run())
-                log_.add({one.name + ": " + message.text, message.error});
+                messages_.note({one.name + ": " + message.text, message.error});
             else if (message.dragging && run().solver->status().run != RunStatus::failed)
-                message_ = {std::move(message.text), message.error};
+                messages_.show({std::move(message.text), message.error});
             else
-                say({std::move(message.text), message.error});
+                messages_.say({std::move(message.text), message.error});
         }
 }
 
-/// Said once for each mesh.
+/// Once for each mesh.
 void Application::note_what_is_missing() {
     if (!run().snapshot || run().snapshot->mesh == looked_for_missing_) return;
     looked_for_missing_ = run().snapshot->mesh;
     const std::string note = missing_note(viewport().view, *run().snapshot);
-    if (!note.empty()) say({note, false});
+    if (!note.empty()) messages_.say({note, false});
 }
 
-/// Whether a field that is being written in wants a key for itself.
+/// Whether a text field that is being edited handles the key itself.
 static bool belongs_to_text(std::string_view key) {
     const bool function_key = key.size() > 1 && key[0] == 'F';
     const bool command =
@@ -107,17 +92,17 @@ static bool belongs_to_text(std::string_view key) {
 
 bool Application::press_key(std::string_view key) {
     const Action* row = action_for_key(actions_, key);
-    constexpr std::string_view shifted = "Ctrl+Shift+"; // means the same as Ctrl where it means nothing itself
-    if (!row && key.starts_with(shifted))
-        return press_key("Ctrl+" + std::string(key.substr(shifted.size())));
+    constexpr std::string_view shifted =
+        "Ctrl+Shift+"; // means the same as Ctrl where it means nothing itself
+    if (!row && key.starts_with(shifted)) return press_key("Ctrl+" + std::string(key.substr(shifted.size())));
     if (!row) return false;
     document_.record_views(); // of keys since the last frame, which undo is to find
-    const bool dialog = error_.open() || open_dialog_.open(); // it comes first
+    const bool dialog = messages_.error().open() || open_dialog_.open(); // it comes first
     if (dialog && row->name != "cancel" && row->name != "quit") return false;
     if (ImGui::GetIO().WantTextInput && !dialog && belongs_to_text(key)) return false;
     if (!row->is_enabled()) {
         const std::string why = run().snapshot ? row->why_disabled() : std::string();
-        if (!why.empty()) say({why, false});
+        if (!why.empty()) messages_.say({why, false});
         return false;
     }
     perform(row->name);
@@ -131,9 +116,32 @@ bool Application::working() {
 void Application::perform(std::string_view name) {
     const Action& row = action(name);
     if (row.needs_solver && !run().live()) return; // the window shows a finished run
-    message_ = {};
+    messages_.clear();
     document_.end_gesture();
     row.run();
+}
+
+WindowState Application::window_state() const {
+    return {theme_,
+            settings_.window.text("theme"),
+            static_cast<float>(settings_.window.real("text_size")),
+            fullscreen_,
+            quit_,
+            open_dialog_.opening() && !messages_.error().open(),
+            viewport_pane_.spinning()};
+}
+
+void Application::follow(const MenuChoice& choice) {
+    switch (choice.kind) {
+    case MenuChoice::Kind::action:
+        return perform(choice.name);
+    case MenuChoice::Kind::file:
+        return files_.open(choice.name);
+    case MenuChoice::Kind::scenario:
+        return open_builtin(choice.name);
+    case MenuChoice::Kind::format:
+        return toggle_format(choice.name);
+    }
 }
 
 bool Application::in_space() { return run().snapshot && run().snapshot->mesh->space_dimension == 3; }
@@ -144,14 +152,14 @@ bool Application::available(const std::string& choice) const {
            std::find(missing.begin(), missing.end(), choice) == missing.end();
 }
 
-/// From the beginning: what linear cells leave when they fail is seldom a map to go on from.
+/// Restarts, because the map that linear cells have failed with is rarely a usable start.
 void Application::use_quadratic_cells() {
     Scenario scenario = run().scenario;
     scenario.domain.values.parse("geometry_order", "2");
     viewport().view.set("pick", std::string());
     document_.change(run().id, scenario);
     document_.reset(run().id);
-    message_ = {};
+    messages_.clear();
     run().solver->post(StartCommand{});
     run().wants_to_run = true;
 }
@@ -164,7 +172,7 @@ void Application::look_from(const std::string& direction) {
 void Application::copy_camera() {
     const std::string text = viewport_pane_.camera_text();
     ImGui::SetClipboardText(text.c_str());
-    message_ = {"Copied: " + text, false};
+    messages_.show({"Copied: " + text, false});
 }
 
 void Application::paste_camera() {
@@ -173,11 +181,11 @@ void Application::paste_camera() {
         parse_camera(text ? text : "", {});
         viewport_pane_.look_as(viewport(), text);
     } catch (const InputError& error) {
-        say({error.what(), true});
+        messages_.say({error.what(), true});
     }
 }
 
-/// The window looks as its viewport's view says.
+/// Takes the theme of the view for the window.
 void Application::follow_theme() {
     settings_.window.set("theme", viewed_theme());
     theme_ = theme_named(viewed_theme());
@@ -188,16 +196,17 @@ void Application::set_text_size(double size) {
 }
 
 bool Application::can_cancel() {
-    return ImGui::IsPopupOpen("", any_popup) || error_.open() || open_dialog_.open() || help_ || working() ||
-           document_.comparison().running() || comparison_panel_.open() || !viewport().view.text("pick").empty();
+    return ImGui::IsPopupOpen("", any_popup) || messages_.error().open() || open_dialog_.open() || help_ ||
+           working() || document_.comparison().running() || comparison_panel_.open() ||
+           !viewport().view.text("pick").empty();
 }
 
 /// Closes or cancels the topmost thing only.
 void Application::cancel() {
-    if (ImGui::IsPopupOpen("", any_popup) && !error_.open() && !open_dialog_.open())
+    if (ImGui::IsPopupOpen("", any_popup) && !messages_.error().open() && !open_dialog_.open())
         ImGui::ClosePopupToLevel(0, true); // a menu or a list
-    else if (error_.open())
-        error_.close();
+    else if (messages_.error().open())
+        messages_.error().close();
     else if (open_dialog_.open())
         open_dialog_.close();
     else if (help_)
@@ -212,9 +221,7 @@ void Application::cancel() {
         viewport().view.set("pick", std::string());
 }
 
-std::filesystem::path Application::output_folder() { return output_ / run().scenario.name; }
-
-/// At least one format stays.
+/// At least one format stays selected.
 void Application::toggle_format(const std::string& name) {
     std::string names;
     for (const Format& format : formats()) {
@@ -228,27 +235,15 @@ void Application::toggle_format(const std::string& name) {
 }
 
 void Application::export_files() {
-    // The files are coloured as the viewport is.
+    // The files use the colours and the camera of the viewport.
     Scenario scenario = run().scenario;
     scenario.view = viewport().view;
     if (scenario != run().scenario) document_.change(run().id, scenario);
-    // The board is shared, for the task may come to its turn when the window is already closing.
-    run().solver->post(InspectCommand{
-        [board = board_, folder = output_folder(),
-         names = run().scenario.output.text("formats")](Run& solved, const Activity& activity) {
-            report_outcome(*board, [&] {
-                Scenario chosen = solved.scenario();
-                chosen.output.set("formats", names);
-                const auto formats = formats_of(chosen);
-                check_writable(folder);
-                write_run_files(folder, solved, formats, activity.progress, activity.stop);
-                return "Exported to " + folder.string();
-            });
-        }});
-    message_ = {"Exporting ...", false};
+    files_.export_run(run());
+    messages_.show({"Exporting ...", false});
 }
 
-void Application::save_image(Image image) { writer_.write_image(output_folder(), "view", std::move(image)); }
+void Application::save_image(Image image) { files_.save_image(run().scenario, "view", std::move(image)); }
 
 Settings Application::settings() {
     Settings settings = settings_;
@@ -259,7 +254,7 @@ Settings Application::settings() {
 
 void Application::keep() {
     if (const auto kept = document_.keep(run().id))
-        say({"Kept as " + document_.runs().find(*kept)->name, false});
+        messages_.say({"Kept as " + document_.runs().find(*kept)->name, false});
 }
 
 void Application::move_in_history(bool forward) {
@@ -269,7 +264,7 @@ void Application::move_in_history(bool forward) {
     if (!(forward ? document_.redo() : document_.undo())) return;
     if (viewport().view.real("spin") != spin) viewport_pane_.stop_turning();
     opening_file_.clear();
-    message_ = {(forward ? "Redone: " : "Undone: ") + label, false};
+    messages_.show({(forward ? "Redone: " : "Undone: ") + label, false});
 }
 
 /// Makes an edit of what this frame has changed in the view. One drag is one edit, and so is one burst of the
@@ -289,19 +284,14 @@ void Application::fulfil(const PlotWish& wish) {
     switch (wish.kind) {
     case PlotWish::Kind::copy_csv:
         ImGui::SetClipboardText(runs_csv(document_.runs()).c_str());
-        return say({"Copied the numbers of all runs that are shown", false});
+        return messages_.say({"Copied the numbers of all runs that are shown", false});
     case PlotWish::Kind::save_png:
-        plot_picture_ = plot_of_runs(document_.runs(), wish.choice, wish.zoom);
+        plot_to_save_ = plot_of_runs(document_.runs(), wish.choice, wish.zoom);
         plot_name_ = name_of(wish.choice.quantity);
         return;
     case PlotWish::Kind::save_svg:
-        return writer_.run([folder = output_folder(), name = std::string(name_of(wish.choice.quantity)),
-                            plot = plot_of_runs(document_.runs(), wish.choice, wish.zoom)] {
-            check_writable(folder);
-            const auto file = free_name(folder, name, ".svg");
-            write_svg(file, plot);
-            return "Saved " + file.string();
-        });
+        return files_.save_svg(run().scenario, std::string(name_of(wish.choice.quantity)),
+                               plot_of_runs(document_.runs(), wish.choice, wish.zoom));
     }
 }
 
@@ -316,53 +306,36 @@ void Application::draw_comparison() {
         return document_.cancel_comparison();
     case Wish::copy:
         ImGui::SetClipboardText(comparison_csv(document_.comparison().rows()).c_str());
-        return say({"Copied the table of methods", false});
+        return messages_.say({"Copied the table of methods", false});
     case Wish::meshes:
         return perform("runs");
     }
 }
 
 void Application::save_plot(const std::function<Image(const Plot&)>& draw) {
-    const auto plot = std::exchange(plot_picture_, std::nullopt);
+    const auto plot = std::exchange(plot_to_save_, std::nullopt);
     if (!plot) return;
     try {
-        writer_.write_image(output_folder(), plot_name_, draw(*plot));
+        files_.save_image(run().scenario, plot_name_, draw(*plot));
     } catch (const MachineError& error) {
-        say({error.what(), true});
+        messages_.say({error.what(), true});
     }
 }
 
 void Application::save_scenario() {
     Scenario scenario = run().scenario;
     scenario.view = viewport().view;
-    writer_.run([folder = output_folder(), name = scenario.name, text = to_toml(scenario)] {
-        check_writable(folder);
-        const auto file = free_name(folder, name, ".toml");
-        write_atomically(file, text);
-        return "Saved " + file.string();
-    });
+    files_.save_scenario(scenario);
 }
 
-void Application::open_file(const std::filesystem::path& file) {
-    const auto absolute = std::filesystem::absolute(file);
-    writer_.run([catalogue = catalogue_, arrivals = arrivals_, absolute] {
-        if (absolute.extension() != ".toml")
-            throw InputError(absolute.string() + " is no scenario: its name does not end in .toml");
-        Scenario scenario = load_scenario(*catalogue, absolute);
-        check(*catalogue, scenario);
-        check_view(scenario.view);
-        std::lock_guard lock(arrivals->mutex);
-        arrivals->newest = {std::move(scenario), absolute};
-        return "Opening " + absolute.string();
-    });
-}
+void Application::open_file(const std::filesystem::path& file) { files_.open(file); }
 
 void Application::open_scenario(const Scenario& scenario) {
     opening_file_.clear();
     document_.replace(run().id, scenario);
 }
 
-/// A scenario has been found good and is there.
+/// Called when a scenario has been opened.
 void Application::take_opening() {
     openings_seen_ = run().openings;
     follow_theme();
@@ -370,12 +343,12 @@ void Application::take_opening() {
     const auto file = std::exchange(opening_file_, {});
     if (file.empty()) return;
     remember_recent(settings_, file);
-    say({"Opened " + file.string(), false});
+    messages_.say({"Opened " + file.string(), false});
 }
 
 void Application::open_builtin(const std::string& name) {
     open_scenario(for_window(*catalogue_, find_scenario(*catalogue_, name)));
-    message_ = {};
+    messages_.clear();
 }
 
 } // namespace gaspard

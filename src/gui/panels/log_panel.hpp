@@ -1,8 +1,8 @@
 // The message log: every message since the program started, with the time of day.
 #pragma once
 
-#include "gui/base/background_writer.hpp"
 #include "gui/base/item_rectangles.hpp"
+#include "gui/base/notice.hpp"
 #include "gui/base/theme.hpp"
 
 #include <deque>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "gui/base/actions.hpp"
+#include "gui/base/frame_context.hpp"
 #include "gui/document/document.hpp"
-#include "gui/panels/viewport_pane.hpp"
 
 #include <string>
 

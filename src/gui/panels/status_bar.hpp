@@ -2,8 +2,8 @@
 #pragma once
 
 #include "gui/base/actions.hpp"
-#include "gui/base/background_writer.hpp"
 #include "gui/base/item_rectangles.hpp"
+#include "gui/base/notice.hpp"
 #include "gui/base/theme.hpp"
 #include "gui/document/document.hpp"
 

@@ -6,8 +6,7 @@
 // pick are texts there, which the mouse changes.
 #pragma once
 
-#include "gui/base/item_rectangles.hpp"
-#include "gui/base/theme.hpp"
+#include "gui/base/frame_context.hpp"
 #include "gui/document/document.hpp"
 #include "gui/viewport/handles.hpp"
 #include "gui/viewport/viewport.hpp"
@@ -25,13 +24,6 @@ struct ShownView {
     Camera camera; ///< for a view of the size of `rectangle`
     ItemRectangle rectangle;
     friend bool operator==(const ShownView&, const ShownView&) = default;
-};
-
-/// Theme and scale of this frame, and the places of its items.
-struct FrameContext {
-    const Theme& theme;
-    float scale = 1; ///< of sizes in the theme
-    ItemRectangles& items;
 };
 
 class ViewportPane {

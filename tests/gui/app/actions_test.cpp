@@ -55,12 +55,12 @@ TEST_F(ActionsTest, ADisabledActionSaysWhyWhenItsKeyIsPressed) {
         if (row.is_enabled() || !row.reason) continue;
         ++disabled;
         for (const auto key : row.keys) {
-            const std::size_t before = application.log().lines().size();
+            const std::size_t before = application.messages().log().lines().size();
             EXPECT_FALSE(application.press_key(key)) << row.name;
-            ASSERT_EQ(application.log().lines().size(), before + 1) << row.name;
-            EXPECT_EQ(application.log().lines().back().notice.text, row.why_disabled());
-            EXPECT_EQ(application.message().text, row.why_disabled());
-            EXPECT_FALSE(application.message().error) << row.name;
+            ASSERT_EQ(application.messages().log().lines().size(), before + 1) << row.name;
+            EXPECT_EQ(application.messages().log().lines().back().notice.text, row.why_disabled());
+            EXPECT_EQ(application.messages().last().text, row.why_disabled());
+            EXPECT_FALSE(application.messages().last().error) << row.name;
             EXPECT_TRUE(row.why_disabled().ends_with(".")) << row.why_disabled();
         }
     }
@@ -71,9 +71,9 @@ TEST_F(ActionsTest, ADisabledActionWithoutReasonIsSilent) {
     ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
     const Action& cancel = find_action(actions(), "cancel");
     ASSERT_FALSE(cancel.is_enabled());
-    const std::size_t before = application.log().lines().size();
+    const std::size_t before = application.messages().log().lines().size();
     EXPECT_FALSE(application.press_key("Escape"));
-    EXPECT_EQ(application.log().lines().size(), before);
+    EXPECT_EQ(application.messages().log().lines().size(), before);
 }
 
 TEST_F(ActionsTest, ToggleActionsChangeTheirCheckMark) {
@@ -97,11 +97,11 @@ TEST_F(ActionsTest, MarkdownHasOneRowPerAction) {
             << row.name;
 }
 
-TEST_F(ActionsTest, TheReadmeHasTheTable) {
-    std::ifstream file(GASPARD_SOURCE_DIR "/README.md");
-    const std::string readme((std::istreambuf_iterator<char>(file)), {});
+TEST_F(ActionsTest, TheDocumentationHasTheTable) {
+    std::ifstream file(GASPARD_SOURCE_DIR "/docs/window.md");
+    const std::string page((std::istreambuf_iterator<char>(file)), {});
     const std::string table = actions_markdown(actions());
-    EXPECT_NE(readme.find(table), std::string::npos) << "README.md is to have:\n" << table;
+    EXPECT_NE(page.find(table), std::string::npos) << "docs/window.md should contain:\n" << table;
 }
 
 } // namespace

@@ -53,17 +53,17 @@ TEST_F(ApplicationTest, KeysAreNotShortcutsWhileTyping) {
     frame();
     ui.click(application.items().find("monitor.amplitude.input")->second, drawing());
     ASSERT_TRUE(ImGui::GetIO().WantTextInput);
-    const std::string theme = application.theme_name();
+    const std::string theme = application.window_state().theme_name;
     for (const char* key : {"T", "Space", "Escape", "Ctrl+C", "Ctrl+V"})
         EXPECT_FALSE(application.press_key(key));
-    EXPECT_EQ(application.theme_name(), theme);
+    EXPECT_EQ(application.window_state().theme_name, theme);
     EXPECT_TRUE(application.press_key("F4")) << "no letter, nor what a field knows";
     EXPECT_TRUE(application.press_key("Ctrl+Q"));
-    EXPECT_TRUE(application.quit_requested());
+    EXPECT_TRUE(application.window_state().quit);
     ui.click(application.items().find("viewport")->second, drawing());
     frame();
     EXPECT_TRUE(application.press_key("T"));
-    EXPECT_NE(application.theme_name(), theme);
+    EXPECT_NE(application.window_state().theme_name, theme);
 }
 
 TEST_F(ApplicationTest, ButtonsDoWhatKeysDo) {
@@ -119,9 +119,9 @@ TEST_F(ApplicationTest, WhatTheSolverRefusesIsASentenceAndThePictureStays) {
     Scenario impossible = run().scenario;
     impossible.method.type = "no-such-method";
     application.document().change(run().id, impossible);
-    ASSERT_TRUE(wait_until([&] { return application.message().error; }));
-    EXPECT_NE(application.message().text.find("no-such-method"), std::string::npos)
-        << application.message().text;
+    ASSERT_TRUE(wait_until([&] { return application.messages().last().error; }));
+    EXPECT_NE(application.messages().last().text.find("no-such-method"), std::string::npos)
+        << application.messages().last().text;
     EXPECT_FALSE(application.views().empty());
     EXPECT_NE(run().status.run, RunStatus::failed);
 }
@@ -157,20 +157,20 @@ TEST_F(ApplicationTest, PartsAreShownHiddenAndMadeWider) {
 }
 
 TEST_F(ApplicationTest, ThemeAndSizeAreChangedByKeysAndRemembered) {
-    EXPECT_EQ(application.theme().background, dark_theme().background);
+    EXPECT_EQ(application.window_state().theme.background, dark_theme().background);
     application.press_key("T");
-    EXPECT_EQ(application.theme().background, light_theme().background);
+    EXPECT_EQ(application.window_state().theme.background, light_theme().background);
     EXPECT_EQ(application.settings().window.text("theme"), "light");
     application.press_key("F10");
-    EXPECT_NEAR(application.text_size(), 1.7, 1e-6);
+    EXPECT_NEAR(application.window_state().text_size, 1.7, 1e-6);
     application.press_key("F10");
-    EXPECT_EQ(application.text_size(), 1);
+    EXPECT_EQ(application.window_state().text_size, 1);
     for (int i = 0; i < 30; ++i) application.press_key("Ctrl+=");
-    EXPECT_EQ(application.text_size(), 3);
+    EXPECT_EQ(application.window_state().text_size, 3);
     for (int i = 0; i < 60; ++i) application.press_key("Ctrl+-");
-    EXPECT_NEAR(application.text_size(), 0.6, 1e-6);
+    EXPECT_NEAR(application.window_state().text_size, 0.6, 1e-6);
     application.press_key("F11");
-    EXPECT_TRUE(application.fullscreen());
+    EXPECT_TRUE(application.window_state().fullscreen);
 }
 
 TEST_F(ApplicationTest, EverythingHasRoomAtTheSizeForProjectors) {
@@ -253,7 +253,7 @@ TEST_P(RandomInput, BreaksNothing) {
             }
     }
     if (run().status.run == RunStatus::failed) { // as with the name of a file that is none
-        EXPECT_NE(application.message().text, "");
+        EXPECT_NE(application.messages().last().text, "");
     }
     EXPECT_GT(changes, GetParam().frames / 500) << "the input reached hardly anything";
 }

@@ -34,18 +34,18 @@ TEST_F(UndoTest, EveryDragOfASliderIsOneEdit) {
     EXPECT_EQ(undo_label(), "amplitude");
     EXPECT_TRUE(application.press_key("Ctrl+Z"));
     EXPECT_EQ(amplitude(), between);
-    EXPECT_EQ(application.message().text, "Undone: amplitude");
+    EXPECT_EQ(application.messages().last().text, "Undone: amplitude");
     EXPECT_TRUE(application.press_key("Ctrl+Z"));
     EXPECT_EQ(amplitude(), start);
     EXPECT_EQ(solved_scenario().monitor.values.real("amplitude"), start) << "the solver follows";
     EXPECT_FALSE(application.press_key("Ctrl+Z"));
-    EXPECT_EQ(application.message().text, "There is nothing to undo.");
+    EXPECT_EQ(application.messages().last().text, "There is nothing to undo.");
     EXPECT_TRUE(application.press_key("Ctrl+Shift+Z"));
-    EXPECT_EQ(application.message().text, "Redone: amplitude");
+    EXPECT_EQ(application.messages().last().text, "Redone: amplitude");
     EXPECT_EQ(solved_scenario().monitor.values.real("amplitude"), between);
     EXPECT_TRUE(application.press_key("Ctrl+Y"));
     EXPECT_FALSE(application.press_key("Ctrl+Y"));
-    EXPECT_EQ(application.message().text, "There is nothing to redo.");
+    EXPECT_EQ(application.messages().last().text, "There is nothing to redo.");
     EXPECT_EQ(undo_count(), 2U);
 }
 
@@ -112,7 +112,7 @@ TEST_F(UndoTest, DragsOfTheCameraAndBurstsOfTheWheelAreEdits) {
 
 TEST_F(UndoTest, KeysThatChangeTheViewAreEditsAndAPickIsNot) {
     wait_for_mesh();
-    const std::string theme = application.theme_name();
+    const std::string theme = application.window_state().theme_name;
     application.press_key("L");
     application.press_key("T");
     frame();
@@ -121,7 +121,7 @@ TEST_F(UndoTest, KeysThatChangeTheViewAreEditsAndAPickIsNot) {
     EXPECT_EQ(undo_count(), 2U);
     application.press_key("Ctrl+Z");
     frame();
-    EXPECT_EQ(application.theme_name(), theme);
+    EXPECT_EQ(application.window_state().theme_name, theme);
     application.press_key("Ctrl+Z");
     EXPECT_TRUE(look().boolean("lines"));
     EXPECT_NE(look().text("pick"), "");
@@ -192,7 +192,7 @@ TEST_F(UndoTest, WhatTheSolverRefusesLeavesNoEdit) {
     Scenario impossible = run().scenario;
     impossible.method.type = "no-such-method";
     application.document().change(run().id, impossible);
-    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && application.error().open(); }));
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && application.messages().error().open(); }));
     EXPECT_EQ(undo_count(), 0U);
     EXPECT_EQ(run().scenario, small_ring());
 }
@@ -206,7 +206,7 @@ TEST_F(UndoTest, OpeningAScenarioIsUndoneWithItsView) {
     application.document().replace(run().id, find_scenario(*catalogue, "plane-bell"));
     ASSERT_TRUE(wait_until([&] { return run().openings == 1; }));
     frame();
-    EXPECT_EQ(application.theme_name(), "light") << "kept";
+    EXPECT_EQ(application.window_state().theme_name, "light") << "kept";
     EXPECT_EQ(look().text("camera"), "");
     EXPECT_EQ(undo_count(), 3U) << "theme, camera and the opening";
     application.press_key("Ctrl+Z");

@@ -95,7 +95,7 @@ TEST_F(ApplicationTest, TheCameraIsCopiedAndPastedAsText) {
     EXPECT_EQ(application.document().viewports()[0].view.text("camera"), copied);
     ImGui::SetClipboardText("milk, bread");
     EXPECT_TRUE(application.press_key("Ctrl+V"));
-    EXPECT_NE(application.message().text.find("the camera 'milk, bread'"), std::string::npos);
+    EXPECT_NE(application.messages().last().text.find("the camera 'milk, bread'"), std::string::npos);
     EXPECT_EQ(application.document().viewports()[0].view.text("camera"), copied) << "nothing is lost";
 }
 

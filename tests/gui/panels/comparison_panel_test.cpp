@@ -121,12 +121,12 @@ TEST_F(CompareTest, AMethodThatCannotBeginSaysSo) {
     const auto rows = application.document().comparison().rows();
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_EQ(rows[0].status, RunStatus::failed);
-    ASSERT_FALSE(application.log().lines().empty());
-    const auto& lines = application.log().lines();
+    ASSERT_FALSE(application.messages().log().lines().empty());
+    const auto& lines = application.messages().log().lines();
     EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const LogLine& line) {
         return line.notice.error && line.notice.text.find("gone.json") != std::string::npos;
-    })) << application.log().text();
-    EXPECT_FALSE(application.error().open()) << "the present run is none the worse";
+    })) << application.messages().log().text();
+    EXPECT_FALSE(application.messages().error().open()) << "the present run is none the worse";
 }
 
 TEST_F(CompareTest, ShippedScenariosOpenWithTheMethodThatChooses) {

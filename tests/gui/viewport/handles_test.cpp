@@ -222,7 +222,7 @@ TEST_F(PatchApplicationTest, AFoldStopsAControlPointButNotTheHand) {
     ASSERT_NE(first, application.items().end());
     ASSERT_NE(last, application.items().end());
     const ItemRectangle from = first->second, to = last->second; // the middle, a corner
-    const std::size_t lines = application.log().lines().size();
+    const std::size_t lines = application.messages().log().lines().size();
     ui.move(from.left, from.top);
     frame();
     ui.button(true);
@@ -233,8 +233,9 @@ TEST_F(PatchApplicationTest, AFoldStopsAControlPointButNotTheHand) {
         ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
     }
     EXPECT_TRUE(run().status.refused);
-    EXPECT_NE(application.message().text.find("folds"), std::string::npos) << application.message().text;
-    EXPECT_FALSE(application.error().open()) << "it would take the handle out of the hand";
+    EXPECT_NE(application.messages().last().text.find("folds"), std::string::npos)
+        << application.messages().last().text;
+    EXPECT_FALSE(application.messages().error().open()) << "it would take the handle out of the hand";
     const std::string good = run().scenario.domain.values.text("control_points");
     EXPECT_NE(good, "") << "the last good place";
     EXPECT_EQ(good, run().status.scenario->domain.values.text("control_points"));
@@ -245,14 +246,14 @@ TEST_F(PatchApplicationTest, AFoldStopsAControlPointButNotTheHand) {
     EXPECT_NE(run().scenario.domain.values.text("control_points"), good);
     ui.button(false);
     frame();
-    for (std::size_t i = lines; i < application.log().lines().size(); ++i)
-        EXPECT_FALSE(application.log().lines()[i].notice.error);
+    for (std::size_t i = lines; i < application.messages().log().lines().size(); ++i)
+        EXPECT_FALSE(application.messages().log().lines()[i].notice.error);
 
     EXPECT_EQ(application.document().edits().undo_count(), 1U) << "one drag, although some of it was refused";
     Scenario typed = run().scenario; // by other ways the same is an error
     typed.domain.values.set("control_points", std::string("0 0"));
     application.document().change(run().id, typed);
-    EXPECT_TRUE(wait_until([&] { return application.error().open() && run().changes.settled(); }));
+    EXPECT_TRUE(wait_until([&] { return application.messages().error().open() && run().changes.settled(); }));
     EXPECT_EQ(application.document().edits().undo_count(), 1U);
     application.document().undo();
     EXPECT_EQ(run().scenario.domain.values.text("control_points"), "") << "as before the drag";

@@ -1,4 +1,4 @@
-#include "gui/scene/camera.hpp"
+#include "core/tessellate/camera.hpp"
 
 #include "core/base/error.hpp"
 #include "core/base/finite_range.hpp"
@@ -307,25 +307,6 @@ Camera parse_camera(std::string_view text, Size size) {
     if (!make_orthonormal(camera.right, camera.up))
         refuse_camera(text, "wants a right and an up that point in different directions");
     return camera;
-}
-
-glm::mat4 clip_matrix(const Camera& camera, Size size, Vec3 origin, double depth) {
-    const Vec3 shift = origin - camera.centre;
-    const struct {
-        Vec3 axis;
-        double factor;
-    } rows[3] = {{camera.right, 2 / (camera.scale * size.width)},
-                 {camera.up, 2 / (camera.scale * size.height)},
-                 {towards_viewer(camera), -1 / depth}};
-    glm::mat4 matrix(1.0F);
-    for (int i = 0; i < 3; ++i) {
-        const Vec3 axis = rows[i].factor * rows[i].axis;
-        matrix[0][i] = static_cast<float>(axis.x);
-        matrix[1][i] = static_cast<float>(axis.y);
-        matrix[2][i] = static_cast<float>(axis.z);
-        matrix[3][i] = static_cast<float>(dot(axis, shift));
-    }
-    return matrix;
 }
 
 } // namespace gaspard
