@@ -8,8 +8,8 @@
 #include "core/scenario/toml.hpp"
 #include "core/session/comparison.hpp"
 #include "core/session/run.hpp"
+#include "core/tessellate/check_view.hpp"
 #include "gui/app/viewport_image.hpp"
-#include "gui/viewport/viewport.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -10,6 +10,7 @@
 #include "core/io/state_file.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
+#include "core/tessellate/check_view.hpp"
 #include "gui/app/viewport_image.hpp"
 #include "gui/app/whole_window.hpp"
 #include "gui/viewport/viewport.hpp"

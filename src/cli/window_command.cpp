@@ -1,9 +1,9 @@
 #include "cli/commands.hpp"
 #include "core/base/error.hpp"
 #include "core/scenario/toml.hpp"
+#include "core/tessellate/check_view.hpp"
 #include "gui/app/window.hpp"
 #include "gui/document/document.hpp"
-#include "gui/viewport/viewport.hpp"
 
 #include <exception>
 #include <iostream>

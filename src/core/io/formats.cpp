@@ -89,7 +89,8 @@ Plot equidistribution_plot(const std::vector<StepReport>& history) {
 }
 
 void write_svg_files(const std::filesystem::path& folder, const RunResult& result) {
-    write_svg(folder / "adapted.svg", result.snapshot, make_colouring(result.snapshot, result.colours));
+    write_svg(folder / "adapted.svg", result.snapshot, make_colouring(result.snapshot, result.colours),
+              {.camera = result.camera, .aspect = result.aspect});
     write_svg(folder / "residual.svg", residual_plot(result.history));
     write_svg(folder / "equidistribution.svg", equidistribution_plot(result.history));
 }

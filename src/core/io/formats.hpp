@@ -61,6 +61,8 @@ struct RunResult {
     ColourChoice colours{}; ///< from the view
     double curve_tolerance = default_curve_tolerance; ///< relative to the size of the mesh
     std::shared_ptr<const SplinePatch> patch{}; ///< the mesh as splines; null if it is not a spline mesh
+    std::string camera{};                       ///< from the view; may be empty
+    double aspect = 0.75;                       ///< height over width of the view
 };
 
 struct Format {

@@ -39,7 +39,7 @@ ItemRectangles layout_of(int width, int height) {
     HeadlessUi ui(static_cast<float>(width), static_cast<float>(height), &theme);
     const auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
     Application application(catalogue, find_scenario(*catalogue, "plane-ring"));
-    application.perform(ActionId::run_pause);
+    application.perform("run");
     for (int i = 0; i < 3; ++i) ui.frame([&] { application.frame(); });
     return application.items();
 }
