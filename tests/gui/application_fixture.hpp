@@ -42,7 +42,7 @@ class ApplicationFixture : public testing::Test {
         }
         return false;
     }
-    DocumentRun& run() { return application.document().runs().front(); }
+    DocumentRun& run() { return application.document().active(); }
     Values& look() { return application.document().viewports().front().view; }
     const ShownView& shown(std::size_t i = 0) { return application.views().at(i); }
     static Size size_of(const ShownView& scene) {

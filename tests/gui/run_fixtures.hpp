@@ -1,4 +1,4 @@
-// Documents' runs as values: made up, nothing is solved.
+// Runs that are made up: nothing is solved.
 #pragma once
 
 #include "gui/document/document.hpp"
@@ -8,7 +8,7 @@
 
 namespace gaspard {
 
-/// A kept run whose residual falls by a tenth per ten iterations; measured every second iteration.
+/// A kept run whose residual falls by a factor of ten in ten iterations; measured every second iteration.
 inline DocumentRun made_up_run(const std::string& name, int iterations) {
     DocumentRun run;
     run.name = run.title = name;
@@ -26,6 +26,14 @@ inline DocumentRun made_up_run(const std::string& name, int iterations) {
         run.history.push_back(report);
         run.curves.append(report);
     }
+    return run;
+}
+
+/// Adds such a run to a document.
+inline DocumentRun& add_made_up_run(Document& document, const std::string& name, int iterations) {
+    document.show({.scenario = {}, .history = made_up_run(name, iterations).history, .snapshot = nullptr});
+    DocumentRun& run = document.runs()[document.runs().size() - 1];
+    run.name = run.title = name;
     return run;
 }
 

@@ -1,4 +1,4 @@
-// Built-in monitors by name, as a scenario would choose them.
+// Built-in monitors by name, as a scenario selects them.
 #pragma once
 
 #include "core/monitor/problem_data.hpp"

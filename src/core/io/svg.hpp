@@ -1,7 +1,7 @@
-// Pictures for papers: vector graphics of a plot and of a mesh, as SVG 1.1 text.
+// Figures for papers: vector graphics of a plot and of a mesh, as SVG 1.1 text.
 //
-// Measures are real ones (millimetres; inside, one unit is a point), text is text, so that both can be edited
-// in a drawing program. What the eye cannot see is left out: points nearer than a quarter of a point merge.
+// Sizes are in millimetres (one unit inside is a point) and text stays text, so that a drawing program can
+// edit both. Invisible detail is left out: points closer than a quarter of a point are merged.
 #pragma once
 
 #include "core/session/snapshot.hpp"
@@ -14,11 +14,6 @@
 
 namespace gaspard {
 
-/// The world's directions that point to the right of the page and up on it, of unit length, at right angles.
-struct SvgDirection {
-    Vec3 right{1, 0, 0}, up{0, 1, 0};
-};
-
 struct PlotSvgOptions {
     double width_mm = 120, height_mm = 80;
 };
@@ -28,15 +23,17 @@ struct PlotSvgOptions {
 std::string svg_of_plot(const Plot& plot, const PlotSvgOptions& options = {});
 
 struct MeshSvgOptions {
-    double width_mm = 120;              ///< of the whole picture; its height follows from the mesh
-    int classes = 16;                   ///< colours
-    std::optional<SvgDirection> from{}; ///< how a mesh in space is seen; empty: somewhat from above
+    double width_mm = 120; ///< of the whole drawing
+    int classes = 16;      ///< colours
+    std::string camera{};  ///< as view.camera; empty: the whole mesh, a mesh in space from slightly above
+    double aspect = 0.75;  ///< height over width of what a camera with a centre and a height shows
 };
 
 /// The mesh at x: cells filled in classes of the colouring (white without one), edges as long lines (curved
-/// ones as the parabolas that they are), tangled cells in magenta above all others, a legend. In the plane as
-/// it is; in space seen from a fixed direction, somewhat from above, without what is hidden. An interval is a
-/// band, a curve a line.
+/// ones as exact parabolas), tangled cells in magenta above all others, a legend. Of a mesh in space hidden
+/// faces are left out. An interval is drawn as a band, a curve as a line. The camera says from where and
+/// which part; the height of the drawing follows from the mesh or, for a part, from `aspect`. Throws
+/// InputError if the camera cannot be read.
 std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>& colouring,
                         const MeshSvgOptions& options = {});
 

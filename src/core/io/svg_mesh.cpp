@@ -79,6 +79,7 @@ struct Drawing {
     const SvgView& view;
     const Classes& classes;
     int decimals = 2;
+    std::vector<bool> shown{}; ///< per face or line
 
     PagePoint node(std::int32_t number) const { return view.page(scene.x[static_cast<std::size_t>(number)]); }
     void go(SvgPath& path, const Side& side) const {
@@ -122,8 +123,10 @@ std::size_t width_class(double narrowness) {
 /// Decimals of a point that tell the nodes of all but a hundredth of the faces apart.
 int decimals_of(const Drawing& drawing) {
     std::vector<double> sizes;
-    for (std::size_t f = 0; f < drawing.scene.faces.size(); ++f) sizes.push_back(drawing.narrowness(f));
-    for (const Side& side : drawing.scene.lines) sizes.push_back(drawing.length(side));
+    const SvgScene& scene = drawing.scene;
+    for (std::size_t i = 0; i < scene.size(); ++i)
+        if (drawing.shown[i])
+            sizes.push_back(scene.lines.empty() ? drawing.narrowness(i) : drawing.length(scene.lines[i]));
     if (sizes.empty()) return 2;
     const auto small = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 100);
     std::nth_element(sizes.begin(), small, sizes.end());
@@ -139,7 +142,8 @@ std::string flat_fill(const Drawing& drawing) {
     const SvgScene& scene = drawing.scene;
     std::vector<std::vector<std::uint32_t>> members(drawing.classes.count());
     for (std::size_t f = 0; f < scene.faces.size(); ++f)
-        if (!scene.tangled[f]) members[drawing.classes.of(f)].push_back(static_cast<std::uint32_t>(f));
+        if (drawing.shown[f] && !scene.tangled[f])
+            members[drawing.classes.of(f)].push_back(static_cast<std::uint32_t>(f));
     std::string text = "<g id=\"cells\">\n";
     for (std::size_t k = 0; k < members.size(); ++k) {
         SvgPath path(drawing.decimals);
@@ -167,6 +171,7 @@ std::string flat_edges(const Drawing& drawing) {
     std::array<std::array<std::vector<Side>, line_widths.size()>, 2> groups; // light and dark ink
     for (const DrawnEdge& edge : edges_of(drawing.scene.faces)) {
         const auto [a, b] = edge.faces;
+        if (!drawing.shown[a] && !drawing.shown[b]) continue;
         const std::size_t ink = classes.wants_light_ink(classes.of(a), classes.of(b)) ? 0 : 1;
         const double narrow = std::min(drawing.narrowness(a), drawing.narrowness(b));
         groups[ink][width_class(narrow)].push_back(edge.side);
@@ -182,7 +187,7 @@ std::string flat_edges(const Drawing& drawing) {
 std::string flat_tangled(const Drawing& drawing) {
     std::string cells;
     for (std::size_t f = 0; f < drawing.scene.faces.size(); ++f) {
-        if (!drawing.scene.tangled[f]) continue;
+        if (!drawing.shown[f] || !drawing.scene.tangled[f]) continue;
         SvgPath path(drawing.decimals);
         drawing.add(path, sides_of_face(drawing.scene.faces, f), true);
         cells += path_element(path);
@@ -198,6 +203,7 @@ std::string spatial_faces(const Drawing& drawing) {
     std::string text = "<g id=\"cells\" stroke-linejoin=\"round\">\n";
     std::string group; // the one that is open
     for (const auto f : painters_order(scene, drawing.view)) {
+        if (!drawing.shown[f]) continue;
         const std::size_t k = drawing.classes.of(f);
         const bool light = !scene.tangled[f] && drawing.classes.wants_light_ink(k, k);
         const std::string look = "<g fill=\"" +
@@ -220,16 +226,18 @@ std::string coloured_lines(const Drawing& drawing) {
     for (std::size_t k = 0; k < drawing.classes.count(); ++k) {
         std::vector<Side> members;
         for (std::size_t i = 0; i < scene.lines.size(); ++i)
-            if (!scene.tangled[i] && drawing.classes.of(i) == k) members.push_back(scene.lines[i]);
+            if (drawing.shown[i] && !scene.tangled[i] && drawing.classes.of(i) == k)
+                members.push_back(scene.lines[i]);
         const std::string ink = scene.values.empty() ? dark_ink : drawing.classes.colour(k);
         text += line_group(drawing, members, ink, 2);
     }
     std::vector<Side> tangled;
     for (std::size_t i = 0; i < scene.lines.size(); ++i)
-        if (scene.tangled[i]) tangled.push_back(scene.lines[i]);
+        if (drawing.shown[i] && scene.tangled[i]) tangled.push_back(scene.lines[i]);
     text += line_group(drawing, tangled, tangled_colour, 2) + "<g id=\"nodes\" fill=\"" + dark_ink + "\">\n";
-    for (const Side& side : scene.lines)
-        for (const std::int32_t end : {side.from, side.to}) {
+    for (std::size_t i = 0; i < scene.lines.size(); ++i)
+        for (const std::int32_t end : {scene.lines[i].from, scene.lines[i].to}) {
+            if (!drawing.shown[i]) continue;
             const PagePoint p = drawing.node(end);
             text += "<circle cx=\"" + svg_number(p.x) + "\" cy=\"" + svg_number(p.y) + "\" r=\".9\"/>\n";
         }
@@ -293,6 +301,26 @@ std::string mesh_content(const Drawing& drawing) {
     return flat_fill(drawing) + flat_edges(drawing) + flat_tangled(drawing);
 }
 
+/// Which faces or lines of the scene the view shows.
+std::vector<bool> shown_parts(const SvgScene& scene, const SvgView& view) {
+    std::vector<bool> shown(scene.size(), true);
+    if (!view.cropped) return shown;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const Side line = scene.lines.empty() ? Side{} : scene.lines[i];
+        const std::array ends = {line.from, line.to, line.middle};
+        shown[i] = view.shows(scene.x, scene.lines.empty() ? std::span(scene.faces[i]) : std::span(ends));
+    }
+    return shown;
+}
+
+/// Cuts off what lies outside the view.
+std::string cropped(const SvgView& view, const std::string& content) {
+    if (!view.cropped) return content;
+    return "<clipPath id=\"view\">" +
+           svg_block(view.corner.x, view.corner.y, view.width, view.height, "fill=\"none\"") +
+           "</clipPath>\n<g clip-path=\"url(#view)\">\n" + content + "</g>\n";
+}
+
 } // namespace
 
 std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>& colouring,
@@ -304,11 +332,12 @@ std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>
     const double beside =
         colouring ? legend_gap + legend_width(colouring->range, colouring->label, highest_bar) : 0;
     const double free_width = width - 2 * margin - beside;
-    const SvgView view = svg_view(scene, options.from, {margin, margin}, free_width, 1.5 * free_width);
+    const SvgView view = svg_view(scene, options, {margin, margin}, free_width);
 
     Drawing drawing{scene, view, classes};
+    drawing.shown = shown_parts(scene, view);
     drawing.decimals = decimals_of(drawing);
-    std::string content = mesh_content(drawing);
+    std::string content = cropped(view, mesh_content(drawing));
     const double shown_height = std::max(view.height, colouring ? 90.0 : 0.0);
     if (colouring)
         content += colour_bar(classes, colouring->label, {width - margin - beside + legend_gap, margin},

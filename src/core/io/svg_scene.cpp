@@ -1,6 +1,8 @@
 #include "core/io/svg_scene.hpp"
 
 #include "core/base/check.hpp"
+#include "core/scenario/view_directions.hpp"
+#include "core/tessellate/camera.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,13 +82,6 @@ Vec3 face_centre(const SvgScene& scene, std::size_t face) {
     return 1.0 / static_cast<double>(corners.size()) * sum;
 }
 
-SvgDirection somewhat_from_above() {
-    constexpr double azimuth = 0.6, elevation = 0.45; // radians, of the viewer; as in the window
-    return {{-std::sin(azimuth), std::cos(azimuth), 0},
-            {-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth),
-             std::cos(elevation)}};
-}
-
 } // namespace
 
 SvgScene svg_scene(const Snapshot& snapshot, const std::optional<Colouring>& colouring) {
@@ -109,24 +104,58 @@ SvgScene svg_scene(const Snapshot& snapshot, const std::optional<Colouring>& col
     return scene;
 }
 
-SvgView svg_view(const SvgScene& scene, const std::optional<SvgDirection>& direction, PagePoint corner,
-                 double width, double largest_height) {
-    SvgView view;
-    if (scene.spatial) view.direction = direction.value_or(somewhat_from_above());
-    const auto& [right_axis, up_axis] = view.direction;
+/// The part of the world that a camera with centre and height shows.
+static SvgView view_of_camera(const Camera& camera, PagePoint corner, Size size) {
+    SvgView view{.right = camera.right, .up = camera.up, .scale = 1 / camera.scale, .corner = corner};
+    view.width = size.width, view.height = size.height;
+    view.origin = {corner.x + size.width / 2 - view.scale * dot(view.right, camera.centre),
+                   corner.y + size.height / 2 + view.scale * dot(view.up, camera.centre)};
+    view.cropped = true;
+    return view;
+}
+
+SvgView svg_view(const SvgScene& scene, const MeshSvgOptions& options, PagePoint corner, double width) {
+    const std::string& camera = options.camera;
+    const Size size{width, options.aspect * width};
+    if (!camera.empty() && !shows_all(camera))
+        return view_of_camera(parse_camera(camera, size), corner, size);
+    SvgView view{.corner = corner};
+    if (scene.spatial && camera.empty()) {
+        const ViewDirection& home = view_direction("home");
+        view.right = home.right, view.up = home.up;
+    } else if (scene.spatial) {
+        const Camera axes = parse_camera(camera, size);
+        view.right = axes.right, view.up = axes.up;
+    }
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double left = infinity, right = -infinity, bottom = infinity, top = -infinity;
     for (std::size_t i = 0; i < scene.x.size(); ++i) {
-        const double a = dot(right_axis, scene.x[i]), b = dot(up_axis, scene.x[i]);
+        const double a = dot(view.right, scene.x[i]), b = dot(view.up, scene.x[i]);
         GASPARD_CHECK(std::isfinite(a) && std::isfinite(b));
         left = std::min(left, a), right = std::max(right, a);
         bottom = std::min(bottom, b), top = std::max(top, b);
     }
-    view.scale = std::min(width / (right - left), largest_height / (top - bottom));
+    view.scale = std::min(width / (right - left), 1.5 * width / (top - bottom));
     if (!std::isfinite(view.scale)) view.scale = 1; // a single point
     view.width = view.scale * (right - left), view.height = view.scale * (top - bottom);
     view.origin = {corner.x + (width - view.width) / 2 - view.scale * left, corner.y + view.scale * top};
     return view;
+}
+
+bool SvgView::shows(const Points& x, std::span<const std::int32_t> nodes) const {
+    if (!cropped) return true;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double left = infinity, right_end = -infinity, top = infinity, bottom = -infinity;
+    for (const std::int32_t node : nodes) {
+        if (node < 0) continue; // a straight side has no middle node
+        const PagePoint p = page(x[index(node)]);
+        left = std::min(left, p.x), right_end = std::max(right_end, p.x);
+        top = std::min(top, p.y), bottom = std::max(bottom, p.y);
+    }
+    // A curved side may leave the box of its nodes by less than half the size of the box; a line has a width.
+    const double across = (right_end - left) / 2 + 2, down = (bottom - top) / 2 + 2;
+    return right_end + across >= corner.x && left - across <= corner.x + width && bottom + down >= corner.y &&
+           top - down <= corner.y + height;
 }
 
 std::vector<std::uint32_t> painters_order(const SvgScene& scene, const SvgView& view) {

@@ -8,6 +8,7 @@
 #include "core/tessellate/colouring.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace gaspard {
@@ -26,23 +27,25 @@ struct SvgScene {
 
 SvgScene svg_scene(const Snapshot& snapshot, const std::optional<Colouring>& colouring);
 
-/// An orthographic look at a scene, fitted into a part of the page.
+/// An orthographic view of a scene on a part of the page.
 struct SvgView {
-    SvgDirection direction;
-    double scale = 1;             ///< points of the page per unit of the world
-    PagePoint origin;             ///< where the world's origin is seen
-    double width = 0, height = 0; ///< of the scene on the page
+    Vec3 right{1, 0, 0}, up{0, 1, 0}; ///< world directions that point right and up on the page; orthonormal
+    double scale = 1;                 ///< points of the page per world unit
+    PagePoint corner{};               ///< upper left, of the part of the page
+    double width = 0, height = 0;     ///< of that part
+    PagePoint origin{};               ///< where the world's origin is seen
+    bool cropped = false;             ///< some of the scene may lie outside that part
 
-    PagePoint page(Vec3 p) const {
-        return {origin.x + scale * dot(direction.right, p), origin.y - scale * dot(direction.up, p)};
-    }
-    Vec3 towards_viewer() const { return cross(direction.right, direction.up); }
+    PagePoint page(Vec3 p) const { return {origin.x + scale * dot(right, p), origin.y - scale * dot(up, p)}; }
+    Vec3 towards_viewer() const { return cross(right, up); }
+    /// Whether any of these nodes, or a curve through them, may lie on the part of the page.
+    bool shows(const Points& x, std::span<const std::int32_t> nodes) const;
 };
 
-/// `corner`: of the part of the page; the scene keeps its proportions and touches at least one limit.
-/// In the plane `direction` says nothing.
-SvgView svg_view(const SvgScene& scene, const std::optional<SvgDirection>& direction, PagePoint corner,
-                 double width, double largest_height);
+/// The view of the options' camera. Without one, or with its axes alone, the whole scene: it keeps its
+/// proportions, is at most `width` wide and 1.5 `width` high, and touches at least one of these limits. Axes
+/// alone do not turn a planar scene.
+SvgView svg_view(const SvgScene& scene, const MeshSvgOptions& options, PagePoint corner, double width);
 
 /// The faces that are seen, the farthest first.
 std::vector<std::uint32_t> painters_order(const SvgScene& scene, const SvgView& view);

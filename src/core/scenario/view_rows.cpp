@@ -1,5 +1,7 @@
 #include "core/scenario/view_rows.hpp"
 
+#include "core/scenario/view_directions.hpp"
+
 namespace gaspard {
 
 namespace {
@@ -46,6 +48,12 @@ ParameterRow pixels(const char* key, const char* label, std::int64_t value) {
             .help = "size of the picture"};
 }
 
+std::vector<std::string> direction_names() {
+    std::vector<std::string> names;
+    for (const ViewDirection& direction : view_directions()) names.emplace_back(direction.name);
+    return names;
+}
+
 } // namespace
 
 std::vector<ParameterRow> view_rows() {
@@ -84,7 +92,7 @@ std::vector<ParameterRow> view_rows() {
          .help = "the longitude in the middle of the map, east of 0"},
         choice("overlay", "Overlay", {"none", "exact"},
                "exact: the lines of the exact mesh over the computed one, where the exact map is known"),
-        choice("direction", "Direction", {"home", "front", "back", "left", "right", "top", "bottom"},
+        choice("direction", "Direction", direction_names(),
                "where a mesh in space is seen from; z points up"),
         text("camera", "Camera",
              "where one looks from, as copied from the window; empty: all of the mesh; axes alone ('right 0 "

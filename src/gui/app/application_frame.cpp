@@ -1,8 +1,7 @@
-// How the application is drawn; what it does is in application.cpp.
-#include "core/io/formats.hpp"
-#include "core/scenario/toml.hpp"
+// The frame of the application; its behaviour is in application.cpp and application_actions.cpp.
 #include "gui/app/application.hpp"
-#include "gui/base/icons.hpp"
+#include "gui/app/edges.hpp"
+#include "gui/app/remedy.hpp"
 #include "gui/base/part_window.hpp"
 #include "gui/panels/status_bar.hpp"
 
@@ -15,50 +14,34 @@ namespace gaspard {
 namespace {
 
 constexpr const char* hint =
-    "Drag to pan, turn the wheel to zoom, click a cell to know it, press H to see all. F1 shows all keys.";
+    "Drag to pan, turn the wheel to zoom, click a cell to inspect it, press H to see all. F1 shows all keys.";
 constexpr const char* hint_in_space =
-    "Drag to turn, turn the wheel to zoom, click a cell to know it, press F for the "
+    "Drag to rotate, turn the wheel to zoom, click a cell to inspect it, press F for the "
     "rear, H to see all. F1 shows all keys.";
 
-/// Whether one camera does for both meshes.
+/// Whether one camera suits both meshes.
 bool look_alike(const DocumentRun& one, const DocumentRun& other) {
     return one.snapshot && other.snapshot &&
            one.snapshot->mesh->space_dimension == other.snapshot->mesh->space_dimension &&
            one.scenario.domain.type == other.scenario.domain.type;
 }
 
-Icon icon_of(ActionId id) {
-    switch (id) {
-    case ActionId::run_pause:
-        return Icon::run;
-    case ActionId::step:
-        return Icon::step;
-    case ActionId::reset:
-        return Icon::reset;
-    case ActionId::home:
-        return Icon::home;
-    case ActionId::screenshot:
-        return Icon::image;
-    case ActionId::export_files:
-        return Icon::save;
-    default:
-        return Icon::none;
-    }
-}
-
 } // namespace
 
 void Application::frame() {
     items_.clear();
-    // A button's own tooltip does not belong in the picture, so this frame does without the mouse; a slider
-    // that is held would follow it.
+    // The frame of a screenshot ignores the mouse, so that no tooltip is in the image; but a slider that is
+    // being dragged would jump.
     taking_screenshot_ = std::exchange(screenshot_, false);
     if (taking_screenshot_ && !ImGui::IsAnyItemActive()) ImGui::GetIO().MousePos = {-FLT_MAX, -FLT_MAX};
-    if (viewed_theme() != theme_name()) follow_theme();
-    draw_menus();
-    arrange();
+    if (viewed_theme() != settings_.window.text("theme")) follow_theme();
     const FrameContext context{theme_, scale_, items_};
-    draw_toolbar();
+    const auto menu_context = [&] {
+        return MenuContext{actions_, *catalogue_, run(), settings_.recent, context};
+    };
+    if (const auto chosen = menus_.draw_menu_bar(menu_context())) follow(*chosen);
+    arrange();
+    if (const auto chosen = menus_.draw_toolbar(menu_context(), layout_.toolbar)) follow(*chosen);
     viewport_pane_.say_in_corner(note_has_room() ? method_note(run(), *catalogue_) : std::string());
     const bool with_handles = run().live() && !taking_screenshot_;
     std::vector<Handle> handles;
@@ -74,17 +57,18 @@ void Application::frame() {
         if (&other != &run() && !other.hidden && look_alike(other, run())) others.push_back(&other);
     viewport_pane_.frame(run(), viewport(), layout_.viewport, context, others);
     if (const auto move = viewport_pane_.take_handle_move()) {
-        if (!run().status.refused) message_ = {};
-        document_.change_by_hand(0, with_handle_at(run().scenario, move->handle, move->place));
+        if (!run().status.refused) messages_.clear();
+        document_.change(run().id, with_handle_at(run().scenario, move->handle, move->place), true);
     }
-    if (checked(ActionId::sidebar)) draw_sidebar();
-    if (checked(ActionId::plots)) draw_plots(context);
-    draw_edges();
-    if (checked(ActionId::log)) draw_log();
-    draw_remedy();
+    if (action("sidebar").is_checked()) draw_sidebar();
+    if (action("plots").is_checked()) draw_plots(context);
+    draw_edges(layout_, settings_.window, context);
+    if (action("log").is_checked()) draw_log();
+    if (draw_remedy(remedy_note(run()), action("quadratic"), layout_.viewport, context)) perform("quadratic");
     draw_comparison();
     draw_status();
     draw_dialogs();
+    record_edits();
 }
 
 void Application::arrange() {
@@ -98,111 +82,6 @@ void Application::arrange() {
     layout_ = compute_layout(size.x, size.y, ImGui::GetFontSize(), ImGui::GetFrameHeight(), choice);
 }
 
-void Application::draw_menus() {
-    if (!ImGui::BeginMainMenuBar()) return;
-    for (const char* menu : {"File", "Solve", "View", "Help"}) {
-        const bool open = ImGui::BeginMenu(menu);
-        remember_item(items_, "menu." + std::string(menu));
-        if (!open) continue;
-        for (const Action& row : actions()) {
-            if (row.menu != menu) continue;
-            if (ImGui::MenuItem(label_of(row).c_str(), describe_keys(row).c_str(), checked(row.id),
-                                possible(row.id)))
-                perform(row.id);
-            remember_item(items_, "menu." + std::string(row.name));
-            if (row.id == ActionId::open) draw_recent();
-            if (row.id == ActionId::export_files) draw_formats();
-        }
-        ImGui::EndMenu();
-    }
-    ImGui::EndMainMenuBar();
-}
-
-void Application::draw_recent() {
-    if (!ImGui::BeginMenu("Open recent", !settings_.recent.empty())) return;
-    for (std::size_t i = 0; i < settings_.recent.size(); ++i) {
-        const std::string file = settings_.recent[i];
-        if (ImGui::MenuItem(file.c_str())) open_file(file);
-        remember_item(items_, "recent." + std::to_string(i));
-    }
-    ImGui::EndMenu();
-}
-
-void Application::draw_formats() {
-    if (!ImGui::BeginMenu("Export as", run().live())) return;
-    for (const Format& format : formats()) {
-        if (ImGui::MenuItem(format.name.c_str(), nullptr, exports(run().scenario, format.name)))
-            toggle_format(format.name);
-        remember_item(items_, "format." + format.name);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", format.help.c_str());
-    }
-    ImGui::EndMenu();
-}
-
-void Application::draw_toolbar() {
-    begin_part("##toolbar", layout_.toolbar);
-    const float em = ImGui::GetFontSize();
-    for (const Action& row : actions()) {
-        if (!row.toolbar) continue;
-        draw_button(row);
-        const bool last_of_group = row.id == ActionId::reset || row.id == ActionId::home;
-        ImGui::SameLine(0, last_of_group ? 1.6F * em : 0.5F * em);
-    }
-    draw_scenarios();
-    ImGui::End();
-}
-
-void Application::draw_button(const Action& row) {
-    const bool main = row.id == ActionId::run_pause;
-    if (main) { // what one looks for first
-        const ImVec4 accent = to_imgui(theme_.accent);
-        ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(theme_.background));
-        ImGui::PushStyleColor(ImGuiCol_Button, accent);
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
-        ImGui::PushStyleColor(ImGuiCol_ButtonActive, accent);
-    }
-    ImGui::BeginDisabled(!possible(row.id));
-    const std::string id = "##" + std::string(row.name);
-    const Icon icon = main && run().solving() ? Icon::pause : icon_of(row.id);
-    if (icon_button(id.c_str(), icon, label_of(row).c_str(), main ? 7.5F * ImGui::GetFontSize() : 0))
-        perform(row.id);
-    ImGui::EndDisabled();
-    if (main) ImGui::PopStyleColor(4);
-    remember_item(items_, "action." + std::string(row.name));
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%.*s\nKey: %s", static_cast<int>(row.help.size()), row.help.data(),
-                          describe_keys(row).c_str());
-}
-
-void Application::draw_scenarios() {
-    const float em = ImGui::GetFontSize();
-    const float right = ImGui::GetWindowContentRegionMax().x;
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), right - 19 * em));
-    ImGui::SetNextItemWidth(std::max(4 * em, right - ImGui::GetCursorPosX()));
-    const bool open = ImGui::BeginCombo("##scenario", run().title.c_str());
-    remember_item(items_, "scenario");
-    if (!open) return;
-    if (shipped_.empty())
-        for (const BuiltinScenario& one : builtin_scenarios())
-            shipped_.push_back(find_scenario(*catalogue_, std::string(one.name)));
-    float widest = 0;
-    for (const Scenario& one : shipped_) widest = std::max(widest, ImGui::CalcTextSize(one.title.c_str()).x);
-    for (const Scenario& one : shipped_) {
-        const bool chosen = ImGui::Selectable(("##" + one.name).c_str(), run().scenario.name == one.name);
-        remember_item(items_, "scenario=" + one.name);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", one.description.c_str());
-        ImGui::SameLine(0, 0);
-        ImGui::TextUnformatted(one.title.c_str());
-        ImGui::SameLine(widest + 2 * em);
-        ImGui::TextDisabled("%s", one.name.c_str());
-        if (chosen) open_builtin(one.name);
-    }
-    if (!settings_.recent.empty()) ImGui::Separator();
-    for (const std::string& file : std::vector(settings_.recent))
-        if (ImGui::Selectable(file.c_str())) open_file(file);
-    ImGui::EndCombo();
-}
-
 void Application::draw_sidebar() {
     begin_part("##sidebar", layout_.sidebar, ImGuiWindowFlags_None); // it may have to scroll
     Scenario scenario = run().scenario;
@@ -214,11 +93,11 @@ void Application::draw_sidebar() {
         ImGui::Spacing();
     }
     if (ImGui::CollapsingHeader("Runs", ImGuiTreeNodeFlags_DefaultOpen)) {
-        if (run_list_.draw(document_, {theme_, scale_, items_})) perform(ActionId::keep);
-        const Action& row = action(ActionId::compare);
+        if (run_list_.draw(document_, action("keep"), {theme_, scale_, items_})) perform("keep");
+        const Action& row = action("compare");
         ImGui::SameLine();
-        ImGui::BeginDisabled(!possible(row.id));
-        if (ImGui::Button(std::string(row.label).c_str())) perform(row.id);
+        ImGui::BeginDisabled(!row.is_enabled());
+        if (ImGui::Button(std::string(row.label).c_str())) perform(row.name);
         ImGui::EndDisabled();
         remember_item(items_, "runs.compare");
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(row.help).c_str());
@@ -228,8 +107,9 @@ void Application::draw_sidebar() {
     if (scenario.domain != run().scenario.domain) viewport().view.set("pick", std::string());
     scenario.view = viewport().view;
     if (changed) {
-        document_.change(0, scenario); // once per frame; of those that wait, the solver takes the newest
-        message_ = {};
+        document_.change(run().id,
+                         scenario); // once per frame; of those that wait, the solver takes the newest
+        messages_.clear();
     }
     ImGui::End();
 }
@@ -258,41 +138,7 @@ void Application::draw_plots(const FrameContext& context) {
     settings_.window.set("second_plot", format_choice(choices[1]));
 }
 
-void Application::draw_edges() {
-    const ItemRectangle& plots = layout_.plots_edge;
-    const float right = ImGui::GetIO().DisplaySize.x, bottom = layout_.second_plot.bottom;
-    if (checked(ActionId::sidebar))
-        draw_edge("edge.sidebar", layout_.sidebar_edge, "sidebar_width", {true, 0, ImGui::GetFontSize()});
-    if (checked(ActionId::plots) && layout_.plots_beside)
-        draw_edge("edge.plots", plots, "plots_share", {true, right, layout_.sidebar.width() - right});
-    else if (checked(ActionId::plots))
-        draw_edge("edge.plots", plots, "plots_share", {false, bottom, layout_.viewport.top - bottom});
-}
-
-/// A strip that changes a setting as it is dragged.
-void Application::draw_edge(const char* name, const ItemRectangle& edge, const char* setting,
-                            const EdgeTravel& travel) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    begin_part(name, edge, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar, true);
-    ImGui::PopStyleVar(2);
-    ImGui::InvisibleButton(name, {std::max(1.0F, edge.width()), std::max(1.0F, edge.height())});
-    remember_item(items_, name);
-    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
-        ImGui::SetMouseCursor(travel.across ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
-        ImGui::GetWindowDrawList()->AddRectFilled({edge.left, edge.top}, {edge.right, edge.bottom},
-                                                  packed(theme_.accent, 0.5F));
-    }
-    if (ImGui::IsItemActive() && travel.span != 0) {
-        const ImVec2 pointer = ImGui::GetIO().MousePos;
-        const double value =
-            static_cast<double>(((travel.across ? pointer.x : pointer.y) - travel.zero) / travel.span);
-        if (std::isfinite(value)) settings_.window.set(setting, within(settings_.window, setting, value));
-    }
-    ImGui::End();
-}
-
-/// Below the mesh; else what the method says stands in the bar along the window's edge.
+/// Whether the note of the method fits below the mesh; otherwise the status bar shows it.
 bool Application::note_has_room() const { return layout_.viewport.height() > 26 * ImGui::GetFontSize(); }
 
 void Application::draw_status() {
@@ -300,45 +146,14 @@ void Application::draw_status() {
     const bool in_space = !views().empty() && !views().front().scene.planar();
     const std::string note = note_has_room() ? std::string() : method_note(run(), *catalogue_);
     const char* help = in_space ? hint_in_space : hint;
-    draw_status_bar(run(), message_, note.empty() ? help : note, theme_, items_);
-    ImGui::End();
-}
-
-/// Linear cells that have failed, and what would help, at the foot of the picture.
-void Application::draw_remedy() {
-    const std::string text = remedy_note(run());
-    if (text.empty()) return;
-    const float em = ImGui::GetFontSize();
-    const ItemRectangle& available = layout_.viewport;
-    const Action& row = action(ActionId::quadratic);
-    const std::string label = std::string(row.label) + " (" + describe_keys(row) + ")";
-    const float button = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-    const float widest = std::max(12 * em, available.width() - 4 * em);
-    const float wanted = ImGui::CalcTextSize(text.c_str()).x + button + 4 * em;
-    const float width = std::min(wanted, widest);
-    const float wrap = width - button - 3.4F * em;
-    const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap).y + 1.6F * em;
-    const float left = (available.left + available.right - width) / 2, bottom = available.bottom - 3.2F * em;
-    begin_part("##remedy", {left, bottom - height, left + width, bottom}, ImGuiWindowFlags_NoScrollbar, true);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PushClipRectFullScreen();
-    list.AddRect({left, bottom - height}, {left + width, bottom}, packed(theme_.warning), 0, 0,
-                 1.5F * scale_);
-    list.PopClipRect();
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::SetCursorPos({width - button - em, (height - ImGui::GetFrameHeight()) / 2});
-    if (ImGui::Button(label.c_str())) perform(ActionId::quadratic);
-    remember_item(items_, "remedy");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.*s", static_cast<int>(row.help.size()), row.help.data());
+    draw_status_bar(run(), messages_.last(), closing_note(run(), action("reset")), note.empty() ? help : note,
+                    theme_, items_);
     ImGui::End();
 }
 
 void Application::draw_log() {
     begin_part("##log", layout_.log);
-    log_.draw(theme_, items_);
+    messages_.log().draw(theme_, items_);
     ImGui::End();
 }
 
@@ -348,15 +163,15 @@ void Application::draw_dialogs() {
         if (draw_progress(status.activity.empty() ? "preparing" : status.activity, status.progress,
                           layout_.viewport, items_))
             run().solver->cancel();
-    } else if (document_.comparing() && !comparison_panel_.open()) {
-        if (draw_progress("comparing methods", document_.comparison_progress(), layout_.viewport, items_))
+    } else if (document_.comparison().running() && !comparison_panel_.open()) {
+        if (draw_progress("comparing methods", document_.comparison().progress(), layout_.viewport, items_))
             document_.cancel_comparison();
     }
-    draw_help(help_, theme_);
-    if (error_.open()) // two at once would close each other
-        error_.draw(items_);
+    draw_help(help_, actions_, theme_);
+    if (messages_.error().open()) // two dialogs at once would close each other
+        messages_.error().draw(items_);
     else if (const auto path = open_dialog_.draw(settings_.recent, items_))
-        open_file(*path);
+        files_.open(*path);
 }
 
 } // namespace gaspard

@@ -4,6 +4,7 @@
 #include "core/scenario/view_rows.hpp"
 #include "gui/gl/imgui_context.hpp"
 #include "gui/gl/imgui_renderer.hpp"
+#include "gui/plot/plot_widget.hpp"
 #include "gui/render/mesh_renderer.hpp"
 #include "gui/viewport/viewport.hpp"
 
@@ -15,13 +16,13 @@ namespace gaspard {
 
 namespace {
 
-/// Text grows with the picture, but stays readable in a small one.
-float picture_scale(int width, int height) {
+/// Text grows with the image, but stays readable in a small one.
+float image_scale(int width, int height) {
     return std::clamp(std::min(static_cast<float>(width) / 1000, static_cast<float>(height) / 750), 0.75F,
                       10.0F);
 }
 
-/// Everything one picture needs, in the order in which it must come and go.
+/// Everything an image needs, in the order of construction.
 class Canvas {
   public:
     Canvas(int width, int height, float scale, const ImageOptions& options)
@@ -89,13 +90,13 @@ Image render_view(const Snapshot& snapshot, const Values& view, int width, int h
                   const std::string& subject, const ImageOptions& options) {
     ImageOptions themed = options;
     themed.light = options.light || view.text("theme") == "light";
-    Canvas canvas(width, height, picture_scale(width, height), themed);
+    Canvas canvas(width, height, image_scale(width, height), themed);
     canvas.mesh(snapshot, view, {.subject = subject, .report = snapshot.report}, {0, 0, width, height});
     return canvas.finish();
 }
 
 Image render_plot(const Plot& plot, int width, int height, const ImageOptions& options) {
-    Canvas canvas(width, height, picture_scale(width, height), options);
+    Canvas canvas(width, height, image_scale(width, height), options);
     canvas.plot(plot, {0, 0, width, height});
     return canvas.finish();
 }
@@ -105,7 +106,7 @@ Image render_panels(const std::vector<Panel>& panels, int columns, int width, in
     GASPARD_CHECK(columns > 0 && !panels.empty());
     const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
     const int panel_width = width / columns, panel_height = height / rows;
-    Canvas canvas(width, height, picture_scale(panel_width * 3 / 2, panel_height * 3 / 2), options);
+    Canvas canvas(width, height, image_scale(panel_width * 3 / 2, panel_height * 3 / 2), options);
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const int at = static_cast<int>(i);
         const PixelRect area{at % columns * panel_width, at / columns * panel_height, panel_width,

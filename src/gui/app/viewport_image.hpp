@@ -1,6 +1,6 @@
-// Pictures without a window: a viewport, a plot, or several of them side by side, drawn offscreen.
+// Images without a window: a viewport, a plot, or several of them side by side, drawn offscreen.
 //
-// Each call makes an OpenGL context of its own and releases it. Throws MachineError where there is no OpenGL.
+// Each call creates and releases an OpenGL context. Throws MachineError if there is no OpenGL.
 #pragma once
 
 #include "core/base/parameter.hpp"

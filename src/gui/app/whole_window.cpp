@@ -10,7 +10,7 @@ namespace gaspard {
 
 namespace {
 
-/// As on a usual display; what is larger than the usual window is taken for a picture of higher density.
+/// 1 up to the default size of the window; a larger image has the same layout at a higher density.
 float window_zoom(int width, int height) {
     return std::clamp(std::min(static_cast<float>(width) / 1400, static_cast<float>(height) / 900), 1.0F,
                       6.0F);
@@ -25,14 +25,14 @@ PixelRect pixels_of(const ItemRectangle& part, float density) {
 }
 
 void WindowImage::draw_meshes(const Application& application, const WindowPixels& pixels, float zoom) {
-    const Theme& theme = application.theme();
+    const Theme& theme = application.window_state().theme;
     below_->bind();
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.ClearColor(theme.background.r, theme.background.g, theme.background.b, 1);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const auto& views = application.views();
     for (const ShownView& shown : views) {
-        // One and the same mesh, as from front and rear, is sent once.
+        // A mesh that several views show, as from front and rear, is uploaded once.
         const auto first = std::find_if(views.begin(), views.end(), [&](const ShownView& one) {
             return one.scene.physical == shown.scene.physical;
         });
@@ -48,9 +48,9 @@ bool WindowImage::draw(const Application& application, const WindowPixels& pixel
     if (!whole_ || whole_->width() != pixels.width || whole_->height() != pixels.height) {
         below_.reset(), whole_.reset(), drawn_.reset();
         below_.emplace(gl_, pixels.width, pixels.height);
-        whole_.emplace(gl_, pixels.width, pixels.height, 0); // text and panels are smooth by themselves
+        whole_.emplace(gl_, pixels.width, pixels.height, 0); // text and panels need no multisampling
     }
-    Below wanted{application.views(), application.theme_name(), pixels.density, zoom};
+    Below wanted{application.views(), application.window_state().theme_name, pixels.density, zoom};
     const bool anew = drawn_ != wanted;
     if (anew) {
         draw_meshes(application, pixels, zoom);
@@ -68,12 +68,12 @@ Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const Fini
     const Gl& gl = context->gl();
     const ImGuiSession session;
     Application application(std::move(catalogue), run, {.settings = settings});
-    const float zoom = window_zoom(width, height) * application.text_size();
+    const float zoom = window_zoom(width, height) * application.window_state().text_size;
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.MousePos = {-FLT_MAX, -FLT_MAX};
-    load_font(*io.Fonts, application.theme(), zoom);
-    apply_theme(application.theme(), zoom);
+    load_font(*io.Fonts, application.window_state().theme, zoom);
+    apply_theme(application.window_state().theme, zoom);
     application.set_scale(zoom);
     WindowImage image(gl);
     for (int frame = 0; frame < 3; ++frame) { // some sizes are known only in the frame after

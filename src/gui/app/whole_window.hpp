@@ -1,4 +1,4 @@
-// The complete window, on a screen or in memory: the meshes that an application asks for, then everything
+// The image of the whole window, on a screen or in memory: the views of meshes, and over them everything
 // else.
 #pragma once
 
@@ -21,26 +21,26 @@ struct WindowPixels {
     float density = 1;
 };
 
-/// Where a part of the window lies in the framebuffer.
+/// A part of the window in pixels of the framebuffer.
 PixelRect pixels_of(const ItemRectangle& part, float density);
 
-/// The picture of a window, drawn in memory first: so it is the same with and without a screen (in a window's
-/// own framebuffer rows may run the other way, and what falls between two pixels is then rounded otherwise),
-/// and meshes that have not changed need not be drawn again below a menu.
+/// The image of the window, drawn in memory first. So it is equal with and without a screen (a window's own
+/// framebuffer may have the opposite order of rows, which rounds positions between pixels differently), and
+/// unchanged meshes are not drawn again below an open menu.
 class WindowImage {
   public:
     /// `gl` must outlive it and be current whenever it is used and when it dies.
     explicit WindowImage(const Gl& gl) : gl_(gl), meshes_(gl), interface_(gl) {}
 
-    /// Draws the frame that ImGui has just rendered, and the meshes below it; whether these had to be drawn anew.
-    /// `zoom`: units of the window per unit of the theme.
+    /// Draws the frame that ImGui has just rendered, and the meshes below it; true if these had to be
+    /// redrawn. `zoom`: units of the window per unit of the theme.
     bool draw(const Application& application, const WindowPixels& pixels, float zoom);
     void show() const { whole_->show(); } ///< in the window, after draw()
     Image read() const { return whole_->read(); }
     ImGuiRenderer& interface() { return interface_; }
 
   private:
-    /// What the meshes' picture depends on.
+    /// What the image of the meshes depends on.
     struct Below {
         std::vector<ShownView> views;
         std::string theme;
@@ -56,8 +56,7 @@ class WindowImage {
     std::optional<Below> drawn_;                ///< what below_ shows
 };
 
-/// The window as it would show a run that has ended, drawn offscreen. Throws MachineError where there is no
-/// OpenGL.
+/// The window showing a finished run, drawn offscreen. Throws MachineError if there is no OpenGL.
 Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const FinishedRun& run, int width,
                           int height, const Settings& settings = {},
                           OffscreenBackend backend = OffscreenBackend::any);

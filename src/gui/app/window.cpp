@@ -28,8 +28,8 @@ namespace gaspard {
 namespace {
 
 constexpr double frame_seconds = 1.0 / 60;
-constexpr int longest_wait = 30;   // frames until what is typed goes where the focus is
-constexpr int settling_frames = 3; // ImGui shows the answer to an input one or two frames later
+constexpr int longest_wait = 30;   // frames; then typed letters go to the focused item
+constexpr int settling_frames = 3; // ImGui reacts to an input one or two frames later
 
 std::string last_glfw_error() {
     const char* text = nullptr;
@@ -54,7 +54,7 @@ struct DestroyWindow {
 };
 using GlfwWindow = std::unique_ptr<GLFWwindow, DestroyWindow>;
 
-/// The part of the screen that windows may use; nothing where that is not known.
+/// The part of the screen that windows may use; empty if it is unknown.
 ItemRectangle work_area() {
     int x = 0, y = 0, width = 0, height = 0;
     if (GLFWmonitor* screen = glfwGetPrimaryMonitor())
@@ -72,7 +72,7 @@ void keep_within_screen(GLFWwindow* window) {
         glfwSetWindowSize(window, std::min(width, widest), std::min(height, highest));
 }
 
-/// Where the window was last, if a screen still reaches there.
+/// Moves the window to its last place if that is still on a screen.
 void place_window(GLFWwindow* window, const Values& remembered) {
     if (!remembered.boolean("placed")) return;
     const auto x = static_cast<int>(remembered.integer("left")),
@@ -110,7 +110,7 @@ GlfwWindow open_window(const std::string& title, const Values& remembered) {
     return window;
 }
 
-/// A key as the table of actions writes it: "Space", "Ctrl+Q". Letters by what is printed on the key.
+/// A key as the table of actions writes it: "Space", "Ctrl+Shift+Z". Letters by what is printed on the key.
 std::string key_name(int key, int scancode, int modifiers) {
     if (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) return {}; // the desktop's own
     const std::string prefix = (modifiers & GLFW_MOD_CONTROL) ? "Ctrl+" : "";
@@ -121,7 +121,9 @@ std::string key_name(int key, int scancode, int modifiers) {
         return prefix + "F" + std::to_string(key - GLFW_KEY_F1 + 1);
     const char* printed = glfwGetKeyName(key, scancode);
     if (!printed || printed[1] != '\0') return {};
-    return prefix + static_cast<char>(std::toupper(static_cast<unsigned char>(printed[0])));
+    const bool shifted = !prefix.empty() && (modifiers & GLFW_MOD_SHIFT) != 0;
+    return prefix + (shifted ? "Shift+" : "") +
+           static_cast<char>(std::toupper(static_cast<unsigned char>(printed[0])));
 }
 
 /// A button of the mouse that went down or up.
@@ -146,7 +148,7 @@ struct Letter {
     unsigned code = 0;
 };
 
-/// What has happened since the loop last looked.
+/// Input and news since the last pass of the loop.
 struct Happenings {
     std::atomic<bool> news = false; ///< set on any thread
     bool input = false;
@@ -159,7 +161,7 @@ Happenings& happenings_of(GLFWwindow* window) {
     return *static_cast<Happenings*>(glfwGetWindowUserPointer(window));
 }
 
-// Callbacks only note what happened: nothing may throw through C.
+// Callbacks only record events: no exception may pass through C code.
 void install_callbacks(GLFWwindow* window, Happenings& happenings) {
     glfwSetWindowUserPointer(window, &happenings);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int event, int modifiers) {
@@ -213,8 +215,7 @@ class ImGuiInput {
     ImGuiInput& operator=(const ImGuiInput&) = delete;
 };
 
-/// How a window's units relate to what is seen: `density` pixels per unit, and `zoom` units per unit of the
-/// theme.
+/// The units of a window: `density` pixels per unit, and `zoom` units per unit of the theme.
 struct Scales {
     float density = 1, zoom = 1;
     friend bool operator==(const Scales&, const Scales&) = default;
@@ -242,7 +243,7 @@ Place place_of(GLFWwindow* window) {
     return place;
 }
 
-/// A part of the window's picture, opaque.
+/// A part of the window's image, opaque.
 Image part_of(const Image& window, PixelRect part) {
     part.x = std::clamp(part.x, 0, window.width), part.y = std::clamp(part.y, 0, window.height);
     part.width = std::clamp(part.width, 0, window.width - part.x);
@@ -273,7 +274,7 @@ class Window {
     }
 
     void loop() {
-        while (!glfwWindowShouldClose(window_.get()) && !application_->quit_requested()) {
+        while (!glfwWindowShouldClose(window_.get()) && !application_->window_state().quit) {
             wait();
             happenings_.news = false; // before collecting: what comes after wakes the next round
             application_->collect();
@@ -293,7 +294,7 @@ class Window {
         glfwHideWindow(window_.get()); // gone at once; the solver ends within its step
     }
 
-    /// After the loop: what is to be remembered.
+    /// After the loop: the settings to be saved.
     Settings settings() {
         Settings settings = application_->settings();
         for (const auto& [key, value] : place_) settings.window.set(key, value);
@@ -301,7 +302,7 @@ class Window {
     }
 
   private:
-    /// What text and lines are drawn by.
+    /// What the style of text and lines depends on.
     struct Look {
         Scales scales;
         float text_size = 1;
@@ -309,7 +310,8 @@ class Window {
         friend bool operator==(const Look&, const Look&) = default;
     };
     Look wanted_look() const {
-        return {scales_of(window_.get()), application_->text_size(), application_->theme_name()};
+        return {scales_of(window_.get()), application_->window_state().text_size,
+                application_->window_state().theme_name};
     }
     /// Units of the window per unit of the theme.
     float zoom() const { return look_.scales.zoom * look_.text_size; }
@@ -319,11 +321,12 @@ class Window {
         if (!happenings_.news.exchange(true)) glfwPostEmptyEvent();
     }
 
-    /// Sleeps until there is something to draw, and never draws more than 60 times a second. Where drawing is
-    /// slow (no graphics card), it takes half of the time at most while something is solved, which needs the
-    /// cores too; input comes first, and what answers it.
+    /// Sleeps until there is something to draw, and draws at most 60 times a second. Slow drawing (without a
+    /// graphics card) takes at most half of the time while the solver, which needs the cores too, is running;
+    /// reactions to input are drawn at once.
     void wait() {
-        if (frames_due_ == 0 && !happenings_.news && !application_->animating()) glfwWaitEvents();
+        if (frames_due_ == 0 && !happenings_.news && !application_->window_state().animating)
+            glfwWaitEvents();
         const auto rest = [this] {
             const bool at_once = happenings_.input || (frames_due_ > 0 && !happenings_.news);
             const double pause = at_once ? frame_seconds : std::max(frame_seconds, 2 * drawing_seconds_);
@@ -341,21 +344,24 @@ class Window {
         const float density = look_.scales.density;
         glfwSetWindowSizeLimits(window_.get(), std::lround(720 * look_.scales.zoom),
                                 std::lround(540 * look_.scales.zoom), GLFW_DONT_CARE, GLFW_DONT_CARE);
-        apply_theme(application_->theme(), zoom());
+        apply_theme(application_->window_state().theme, zoom());
         ImGuiIO& io = ImGui::GetIO();
-        load_font(*io.Fonts, application_->theme(), zoom() * density); // as many pixels as it will cover
+        load_font(*io.Fonts, application_->window_state().theme,
+                  zoom() * density); // as many pixels as it will cover
         io.FontGlobalScale = 1 / density;
         application_->set_scale(zoom());
     }
 
-    /// ImGui looks once a frame at what is up and down. Where frames are slow, more has happened in between:
-    /// it is fed as much as it can tell apart, and gets the rest in the frames that follow.
+    /// ImGui reads the state of keys and buttons once per frame. If frames are slow, there are more events
+    /// than that: it gets as many as it can distinguish, and the rest in the following frames.
     void follow_input() {
         auto& inputs = happenings_.inputs;
         std::vector<int> pressed, released; // keys, in this frame
         bool commanded = false;             // by a key that types nothing
-        waited_ = application_->awaits_text() ? waited_ + 1 : 0;
-        const auto wait_for_field = [&] { return application_->awaits_text() && waited_ < longest_wait; };
+        waited_ = application_->window_state().awaits_text ? waited_ + 1 : 0;
+        const auto wait_for_field = [&] {
+            return application_->window_state().awaits_text && waited_ < longest_wait;
+        };
         while (!inputs.empty() && !wait_for_field()) { // what follows is meant for the field
             if (const auto* key = std::get_if<KeyChange>(&inputs.front())) {
                 const auto& opposite = key->down() ? released : pressed;
@@ -405,7 +411,7 @@ class Window {
 
     void follow_fullscreen() {
         const bool full = glfwGetWindowMonitor(window_.get()) != nullptr;
-        if (full == application_->fullscreen()) return;
+        if (full == application_->window_state().fullscreen) return;
         if (full) {
             glfwSetWindowMonitor(window_.get(), nullptr, before_.x, before_.y, before_.width, before_.height,
                                  GLFW_DONT_CARE);
@@ -418,7 +424,7 @@ class Window {
             glfwSetWindowMonitor(window_.get(), screen, 0, 0, mode->width, mode->height, mode->refreshRate);
     }
 
-    /// A window that fills the screen comes back at the size that it had before.
+    /// After full screen the window has its previous size.
     void remember_place() {
         const bool full = glfwGetWindowMonitor(window_.get()) != nullptr;
         const bool maximized = glfwGetWindowAttrib(window_.get(), GLFW_MAXIMIZED) != 0;
@@ -442,7 +448,7 @@ class Window {
         if (width <= 0 || height <= 0) return; // an icon
         ImGui_ImplGlfw_NewFrame();
         follow_input();
-        // A click is seen in the frame after it: two that follow each other take four, however slow.
+        // ImGui notices a click one frame later, so a double click takes up to four frames.
         ImGui::GetIO().MouseDoubleClickTime = std::max(0.3F, 4 * ImGui::GetIO().DeltaTime);
         ImGui::NewFrame();
         application_->frame();
@@ -453,7 +459,7 @@ class Window {
                 part_of(scene_->read(), pixels_of(application_->viewport_rectangle(), look_.scales.density)));
         scene_->show();
         application_->save_plot([this](const Plot& plot) {
-            return draw_plot_image(gl_, scene_->interface(), plot, application_->theme(), zoom(),
+            return draw_plot_image(gl_, scene_->interface(), plot, application_->window_state().theme, zoom(),
                                    look_.scales.density);
         });
         gl_.Finish();
@@ -461,7 +467,7 @@ class Window {
         glfwSwapBuffers(window_.get());
     }
 
-    // Made in this order and ended in the opposite one: the solver first, the display last.
+    // Destroyed in the opposite order: the solver first, the display last.
     GlfwSession session_;
     Happenings happenings_;
     GlfwWindow window_;

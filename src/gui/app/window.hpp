@@ -11,13 +11,13 @@
 namespace gaspard {
 
 struct WindowOptions {
-    std::filesystem::path output = "gaspard-out"; ///< exports and pictures go into a folder per scenario here
-    Settings settings;                   ///< what was remembered; the size is no more than the screen has
-    std::vector<std::string> complaints; ///< what was wrong with it
+    std::filesystem::path output = "gaspard-out"; ///< files are written to `output`/<scenario>
+    Settings settings;                            ///< of the last time; the size is limited to the screen
+    std::vector<std::string> complaints;          ///< about invalid settings
 };
 
-/// Shows the scenario until the user closes the window; returns what is to be remembered. To be called on the
-/// main thread. Throws MachineError where there is no display or no OpenGL 3.3.
+/// Shows the scenario until the user closes the window; returns the settings to be saved. Call it on the main
+/// thread. Throws MachineError if there is no display or no OpenGL 3.3.
 Settings run_window(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
                     const WindowOptions& options);
 

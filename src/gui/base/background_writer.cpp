@@ -3,33 +3,9 @@
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
 
-#include <exception>
 #include <utility>
 
 namespace gaspard {
-
-void NoticeBoard::add(Notice notice) {
-    {
-        std::lock_guard lock(mutex_);
-        notices_.push_back(std::move(notice));
-    }
-    if (notify_) notify_();
-}
-
-std::vector<Notice> NoticeBoard::take() {
-    std::lock_guard lock(mutex_);
-    return std::exchange(notices_, {});
-}
-
-void report_outcome(NoticeBoard& board, const std::function<std::string()>& task) {
-    try {
-        board.add({task(), false});
-    } catch (const Interrupted&) {
-        throw; // whoever cancelled it says so
-    } catch (const std::exception& error) {
-        board.add({error.what(), true});
-    }
-}
 
 std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem,
                                 const std::string& ending) {

@@ -1,8 +1,8 @@
-// Files written off the window's thread. Each task ends in one sentence for the user, of success or of
-// failure.
+// Writes files on a thread of its own. Each task ends with one sentence for the user.
 #pragma once
 
 #include "core/io/image.hpp"
+#include "gui/base/notice.hpp"
 
 #include <condition_variable>
 #include <deque>
@@ -13,44 +13,19 @@
 #include <stop_token>
 #include <string>
 #include <thread>
-#include <vector>
 
 namespace gaspard {
 
-struct Notice {
-    std::string text;
-    bool error = false;
-};
-
-/// Sentences on their way from any thread to the window's.
-class NoticeBoard {
-  public:
-    /// `notify` is called after every notice, on the thread that gave it.
-    explicit NoticeBoard(std::function<void()> notify) : notify_(std::move(notify)) {}
-    void add(Notice notice);
-    std::vector<Notice> take();
-
-  private:
-    std::function<void()> notify_;
-    std::mutex mutex_;
-    std::vector<Notice> notices_;
-};
-
-/// Runs `task`, which returns what it has done, and turns an exception into a notice of failure, all but
-/// Interrupted.
-void report_outcome(NoticeBoard& board, const std::function<std::string()>& task);
-
-/// "view.png", or where that exists "view-2.png", "view-3.png" ...
+/// "view.png", or if that exists "view-2.png", "view-3.png" ...
 std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem,
                                 const std::string& ending);
 
-/// Does tasks one after the other on a thread of its own; its end waits for all of them, so that none is
-/// lost.
+/// Runs tasks one after the other. The destructor waits for all of them.
 class BackgroundWriter {
   public:
     explicit BackgroundWriter(std::shared_ptr<NoticeBoard> board);
     ~BackgroundWriter();
-    /// `task` returns what it has done, as a sentence; an exception is a notice of failure.
+    /// `task` returns a sentence about what it did; an exception becomes an error notice.
     void run(std::function<std::string()> task);
     /// "NAME.png" or the next free name in `folder`.
     void write_image(std::filesystem::path folder, std::string name, Image image);

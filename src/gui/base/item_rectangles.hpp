@@ -1,5 +1,5 @@
 // Where the items of a window were drawn in the last frame, by key ("monitor.amplitude", "action.run",
-// "viewport"), in window coordinates from the top left. Synthetic input aims by it.
+// "viewport"), in window coordinates from the top left. For tests and synthetic input.
 #pragma once
 
 #include <map>

@@ -7,14 +7,14 @@ namespace gaspard {
 
 namespace {
 
-/// The plots stand where they leave the picture, which is about square, the most room: right or below.
+/// The plots are placed right of or below the view, whichever leaves it more space; it is about square.
 void place_plots(Layout& layout, const ItemRectangle& rest, float em, float share) {
     const auto part = [&](float available, float least, float most) {
         return std::round(std::clamp(share * available, std::min(least, most), most));
     };
     const float column = part(rest.width(), 14 * em, 0.7F * rest.width());
     const float row = part(rest.height(), 10 * em, 0.7F * rest.height());
-    const float legend = 8 * em; // beside the picture in any case
+    const float legend = 8 * em; // always beside the mesh
     const float beside = std::min(rest.width() - column - legend, rest.height());
     const float above = std::min(rest.width() - legend, rest.height() - row);
     const float grip = std::round(0.4F * em);

@@ -1,16 +1,15 @@
-// Where the parts of the window stand. Pure arithmetic, in window coordinates; everything scales with the
-// font.
+// The layout of the window's parts, in window coordinates; everything scales with the font.
 #pragma once
 
 #include "gui/base/item_rectangles.hpp"
 
 namespace gaspard {
 
-/// What the user has chosen to see, and how much room it gets.
+/// Which parts the user shows, and their sizes.
 struct LayoutChoice {
     bool sidebar = true, plots = true, log = false;
     float sidebar_width = 27;  ///< in widths of the font; never more than two fifths of the window
-    float plots_share = 0.33F; ///< of the room beside the sidebar: of its width, or height
+    float plots_share = 0.33F; ///< of the width, or height, beside the sidebar
 };
 
 struct Layout {

@@ -78,7 +78,7 @@ std::vector<ParameterRow> settings_rows() {
             flag("plots", true, "whether the plots are shown"),
             flag("log", false, "whether the messages are shown"),
             number("sidebar_width", real, 14, 60, 27.0, "in widths of the font"),
-            number("plots_share", real, 0.15, 0.7, 0.33, "of the room beside the sliders"),
+            number("plots_share", real, 0.15, 0.7, 0.33, "of the space beside the parameters"),
             text("first_plot", "residual,iterations,linear,log", "what the first plot shows"),
             text("second_plot", "equidistribution,iterations,linear,log", "what the second plot shows"),
             text("camera", "", "where one looked from last, as in view.camera"),

@@ -1,7 +1,7 @@
-// What the window remembers from one time to the next: its place and size, how it looks, what was open.
+// The window's settings, which are kept between sessions: place, size, appearance, and recent files.
 //
-// A TOML file: the rows below as keys of [window], and the scenario files opened last. A file that is missing
-// gives the defaults; what is wrong in it is left out and said, for a window must open all the same.
+// A TOML file with the rows below as keys of [window], and the recent scenario files. A missing file gives
+// the defaults; invalid entries are ignored and reported, so that the window always opens.
 #pragma once
 
 #include "core/base/parameter.hpp"
@@ -12,7 +12,7 @@
 
 namespace gaspard {
 
-/// The one table of what is remembered.
+/// The table of all settings.
 std::vector<ParameterRow> settings_rows();
 
 struct Settings {

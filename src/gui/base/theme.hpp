@@ -1,7 +1,7 @@
 // How everything looks: one set of colours and sizes for ImGui, the mesh, legends and plots.
 //
 // Colours are sRGB with straight alpha, 0 to 1. Sizes are in pixels of a display of scale 1; whoever draws
-// multiplies by `scale` (2 on a high-density display, or for a large picture).
+// multiplies by `scale` (2 on a high-density display, or for a large image).
 #pragma once
 
 #include <array>

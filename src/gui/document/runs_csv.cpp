@@ -13,7 +13,7 @@ std::string quoted(const std::string& text) {
 
 } // namespace
 
-std::string runs_csv(const std::vector<DocumentRun>& runs) {
+std::string runs_csv(const DocumentRuns& runs) {
     std::string text =
         "run,iteration,seconds,residual,equidistribution,min_jacobian,max_jacobian,step_size,tangled_cells\n";
     for (const DocumentRun& run : runs) {

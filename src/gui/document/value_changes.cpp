@@ -11,7 +11,7 @@ namespace gaspard {
 
 namespace {
 
-/// As a word within a sentence.
+/// A label as it is written within a sentence.
 std::string uncapitalised(std::string text) {
     const bool abbreviation = text.size() > 1 && std::isupper(static_cast<unsigned char>(text[1])) != 0;
     if (!text.empty() && !abbreviation)
@@ -26,20 +26,23 @@ struct ValueText {
     std::string operator()(const std::string& value) const { return value; }
 };
 
-void add_changes(const char* name, const Section& before, const Section& after,
+void add_changes(const std::string& section, const Values& before, const Values& after,
                  std::vector<ValueChange>& changes) {
-    const std::string section(name);
-    if (before.type != after.type) {
-        changes.push_back({section + ".type", section, before.type, after.type});
-        return;
-    }
-    for (const ParameterRow& row : after.values.rows()) {
-        if (!before.values.has(row.key)) continue;
-        const Value &old = before.values.at(row.key), &now = after.values.at(row.key);
+    for (const ParameterRow& row : after.rows()) {
+        if (!before.has(row.key)) continue;
+        const Value &old = before.at(row.key), &now = after.at(row.key);
         if (old == now) continue;
         changes.push_back({section + "." + row.key, uncapitalised(row.label), std::visit(ValueText{}, old),
                            std::visit(ValueText{}, now)});
     }
+}
+
+void add_changes(const std::string& section, const Section& before, const Section& after,
+                 std::vector<ValueChange>& changes) {
+    if (before.type != after.type)
+        changes.push_back({section + ".type", section, before.type, after.type});
+    else
+        add_changes(section, before.values, after.values, changes);
 }
 
 std::string monitor_label(const Catalogue& catalogue, const Scenario& scenario) {
@@ -56,6 +59,33 @@ std::vector<ValueChange> value_changes(const Scenario& before, const Scenario& a
     add_changes("monitor", before.monitor, after.monitor, changes);
     add_changes("method", before.method, after.method, changes);
     return changes;
+}
+
+std::vector<ValueChange> scenario_changes(const Scenario& before, const Scenario& after) {
+    std::vector<ValueChange> changes = value_changes(before, after);
+    add_changes("output", before.output, after.output, changes);
+    return changes;
+}
+
+std::vector<ValueChange> section_changes(const std::string& section, const Values& before,
+                                         const Values& after) {
+    std::vector<ValueChange> changes;
+    add_changes(section, before, after, changes);
+    return changes;
+}
+
+std::string name_changes(const std::vector<ValueChange>& changes) {
+    if (changes.size() > 3) return std::to_string(changes.size()) + " values";
+    std::string text;
+    for (const ValueChange& change : changes) {
+        text += (text.empty() ? "" : ", ") + change.label;
+        if (change.key.ends_with(".type")) text += " type";
+    }
+    return text;
+}
+
+std::string scenario_title(const Scenario& scenario) {
+    return scenario.title.empty() ? scenario.name : scenario.title;
 }
 
 std::string describe_changes(const std::vector<ValueChange>& changes) {

@@ -1,5 +1,5 @@
-// What tells two scenarios apart, in words: "amplitude 20". Names of runs and marks in plots are made from
-// it.
+// Differences between scenarios as text, such as "amplitude 20": for names of runs, marks in plots and labels of
+// edits.
 #pragma once
 
 #include "core/scenario/catalogue.hpp"
@@ -9,24 +9,36 @@
 
 namespace gaspard {
 
-/// One value that differs. Of a section of another type only the type is named.
+/// One value that differs. If the type of a section differs, only the type is listed.
 struct ValueChange {
     std::string key;   ///< "monitor.amplitude", "monitor.type"
     std::string label; ///< "amplitude"
     std::string before, after;
 };
 
-/// In the order of the rows; domain, monitor and method only, for view and output change no solution.
+/// In the order of the rows; domain, monitor and method only, as view and output do not affect the solution.
 std::vector<ValueChange> value_changes(const Scenario& before, const Scenario& after);
+/// The same and the changes of the output section.
+std::vector<ValueChange> scenario_changes(const Scenario& before, const Scenario& after);
+/// Changes of one section without a type, such as view.
+std::vector<ValueChange> section_changes(const std::string& section, const Values& before,
+                                         const Values& after);
 
 /// "amplitude 10 to 20, cells per side 60 to 120"
 std::string describe_changes(const std::vector<ValueChange>& changes);
 
-/// "Ring, amplitude 20": the monitor, and what is no longer as the scenario was opened.
+/// What has changed, without the values: "amplitude, cells per side", "monitor type"; "5 values" if there are
+/// more than three.
+std::string name_changes(const std::vector<ValueChange>& changes);
+
+/// The title of a scenario; its name if it has none.
+std::string scenario_title(const Scenario& scenario);
+
+/// "Ring, amplitude 20": the monitor, and the values that differ from the scenario as it was opened.
 std::string describe_scenario(const Catalogue& catalogue, const Scenario& opened, const Scenario& scenario);
 
-/// Such texts without what stands in all of them, where there is little room: "amplitude 20" and "Ring" of
-/// "Ring, amplitude 20, radius 0.3" and "Ring, radius 0.3".
+/// Shortens such texts by the parts that all of them share: "Ring, amplitude 20, radius 0.3" and
+/// "Ring, radius 0.3" become "amplitude 20" and "Ring".
 std::vector<std::string> what_differs(const std::vector<std::string>& texts);
 
 } // namespace gaspard

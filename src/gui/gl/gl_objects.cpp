@@ -5,46 +5,6 @@
 
 namespace gaspard {
 
-GLuint BufferKind::make(const Gl& gl) {
-    GLuint name = 0;
-    gl.GenBuffers(1, &name);
-    return name;
-}
-void BufferKind::destroy(const Gl& gl, GLuint name) { gl.DeleteBuffers(1, &name); }
-
-GLuint TextureKind::make(const Gl& gl) {
-    GLuint name = 0;
-    gl.GenTextures(1, &name);
-    return name;
-}
-void TextureKind::destroy(const Gl& gl, GLuint name) { gl.DeleteTextures(1, &name); }
-
-GLuint VertexArrayKind::make(const Gl& gl) {
-    GLuint name = 0;
-    gl.GenVertexArrays(1, &name);
-    return name;
-}
-void VertexArrayKind::destroy(const Gl& gl, GLuint name) { gl.DeleteVertexArrays(1, &name); }
-
-GLuint FramebufferKind::make(const Gl& gl) {
-    GLuint name = 0;
-    gl.GenFramebuffers(1, &name);
-    return name;
-}
-void FramebufferKind::destroy(const Gl& gl, GLuint name) { gl.DeleteFramebuffers(1, &name); }
-
-GLuint RenderbufferKind::make(const Gl& gl) {
-    GLuint name = 0;
-    gl.GenRenderbuffers(1, &name);
-    return name;
-}
-void RenderbufferKind::destroy(const Gl& gl, GLuint name) { gl.DeleteRenderbuffers(1, &name); }
-
-void ShaderKind::destroy(const Gl& gl, GLuint name) { gl.DeleteShader(name); }
-
-GLuint ProgramKind::make(const Gl& gl) { return gl.CreateProgram(); }
-void ProgramKind::destroy(const Gl& gl, GLuint name) { gl.DeleteProgram(name); }
-
 namespace {
 
 std::string_view shader_source(const std::string& path) {
@@ -53,7 +13,7 @@ std::string_view shader_source(const std::string& path) {
     check_failed("the shader is embedded");
 }
 
-/// GLSL has no includes of its own: a line #include "name.glsl" stands for that file.
+/// GLSL has no includes: a line #include "name.glsl" is replaced by that file.
 std::string with_includes(std::string_view source) {
     constexpr std::string_view begin = "#include \"";
     std::string text(source);

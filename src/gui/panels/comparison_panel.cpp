@@ -36,7 +36,7 @@ void draw_table(const std::vector<ComparisonRow>& rows, const Theme& theme, Item
 
 std::vector<std::string> ComparisonPanel::chosen(const Document& document, const Catalogue& catalogue) const {
     std::vector<std::string> names;
-    for (std::string& name : methods_for(catalogue, document.runs().front().scenario))
+    for (std::string& name : methods_for(catalogue, document.active().scenario))
         if (left_out_.count(name) == 0) names.push_back(std::move(name));
     return names;
 }
@@ -53,8 +53,8 @@ ComparisonPanel::Wish ComparisonPanel::draw(const Document& document, const Cata
     if (ImGui::Begin("Compare methods", &open_,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
                          ImGuiWindowFlags_NoSavedSettings)) {
-        ImGui::BeginDisabled(document.comparing());
-        for (const std::string& name : methods_for(catalogue, document.runs().front().scenario)) {
+        ImGui::BeginDisabled(document.comparison().running());
+        for (const std::string& name : methods_for(catalogue, document.active().scenario)) {
             bool ticked = left_out_.count(name) == 0;
             if (ImGui::Checkbox(name.c_str(), &ticked)) {
                 if (ticked)
@@ -73,18 +73,18 @@ ComparisonPanel::Wish ComparisonPanel::draw(const Document& document, const Cata
             remember_item(items, key);
             ImGui::SameLine();
         };
-        if (document.comparing()) {
+        if (document.comparison().running()) {
             button("Cancel", "compare.cancel", Wish::cancel);
-            ImGui::ProgressBar(static_cast<float>(document.comparison_progress()), {14 * em, 0});
+            ImGui::ProgressBar(static_cast<float>(document.comparison().progress()), {14 * em, 0});
             ImGui::SameLine();
         } else {
-            ImGui::BeginDisabled(chosen(document, catalogue).empty() || !document.runs().front().live());
-            button("Solve with each", "compare.begin", Wish::begin);
+            ImGui::BeginDisabled(chosen(document, catalogue).empty() || !document.active().live());
+            button("Solve with each method", "compare.begin", Wish::begin);
             ImGui::EndDisabled();
         }
-        const auto rows = document.comparison_rows();
+        const auto rows = document.comparison().rows();
         ImGui::BeginDisabled(rows.empty());
-        button("Meshes beside each other", "compare.meshes", Wish::meshes);
+        button("Meshes side by side", "compare.meshes", Wish::meshes);
         button("Copy as CSV", "compare.copy", Wish::copy);
         ImGui::EndDisabled();
         ImGui::NewLine();

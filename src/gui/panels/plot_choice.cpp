@@ -70,7 +70,7 @@ std::optional<bool> logarithmic_of(std::string_view name) {
     return name == axis_name(true);
 }
 
-PlotView make_view(const std::vector<DocumentRun>& runs, const PlotChoice& choice, bool in_window) {
+PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_window) {
     const bool by_iteration = choice.abscissa == Abscissa::iterations;
     PlotView view;
     view.x = {by_iteration ? "iteration" : "seconds", choice.log_x};
@@ -169,11 +169,11 @@ std::optional<PlotChoice> parse_choice(std::string_view text) {
     return PlotChoice{*quantity, *abscissa, *log_x, *log_y};
 }
 
-PlotView view_of_runs(const std::vector<DocumentRun>& runs, const PlotChoice& choice) {
+PlotView view_of_runs(const DocumentRuns& runs, const PlotChoice& choice) {
     return make_view(runs, choice, runs.size() > 1); // only among others does it matter which one still moves
 }
 
-Plot plot_of_runs(const std::vector<DocumentRun>& runs, const PlotChoice& choice, const PlotZoom& zoom) {
+Plot plot_of_runs(const DocumentRuns& runs, const PlotChoice& choice, const PlotZoom& zoom) {
     const PlotView view = make_view(runs, choice, false); // in a file there is no now
     Plot plot{.title = std::string(label_of(choice.quantity)), .x = view.x, .y = view.y, .curves = {}};
     ask_for(plot.x, zoom.x);

@@ -34,10 +34,10 @@ std::string format_choice(const PlotChoice& choice);
 std::optional<PlotChoice> parse_choice(std::string_view text);
 
 /// The curves and marks of all runs that are not hidden. Valid until the runs change.
-PlotView view_of_runs(const std::vector<DocumentRun>& runs, const PlotChoice& choice);
+PlotView view_of_runs(const DocumentRuns& runs, const PlotChoice& choice);
 
 /// The same with its own numbers and with a title, for a file; long curves are thinned out to what a picture
 /// can show. `zoom`: what is to be seen of it.
-Plot plot_of_runs(const std::vector<DocumentRun>& runs, const PlotChoice& choice, const PlotZoom& zoom = {});
+Plot plot_of_runs(const DocumentRuns& runs, const PlotChoice& choice, const PlotZoom& zoom = {});
 
 } // namespace gaspard

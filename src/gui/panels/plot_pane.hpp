@@ -2,9 +2,9 @@
 // for what can be done with it.
 #pragma once
 
+#include "gui/base/frame_context.hpp"
 #include "gui/document/document.hpp"
 #include "gui/panels/plot_choice.hpp"
-#include "gui/panels/viewport_pane.hpp"
 
 #include <array>
 #include <optional>

@@ -1,6 +1,5 @@
 #include "gui/panels/run_list.hpp"
 
-#include "gui/base/actions.hpp"
 #include "gui/base/plot_text.hpp"
 #include "gui/plot/plot_curves.hpp"
 
@@ -77,7 +76,8 @@ std::array<char, size> buffer_of(const std::string& text) {
 
 } // namespace
 
-void RunList::draw_name(DocumentRun& run, const std::string& key, float width, const FrameContext& context) {
+void RunList::draw_name(Document& document, const DocumentRun& run, const std::string& key, float width,
+                        const FrameContext& context) {
     if (run.live()) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(shortened(run.name + " (now)", width).c_str());
@@ -91,42 +91,39 @@ void RunList::draw_name(DocumentRun& run, const std::string& key, float width, c
     ImGui::PopStyleColor();
     remember_item(context.items, key);
     if (ImGui::IsItemActivated()) name_before_ = run.name;
-    if (edited) run.name = text.data();
+    if (edited) document.rename(run.id, text.data());
     if (ImGui::IsItemDeactivated() && run.name.find_first_not_of(' ') == std::string::npos)
-        run.name = name_before_; // a run without a name could not be told from others
+        document.rename(run.id, name_before_); // every run has a name
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("%s", run.name.c_str());
 }
 
-bool RunList::draw(Document& document, const FrameContext& context) {
+bool RunList::draw(Document& document, const Action& keep, const FrameContext& context) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, em = ImGui::GetFontSize();
-    std::optional<std::size_t> removed;
-    for (std::size_t i = 0; i < document.runs().size(); ++i) {
-        DocumentRun& run = document.runs()[i];
-        const std::string key = "runs." + std::to_string(i);
-        const bool removable = i > 0 && !run.live(); // the first is the one that the window is about
-        ImGui::PushID(static_cast<int>(run.number));
+    std::optional<RunId> removed;
+    std::size_t place = 0;
+    for (const DocumentRun& run : document.runs()) {
+        const std::string key = "runs." + std::to_string(place++);
+        const bool removable = !run.live() && run.id != document.active().id;
+        ImGui::PushID(static_cast<int>(run.id));
         draw_swatch(run, context.theme);
         ImGui::SameLine(0, gap);
-        if (draw_eye("##eye", run.hidden, context.theme)) run.hidden = !run.hidden;
+        if (draw_eye("##eye", run.hidden, context.theme)) document.hide(run.id, !run.hidden);
         remember_item(context.items, key + ".eye");
         ImGui::SameLine(0, gap);
         const float available = ImGui::GetContentRegionAvail().x - (removable ? 1.3F * em + gap : 0);
-        draw_name(run, key + ".name", std::max(available, 1.0F), context);
+        draw_name(document, run, key + ".name", std::max(available, 1.0F), context);
         if (removable) {
             ImGui::SameLine(0, gap);
-            if (draw_cross("##remove", context.theme)) removed = i;
+            if (draw_cross("##remove", context.theme)) removed = run.id;
             remember_item(context.items, key + ".remove");
         }
         ImGui::PopID();
     }
     if (removed) document.remove(*removed);
-    const Action& row = action(ActionId::keep);
-    const bool keep = ImGui::Button((std::string(row.label) + " this run").c_str());
+    const bool wanted = ImGui::Button((std::string(keep.label) + " this run").c_str());
     remember_item(context.items, "runs.keep");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%.*s\nKey: %s", static_cast<int>(row.help.size()), row.help.data(),
-                          describe_keys(row).c_str());
-    return keep;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip_of(keep).c_str());
+    return wanted;
 }
 
 } // namespace gaspard

@@ -1,9 +1,10 @@
-// The axes of a plot: which stretch each shows, where a value lies on the screen, ticks, grid and labels.
+// The axes of a plot: ranges, screen positions of values, ticks, grid and labels.
 //
-// Axes count in axis units, as in core/tessellate/plot_axis.hpp. Screen positions are ImGui's, y downwards.
+// Ranges are in axis units, as in core/tessellate/plot_axis.hpp. Screen positions are ImGui's, y downwards.
 #pragma once
 
 #include "core/tessellate/plot_axis.hpp"
+#include "gui/base/screen_rect.hpp"
 #include "gui/base/theme.hpp"
 #include "gui/plot/plot_view.hpp"
 
@@ -13,18 +14,11 @@
 
 namespace gaspard {
 
-struct ScreenRect {
-    ImVec2 min, max;
-    float width() const { return max.x - min.x; }
-    float height() const { return max.y - min.y; }
-    bool contains(ImVec2 p) const { return p.x >= min.x && p.x < max.x && p.y >= min.y && p.y < max.y; }
-};
-
-/// What an axis must span to show every value that it can show, with a little room; [0, 1] (or one decade) if
-/// there is none.
+/// The range that shows all values that an axis can show, with a small margin; [0, 1] (or one decade) if
+/// there are none.
 AxisRange home_range(const PlotView& plot, bool vertical);
 
-/// What a user has zoomed to; an axis without a range shows all there is, also of what is yet to come.
+/// The ranges a user has zoomed to; an axis without a range shows all values, also later ones.
 struct PlotZoom {
     std::optional<AxisRange> x, y;
     friend bool operator==(const PlotZoom&, const PlotZoom&) = default;

@@ -5,7 +5,7 @@
 
 namespace gaspard {
 
-/// Nothing where there is no need (a single curve) or no room. `paths`: of the plot's curves.
+/// Draws nothing for a single curve or without space. `paths`: of the plot's curves.
 void draw_legend(ImDrawList& list, const PlotView& plot, const std::vector<PixelPath>& paths,
                  const PlotFrame& frame, const Theme& theme, float scale);
 

@@ -1,6 +1,5 @@
-// A layer in which thin lines are collected before they are laid over a picture: where lines meet, the
-// stronger one counts (instead of both, one over the other), so that half-transparent lines show no knots at
-// their crossings.
+// A layer that collects thin lines before they are blended over an image: where lines meet, the more opaque
+// one counts (not both), so that crossings of translucent lines are not darker.
 //
 // Red holds how much light ink covers a pixel, green how much dark ink. The layer has a depth of its own.
 #pragma once
@@ -15,9 +14,9 @@ class LineLayer {
     /// `gl` must outlive the layer and be current whenever it is used and when it dies.
     explicit LineLayer(const Gl& gl);
 
-    /// Draws go to the empty layer from here on; the larger value stays.
+    /// Clears the layer and directs draw calls to it; the larger value of a pixel stays.
     void begin(int width, int height);
-    /// Lays it over what was drawn to before, with its lower left corner at (x, y).
+    /// Blends it over the previous framebuffer, with its lower left corner at (x, y).
     void end(int x, int y, Colour light_ink, Colour dark_ink);
 
   private:

@@ -1,6 +1,7 @@
 #include "gui/render/mesh_renderer.hpp"
 
 #include "core/base/check.hpp"
+#include "gui/scene/clip_matrix.hpp"
 
 #include <algorithm>
 #include <array>
@@ -439,7 +440,7 @@ void MeshRenderer::draw_line_cells(const Frame& frame, LineStyle style, const Th
     draw_lines(frame, discs_, style);
 }
 
-/// Its own curves stray from the picture's faces; what lies that little below them is still seen.
+/// Its curves differ slightly from the faces of the scene; lines slightly below the faces stay visible.
 void MeshRenderer::draw_overlay(Frame frame, LineStyle style, float scale) {
     bind_points(overlay_points_, overlay_points_);
     frame.blend = 1;

@@ -1,5 +1,5 @@
 // Draws a MeshScene with OpenGL: cells filled by a colour map, edges as smooth lines of constant width,
-// tangled cells with a rim on top, and arrows. Leaves the rest of the framebuffer alone.
+// tangled cells with a rim on top, and arrows. Does not touch the rest of the framebuffer.
 //
 // Positions go to the graphics card in single precision relative to a centre that was subtracted in double.
 #pragma once
@@ -7,10 +7,10 @@
 #include "gui/base/theme.hpp"
 #include "gui/gl/gl_objects.hpp"
 #include "gui/render/line_layer.hpp"
-#include "gui/scene/camera.hpp"
 #include "gui/scene/mesh_scene.hpp"
 
 #include <array>
+#include <glm/mat4x4.hpp>
 #include <memory>
 #include <vector>
 
@@ -28,7 +28,8 @@ class MeshRenderer {
     explicit MeshRenderer(const Gl& gl);
 
     /// Fills `area` of the bound framebuffer, which is `framebuffer_height` high, with the theme's background
-    /// and the picture. `camera` speaks of area.size() pixels; `scale` widens lines on high-density displays.
+    /// and the scene. `camera` is one of an image of area.size(); `scale` widens lines on high-density
+    /// displays.
     void draw(const MeshScene& scene, const Camera& camera, PixelRect area, int framebuffer_height,
               const Theme& theme, float scale);
 
@@ -64,7 +65,7 @@ class MeshRenderer {
         bool by_map = false;                ///< as in mesh_line.frag
         float limb_begin = 0, limb_end = 0; ///< as in mesh_line.vert; equal: lines do not fade
     };
-    /// What all draws of one picture share.
+    /// What all draw calls of a scene share.
     struct Frame {
         glm::mat4 clip;
         glm::vec3 clip_to_pixels;
@@ -119,7 +120,7 @@ class MeshRenderer {
     GlBuffer triangles_, tangled_triangles_;
     Table computational_, physical_, shown_cells_, cell_values_, arrows_, overlay_points_;
     LineSet edges_, discs_, outlines_, overlay_edges_;
-    std::vector<Texel> texels_; ///< room to convert in
+    std::vector<Texel> texels_; ///< workspace for conversions
     std::vector<float> numbers_;
     GlTexture colours_;
     LineLayer layer_;

@@ -52,7 +52,7 @@ std::vector<std::uint32_t> points_with_arrows(const MeshScene& scene, const Came
     for (std::uint32_t p = 0; p < shown.size(); ++p) {
         if (shown[p] == 0) continue;
         const Pixel pixel = to_pixel(camera, size, xi[p]);
-        const double margin = 4 * spacing; // an arrow may come in from beside the picture
+        const double margin = 4 * spacing; // an arrow may begin outside the view
         if (!(pixel.x > -margin && pixel.x < size.width + margin && pixel.y > -margin &&
               pixel.y < size.height + margin))
             continue;
@@ -61,7 +61,7 @@ std::vector<std::uint32_t> points_with_arrows(const MeshScene& scene, const Came
         for (std::size_t k = 0; k < (scene.planar() ? 2U : 3U); ++k) {
             const double place = dot(axes[k], xi[p] - squares.origin) / squares.side, low = std::floor(place);
             square = square << 21 | (static_cast<std::uint64_t>(static_cast<std::int64_t>(low)) & 0x1fffff);
-            // Rounded, lest the last digits choose among points that are equally far.
+            // Rounded, so that rounding errors do not choose among points at the same distance.
             candidate.away += std::round(1024 * static_cast<float>(std::abs(place - low - 0.5)));
         }
         const auto [entry, fresh] = best.try_emplace(square, candidate);

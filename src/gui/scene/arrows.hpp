@@ -1,8 +1,7 @@
-// Which points get an arrow from xi to x, so that a picture shows as many as there is room for. Pure
-// mathematics.
+// Which points get an arrow from xi to x, so that arrows do not crowd the image.
 #pragma once
 
-#include "gui/scene/camera.hpp"
+#include "core/tessellate/camera.hpp"
 #include "gui/scene/mesh_scene.hpp"
 
 #include <cstdint>
@@ -11,7 +10,7 @@
 namespace gaspard {
 
 /// Shown points that are nodes, at most one in each square of `spacing` pixels (of a mesh in space: in each
-/// cube, so that what is behind takes no room from what is in front). The squares are fixed to the mesh, so
+/// cube, so that points behind do not displace points in front). The squares are fixed to the mesh, so
 /// that panning changes nothing; they are filled by xi, so that arrows do not come and go while the mesh
 /// moves.
 std::vector<std::uint32_t> points_with_arrows(const MeshScene& scene, const Camera& camera, Size size,

@@ -1,4 +1,4 @@
-// The picture of a ball's mesh as a map (core/tessellate/sphere_map.hpp): a plane picture of the same cells.
+// The scene of a mesh on a ball as a map (core/tessellate/sphere_map.hpp): a planar scene of the same cells.
 #pragma once
 
 #include "gui/scene/mesh_scene.hpp"

@@ -7,10 +7,10 @@
 
 #include "core/base/parameter.hpp"
 #include "core/session/snapshot.hpp"
+#include "core/tessellate/camera.hpp"
 #include "core/tessellate/colouring.hpp"
 #include "core/tessellate/sphere_map.hpp"
 #include "core/tessellate/tessellation_cache.hpp"
-#include "gui/scene/camera.hpp"
 
 #include <memory>
 #include <optional>
@@ -21,7 +21,7 @@
 
 namespace gaspard {
 
-/// Lines of another mesh over a picture.
+/// Lines of another mesh over a scene.
 struct MeshOverlay {
     std::shared_ptr<const Tessellation> tessellation;
     std::shared_ptr<const Points> points;
@@ -41,36 +41,36 @@ struct MeshScene {
     std::shared_ptr<const MeshOverlay> overlay; ///< null: none
     std::shared_ptr<const Mesh> mesh;
     double ball = 0; ///< radius of the sphere around the origin that all nodes of the mesh lie on; 0: none
-    std::optional<MapProjection> map; ///< the picture is a map of that ball; its blend is 1
+    std::optional<MapProjection> map; ///< the scene is a map of that ball; its blend is 1
     Box box;                          ///< around both meshes
-    bool burst = false; ///< the physical mesh is far larger than the computational one: it has blown up
-    Box home_box;      ///< what one wants to see: both meshes, or the computational one where the other burst
-    double blend = 1;  ///< 0 shows xi, 1 shows x
-    bool lines = true; ///< the cells' edges
+    bool burst = false; ///< the physical mesh is far larger than the computational one: it has diverged
+    Box home_box;       ///< what "home" shows: both meshes, or the computational one if the other has burst
+    double blend = 1;   ///< 0 shows xi, 1 shows x
+    bool lines = true;  ///< the cells' edges
 
-    /// The same picture: arrays are compared by pointer.
+    /// The same scene: arrays are compared by pointer.
     friend bool operator==(const MeshScene&, const MeshScene&) = default;
     bool planar() const { return box.low.z == box.high.z; }
     /// Cells are filled with one colour each.
     bool flat() const { return colouring != nullptr && colouring->place == FieldPlace::cell; }
 };
 
-/// Where a picture shows a point, by its blend; on a ball every blend lies on the ball.
+/// The position of a point in a scene, by its blend; on a ball every blend lies on the ball.
 Vec3 shown_point(const MeshScene& scene, std::uint32_t point);
 
-/// Makes pictures of one run's snapshots; keeps what does not change between them.
+/// Makes scenes of the snapshots of one run; keeps what does not change between them.
 class SceneBuilder {
   public:
     explicit SceneBuilder(std::shared_ptr<TessellationCache> cache = std::make_shared<TessellationCache>())
         : cache_(std::move(cache)) {}
-    /// `view`: values of view_rows(). Leaves out the arrows, for which one has to know the camera.
+    /// `view`: values of view_rows(). Without the arrows, which depend on the camera.
     MeshScene make(const Snapshot& snapshot, const Values& view);
     const std::shared_ptr<TessellationCache>& cache() const { return cache_; }
     /// What is known of the cells; of the snapshot last shown.
     ColouringMaker& cells() { return colouring_maker_; }
 
   private:
-    /// Room that no picture shows any more, so that no memory is asked for with every snapshot.
+    /// Arrays that no scene uses any more, to avoid an allocation with every snapshot.
     std::shared_ptr<Points> available();
     void take_mesh(const Snapshot& snapshot, std::shared_ptr<const Tessellation> tessellation);
     void take_positions(const Snapshot& snapshot);

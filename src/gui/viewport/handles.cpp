@@ -20,7 +20,7 @@ const ParameterRow& row_of(const Values& values, const std::string& key) {
 
 double rounded(double value, double digits) { return std::round(value * digits) / digits; }
 
-/// What a hand can aim for: 1e-4 of the larger side of a patch, as a power of ten.
+/// The step of dragged values: 1e-4 of the larger side of a patch, rounded to a power of ten.
 double rounded_within(const Points& patch, double value) {
     const Box box = bounding_box(patch);
     const double span = std::max(box.high.x - box.low.x, box.high.y - box.low.y);

@@ -27,7 +27,7 @@ std::vector<Handle> control_handles(const Scenario& scenario, const Snapshot& sn
 /// side, at a wall it stays.
 Scenario with_handle_at(const Scenario& scenario, const Handle& handle, Vec3 place);
 
-/// Where a picture shows a handle; nothing on the far side of a globe, or where only xi is shown.
+/// The position of a handle in a scene; nothing on the far side of a globe, or if only xi is shown.
 std::optional<Pixel> pixel_of(const Handle& handle, const PlannedView& shown);
 /// The place that a pixel means for a handle; of what lies beside a globe the nearest point of its limb,
 /// beside a map nothing.

@@ -10,7 +10,7 @@ namespace {
 
 // At scale 1.
 constexpr float margin = 14, gap = 6, bar_width = 14, histogram_width = 34, pad = 8;
-constexpr const char* widest_label = "-1.25×10⁻³"; // what room is kept for
+constexpr const char* widest_label = "-1.25×10⁻³"; // the width reserved for labels
 
 float label_width() { return ImGui::CalcTextSize(widest_label).x; }
 

@@ -111,7 +111,7 @@ void draw_mark(ImDrawList& list, const PlannedView& shown, const Pick& pick, con
     list.PopClipRect();
 }
 
-/// The corner of the room where the card hides least of what it speaks of.
+/// The corner of the viewport in which the card hides least of the picked cell or node.
 ImVec2 card_corner(const ViewportPlan& plan, ImVec2 size, ScreenRect available, float scale) {
     const float away = margin * scale;
     const ImVec2 first{available.min.x + away, available.min.y + away};

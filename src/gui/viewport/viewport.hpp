@@ -1,4 +1,4 @@
-// How a viewport looks, in the window and in a picture alike: one mesh or two side by side, the legend of
+// How a viewport looks, in the window and in images: one mesh or two side by side, the legend of
 // their colours, a caption, a card about what is picked.
 //
 // A ViewportPlanner says what goes where; MeshRenderer draws the meshes; draw_viewport_overlay() draws the
@@ -7,9 +7,9 @@
 #pragma once
 
 #include "core/session/snapshot.hpp"
+#include "core/tessellate/camera.hpp"
+#include "gui/base/screen_rect.hpp"
 #include "gui/base/theme.hpp"
-#include "gui/plot/plot_widget.hpp"
-#include "gui/scene/camera.hpp"
 #include "gui/scene/map_scene.hpp"
 #include "gui/scene/picking.hpp"
 
@@ -63,9 +63,9 @@ struct ViewportPlan {
     std::vector<std::string> unavailable; ///< choices of the view that this mesh has not: "layout=map"
 };
 
-/// What a picture's mesh turns about.
+/// The point that a mesh rotates about.
 Vec3 pivot_of(const MeshScene& scene);
-/// Which text of the view says from where a picture is seen.
+/// The key of the view that holds the camera of a scene.
 const char* camera_key(const MeshScene& scene);
 
 /// Plans one viewport, frame after frame; keeps what does not change between them.
@@ -81,8 +81,8 @@ class ViewportPlanner {
     /// `others` come beside it where view.layout is "runs", in the colours of the first.
     ViewportPlan plan(const Snapshot& snapshot, const Values& view, const ViewportText& text, ScreenRect rect,
                       float scale, std::span<const NamedSnapshot> others = {});
-    /// Home is what showed the whole mesh when it was first seen, lest the picture tremble while it moves;
-    /// from now on it is for the mesh of the next plan.
+    /// Home is what showed the whole mesh when it was first seen, so that the view does not shake while it
+    /// moves; from now on it is for the mesh of the next plan.
     void forget_home() { home_ = {}; }
     /// A mesh in space is shown turned eastward by so many radians, from now on.
     void turn_by(double radians) { spun_ = radians; }
@@ -115,7 +115,7 @@ class ViewportPlanner {
         double width = 0, height = 0, spacing = 0;
         std::shared_ptr<const std::vector<std::uint32_t>> points;
     };
-    std::vector<Arrows> arrows_; ///< of the plan's pictures
+    std::vector<Arrows> arrows_; ///< of the plan's views
     struct Facts {
         std::shared_ptr<const Mesh> mesh;
         std::uint64_t version = 0;
@@ -129,9 +129,5 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
 
 /// A sentence about what the view asks for and this mesh has not, where that is no error; else empty.
 std::string missing_note(const Values& view, const Snapshot& snapshot);
-
-/// Throws InputError where a text of the view cannot be read, or a fixed range is empty. With a mesh also
-/// where the picked cell or node is none of it.
-void check_view(const Values& view, const Mesh* mesh = nullptr);
 
 } // namespace gaspard

@@ -16,7 +16,7 @@ namespace {
 constexpr float margin = viewport_margin, gap = viewport_gap;
 constexpr double arrow_spacing = 26; // at scale 1
 
-/// What to keep the mesh clear of in a picture that fills the viewport.
+/// The margins for legend and texts of a view that fills the viewport.
 Insets insets_of(const ViewportPlan& plan, const MeshScene& scene, float scale) {
     Insets insets;
     const ScreenRect rect = plan.rect;
@@ -173,7 +173,7 @@ int columns_for(std::size_t count, ScreenRect available) {
     return best;
 }
 
-/// The view with the colours' range fixed to that of a picture, for others beside it.
+/// The view with its range fixed to that of one scene, for the scenes beside it.
 Values in_colours_of(const MeshScene& scene, Values view) {
     if (scene.colouring == nullptr) return view;
     const ColourRange& range = scene.colouring->range;
@@ -272,27 +272,6 @@ std::string missing_note(const Values& view, const Snapshot& snapshot) {
     if (view.text("overlay") != "exact" || snapshot.exact) return {};
     return "view.overlay = exact shows nothing: the exact mesh is known on a sphere only, for monitors that "
            "have an axis";
-}
-
-void check_view(const Values& view, const Mesh* mesh) {
-    for (const char* key : {"camera", "map_camera"})
-        if (!view.text(key).empty()) parse_camera(view.text(key), {1, 1});
-    const auto pick = parse_pick(view.text("pick"));
-    if (pick && mesh != nullptr && !has(*mesh, *pick))
-        throw InputError("view.pick = '" + view.text("pick") + "': the mesh has " +
-                         (pick->kind == Pick::Kind::cell ? std::to_string(mesh->cell_count()) + " cells"
-                                                         : std::to_string(mesh->node_count()) + " nodes") +
-                         ", counted from 0");
-    const std::string& layout = view.text("layout");
-    if (mesh != nullptr && layout == "map" && !(radius_of_ball(*mesh) > 0))
-        throw InputError(
-            "view.layout = map is for meshes on a sphere; single and side-by-side show this one");
-    if (mesh != nullptr && layout == "front-and-rear" && mesh->space_dimension < 3)
-        throw InputError("view.layout = front-and-rear is for meshes in space; single and side-by-side show "
-                         "this one");
-    if (view.text("range") == "fixed" && !(view.real("low") < view.real("high")))
-        throw InputError("view.low = " + format_number(view.real("low")) +
-                         " must be below view.high = " + format_number(view.real("high")));
 }
 
 } // namespace gaspard

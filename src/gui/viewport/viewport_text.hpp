@@ -1,4 +1,4 @@
-// How much room the texts around a viewport's meshes take: known to who plans it and to who draws it.
+// The sizes of the texts around the meshes of a viewport, for its planner and for drawing.
 #pragma once
 
 #include "gui/viewport/viewport.hpp"

@@ -184,6 +184,21 @@ TEST(RunFiles, AreThoseOfTheContract) {
     EXPECT_EQ(Json::parse(read_file(folder / "summary.json"))["iterations"], 6);
 }
 
+TEST(RunFiles, TheSvgFollowsTheCameraOfTheView) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const auto svg_with = [&](const std::string& camera) {
+        Scenario scenario = small_scenario(*catalogue, 1);
+        scenario.view.set("camera", camera);
+        gaspard::Run run(catalogue, scenario);
+        run.step();
+        const TemporaryFolder folder;
+        write_run_files(folder.path(), run, parse_formats("svg"));
+        return read_file(folder.path() / "adapted.svg");
+    };
+    EXPECT_EQ(svg_with("").find("clip-path"), std::string::npos);
+    EXPECT_NE(svg_with("centre 0.1 0.1 height 0.2").find("clip-path"), std::string::npos);
+}
+
 TEST(RunFiles, TheStateGoesOnWhereTheRunEnded) {
     const TemporaryFolder folder;
     gaspard::Run run = finished_run();

@@ -302,8 +302,56 @@ TEST(MeshSvg, TheLegendHasRoomForItsWords) {
 TEST(MeshSvg, ADirectionTurnsAMeshInSpace) {
     Snapshot snapshot = sample_snapshot(two_cubes());
     snapshot.x = snapshot.mesh->nodes;
-    const MeshSvgOptions from_above{.from = SvgDirection{{1, 0, 0}, {0, 1, 0}}};
+    const MeshSvgOptions from_above{.camera = "right 1 0 0 up 0 1 0"};
     EXPECT_EQ(strokes_in(SvgReader(svg_of(snapshot, from_above)), "cells").size(), 2u);
+}
+
+TEST(MeshSvg, ACameraOnACornerShowsThatCorner) {
+    Snapshot snapshot = sample_snapshot(unit_square_mesh(12));
+    snapshot.x = snapshot.mesh->nodes;
+    const SvgReader svg(svg_of(snapshot, {.camera = "centre 0.875 0.875 height 0.25", .aspect = 1}));
+    const auto clips = svg.all("clipPath");
+    ASSERT_EQ(clips.size(), 1u);
+    const auto* rect = clips[0]->FirstChildElement("rect");
+    const double left = rect->DoubleAttribute("x"), top = rect->DoubleAttribute("y");
+    const double width = rect->DoubleAttribute("width"), height = rect->DoubleAttribute("height");
+    EXPECT_NEAR(width, height, 0.01);
+    EXPECT_GT(width, 250) << "points";
+    // The mesh ends at x = y = 1, which is the upper right corner; a cell is a third of the view wide.
+    double right_end = 0, upper_end = 1e9;
+    std::size_t segments = 0;
+    for (const auto& stroke : strokes_in(svg, "edges")) {
+        segments += stroke.corners.size() - 1;
+        for (const auto& p : stroke.corners) {
+            right_end = std::max(right_end, p.x), upper_end = std::min(upper_end, p.y);
+            EXPECT_NEAR(std::remainder(p.x - left, width / 3), 0, 0.02);
+            EXPECT_NEAR(std::remainder(p.y - top, height / 3), 0, 0.02);
+        }
+    }
+    EXPECT_NEAR(right_end, left + width, 0.02);
+    EXPECT_NEAR(upper_end, top, 0.02);
+    EXPECT_EQ(segments, 2u * 4 * 5) << "the 3 x 3 visible cells and those that touch them";
+}
+
+TEST(MeshSvg, ACameraTurnsAndCropsAMeshInSpace) {
+    Snapshot snapshot = sample_snapshot(two_cubes());
+    snapshot.x = snapshot.mesh->nodes;
+    const std::string axes = " right 1 0 0 up 0 1 0";
+    const SvgReader both(svg_of(snapshot, {.camera = "centre 1 0.5 1 height 4" + axes}));
+    EXPECT_EQ(strokes_in(both, "cells").size(), 2u);
+    const SvgReader one(svg_of(snapshot, {.camera = "centre 0.25 0.5 1 height 0.1" + axes}));
+    EXPECT_EQ(strokes_in(one, "cells").size(), 1u) << "the other cube is far outside";
+}
+
+TEST(MeshSvg, WithoutACameraTheAspectSaysNothing) {
+    const Snapshot snapshot = sample_snapshot(unit_square_mesh(4));
+    EXPECT_EQ(svg_of(snapshot, {.aspect = 2}), svg_of(snapshot));
+    EXPECT_EQ(svg_of(snapshot).find("clip"), std::string::npos);
+}
+
+TEST(MeshSvg, ACameraThatCannotBeReadIsAnInputError) {
+    const Snapshot snapshot = sample_snapshot(unit_square_mesh(2));
+    EXPECT_THROW(svg_of(snapshot, {.camera = "somewhere"}), InputError);
 }
 
 TEST(MeshSvg, FieldsOfCellsFillTooAndWithoutAFieldNothingDoes) {

@@ -85,10 +85,11 @@ TEST(Accelerated, GoesOnFromTheMiddleOfTheWay) {
     other.begin(run.monitor);
     auto plane = PlaneQ2({60, true}); // its residual is that of the finest plane
     PlaneQ2 from({30, true});
-    auto workspace = plane.make_workspace(), from_room = from.make_workspace();
-    const auto phi = plane.transfer(from, run.state.arrays[0].values, from_room, workspace);
+    auto workspace = plane.make_workspace(), from_workspace = from.make_workspace();
+    const auto phi = plane.transfer(from, run.state.arrays[0].values, from_workspace, workspace);
     const auto relaxation = make_relaxation(other.plane, 0.1);
-    const Evaluation fine = relaxation->evaluate(problem_of(*run.monitor), State{other.layout(60), {{"phi", phi}}}, {});
+    const Evaluation fine =
+        relaxation->evaluate(problem_of(*run.monitor), State{other.layout(60), {{"phi", phi}}}, {});
     EXPECT_NEAR(other.history[0].residual, fine.residual, 1e-12);
     EXPECT_LT(largest_distance(other.method->positions(), relaxation->positions()), 1e-14);
     other.solve();

@@ -139,8 +139,7 @@ TEST_F(ScenarioTest, ErrorsNameFileLineAndNearestKey) {
               parse_message("[monitor]\ntype = \"ring\"\namplitud = 3\n"));
     expect_in("test.toml:2: domain.cells = 0 is out of range: 4 to 480",
               parse_message("[domain]\ncells = 0\n"));
-    expect_in("test.toml:2: domain.cells wants a whole number",
-              parse_message("[domain]\ncells = \"many\"\n"));
+    expect_in("test.toml:2: domain.cells must be an integer", parse_message("[domain]\ncells = \"many\"\n"));
     expect_in("test.toml:2: monitor.amplitude must be a finite number",
               parse_message("[monitor]\namplitude = nan\n"));
     expect_in("test.toml:2: ", parse_message("[monitor]\namplitude = = 3\n"));

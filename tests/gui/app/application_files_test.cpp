@@ -8,8 +8,8 @@ namespace {
 TEST_F(ApplicationTest, ExportWritesTheFilesAndSaysSo) {
     ASSERT_TRUE(wait_until([&] { return run().history.size() > 3; }));
     EXPECT_TRUE(application.press_key("E"));
-    ASSERT_TRUE(wait_until([&] { return application.message().text.starts_with("Exported to "); }))
-        << application.message().text;
+    ASSERT_TRUE(wait_until([&] { return application.messages().last().text.starts_with("Exported to "); }))
+        << application.messages().last().text;
     for (const char* file : {"summary.json", "history.csv", "state.bin", "adapted.obj", "adapted.glb"})
         EXPECT_TRUE(std::filesystem::exists(folder / "plane-ring" / file)) << file;
 }
@@ -17,10 +17,10 @@ TEST_F(ApplicationTest, ExportWritesTheFilesAndSaysSo) {
 TEST_F(ApplicationTest, AnExportThatFailsIsASentence) {
     std::filesystem::remove_all(folder);
     std::ofstream(folder) << "a file where a folder should be";
-    application.perform(ActionId::export_files);
-    ASSERT_TRUE(wait_until([&] { return application.message().error; }));
-    EXPECT_NE(application.message().text.find(folder.string()), std::string::npos)
-        << application.message().text;
+    application.perform("export");
+    ASSERT_TRUE(wait_until([&] { return application.messages().last().error; }));
+    EXPECT_NE(application.messages().last().text.find(folder.string()), std::string::npos)
+        << application.messages().last().text;
 }
 
 TEST_F(ApplicationTest, PicturesAreNumbered) {
@@ -28,7 +28,8 @@ TEST_F(ApplicationTest, PicturesAreNumbered) {
     for (const char* name : {"view.png", "view-2.png", "view-3.png"}) {
         application.save_image(image);
         const auto file = folder / "plane-ring" / name;
-        ASSERT_TRUE(wait_until([&] { return application.message().text == "Saved " + file.string(); }));
+        ASSERT_TRUE(
+            wait_until([&] { return application.messages().last().text == "Saved " + file.string(); }));
         EXPECT_EQ(read_image(file).width, 2);
     }
 }
@@ -57,7 +58,7 @@ TEST_F(ApplicationTest, AScenarioFileIsOpenedAndRemembered) {
     ASSERT_EQ(application.settings().recent.size(), 1U);
     EXPECT_EQ(application.settings().recent.front(),
               std::filesystem::absolute(folder / "other.toml").string());
-    EXPECT_FALSE(application.error().open());
+    EXPECT_FALSE(application.messages().error().open());
 }
 
 TEST_F(ApplicationTest, AFileThatIsNoScenarioIsOneSentenceAndLosesNothing) {
@@ -67,22 +68,23 @@ TEST_F(ApplicationTest, AFileThatIsNoScenarioIsOneSentenceAndLosesNothing) {
     const std::string title = application.title();
     for (const char* name : {"broken.toml", "combination.toml", "picture.png", "missing.toml"}) {
         application.open_file(folder / name);
-        ASSERT_TRUE(wait_until([&] { return application.error().open(); })) << name;
-        EXPECT_NE(application.error().sentence().find(name), std::string::npos)
-            << application.error().sentence();
-        EXPECT_EQ(application.log().lines().back().notice.text, application.error().sentence());
+        ASSERT_TRUE(wait_until([&] { return application.messages().error().open(); })) << name;
+        EXPECT_NE(application.messages().error().sentence().find(name), std::string::npos)
+            << application.messages().error().sentence();
+        EXPECT_EQ(application.messages().log().lines().back().notice.text,
+                  application.messages().error().sentence());
         EXPECT_EQ(application.title(), title);
         frame();
         ASSERT_TRUE(application.items().count("error.ok"));
         ui.click(application.items().find("error.ok")->second, drawing());
-        EXPECT_FALSE(application.error().open()) << name;
+        EXPECT_FALSE(application.messages().error().open()) << name;
     }
     EXPECT_TRUE(application.settings().recent.empty());
     EXPECT_EQ(solved_scenario(), small_ring());
 }
 
 TEST_F(ApplicationTest, AnErrorComesBeforeTheOpenDialog) {
-    application.perform(ActionId::open);
+    application.perform("open");
     frame();
     frame();
     application.open_file(folder / "missing.toml");
@@ -90,7 +92,7 @@ TEST_F(ApplicationTest, AnErrorComesBeforeTheOpenDialog) {
     frame();
     EXPECT_FALSE(application.press_key("Space")) << "a dialog comes first";
     ui.click(application.items().find("error.ok")->second, drawing());
-    EXPECT_FALSE(application.error().open());
+    EXPECT_FALSE(application.messages().error().open());
     for (int i = 0; i < 3; ++i) frame();
     ui.click(application.items().find("open.cancel")->second, drawing());
     frame();
@@ -103,8 +105,8 @@ TEST_F(ApplicationTest, AScenarioThatTheSolverRefusesLeavesEverythingAsItWas) {
     Scenario wrong = small_ring();
     wrong.title = "Wrong";
     wrong.method.type = "magic";
-    application.document().replace(0, wrong);
-    ASSERT_TRUE(wait_until([&] { return application.error().open(); }));
+    application.document().replace(run().id, wrong);
+    ASSERT_TRUE(wait_until([&] { return application.messages().error().open(); }));
     EXPECT_EQ(application.title(), small_ring().title);
     EXPECT_EQ(run().opened, small_ring());
     EXPECT_EQ(run().history.size(), rows);
@@ -117,10 +119,10 @@ TEST_F(ApplicationTest, ExportWritesTheChosenFormatsColouredAsTheViewIs) {
     ASSERT_TRUE(application.items().count("menu.export"));
     auto output = run().scenario;
     output.output.set("formats", std::string("svg"));
-    application.document().change(0, output);
+    application.document().change(run().id, output);
     application.document().viewports().front().view.set("color", std::string("area"));
-    application.perform(ActionId::export_files);
-    ASSERT_TRUE(wait_until([&] { return application.message().text.starts_with("Exported to "); }));
+    application.perform("export");
+    ASSERT_TRUE(wait_until([&] { return application.messages().last().text.starts_with("Exported to "); }));
     std::ifstream file(folder / "plane-ring" / "adapted.svg");
     const std::string svg((std::istreambuf_iterator<char>(file)), {});
     EXPECT_NE(svg.find("cell area"), std::string::npos) << svg.substr(0, 1000);
@@ -136,10 +138,11 @@ TEST_F(ApplicationTest, TheOpenDialogTakesAPath) {
     ui.click(application.items().find("open.path")->second, drawing());
     ui.type((folder / "typed.toml").string(), drawing());
     ui.click(application.items().find("open.ok")->second, drawing());
-    EXPECT_TRUE(wait_until([&] { return application.title() == "Typed"; })) << application.message().text;
+    EXPECT_TRUE(wait_until([&] { return application.title() == "Typed"; }))
+        << application.messages().last().text;
     EXPECT_TRUE(application.press_key("Ctrl+O"));
     frame();
-    application.perform(ActionId::cancel);
+    application.perform("cancel");
     frame();
     EXPECT_EQ(application.items().count("open.path"), 0U);
 }
@@ -150,7 +153,7 @@ TEST_F(ApplicationTest, ASavedScenarioOpensAgain) {
     const double amplitude = run().scenario.monitor.values.real("amplitude");
     EXPECT_TRUE(application.press_key("Ctrl+S"));
     const auto file = folder / "plane-ring" / "plane-ring.toml";
-    ASSERT_TRUE(wait_until([&] { return application.message().text == "Saved " + file.string(); }));
+    ASSERT_TRUE(wait_until([&] { return application.messages().last().text == "Saved " + file.string(); }));
     EXPECT_EQ(load_scenario(*catalogue, file).monitor.values.real("amplitude"), amplitude);
 }
 

@@ -12,7 +12,7 @@ TEST_F(ApplicationTest, AKeptRunStaysInThePlotsWhenTheLiveOneStartsOver) {
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     EXPECT_TRUE(application.press_key("K"));
     ASSERT_EQ(application.document().runs().size(), 2U);
-    EXPECT_EQ(application.message().text, "Kept as Ring");
+    EXPECT_EQ(application.messages().last().text, "Kept as Ring");
     EXPECT_TRUE(application.press_key("R"));
     ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
     EXPECT_GT(application.document().runs()[1].history.size(), 100U);
@@ -31,7 +31,8 @@ TEST_F(ApplicationTest, APlotIsCopiedAsNumbers) {
     EXPECT_TRUE(copied.starts_with("run,iteration,seconds,residual,")) << copied.substr(0, 80);
     EXPECT_EQ(std::count(copied.begin(), copied.end(), '\n'),
               static_cast<std::ptrdiff_t>(1 + 2 * run().history.size()));
-    EXPECT_TRUE(application.message().text.starts_with("Copied")) << application.message().text;
+    EXPECT_TRUE(application.messages().last().text.starts_with("Copied"))
+        << application.messages().last().text;
 }
 
 TEST_F(ApplicationTest, APlotIsSavedAsAPicture) {
@@ -52,15 +53,16 @@ TEST_F(ApplicationTest, APlotIsSavedAsAPicture) {
         ask();
         application.save_plot(draw);
         const auto file = folder / "plane-ring" / name;
-        ASSERT_TRUE(wait_until([&] { return application.message().text == "Saved " + file.string(); }))
-            << application.message().text;
+        ASSERT_TRUE(wait_until([&] {
+            return application.messages().last().text == "Saved " + file.string();
+        })) << application.messages().last().text;
         EXPECT_EQ(read_image(file).width, 2);
     }
     EXPECT_EQ(title, "Equidistribution");
     ask();
     application.save_plot([](const Plot&) -> Image { throw MachineError("no picture today"); });
-    EXPECT_TRUE(application.message().error);
-    EXPECT_EQ(application.message().text, "no picture today");
+    EXPECT_TRUE(application.messages().last().error);
+    EXPECT_EQ(application.messages().last().text, "no picture today");
 }
 
 TEST_F(ApplicationTest, APlotIsSavedAsVectorGraphics) {
@@ -69,8 +71,8 @@ TEST_F(ApplicationTest, APlotIsSavedAsVectorGraphics) {
     frame();
     ui.click(application.items().find("plot.first.menu.svg")->second, drawing());
     const auto file = folder / "plane-ring" / "residual.svg";
-    ASSERT_TRUE(wait_until([&] { return application.message().text == "Saved " + file.string(); }))
-        << application.message().text;
+    ASSERT_TRUE(wait_until([&] { return application.messages().last().text == "Saved " + file.string(); }))
+        << application.messages().last().text;
     std::ifstream stream(file);
     const std::string text(std::istreambuf_iterator<char>(stream), {});
     EXPECT_NE(text.find("<svg"), std::string::npos);

@@ -53,17 +53,17 @@ TEST_F(ApplicationTest, KeysAreNotShortcutsWhileTyping) {
     frame();
     ui.click(application.items().find("monitor.amplitude.input")->second, drawing());
     ASSERT_TRUE(ImGui::GetIO().WantTextInput);
-    const std::string theme = application.theme_name();
+    const std::string theme = application.window_state().theme_name;
     for (const char* key : {"T", "Space", "Escape", "Ctrl+C", "Ctrl+V"})
         EXPECT_FALSE(application.press_key(key));
-    EXPECT_EQ(application.theme_name(), theme);
+    EXPECT_EQ(application.window_state().theme_name, theme);
     EXPECT_TRUE(application.press_key("F4")) << "no letter, nor what a field knows";
     EXPECT_TRUE(application.press_key("Ctrl+Q"));
-    EXPECT_TRUE(application.quit_requested());
+    EXPECT_TRUE(application.window_state().quit);
     ui.click(application.items().find("viewport")->second, drawing());
     frame();
     EXPECT_TRUE(application.press_key("T"));
-    EXPECT_NE(application.theme_name(), theme);
+    EXPECT_NE(application.window_state().theme_name, theme);
 }
 
 TEST_F(ApplicationTest, ButtonsDoWhatKeysDo) {
@@ -97,17 +97,19 @@ TEST_F(ApplicationTest, ATangledRunIsRedAndSaysHowToGoOn) {
     Scenario wild = run().scenario;
     set_value(*catalogue, wild, "monitor.amplitude", 500.0);
     set_value(*catalogue, wild, "method.step_size", 5.0);
-    application.document().change(0, wild);
+    application.document().change(run().id, wild);
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     const auto cells = status_cells(run());
     EXPECT_EQ(cells[0].tone, Tone::bad) << cells[0].value;
     EXPECT_EQ(cells[5].label, "Tangled cells");
     EXPECT_EQ(cells[5].tone, Tone::bad) << cells[5].value;
-    EXPECT_NE(closing_note(run()).find("R starts from the beginning"), std::string::npos)
-        << closing_note(run());
+    EXPECT_NE(
+        closing_note(run(), find_action(application.actions(), "reset")).find("R starts from the beginning"),
+        std::string::npos)
+        << closing_note(run(), find_action(application.actions(), "reset"));
     EXPECT_TRUE(application.press_key("R"));
     ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
-    EXPECT_TRUE(closing_note(run()).empty());
+    EXPECT_TRUE(closing_note(run(), find_action(application.actions(), "reset")).empty());
     EXPECT_EQ(status_cells(run())[5].value, "0");
     EXPECT_EQ(status_cells(run())[5].tone, Tone::plain);
 }
@@ -116,10 +118,10 @@ TEST_F(ApplicationTest, WhatTheSolverRefusesIsASentenceAndThePictureStays) {
     ASSERT_TRUE(wait_until([&] { return run().history.size() > 3 && !application.views().empty(); }));
     Scenario impossible = run().scenario;
     impossible.method.type = "no-such-method";
-    application.document().change(0, impossible);
-    ASSERT_TRUE(wait_until([&] { return application.message().error; }));
-    EXPECT_NE(application.message().text.find("no-such-method"), std::string::npos)
-        << application.message().text;
+    application.document().change(run().id, impossible);
+    ASSERT_TRUE(wait_until([&] { return application.messages().last().error; }));
+    EXPECT_NE(application.messages().last().text.find("no-such-method"), std::string::npos)
+        << application.messages().last().text;
     EXPECT_FALSE(application.views().empty());
     EXPECT_NE(run().status.run, RunStatus::failed);
 }
@@ -155,20 +157,20 @@ TEST_F(ApplicationTest, PartsAreShownHiddenAndMadeWider) {
 }
 
 TEST_F(ApplicationTest, ThemeAndSizeAreChangedByKeysAndRemembered) {
-    EXPECT_EQ(application.theme().background, dark_theme().background);
+    EXPECT_EQ(application.window_state().theme.background, dark_theme().background);
     application.press_key("T");
-    EXPECT_EQ(application.theme().background, light_theme().background);
+    EXPECT_EQ(application.window_state().theme.background, light_theme().background);
     EXPECT_EQ(application.settings().window.text("theme"), "light");
     application.press_key("F10");
-    EXPECT_NEAR(application.text_size(), 1.7, 1e-6);
+    EXPECT_NEAR(application.window_state().text_size, 1.7, 1e-6);
     application.press_key("F10");
-    EXPECT_EQ(application.text_size(), 1);
+    EXPECT_EQ(application.window_state().text_size, 1);
     for (int i = 0; i < 30; ++i) application.press_key("Ctrl+=");
-    EXPECT_EQ(application.text_size(), 3);
+    EXPECT_EQ(application.window_state().text_size, 3);
     for (int i = 0; i < 60; ++i) application.press_key("Ctrl+-");
-    EXPECT_NEAR(application.text_size(), 0.6, 1e-6);
+    EXPECT_NEAR(application.window_state().text_size, 0.6, 1e-6);
     application.press_key("F11");
-    EXPECT_TRUE(application.fullscreen());
+    EXPECT_TRUE(application.window_state().fullscreen);
 }
 
 TEST_F(ApplicationTest, EverythingHasRoomAtTheSizeForProjectors) {
@@ -216,8 +218,8 @@ TEST_P(RandomInput, BreaksNothing) {
     std::mt19937 random(8); // the same input every time
     const auto draw_int = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
     std::vector<std::string_view> keys;
-    for (const Action& row : actions())
-        if (row.id != ActionId::export_files && row.id != ActionId::screenshot)
+    for (const Action& row : application.actions())
+        if (row.name != "export" && row.name != "screenshot")
             keys.insert(keys.end(), row.keys.begin(), row.keys.end());
     int changes = 0;
     Scenario before = run().scenario;
@@ -239,9 +241,8 @@ TEST_P(RandomInput, BreaksNothing) {
                 keys[static_cast<std::size_t>(draw_int(0, static_cast<int>(keys.size()) - 1))]);
         if (draw_int(0, 49) == 0)
             io.DisplaySize = {static_cast<float>(draw_int(1, 2000)), static_cast<float>(draw_int(1, 1500))};
-        if (i % 40 == 0) application.perform(ActionId::cancel); // a dialog would keep the rest away
-        if (i % 200 == 0 && application.items().count("monitor.type") == 0)
-            application.perform(ActionId::sidebar);
+        if (i % 40 == 0) application.perform("cancel"); // a dialog would keep the rest away
+        if (i % 200 == 0 && application.items().count("monitor.type") == 0) application.perform("sidebar");
         frame();
         if (run().scenario != before) ++changes, before = run().scenario;
         if (look() != looked) ++changes, looked = look();
@@ -252,7 +253,7 @@ TEST_P(RandomInput, BreaksNothing) {
             }
     }
     if (run().status.run == RunStatus::failed) { // as with the name of a file that is none
-        EXPECT_NE(application.message().text, "");
+        EXPECT_NE(application.messages().last().text, "");
     }
     EXPECT_GT(changes, GetParam().frames / 500) << "the input reached hardly anything";
 }

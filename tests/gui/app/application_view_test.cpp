@@ -70,17 +70,6 @@ TEST_F(ApplicationTest, ADragBetweenTwoFramesIsADragAndNoClick) {
     EXPECT_NEAR(moved.y, size_of(shown()).height / 2 - 30, 1e-6);
 }
 
-TEST_F(ApplicationTest, KeysThatDoNothingHereSaySo) {
-    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
-    for (const char* key : {"F", "M", "X", "Q", "S", "1", "N"}) {
-        const std::size_t said = application.log().lines().size();
-        EXPECT_FALSE(application.press_key(key));
-        EXPECT_EQ(application.log().lines().size(), said + 1) << key;
-        EXPECT_TRUE(application.message().text.ends_with(".")) << key << ": " << application.message().text;
-        EXPECT_FALSE(application.message().error);
-    }
-}
-
 TEST_F(ApplicationTest, AnotherDomainHasOtherCellsSoThePickEnds) {
     ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
     look().set("pick", std::string("cell 7"));
@@ -106,7 +95,7 @@ TEST_F(ApplicationTest, TheCameraIsCopiedAndPastedAsText) {
     EXPECT_EQ(application.document().viewports()[0].view.text("camera"), copied);
     ImGui::SetClipboardText("milk, bread");
     EXPECT_TRUE(application.press_key("Ctrl+V"));
-    EXPECT_NE(application.message().text.find("the camera 'milk, bread'"), std::string::npos);
+    EXPECT_NE(application.messages().last().text.find("the camera 'milk, bread'"), std::string::npos);
     EXPECT_EQ(application.document().viewports()[0].view.text("camera"), copied) << "nothing is lost";
 }
 

@@ -1,7 +1,7 @@
 // Offscreen pictures of the fixtures: cells that no shipped domain has are drawn where they should be.
 #include "core/fixtures/fixture_run.hpp"
+#include "core/tessellate/camera.hpp"
 #include "gui/app/viewport_image.hpp"
-#include "gui/scene/camera.hpp"
 
 #include <algorithm>
 #include <cmath>

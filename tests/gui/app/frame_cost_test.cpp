@@ -54,7 +54,7 @@ FrameCost measure(int cells, int frames) {
             meshes.draw(shown.scene, shown.camera, {0, 0, 800, 800}, 900, theme, 1);
         interface.draw(*ImGui::GetDrawData());
         milliseconds.push_back(1000 * watch.cpu_seconds());
-        const auto& snapshot = application.document().runs().front().snapshot;
+        const auto& snapshot = application.document().active().snapshot;
         if (std::exchange(version, snapshot->version) != snapshot->version) ++cost.snapshots;
         std::this_thread::sleep_for(std::chrono::milliseconds(16));
     }

@@ -1,48 +1,16 @@
-#include "core/scenario/toml.hpp"
-#include "gui/document/document.hpp"
+#include "gui/document_fixture.hpp"
 
-#include <atomic>
-#include <chrono>
 #include <cmath>
-#include <gtest/gtest.h>
-#include <thread>
 
 namespace gaspard {
 namespace {
 
-constexpr auto patience = std::chrono::seconds(60);
-
-/// A small ring that is solved in a moment.
-Scenario small_ring(const Catalogue& catalogue) {
-    Scenario scenario = find_scenario(catalogue, "plane-ring");
-    set_value(catalogue, scenario, "domain.cells", std::int64_t{12});
-    set_value(catalogue, scenario, "method.max_iterations", std::int64_t{40});
-    return scenario;
-}
-
-class DocumentTest : public testing::Test {
-  protected:
-    template <class Condition>
-    bool wait_until(Condition condition) {
-        const auto end = std::chrono::steady_clock::now() + patience;
-        while (std::chrono::steady_clock::now() < end) {
-            document.collect();
-            if (condition()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        }
-        return false;
-    }
-    DocumentRun& run() { return document.runs().front(); }
-
-    std::shared_ptr<const Catalogue> catalogue = std::make_shared<Catalogue>(builtin_catalogue());
-    std::atomic<int> notified = 0;
-    Document document{catalogue, [this] { ++notified; }};
-};
+class DocumentTest : public DocumentFixture {};
 
 TEST_F(DocumentTest, KeepsEveryReportInOrderAndPlotsIt) {
-    document.open(small_ring(*catalogue));
+    document.open(small_ring());
     ASSERT_EQ(document.viewports().size(), 1U);
-    EXPECT_EQ(document.viewports().front().run, 0U);
+    EXPECT_EQ(document.viewports().front().run, run().id);
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     const auto& history = run().history;
     ASSERT_EQ(history.size(), 41U);
@@ -53,45 +21,47 @@ TEST_F(DocumentTest, KeepsEveryReportInOrderAndPlotsIt) {
     EXPECT_EQ(curves.residual.seconds[7], history[7].seconds);
     EXPECT_EQ(curves.equidistribution.values[40], *history[40].equidistribution);
     EXPECT_EQ(curves.max_jacobian.values[40], *history[40].max_jacobian);
-    EXPECT_EQ(curves.step_size.values.size(), 40U) << "no step led to the start";
+    EXPECT_EQ(curves.step_size.values.size(), 40U) << "the start has no step size";
     EXPECT_GT(notified, 0);
     ASSERT_NE(run().snapshot, nullptr);
     EXPECT_EQ(run().snapshot->report.iteration, 40);
     EXPECT_GT(*iteration_rate(history), 0);
 }
 
-TEST_F(DocumentTest, AChangeGoesOnAndAResetBeginsAnew) {
-    document.open(small_ring(*catalogue));
+TEST_F(DocumentTest, AChangeContinuesAndAResetStartsOver) {
+    document.open(small_ring());
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     Scenario changed = run().scenario;
     set_value(*catalogue, changed, "monitor.amplitude", 20.0);
-    document.change(0, changed);
+    document.change(run().id, changed);
     ASSERT_TRUE(wait_until([&] { return run().ended() && run().history.back().iteration == 80; }));
-    document.reset(0);
+    document.reset(run().id);
     ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
     EXPECT_EQ(run().history.front().iteration, 0);
     EXPECT_EQ(run().curves.residual.values.size(), 1U);
-    EXPECT_FALSE(run().wants_to_run) << "a run that had ended rests after a reset";
-    document.start(0);
+    EXPECT_FALSE(run().wants_to_run) << "a run that had ended is paused by a reset";
+    document.start(run().id);
     ASSERT_TRUE(wait_until([&] { return run().ended() && run().history.back().iteration == 40; }));
 }
 
 TEST_F(DocumentTest, AKeptRunStaysWhileTheLiveOneGoesOn) {
-    document.open(small_ring(*catalogue));
+    document.open(small_ring());
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
-    ASSERT_EQ(document.keep(0), 1U);
-    EXPECT_EQ(document.runs()[1].name, "Ring");
-    EXPECT_FALSE(document.runs()[1].live());
-    EXPECT_NE(document.runs()[1].colour, run().colour);
+    const auto id = document.keep(run().id);
+    ASSERT_TRUE(id);
+    const DocumentRun& kept = *document.runs().find(*id);
+    EXPECT_EQ(&kept, &document.runs()[1]);
+    EXPECT_EQ(kept.name, "Ring");
+    EXPECT_FALSE(kept.live());
+    EXPECT_NE(kept.colour, run().colour);
     const auto snapshot = run().snapshot;
 
     Scenario changed = run().scenario;
     set_value(*catalogue, changed, "monitor.amplitude", 20.0);
-    document.change(0, changed);
+    document.change(run().id, changed);
     EXPECT_EQ(run().name, "Ring, amplitude 20");
-    document.reset(0);
-    document.start(0);
-    const DocumentRun& kept = document.runs()[1];
+    document.reset(run().id);
+    document.start(run().id);
     ASSERT_TRUE(wait_until([&] {
         return run().ended() && run().history.size() == 41 &&
                run().history[40].residual != kept.history[40].residual;
@@ -103,100 +73,108 @@ TEST_F(DocumentTest, AKeptRunStaysWhileTheLiveOneGoesOn) {
     EXPECT_EQ(kept.scenario.monitor.values.real("amplitude"), 10);
     EXPECT_TRUE(kept.ended());
 
-    ASSERT_EQ(document.keep(0), 2U);
+    ASSERT_TRUE(document.keep(run().id));
     EXPECT_EQ(document.runs()[2].name, "Ring, amplitude 20");
     EXPECT_EQ(document.runs()[2].scenario.monitor.values.real("amplitude"), 20);
-    ASSERT_EQ(document.keep(0), 3U);
+    ASSERT_TRUE(document.keep(run().id));
     EXPECT_EQ(document.runs()[3].name, "Ring, amplitude 20 (2)") << "no two have the same name";
 }
 
-TEST_F(DocumentTest, OfARemovedRunNothingRemains) {
-    document.open(small_ring(*catalogue));
+TEST_F(DocumentTest, ReferencesToRunsStayValid) {
+    document.open(small_ring());
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
-    document.keep(0), document.keep(0);
-    const std::size_t colour = document.runs()[1].colour;
-    document.viewports().push_back({.run = 1, .view = run().scenario.view});
-    document.viewports().push_back({.run = 2, .view = run().scenario.view});
-    document.remove(1);
-    ASSERT_EQ(document.runs().size(), 2U);
-    EXPECT_EQ(document.runs()[1].name, "Ring (2)");
-    EXPECT_EQ(document.viewports()[1].run, 0U) << "what it looked at is gone";
-    EXPECT_EQ(document.viewports()[2].run, 1U) << "the same run as before";
-    document.keep(0);
-    EXPECT_EQ(document.runs()[2].colour, colour) << "its colour is free again";
+    DocumentRun& live = run();
+    const DocumentRun& first = *document.runs().find(*document.keep(run().id));
+    const std::string name = first.name;
+    const std::size_t reports = first.history.size();
+    for (int i = 0; i < 50; ++i) ASSERT_TRUE(document.keep(run().id));
+    document.open(small_ring());
+    document.remove(document.runs()[2].id);
+    EXPECT_EQ(&live, &document.active()) << "the first run is active";
+    EXPECT_EQ(&first, &document.runs()[1]);
+    EXPECT_EQ(first.name, name);
+    EXPECT_EQ(first.history.size(), reports);
 }
 
-TEST_F(DocumentTest, ARunThatHasDoneNothingIsNotKept) {
-    Scenario refused = small_ring(*catalogue);
+TEST_F(DocumentTest, AViewportOfARemovedRunShowsTheActiveOne) {
+    document.open(small_ring());
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const RunId first = *document.keep(run().id), second = *document.keep(run().id);
+    const std::size_t colour = document.runs().find(first)->colour;
+    document.viewports().push_back({.run = first, .view = run().scenario.view});
+    document.viewports().push_back({.run = second, .view = run().scenario.view});
+    document.remove(first);
+    ASSERT_EQ(document.runs().size(), 2U);
+    EXPECT_EQ(document.runs()[1].name, "Ring (2)");
+    EXPECT_EQ(document.viewports()[1].run, document.active().id);
+    EXPECT_EQ(document.viewports()[2].run, second) << "the same run as before";
+    document.keep(run().id);
+    EXPECT_EQ(document.runs()[2].colour, colour) << "the colour is free again";
+}
+
+TEST_F(DocumentTest, ARunWithoutReportsIsNotKept) {
+    Scenario refused = small_ring();
     refused.method.type = "magic";
     document.open(refused);
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
-    EXPECT_FALSE(document.keep(0));
+    EXPECT_FALSE(document.keep(run().id));
     EXPECT_EQ(document.runs().size(), 1U);
 }
 
 TEST_F(DocumentTest, AChangeOfValuesMarksTheHistory) {
-    document.open(small_ring(*catalogue));
+    document.open(small_ring());
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     EXPECT_TRUE(run().marks.empty());
     Scenario changed = run().scenario;
-    for (const double amplitude : {12.0, 15.0, 20.0}) { // a slider being dragged
+    for (const double amplitude : {12.0, 15.0, 20.0}) { // as by a slider
         set_value(*catalogue, changed, "monitor.amplitude", amplitude);
-        document.change(0, changed);
-        ASSERT_TRUE(wait_until([&] { return run().answered == run().asked; }));
+        document.change(run().id, changed);
+        ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
     }
     ASSERT_TRUE(wait_until([&] { return run().ended() && run().history.back().iteration >= 80; }));
     ASSERT_EQ(run().marks.size(), 1U);
     EXPECT_EQ(run().marks[0].iteration, 40);
     EXPECT_EQ(run().marks[0].text, "amplitude 10 to 20");
-    document.keep(0);
-    document.reset(0);
+    document.keep(run().id);
+    document.reset(run().id);
     ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
     EXPECT_TRUE(run().marks.empty());
     EXPECT_EQ(document.runs()[1].marks.size(), 1U);
 }
 
 TEST_F(DocumentTest, RunsDifferInColour) {
-    document.open(small_ring(*catalogue));
+    document.open(small_ring());
     document.open(find_scenario(*catalogue, "plane-bell"));
-    document.pause(1);
+    document.pause(document.runs()[1].id);
     ASSERT_TRUE(wait_until([&] { return run().ended() && !document.runs()[1].history.empty(); }));
-    EXPECT_EQ(document.viewports()[1].run, 1U);
+    EXPECT_EQ(document.viewports()[1].run, document.runs()[1].id);
     EXPECT_NE(document.runs()[0].colour, document.runs()[1].colour);
 }
 
-TEST_F(DocumentTest, AComparisonLeavesAloneWhatTheFirstRunHasDoneMeanwhile) {
-    Scenario endless = small_ring(*catalogue);
-    set_value(*catalogue, endless, "method.tolerance", 1e-14);
-    set_value(*catalogue, endless, "method.max_iterations", std::int64_t{1000000});
-    set_value(*catalogue, endless, "method.step_size", 1e-4);
-    document.open(endless);
+TEST_F(DocumentTest, AComparisonLeavesAScenarioAloneThatWasOpenedMeanwhile) {
+    document.open(endless_ring());
     ASSERT_TRUE(wait_until([&] { return run().solving(); }));
     document.compare({"relaxation"});
     ASSERT_TRUE(wait_until([&] { return run().status.paused && document.runs()[1].history.size() > 1; }));
     EXPECT_FALSE(run().solving());
-    document.replace(0, small_ring(*catalogue)); // another scenario is opened, and solved
+    document.replace(run().id, small_ring()); // another scenario is opened, and solved
     ASSERT_TRUE(wait_until([&] { return run().openings == 1 && run().ended(); }));
     ASSERT_EQ(run().history.size(), 41U);
     const auto solved = run().snapshot;
-    ASSERT_TRUE(document.comparing());
+    ASSERT_TRUE(document.comparison().running());
     document.cancel_comparison();
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
-    EXPECT_EQ(run().snapshot, solved) << "it was thrown away";
+    ASSERT_TRUE(solver_is_idle());
+    EXPECT_TRUE(run().ended());
+    EXPECT_EQ(run().snapshot, solved) << "the run was started again";
     EXPECT_EQ(run().history.size(), 41U);
 }
 
-TEST_F(DocumentTest, AComparisonDoesNotWakeARunThatWasPausedMeanwhile) {
-    Scenario endless = small_ring(*catalogue);
-    set_value(*catalogue, endless, "method.tolerance", 1e-14);
-    set_value(*catalogue, endless, "method.max_iterations", std::int64_t{1000000});
-    set_value(*catalogue, endless, "method.step_size", 1e-4);
-    document.open(endless);
+TEST_F(DocumentTest, AComparisonDoesNotResumeARunThatWasPausedMeanwhile) {
+    document.open(endless_ring());
     ASSERT_TRUE(wait_until([&] { return run().solving(); }));
     document.compare({"relaxation"});
-    document.start(0);
-    document.pause(0);
+    document.start(run().id);
+    document.pause(run().id);
     document.cancel_comparison();
     EXPECT_FALSE(run().wants_to_run);
 }

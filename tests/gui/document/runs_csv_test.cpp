@@ -32,7 +32,7 @@ std::vector<std::vector<std::string>> parse(const std::string& text) {
 
 TEST(RunsCsv, ReadsBackToTheSameNumbers) {
     const CommaLocale locale;
-    std::vector<DocumentRun> runs;
+    DocumentRuns runs;
     runs.push_back(made_up_run("Ring, \"sharp\"", 4));
     runs.push_back(made_up_run("hidden", 3));
     runs.push_back(made_up_run("Bell", 2));

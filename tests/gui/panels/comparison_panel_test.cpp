@@ -33,10 +33,10 @@ TEST_F(CompareTest, EveryMethodSolvesTheProblemAndAllAreSeenTogether) {
         const auto live = static_cast<std::size_t>(
             std::count_if(runs.begin(), runs.end(), [](const DocumentRun& one) { return one.live(); }));
         most_live = std::max(most_live, live);
-        return !application.document().comparing();
+        return !application.document().comparison().running();
     }));
     EXPECT_LE(most_live, 2U) << "one after the other, beside the window's own";
-    const auto rows = application.document().comparison_rows();
+    const auto rows = application.document().comparison().rows();
     ASSERT_EQ(rows.size(), 5U);
     for (const ComparisonRow& row : rows) {
         EXPECT_EQ(row.status, RunStatus::converged) << row.method;
@@ -81,8 +81,8 @@ TEST_F(CompareTest, OnlyTickedMethodsAndOnlyOnce) {
         ui.click(item("compare." + std::string(method)), drawing());
     for (int time = 0; time < 2; ++time) {
         ui.click(item("compare.begin"), drawing());
-        ASSERT_TRUE(wait_until([&] { return !application.document().comparing(); }));
-        const auto rows = application.document().comparison_rows();
+        ASSERT_TRUE(wait_until([&] { return !application.document().comparison().running(); }));
+        const auto rows = application.document().comparison().rows();
         ASSERT_EQ(rows.size(), 2U);
         EXPECT_EQ(rows[0].method, "newton");
         EXPECT_EQ(rows[1].method, "auto");
@@ -94,8 +94,8 @@ TEST_F(CompareTest, IsCancelledAndTheRunGoesOn) {
     set_value(*catalogue, run().scenario, "method.tolerance", 1e-14); // not within the test
     set_value(*catalogue, run().scenario, "method.max_iterations", std::int64_t{1000000});
     set_value(*catalogue, run().scenario, "method.step_size", 1e-4);
-    application.document().change(0, Scenario(run().scenario));
-    ASSERT_TRUE(wait_until([&] { return run().solving() && run().answered == run().asked; }));
+    application.document().change(run().id, Scenario(run().scenario));
+    ASSERT_TRUE(wait_until([&] { return run().solving() && run().changes.settled(); }));
     application.document().compare({"relaxation", "newton"});
     EXPECT_FALSE(run().solving()) << "it waits";
     ASSERT_TRUE(wait_until([&] {
@@ -104,8 +104,8 @@ TEST_F(CompareTest, IsCancelledAndTheRunGoesOn) {
     }));
     EXPECT_EQ(application.items().count("progress"), 1U) << "also where the panel is closed";
     EXPECT_TRUE(application.press_key("Escape"));
-    EXPECT_FALSE(application.document().comparing());
-    const auto rows = application.document().comparison_rows();
+    EXPECT_FALSE(application.document().comparison().running());
+    const auto rows = application.document().comparison().rows();
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_EQ(rows[0].status, RunStatus::interrupted);
     EXPECT_TRUE(wait_until([&] { return run().solving(); }));
@@ -117,16 +117,16 @@ TEST_F(CompareTest, AMethodThatCannotBeginSaysSo) {
     run().scenario.domain = domain_section(*catalogue, "spline-patch");
     run().scenario.domain.values.set("file", std::string("gone.json")); // since the run has read it
     application.document().compare({"picard"});
-    ASSERT_TRUE(wait_until([&] { return !application.document().comparing(); }));
-    const auto rows = application.document().comparison_rows();
+    ASSERT_TRUE(wait_until([&] { return !application.document().comparison().running(); }));
+    const auto rows = application.document().comparison().rows();
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_EQ(rows[0].status, RunStatus::failed);
-    ASSERT_FALSE(application.log().lines().empty());
-    const auto& lines = application.log().lines();
+    ASSERT_FALSE(application.messages().log().lines().empty());
+    const auto& lines = application.messages().log().lines();
     EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const LogLine& line) {
         return line.notice.error && line.notice.text.find("gone.json") != std::string::npos;
-    })) << application.log().text();
-    EXPECT_FALSE(application.error().open()) << "the present run is none the worse";
+    })) << application.messages().log().text();
+    EXPECT_FALSE(application.messages().error().open()) << "the present run is none the worse";
 }
 
 TEST_F(CompareTest, ShippedScenariosOpenWithTheMethodThatChooses) {
@@ -134,7 +134,7 @@ TEST_F(CompareTest, ShippedScenariosOpenWithTheMethodThatChooses) {
     EXPECT_EQ(opened.method.type, "auto");
     EXPECT_EQ(opened.method.values.real("tolerance"), 1e-8);
     EXPECT_EQ(find_scenario(*catalogue, "plane-bell").method.type, "relaxation") << "pinned elsewhere";
-    application.document().replace(0, for_window(*catalogue, small_ring()));
+    application.document().replace(run().id, for_window(*catalogue, small_ring()));
     EXPECT_TRUE(wait_until([&] { return run().openings == 1 && run().ended(); }));
     EXPECT_NE(method_note(run(), *catalogue).find("Automatic"), std::string::npos)
         << "and what it does is said";

@@ -8,8 +8,8 @@
 namespace gaspard {
 namespace {
 
-std::vector<DocumentRun> two_runs(int iterations = 20) {
-    std::vector<DocumentRun> runs;
+DocumentRuns two_runs(int iterations = 20) {
+    DocumentRuns runs;
     runs.push_back(made_up_run("first", iterations));
     runs.push_back(made_up_run("second", 10));
     runs[1].colour = 1;
@@ -41,7 +41,7 @@ TEST(PlotChoice, ReadsBackFromItsText) {
 }
 
 TEST(ViewOfRuns, ShowsTheChosenColumnsOfAllThatIsNotHidden) {
-    std::vector<DocumentRun> runs = two_runs();
+    DocumentRuns runs = two_runs();
     PlotView view = view_of_runs(runs, {});
     ASSERT_EQ(view.curves.size(), 2U);
     EXPECT_EQ(view.curves[0].y.data(), runs[0].curves.residual.values.data()) << "looked at, not copied";
@@ -75,7 +75,7 @@ TEST(PlotOfRuns, HasItsOwnNumbersAndIsThinnedOut) {
     ASSERT_EQ(small.marks.size(), 1U);
     EXPECT_EQ(small.marks[0].label, "amplitude 10 to 20");
 
-    std::vector<DocumentRun> runs = two_runs(3);
+    DocumentRuns runs = two_runs(3);
     for (int i = 4; i < 50000; ++i) {
         const StepReport report{.iteration = i, .residual = i == 30001 ? 1e6 : 1e-3 * (2 + i % 2)};
         runs[0].curves.append(report);

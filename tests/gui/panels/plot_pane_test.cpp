@@ -1,6 +1,6 @@
+#include "gui/headless_ui.hpp"
 #include "gui/panels/plot_pane.hpp"
 #include "gui/panels/run_list.hpp"
-#include "gui/headless_ui.hpp"
 #include "gui/run_fixtures.hpp"
 
 #include <gtest/gtest.h>
@@ -12,10 +12,8 @@ namespace {
 class PlotPaneTest : public testing::Test {
   protected:
     PlotPaneTest() {
-        for (const char* name : {"Ring", "Ring, amplitude 20"}) {
-            document.runs().push_back(made_up_run(name, 200));
-            document.runs().back().number = document.runs().back().colour = document.runs().size();
-        }
+        for (const char* name : {"Ring", "Ring, amplitude 20"})
+            add_made_up_run(document, name, 200).colour = document.runs().size() + 1;
     }
     void draw() {
         items.clear();
@@ -155,6 +153,7 @@ class RandomInput {
 TEST_F(PlotPaneTest, RandomInputOnPlotsAndRunListBreaksNothing) {
     RandomInput random;
     RunList list;
+    const Action keep_action{.name = "keep", .label = "Keep", .help = "Keep this run."};
     int frames = 0, kept = 0, wishes = 0, zoomed = 0, removed = 0;
     const auto draw_both = [&] {
         const std::size_t before = document.runs().size();
@@ -162,13 +161,12 @@ TEST_F(PlotPaneTest, RandomInputOnPlotsAndRunListBreaksNothing) {
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize({390, 900});
         ImGui::Begin("runs", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-        const bool keep = list.draw(document, {theme, 1, items});
+        const bool keep = list.draw(document, keep_action, {theme, 1, items});
         ImGui::End();
         removed += document.runs().size() < before ? 1 : 0;
         if (keep && document.runs().size() < 30) {
-            document.runs().push_back(made_up_run("Run " + std::to_string(++kept), 100 * random.whole(0, 3)));
-            document.runs().back().number = static_cast<std::uint64_t>(100 + kept);
-            document.runs().back().colour = static_cast<std::size_t>(kept);
+            const std::string name = "Run " + std::to_string(++kept);
+            add_made_up_run(document, name, 100 * random.whole(0, 3)).colour = static_cast<std::size_t>(kept);
         }
         ++frames;
     };
@@ -177,13 +175,13 @@ TEST_F(PlotPaneTest, RandomInputOnPlotsAndRunListBreaksNothing) {
         if (random.once_in(100)) first.right = first.left + random.real(-10, 600);
         if (random.once_in(100)) second.bottom = second.top + random.real(-10, 600);
         if (!document.runs().empty())
-            document.runs().front().curves.append({.iteration = 201 + frames / 3,
-                                                   .residual = random.value(),
-                                                   .step_size = random.value(),
-                                                   .equidistribution = random.value(),
-                                                   .min_jacobian = random.value(),
-                                                   .max_jacobian = random.value(),
-                                                   .seconds = 2 + 0.01 * frames});
+            document.active().curves.append({.iteration = 201 + frames / 3,
+                                             .residual = random.value(),
+                                             .step_size = random.value(),
+                                             .equidistribution = random.value(),
+                                             .min_jacobian = random.value(),
+                                             .max_jacobian = random.value(),
+                                             .seconds = 2 + 0.01 * frames});
         if (random.once_in(5) && !items.empty()) {
             for (const int button : {0, 1, 2}) ui.button(false, button);
             ui.click(random.choose(items), draw_both);

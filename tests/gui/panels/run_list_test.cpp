@@ -1,5 +1,5 @@
-#include "gui/panels/run_list.hpp"
 #include "gui/headless_ui.hpp"
+#include "gui/panels/run_list.hpp"
 #include "gui/run_fixtures.hpp"
 
 #include <gtest/gtest.h>
@@ -7,13 +7,12 @@
 namespace gaspard {
 namespace {
 
+const Action keep_action{.name = "keep", .label = "Keep", .keys = {"K"}, .help = "Keep this run."};
+
 class RunListTest : public testing::Test {
   protected:
     RunListTest() {
-        for (const char* name : {"first", "second", "third"}) {
-            document.runs().push_back(made_up_run(name, 5));
-            document.runs().back().number = document.runs().size();
-        }
+        for (const char* name : {"first", "second", "third"}) add_made_up_run(document, name, 5);
     }
     std::function<void()> drawing() {
         return [this] {
@@ -21,7 +20,7 @@ class RunListTest : public testing::Test {
             ImGui::SetNextWindowPos({0, 0});
             ImGui::SetNextWindowSize({400, 600});
             ImGui::Begin("runs", nullptr, ImGuiWindowFlags_NoDecoration);
-            keep = list.draw(document, {theme, 1, items}) || keep;
+            keep = list.draw(document, keep_action, {theme, 1, items}) || keep;
             ImGui::End();
         };
     }

@@ -157,17 +157,6 @@ TEST(Picking, OutlinesSurroundTheCell) {
     EXPECT_FALSE(middle_of({Pick::Kind::cell, 13}, scene_of(cube_snapshot(3)), camera, size)) << "inside";
 }
 
-TEST(Picking, TextsReadBackAndOthersAreRefused) {
-    for (const Pick& pick : {Pick{Pick::Kind::cell, 0}, Pick{Pick::Kind::node, 4294967295U}})
-        EXPECT_EQ(parse_pick(format_pick(pick)), pick);
-    EXPECT_FALSE(parse_pick(""));
-    for (const char* text :
-         {"cell", "cell x", "12", "cell -1", "node 1.5", "edge 3", "cell  4", "cell 99999999999"})
-        EXPECT_NE(message_of<InputError>([&] { parse_pick(text); }).find("neither a cell nor a node"),
-                  std::string::npos)
-            << text;
-}
-
 std::string fact(const PickFacts& facts, const std::string& name) {
     for (const auto& [key, value] : facts)
         if (key == name) return value;

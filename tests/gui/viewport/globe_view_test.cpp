@@ -1,5 +1,6 @@
 // Globes and maps in a viewport: cameras, picking, and what the window lets one do with them.
 #include "core/base/error.hpp"
+#include "core/tessellate/check_view.hpp"
 #include "fixtures/fixture_catalogue.hpp"
 #include "gui/application_fixture.hpp"
 #include "gui/globes.hpp"
@@ -118,7 +119,7 @@ TEST_F(GlobeTest, WhatAMeshHasNotIsUnavailableAndNotShown) {
         EXPECT_FALSE(made.views[0].scene.map);
         const std::string sentence =
             message_of<InputError>([&] { check_view(view_, ring_snapshot(4).mesh.get()); });
-        EXPECT_NE(sentence.find("single and side-by-side"), std::string::npos) << sentence;
+        EXPECT_NE(sentence.find("use single or side-by-side"), std::string::npos) << sentence;
         EXPECT_NO_THROW(check_view(view_, sphere_snapshot(2).mesh.get()));
     }
     EXPECT_EQ(plan(ring_snapshot(6)).unavailable,
@@ -291,10 +292,10 @@ TEST_F(GlobeApplicationTest, SpinsOnlyWhenAskedAndStaysWhereItStops) {
     const Camera still = shown().camera;
     for (int i = 0; i < 5; ++i) frame();
     EXPECT_EQ(shown().camera, still);
-    EXPECT_FALSE(application.animating());
+    EXPECT_FALSE(application.window_state().animating);
     EXPECT_TRUE(application.press_key("S"));
     for (int i = 0; i < 30; ++i) frame();
-    EXPECT_TRUE(application.animating());
+    EXPECT_TRUE(application.window_state().animating);
     const Camera turned = shown().camera;
     const double angle = std::acos(dot(still.right, turned.right)) * 180 / std::numbers::pi;
     EXPECT_NEAR(angle, 12 * 30.0 / 60, 0.6) << "degrees in half a second";
@@ -303,7 +304,7 @@ TEST_F(GlobeApplicationTest, SpinsOnlyWhenAskedAndStaysWhereItStops) {
     EXPECT_TRUE(application.press_key("S"));
     frame();
     frame();
-    EXPECT_FALSE(application.animating());
+    EXPECT_FALSE(application.window_state().animating);
     const Camera stopped = shown().camera;
     EXPECT_GE(dot(turned.right, stopped.right), std::cos(0.02));
     for (int i = 0; i < 5; ++i) frame();
@@ -320,7 +321,7 @@ TEST_F(GlobeApplicationTest, SpinsOnlyWhenAskedAndStaysWhereItStops) {
     EXPECT_TRUE(application.press_key("M"));
     frame();
     frame();
-    EXPECT_FALSE(application.animating()) << "a map does not turn";
+    EXPECT_FALSE(application.window_state().animating) << "a map does not turn";
     EXPECT_EQ(look().text("map_camera"), "");
 }
 
@@ -345,7 +346,8 @@ TEST_F(GlobeApplicationTest, KeysChangeTheLayoutAndWhatIsNotThereDoesNothing) {
     frame();
     EXPECT_FALSE(shown().scene.map);
     EXPECT_FALSE(application.press_key("X")) << "no exact mesh is known";
-    EXPECT_NE(application.message().text.find("exact mesh"), std::string::npos) << application.message().text;
+    EXPECT_NE(application.messages().last().text.find("Exact mesh"), std::string::npos)
+        << application.messages().last().text;
 }
 
 TEST_F(GlobeApplicationTest, OffersQuadraticCellsWhereLinearOnesFail) {

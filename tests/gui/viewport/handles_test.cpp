@@ -1,10 +1,10 @@
 // Centres of monitors that the mouse takes along.
-#include "gui/application_fixture.hpp"
 #include "core/spline/control_points.hpp"
+#include "gui/application_fixture.hpp"
 #include "gui/globes.hpp"
 #include "gui/panels/viewport_pane.hpp"
-#include "gui/viewport/handles.hpp"
 #include "gui/plan_fixture.hpp"
+#include "gui/viewport/handles.hpp"
 
 #include <cmath>
 
@@ -188,7 +188,7 @@ TEST_F(HandleApplicationTest, TheMeshFollowsADraggedCentre) {
     EXPECT_NEAR(run().scenario.monitor.values.real("center_y"), 0.7, 0.01);
     EXPECT_EQ(shown().camera, before) << "the picture stays";
     EXPECT_EQ(look().text("pick"), "") << "nothing is picked";
-    ASSERT_TRUE(wait_until([&] { return run().answered == run().asked && run().ended(); }));
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
     EXPECT_EQ(run().status.run, RunStatus::converged);
     EXPECT_EQ(run().status.scenario->monitor, run().scenario.monitor);
     const ItemRectangle now = application.items().find("handle.center_x")->second;
@@ -222,7 +222,7 @@ TEST_F(PatchApplicationTest, AFoldStopsAControlPointButNotTheHand) {
     ASSERT_NE(first, application.items().end());
     ASSERT_NE(last, application.items().end());
     const ItemRectangle from = first->second, to = last->second; // the middle, a corner
-    const std::size_t lines = application.log().lines().size();
+    const std::size_t lines = application.messages().log().lines().size();
     ui.move(from.left, from.top);
     frame();
     ui.button(true);
@@ -230,28 +230,33 @@ TEST_F(PatchApplicationTest, AFoldStopsAControlPointButNotTheHand) {
     for (const float way : {0.1F, 0.2F, 2.5F}) {
         ui.move(from.left + way * (to.left - from.left), from.top + way * (to.top - from.top));
         frame();
-        ASSERT_TRUE(wait_until([&] { return run().answered == run().asked; }));
+        ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
     }
     EXPECT_TRUE(run().status.refused);
-    EXPECT_NE(application.message().text.find("folds"), std::string::npos) << application.message().text;
-    EXPECT_FALSE(application.error().open()) << "it would take the handle out of the hand";
+    EXPECT_NE(application.messages().last().text.find("folds"), std::string::npos)
+        << application.messages().last().text;
+    EXPECT_FALSE(application.messages().error().open()) << "it would take the handle out of the hand";
     const std::string good = run().scenario.domain.values.text("control_points");
     EXPECT_NE(good, "") << "the last good place";
     EXPECT_EQ(good, run().status.scenario->domain.values.text("control_points"));
     ui.move(from.left + 0.1F * (to.left - from.left), from.top + 0.1F * (to.top - from.top));
     frame();
-    ASSERT_TRUE(wait_until([&] { return run().answered == run().asked; }));
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
     EXPECT_FALSE(run().status.refused) << "the same drag goes on";
     EXPECT_NE(run().scenario.domain.values.text("control_points"), good);
     ui.button(false);
     frame();
-    for (std::size_t i = lines; i < application.log().lines().size(); ++i)
-        EXPECT_FALSE(application.log().lines()[i].notice.error);
+    for (std::size_t i = lines; i < application.messages().log().lines().size(); ++i)
+        EXPECT_FALSE(application.messages().log().lines()[i].notice.error);
 
+    EXPECT_EQ(application.document().edits().undo_count(), 1U) << "one drag, although some of it was refused";
     Scenario typed = run().scenario; // by other ways the same is an error
     typed.domain.values.set("control_points", std::string("0 0"));
-    application.document().change(0, typed);
-    EXPECT_TRUE(wait_until([&] { return application.error().open(); }));
+    application.document().change(run().id, typed);
+    EXPECT_TRUE(wait_until([&] { return application.messages().error().open() && run().changes.settled(); }));
+    EXPECT_EQ(application.document().edits().undo_count(), 1U);
+    application.document().undo();
+    EXPECT_EQ(run().scenario.domain.values.text("control_points"), "") << "as before the drag";
 }
 
 TEST_F(HandleApplicationTest, AClickOnAHandlePicksWhatLiesBelow) {

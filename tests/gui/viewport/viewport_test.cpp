@@ -1,7 +1,7 @@
 // Plans of viewports: what stands where, from where it is seen, and what is said where a text makes no sense.
 #include "core/base/error.hpp"
-#include "gui/viewport/legend.hpp"
 #include "gui/plan_fixture.hpp"
+#include "gui/viewport/legend.hpp"
 #include "support/messages.hpp"
 
 #include <gtest/gtest.h>
@@ -116,27 +116,6 @@ TEST(Legend, TicksAreTheEndsAndRoundValuesThatKeepTheirDistance) {
     EXPECT_EQ(labels({0.01, 100, true}), (std::vector<std::string>{"10⁻¹", "10⁰", "10¹", "0.01", "100"}));
     EXPECT_EQ(labels({1e-17, 0.5}).at(5 - 1), "0") << "what rounding has missed";
     EXPECT_EQ(labels({3, 3}), (std::vector<std::string>{"3"}));
-}
-
-TEST(CheckView, SaysWhatIsWrong) {
-    Values values = view("monitor");
-    const auto mesh = ring_snapshot(4).mesh;
-    EXPECT_NO_THROW(check_view(values, mesh.get()));
-    values.set("camera", std::string("nowhere"));
-    EXPECT_NE(message_of<InputError>([&] { check_view(values); }).find("the camera 'nowhere'"),
-              std::string::npos);
-    values.set("camera", std::string());
-    values.set("pick", std::string("cell 16"));
-    EXPECT_NO_THROW(check_view(values));
-    EXPECT_NE(message_of<InputError>([&] { check_view(values, mesh.get()); }).find("16 cells"),
-              std::string::npos);
-    values.set("pick", std::string("node 24"));
-    EXPECT_NO_THROW(check_view(values, mesh.get()));
-    values.set("range", std::string("fixed"));
-    values.set("low", 2.0);
-    EXPECT_NE(
-        message_of<InputError>([&] { check_view(values); }).find("view.low = 2 must be below view.high = 1"),
-        std::string::npos);
 }
 
 } // namespace

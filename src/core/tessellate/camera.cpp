@@ -1,9 +1,9 @@
-#include "gui/scene/camera.hpp"
+#include "core/tessellate/camera.hpp"
 
-#include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/base/finite_range.hpp"
 #include "core/base/parameter.hpp"
+#include "core/scenario/view_directions.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -11,7 +11,6 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 namespace gaspard {
@@ -54,24 +53,6 @@ void fit(Camera& camera, const Box& box, Size size, Insets insets) {
                     (corner & 4) != 0 ? box.high.z : box.low.z});
     camera.centre = box.centre();
     fit_extent(camera, extent, size, insets);
-}
-
-/// To the right and up in the picture.
-std::pair<Vec3, Vec3> axes_of(std::string_view direction) {
-    struct Row {
-        std::string_view name;
-        Vec3 right, up;
-    };
-    constexpr Row rows[] = {{"front", {1, 0, 0}, {0, 0, 1}}, {"back", {-1, 0, 0}, {0, 0, 1}},
-                            {"left", {0, -1, 0}, {0, 0, 1}}, {"right", {0, 1, 0}, {0, 0, 1}},
-                            {"top", {1, 0, 0}, {0, 1, 0}},   {"bottom", {1, 0, 0}, {0, -1, 0}}};
-    for (const Row& row : rows)
-        if (row.name == direction) return {row.right, row.up};
-    GASPARD_CHECK(direction == "home");
-    constexpr double azimuth = 0.6, elevation = 0.45; // radians, of the viewer as seen from the box
-    return {{-std::sin(azimuth), std::cos(azimuth), 0},
-            {-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth),
-             std::cos(elevation)}};
 }
 
 /// `v` turned about the axis `k` (of unit length).
@@ -156,7 +137,7 @@ Camera planar_home(const Box& box, Size size, Insets insets) {
 
 Camera spatial_home(const Box& box, Size size, Insets insets, std::string_view direction) {
     Camera camera;
-    std::tie(camera.right, camera.up) = axes_of(direction);
+    camera.right = view_direction(direction).right, camera.up = view_direction(direction).up;
     fit(camera, box, size, insets);
     return camera;
 }
@@ -326,25 +307,6 @@ Camera parse_camera(std::string_view text, Size size) {
     if (!make_orthonormal(camera.right, camera.up))
         refuse_camera(text, "wants a right and an up that point in different directions");
     return camera;
-}
-
-glm::mat4 clip_matrix(const Camera& camera, Size size, Vec3 origin, double depth) {
-    const Vec3 shift = origin - camera.centre;
-    const struct {
-        Vec3 axis;
-        double factor;
-    } rows[3] = {{camera.right, 2 / (camera.scale * size.width)},
-                 {camera.up, 2 / (camera.scale * size.height)},
-                 {towards_viewer(camera), -1 / depth}};
-    glm::mat4 matrix(1.0F);
-    for (int i = 0; i < 3; ++i) {
-        const Vec3 axis = rows[i].factor * rows[i].axis;
-        matrix[0][i] = static_cast<float>(axis.x);
-        matrix[1][i] = static_cast<float>(axis.y);
-        matrix[2][i] = static_cast<float>(axis.z);
-        matrix[3][i] = static_cast<float>(dot(axis, shift));
-    }
-    return matrix;
 }
 
 } // namespace gaspard

@@ -1,0 +1,30 @@
+#include "core/tessellate/check_view.hpp"
+
+#include "core/base/error.hpp"
+#include "core/tessellate/camera.hpp"
+#include "core/tessellate/cell_geometry.hpp"
+#include "core/tessellate/pick.hpp"
+
+namespace gaspard {
+
+void check_view(const Values& view, const Mesh* mesh) {
+    for (const char* key : {"camera", "map_camera"})
+        if (!view.text(key).empty()) parse_camera(view.text(key), {1, 1});
+    const auto pick = parse_pick(view.text("pick"));
+    if (pick && mesh != nullptr && !has(*mesh, *pick))
+        throw InputError("view.pick = '" + view.text("pick") + "': the mesh has " +
+                         (pick->kind == Pick::Kind::cell ? std::to_string(mesh->cell_count()) + " cells"
+                                                         : std::to_string(mesh->node_count()) + " nodes") +
+                         ", counted from 0");
+    const std::string& layout = view.text("layout");
+    if (mesh != nullptr && layout == "map" && !(radius_of_ball(*mesh) > 0))
+        throw InputError("view.layout = map is only for meshes on a sphere; use single or side-by-side");
+    if (mesh != nullptr && layout == "front-and-rear" && mesh->space_dimension < 3)
+        throw InputError(
+            "view.layout = front-and-rear is only for meshes in space; use single or side-by-side");
+    if (view.text("range") == "fixed" && !(view.real("low") < view.real("high")))
+        throw InputError("view.low = " + format_number(view.real("low")) +
+                         " must be below view.high = " + format_number(view.real("high")));
+}
+
+} // namespace gaspard

@@ -1,0 +1,15 @@
+// Whether the values of the section "view" can be shown.
+#pragma once
+
+#include "core/base/parameter.hpp"
+
+namespace gaspard {
+
+struct Mesh;
+
+/// `view`: values of view_rows(). Throws InputError with one sentence if a camera or the pick cannot be read
+/// or a fixed range is empty; with a mesh also if the mesh does not have the picked cell or node or cannot be
+/// shown in the layout.
+void check_view(const Values& view, const Mesh* mesh = nullptr);
+
+} // namespace gaspard

@@ -1,0 +1,370 @@
+// The table of actions: one row for each, with its keys, texts and what it does.
+#include "core/scenario/view_directions.hpp"
+#include "gui/app/application.hpp"
+#include "gui/panels/status_bar.hpp"
+
+#include <iterator>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double projector_size = 1.7, text_step = 1.1;
+constexpr double usual_spin = 12; // degrees per second
+
+/// Why an action does nothing with a planar mesh.
+std::string only_in_space(std::string_view label) {
+    return std::string(label) + ": only for meshes in space; this mesh is planar.";
+}
+
+void append(std::vector<Action>& rows, std::vector<Action> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(rows));
+}
+
+} // namespace
+
+std::vector<Action> Application::make_actions() {
+    std::vector<Action> rows;
+    append(rows, edit_actions());
+    append(rows, solve_actions());
+    append(rows, camera_actions());
+    append(rows, layout_actions());
+    append(rows, show_actions());
+    append(rows, window_actions());
+    append(rows, file_actions());
+    return rows;
+}
+
+std::vector<Action> Application::edit_actions() {
+    return {
+        {.name = "undo",
+         .label = "Undo",
+         .menu = "Edit",
+         .keys = {"Ctrl+Z"},
+         .help = "Undo the last change of parameters, view or kept runs.",
+         .run = [this] { move_in_history(false); },
+         .enabled = [this] { return document_.edits().can_undo(); },
+         .reason = [] { return "There is nothing to undo."; },
+         .state_label =
+             [this] {
+                 const EditHistory& edits = document_.edits();
+                 return edits.can_undo() ? "Undo " + edits.undo_label() : std::string("Undo");
+             }},
+        {.name = "redo",
+         .label = "Redo",
+         .menu = "Edit",
+         .keys = {"Ctrl+Shift+Z", "Ctrl+Y"},
+         .help = "Redo the last change that was undone.",
+         .run = [this] { move_in_history(true); },
+         .enabled = [this] { return document_.edits().can_redo(); },
+         .reason = [] { return "There is nothing to redo."; },
+         .state_label =
+             [this] {
+                 const EditHistory& edits = document_.edits();
+                 return edits.can_redo() ? "Redo " + edits.redo_label() : std::string("Redo");
+             }},
+    };
+}
+
+std::vector<Action> Application::solve_actions() {
+    return {
+        {.name = "run",
+         .label = "Run",
+         .menu = "Solve",
+         .keys = {"Space"},
+         .toolbar = 1,
+         .icon = Icon::run,
+         .help = "Start or pause the solver.",
+         .needs_solver = true,
+         .run = [this] { run().solving() ? document_.pause(run().id) : document_.start(run().id); },
+         .state_label = [this] { return run().solving() ? "Pause"
+                                        : run().ended() ? "Run again"
+                                                        : "Run"; }},
+        {.name = "step",
+         .label = "Step",
+         .menu = "Solve",
+         .keys = {"N", "Right"},
+         .toolbar = 1,
+         .icon = Icon::step,
+         .help = "Do one iteration, then pause.",
+         .needs_solver = true,
+         .run = [this] { document_.step(run().id); },
+         .enabled = [this] { return !run().ended(); },
+         .reason =
+             [this] {
+                 return "The run has ended; press " + describe_keys(action("run")) + " to run it again.";
+             }},
+        {.name = "reset",
+         .label = "Reset",
+         .menu = "Solve",
+         .keys = {"R"},
+         .toolbar = 1,
+         .icon = Icon::reset,
+         .help = "Move every node back to its start position.",
+         .needs_solver = true,
+         .run = [this] { document_.reset(run().id); }},
+        {.name = "keep",
+         .label = "Keep",
+         .menu = "Solve",
+         .keys = {"K"},
+         .help = "Keep the curves and the mesh of this run for comparison with later runs.",
+         .needs_solver = true,
+         .run = [this] { keep(); },
+         .enabled = [this] { return !run().history.empty(); }},
+        {.name = "compare",
+         .label = "Compare methods",
+         .menu = "Solve",
+         .keys = {"C"},
+         .help = "Select methods, solve this problem with each, and compare curves, meshes and numbers.",
+         .run = [this] { comparison_panel_.open() ? comparison_panel_.close() : comparison_panel_.show(); },
+         .enabled = [this] { return run().live(); },
+         .checked = [this] { return comparison_panel_.open(); }},
+        {.name = "quadratic",
+         .label = "Use quadratic cells",
+         .menu = "Solve",
+         .keys = {"Q"},
+         .help = "Restart with quadratic cells, which on a sphere follow monitors that tangle linear cells.",
+         .needs_solver = true,
+         .run = [this] { use_quadratic_cells(); },
+         .enabled = [this] { return has_linear_cells(run()); },
+         .reason = [] { return "Use quadratic cells: only for linear cells on a sphere."; }},
+        {.name = "cancel",
+         .label = "Cancel",
+         .menu = "Solve",
+         .keys = {"Escape"},
+         .help = "Close the topmost menu, dialog or panel, or cancel work in progress.",
+         .needs_solver = true,
+         .run = [this] { cancel(); },
+         .enabled = [this] { return can_cancel(); }},
+    };
+}
+
+std::vector<Action> Application::camera_actions() {
+    const auto directions = view_directions();
+    std::vector<Action> rows = {
+        {.name = "home",
+         .label = "Home",
+         .menu = "View",
+         .keys = {"H"},
+         .toolbar = 2,
+         .icon = Icon::home,
+         .help = directions.front().help,
+         .run = [this] { look_from(run().opened.view.text("direction")); }},
+    };
+    constexpr std::string_view digits = "123456789";
+    for (std::size_t i = 1; i < directions.size(); ++i)
+        rows.push_back({.name = directions[i].name,
+                        .label = directions[i].label,
+                        .menu = "View",
+                        .keys = {digits.substr(i - 1, 1)},
+                        .help = directions[i].help,
+                        .run = [this, name = std::string(directions[i].name)] { look_from(name); },
+                        .enabled = [this] { return in_space(); },
+                        .reason = [label = directions[i].label] { return only_in_space(label); }});
+    return rows;
+}
+
+/// An action that switches between a layout, of the same name, and a single view.
+Action Application::layout_action(std::string_view name, std::string_view label, std::string_view key,
+                                  std::string_view help) {
+    return {.name = name,
+            .label = label,
+            .menu = "View",
+            .keys = {key},
+            .help = help,
+            .run =
+                [this, name] {
+                    const bool shown = viewport().view.text("layout") == name;
+                    viewport().view.set("layout", std::string(shown ? "single" : name));
+                },
+            .checked = [this, name] { return viewport().view.text("layout") == name; }};
+}
+
+std::vector<Action> Application::layout_actions() {
+    std::vector<Action> rows = {
+        layout_action("side-by-side", "Side by side", "B",
+                      "Show the computational and the physical mesh side by side, or only one."),
+        layout_action("runs", "Meshes of all runs", "V",
+                      "Show the meshes of all runs side by side, or only the current one."),
+        layout_action("front-and-rear", "Front and rear", "F",
+                      "Show a mesh in space from both sides, or only from one."),
+        layout_action("map", "Map", "M", "Show a sphere as an equal-area map, or as a globe.")};
+    Action &runs = rows[1], &rear = rows[2], &map = rows[3];
+    runs.enabled = [this] { return document_.runs().size() > 1; };
+    runs.reason = [this] {
+        return "Meshes of all runs: there is only one; press " + describe_keys(action("keep")) +
+               " to keep this run or " + describe_keys(action("compare")) + " to compare methods.";
+    };
+    rear.enabled = [this] { return available("layout=front-and-rear"); };
+    rear.reason = [] { return only_in_space("Front and rear"); };
+    map.enabled = [this] { return available("layout=map"); };
+    map.reason = [] { return "Map: only for meshes on a sphere."; };
+    return rows;
+}
+
+/// An action that shows or hides what a key of the view says.
+Action Application::view_toggle(std::string_view key, std::string_view label, std::string_view shortcut,
+                                std::string_view help) {
+    return {.name = key,
+            .label = label,
+            .menu = "View",
+            .keys = {shortcut},
+            .help = help,
+            .run = [this, key] { viewport().view.set(key, !viewport().view.boolean(key)); },
+            .checked = [this, key] { return viewport().view.boolean(key); }};
+}
+
+std::vector<Action> Application::show_actions() {
+    return {
+        {.name = "spin",
+         .label = "Spin",
+         .menu = "View",
+         .keys = {"S"},
+         .help = "Start or stop rotating a mesh in space.",
+         .run = [this] { viewport().view.set("spin", viewport().view.real("spin") != 0 ? 0.0 : usual_spin); },
+         .enabled = [this] { return in_space() && !action("map").is_checked(); },
+         .checked = [this] { return viewport().view.real("spin") != 0; },
+         .reason =
+             [this] {
+                 return action("map").is_checked()
+                            ? "Spin: only for a globe; press " + describe_keys(action("map")) +
+                                  " to show the map as a globe."
+                            : only_in_space("Spin");
+             }},
+        {.name = "exact",
+         .label = "Exact mesh",
+         .menu = "View",
+         .keys = {"X"},
+         .help = "Show or hide the edges of the exact mesh, where it is known.",
+         .run =
+             [this] {
+                 const bool shown = viewport().view.text("overlay") == "exact";
+                 viewport().view.set("overlay", std::string(shown ? "none" : "exact"));
+             },
+         .enabled = [this] { return available("overlay=exact"); },
+         .checked = [this] { return viewport().view.text("overlay") == "exact"; },
+         .reason =
+             [] { return "Exact mesh: known only on a sphere, for monitors symmetric about an axis."; }},
+        view_toggle("lines", "Lines", "L", "Show or hide the cell edges."),
+        view_toggle("arrows", "Arrows", "A", "Show or hide arrows from ξ to x."),
+        {.name = "copy-camera",
+         .label = "Copy camera",
+         .menu = "View",
+         .keys = {"Ctrl+C"},
+         .help = "Copy the camera to the clipboard, as text for view.camera.",
+         .run = [this] { copy_camera(); },
+         .enabled = [this] { return !views().empty(); }},
+        {.name = "paste-camera",
+         .label = "Paste camera",
+         .menu = "View",
+         .keys = {"Ctrl+V"},
+         .help = "Apply the camera from the clipboard.",
+         .run = [this] { paste_camera(); }},
+    };
+}
+
+/// An action that shows or hides a part of the window, which a setting of the same name remembers.
+Action Application::part_toggle(std::string_view setting, std::string_view label, std::string_view key,
+                                std::string_view help) {
+    return {.name = setting,
+            .label = label,
+            .menu = "View",
+            .keys = {key},
+            .help = help,
+            .run = [this, setting] { settings_.window.set(setting, !settings_.window.boolean(setting)); },
+            .checked = [this, setting] { return settings_.window.boolean(setting); }};
+}
+
+std::vector<Action> Application::window_actions() {
+    const auto large = [this] { return settings_.window.real("text_size") >= projector_size; };
+    return {
+        {.name = "theme",
+         .label = "Theme",
+         .menu = "View",
+         .keys = {"T"},
+         .help = "Switch between the dark and the light theme.",
+         .run =
+             [this] {
+                 viewport().view.set("theme", std::string(viewed_theme() == "dark" ? "light" : "dark"));
+                 follow_theme();
+             }},
+        part_toggle("sidebar", "Parameters", "F2", "Show or hide the parameter panel."),
+        part_toggle("plots", "Plots", "F3", "Show or hide the plots."),
+        part_toggle("log", "Message log", "F4", "Show or hide the message log."),
+        {.name = "larger",
+         .label = "Larger text",
+         .menu = "View",
+         .keys = {"Ctrl+=", "Ctrl++"},
+         .help = "Increase the size of texts, lines and controls.",
+         .run = [this] { set_text_size(settings_.window.real("text_size") * text_step); }},
+        {.name = "smaller",
+         .label = "Smaller text",
+         .menu = "View",
+         .keys = {"Ctrl+-"},
+         .help = "Decrease the size of texts, lines and controls.",
+         .run = [this] { set_text_size(settings_.window.real("text_size") / text_step); }},
+        {.name = "projector",
+         .label = "Projector size",
+         .menu = "View",
+         .keys = {"F10"},
+         .help = "Switch between a size for projectors and the normal size.",
+         .run = [this, large] { set_text_size(large() ? 1 : projector_size); },
+         .checked = large},
+        {.name = "fullscreen",
+         .label = "Full screen",
+         .menu = "View",
+         .keys = {"F11"},
+         .help = "Toggle full screen.",
+         .run = [this] { fullscreen_ = !fullscreen_; },
+         .checked = [this] { return fullscreen_; }},
+    };
+}
+
+std::vector<Action> Application::file_actions() {
+    return {
+        {.name = "open",
+         .label = "Open ...",
+         .menu = "File",
+         .keys = {"Ctrl+O"},
+         .help = "Open a scenario file.",
+         .run = [this] { open_dialog_.show(); }},
+        {.name = "save",
+         .label = "Save scenario",
+         .menu = "File",
+         .keys = {"Ctrl+S"},
+         .help = "Save the current parameters as a scenario file.",
+         .run = [this] { save_scenario(); }},
+        {.name = "screenshot",
+         .label = "Screenshot",
+         .menu = "File",
+         .keys = {"F12", "P"},
+         .toolbar = 3,
+         .icon = Icon::image,
+         .help = "Save an image of the view as a PNG file.",
+         .run = [this] { screenshot_ = true; }},
+        {.name = "export",
+         .label = "Export",
+         .menu = "File",
+         .keys = {"E"},
+         .toolbar = 3,
+         .icon = Icon::save,
+         .help = "Save the meshes, the history and a summary as files.",
+         .needs_solver = true,
+         .run = [this] { export_files(); }},
+        {.name = "help",
+         .label = "Keys and mouse",
+         .menu = "Help",
+         .keys = {"F1"},
+         .help = "Show what keys and mouse do.",
+         .run = [this] { help_ = !help_; }},
+        {.name = "quit",
+         .label = "Quit",
+         .menu = "File",
+         .keys = {"Ctrl+Q"},
+         .help = "Close the window.",
+         .run = [this] { quit_ = true; }},
+    };
+}
+
+} // namespace gaspard
