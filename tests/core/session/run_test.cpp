@@ -161,7 +161,7 @@ TEST_F(RunTest, AfterABlowUpAChangeGoesOnFromTheLastUntangledMesh) {
     ASSERT_GT(*run.history().back().tangled_cells, 0u);
     run.change(scenario({"method.step_size=0.05"}));
     EXPECT_EQ(*run.history().back().tangled_cells, 0u);
-    EXPECT_NE(run.history().back().note.find("back at the last mesh"), std::string::npos);
+    EXPECT_NE(run.history().back().note.find("restarted from the last mesh"), std::string::npos);
     finish(run);
     EXPECT_EQ(run.status(), RunStatus::converged);
 }
