@@ -345,7 +345,7 @@ TEST_F(GlobeApplicationTest, KeysChangeTheLayoutAndWhatIsNotThereDoesNothing) {
     frame();
     EXPECT_FALSE(shown().scene.map);
     EXPECT_FALSE(application.press_key("X")) << "no exact mesh is known";
-    EXPECT_NE(application.messages().last().text.find("exact mesh"), std::string::npos)
+    EXPECT_NE(application.messages().last().text.find("Exact mesh"), std::string::npos)
         << application.messages().last().text;
 }
 
