@@ -3,8 +3,8 @@
 set -euo pipefail
 build="build-essential cmake ninja-build pkg-config libglfw3-dev libimgui-dev libglm-dev libeigen3-dev
   libtinygltf-dev libosmesa6-dev libegl-dev libgl-dev libcli11-dev libtomlplusplus-dev
-  nlohmann-json3-dev libnetcdf-dev libstb-dev libgl1-mesa-dri"
-test="libgtest-dev libopenmesh-dev libassimp-dev libtinyxml2-dev libpng-dev xvfb xdotool x11-utils python3 desktop-file-utils"
+  nlohmann-json3-dev libnetcdf-dev libopenmesh-dev libstb-dev libgl1-mesa-dri"
+test="libgtest-dev libassimp-dev libtinyxml2-dev libpng-dev xvfb xdotool x11-utils python3 desktop-file-utils"
 bench="libbenchmark-dev python3 python3-dolfin python3-numpy python3-petsc4py python3-scipy"
 package="dpkg-dev file"
 wanted=

@@ -92,8 +92,8 @@ int list_command(const Catalogue& catalogue, const std::string& what) {
     if (!found) {
         std::vector<std::string> names;
         for (const auto& list : lists) names.push_back(list.first);
-        throw InputError("there is no list '" + what + "'" + did_you_mean(what, names) +
-                         "; there are: scenarios, domains, monitors, methods, formats, view, output");
+        throw InputError("unknown list '" + what + "'" + did_you_mean(what, names) +
+                         "; allowed: scenarios, domains, monitors, methods, formats, view, output");
     }
     return 0;
 }

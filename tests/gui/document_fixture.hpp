@@ -35,7 +35,8 @@ class DocumentFixture : public testing::Test {
             auto answer = reached->get_future();
             run().solver->post(
                 InspectCommand{[reached](gaspard::Run&, const Activity&) { reached->set_value(); }});
-            if (!wait_until([&] { return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }))
+            if (!wait_until(
+                    [&] { return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }))
                 return false;
         }
         return wait_until([&] { return run().changes.settled(); });

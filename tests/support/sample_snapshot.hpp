@@ -1,4 +1,4 @@
-// A snapshot with a field of nodes and one of cells, for writers of files.
+// A snapshot with a nodal field and a cell field, for tests of file writers.
 #pragma once
 
 #include "core/session/snapshot.hpp"

@@ -1,4 +1,4 @@
-// Text as a cell of a CSV file (RFC 4180).
+// Quoting of a text field for a CSV file (RFC 4180).
 #pragma once
 
 #include <string>

@@ -3,6 +3,7 @@
 #include "core/base/check.hpp"
 #include "core/base/version.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/cell_types.hpp"
 #include "core/io/formats.hpp"
 #include "core/io/little_endian.hpp"
 #include "core/io/xml.hpp"
@@ -14,22 +15,6 @@
 namespace gaspard {
 
 namespace {
-
-/// VTK's number for a kind of cell; its nodes are numbered as ours.
-std::uint8_t vtk_cell_type(CellKind kind) {
-    const bool straight = kind.order == 1;
-    switch (kind.shape) {
-    case CellShape::line:
-        return straight ? 3 : 21;
-    case CellShape::triangle:
-        return straight ? 5 : 22;
-    case CellShape::quadrilateral:
-        return straight ? 9 : 28;
-    case CellShape::hexahedron:
-        return straight ? 12 : 29;
-    }
-    check_failed("the shape has a number in VTK");
-}
 
 std::string base64(std::string_view bytes) {
     static constexpr std::string_view digits =
@@ -139,7 +124,8 @@ std::string cells(const Mesh& mesh) {
     for (std::size_t c = 1; c <= mesh.cell_count(); ++c)
         ends.push_back(static_cast<std::int32_t>(c) * nodes_per_cell(mesh.kind));
     arrays.integers("offsets", ends);
-    arrays.bytes("types", std::string(mesh.cell_count(), static_cast<char>(vtk_cell_type(mesh.kind))));
+    arrays.bytes("types",
+                 std::string(mesh.cell_count(), static_cast<char>(cell_type_numbers(mesh.kind).vtk)));
     return arrays.text();
 }
 

@@ -10,9 +10,9 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t shown = 100; // points per direction for extremes of the Jacobian, as in the paper
+constexpr std::size_t shown = 100; // points per direction for the extremes of the Jacobian, as in the paper
 
-/// phi in the space of `to`, both directions.
+/// The spline phi, transferred from the space `from` to the space `to` in both directions.
 std::vector<double> transferred(const KnotVector& from, const KnotVector& to, std::span<const double> phi) {
     const LineMatrix along = transfer(from, to);
     std::vector<double> half(from.size() * to.size(), 0.0), all(to.size() * to.size(), 0.0);
@@ -42,7 +42,7 @@ std::optional<SplineLayout> parse_spline_layout(const std::string& text) {
     if (degree < 2 || degree > highest_degree || cells < 1 || cells > most_cells) return std::nullopt;
     const SplineLayout layout{std::string(kind) == "mixed" ? Formulation::mixed : Formulation::standard,
                               degree, static_cast<std::size_t>(cells)};
-    if (spline_layout(layout) != text) return std::nullopt; // another kind, or more behind it
+    if (spline_layout(layout) != text) return std::nullopt; // unknown formulation or trailing text
     return layout;
 }
 
@@ -95,7 +95,7 @@ void PatchForm::positions(std::span<const double> whole, Points& x) {
     for (std::size_t j = 0; j < side; ++j)
         form_->row(nodes_, j, 2, {&psi_.x[j * side], &psi_.y[j * side], nullptr, nullptr, nullptr},
                    workspace_);
-    if (formulation_ == Formulation::mixed) // but for the rounding of a sum
+    if (formulation_ == Formulation::mixed) // removes rounding errors
         for (std::size_t k = 0; k < side; ++k) {
             psi_.x[k * side] = psi_.y[k] = 0;
             psi_.x[k * side + side - 1] = psi_.y[(side - 1) * side + k] = 1;
@@ -127,7 +127,7 @@ PatchMeasures PatchForm::measure(const Monitor& monitor, std::span<const double>
         }
     }
     for (double* square : {&result.err_printed, &result.err_defined, &result.qual_det, &result.qual_f})
-        *square = std::sqrt(*square); // not a number where a Jacobian is negative
+        *square = std::sqrt(*square);
 
     std::vector<double> at(shown);
     for (std::size_t i = 0; i < shown; ++i) at[i] = static_cast<double>(i) / (shown - 1);

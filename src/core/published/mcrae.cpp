@@ -1,4 +1,4 @@
-// McRae, Cotter, Budd (2018), section 5: the figures of the plane by relaxation.
+// McRae, Cotter, Budd (2018), section 5: the figures of the plane, solved by relaxation.
 #include "core/published/mcrae_runs.hpp"
 
 namespace gaspard {
@@ -24,7 +24,7 @@ Reproduction figure2(const Workshop& workshop) {
         result.rows.push_back({title, "smallest Jacobian", *last.min_jacobian});
         result.rows.push_back({title, "largest Jacobian", *last.max_jacobian});
         result.rows.push_back({title, "tangled cells", static_cast<double>(*last.tangled_cells), std::nullopt,
-                               "the paper calls the meshes notably well-behaved"});
+                               "the paper: the meshes are notably well-behaved"});
         result.figure->panels.push_back({monitor == "ring" ? "Ring (5.3)" : "Bell (5.4)", run.snapshot()});
     }
     return result;

@@ -1,4 +1,4 @@
-// McRae, Cotter, Budd (2018), section 5.2: the figures of the sphere by relaxation.
+// McRae, Cotter, Budd (2018), section 5.2: the figures of the sphere, solved by relaxation.
 #include "core/base/error.hpp"
 #include "core/published/mcrae_runs.hpp"
 
@@ -22,7 +22,7 @@ void add_numbers(const Run& run, const std::string& title, std::vector<Published
     rows.push_back({title, "tangled cells", static_cast<double>(*last.tangled_cells)});
 }
 
-/// One mesh. Who draws it shows front and rear.
+/// A figure with one mesh, which is drawn from the front and from the rear.
 Reproduction one_mesh(const Workshop& workshop, const std::string& scenario, const std::string& title,
                       const std::string& caption) {
     Run run = solve(workshop, scenario, {only_the_last}, title);
@@ -50,7 +50,7 @@ Reproduction figure8(const Workshop& workshop) {
             plot.curves.push_back(
                 history_curve(run, cells + ", rms to exact", [](const auto& r) { return r.exact_rms; }));
             if (run.status() != RunStatus::converged)
-                result.rows.push_back({title, "iterations until it blows up",
+                result.rows.push_back({title, "iterations until divergence",
                                        static_cast<double>(run.history().back().iteration), 10,
                                        "the paper: wildly diverges after just some 10 iterations"});
         }
@@ -66,7 +66,7 @@ Reproduction figure9(const Workshop& workshop) {
         if (workshop.stop.stop_requested()) throw Interrupted();
         run.step(workshop.stop);
     }
-    Reproduction result{{}, Figure{"Failure of bilinear cells, X16, before the blow-up", {}}};
+    Reproduction result{{}, Figure{"Failure of bilinear cells, X16, before divergence", {}}};
     result.figure->panels.push_back({title, run.snapshot()});
     const StepReport& last = run.history().back();
     result.rows = {{title, "iteration", static_cast<double>(last.iteration)},
@@ -84,14 +84,14 @@ std::vector<Recipe> mcrae_sphere_recipes() {
         return [=](const Workshop& workshop) { return one_mesh(workshop, scenario, title, caption); };
     };
     return {make_recipe("mcrae-fig5", "cubed-sphere X2 mesh, 6 x 16 x 16",
-                        mesh("sphere-x2", "X2", "Cubed-sphere X2 mesh (5.10), gamma = (1/2)^4")),
+                        mesh("sphere-x2", "X2", "Cubed-sphere X2 mesh (5.10), γ = (1/2)⁴")),
             make_recipe("mcrae-fig6", "cubed-sphere X16 mesh, 6 x 16 x 16",
-                        mesh("sphere-x16", "X16", "Cubed-sphere X16 mesh (5.10), gamma = (1/16)^4")),
+                        mesh("sphere-x16", "X16", "Cubed-sphere X16 mesh (5.10), γ = (1/16)⁴")),
             make_recipe("mcrae-fig7", "icosahedral mesh adapted to crossing bands, 5120 triangles",
                         mesh("sphere-cross", "Cross", "Icosahedral mesh adapted to crossing bands (5.11)")),
             make_recipe("mcrae-fig8", "convergence of the relaxation method on the cubed sphere, X2 and X16",
                         figure8),
-            make_recipe("mcrae-fig9", "failure of bilinear cells: X16 in a tangled state", figure9)};
+            make_recipe("mcrae-fig9", "failure of bilinear cells, X16, with tangled cells", figure9)};
 }
 
 } // namespace gaspard

@@ -156,7 +156,9 @@ bool Application::available(const std::string& choice) const {
 /// Restarts, because the map that linear cells have failed with is rarely a usable start.
 void Application::use_quadratic_cells() {
     Scenario scenario = run().scenario;
-    scenario.domain.values.parse("geometry_order", "2");
+    const auto remedy = find_remedy(scenario.domain.values);
+    if (!remedy) return;
+    scenario.domain.values.set(remedy->key, remedy->value);
     viewport().view.set("pick", std::string());
     document_.change(run().id, scenario);
     document_.reset(run().id);

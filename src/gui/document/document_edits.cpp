@@ -50,7 +50,8 @@ void Document::record(Edit edit) {
 }
 
 void Document::record_views(std::string_view gesture) {
-    for (std::size_t i = recorded_.size(); i < viewports_.size(); ++i) recorded_.push_back(viewports_[i].view);
+    for (std::size_t i = recorded_.size(); i < viewports_.size(); ++i)
+        recorded_.push_back(viewports_[i].view);
     for (std::size_t i = 0; i < viewports_.size(); ++i) {
         if (viewports_[i].view == recorded_[i]) continue;
         const Values before = std::exchange(recorded_[i], viewports_[i].view);
@@ -204,7 +205,8 @@ void Document::apply(const std::vector<EditPart>& parts, bool with_values) {
             opens = run && values->opened != run->opened;
             if (run && with_values) apply(*values, parts);
         } else if (const auto* entry = std::get_if<RunEntry>(&part)) {
-            if (DocumentRun* run = runs_.find(entry->run)) run->name = entry->name, run->hidden = entry->hidden;
+            if (DocumentRun* run = runs_.find(entry->run))
+                run->name = entry->name, run->hidden = entry->hidden;
         } else if (const auto* presence = std::get_if<RunPresence>(&part)) {
             apply(*presence);
         } else if (!opens) {

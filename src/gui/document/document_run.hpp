@@ -64,9 +64,10 @@ struct RunOpening {
 struct DocumentRun {
     RunId id{};
     std::string title;
-    std::string name;  ///< in lists and legends: "Ring, amplitude 20"; the name of a live run follows its values
-    Scenario opened;   ///< as it was opened: the values that reset buttons restore
-    Scenario scenario; ///< as the panels show it; the solver may not have these values yet
+    std::string
+        name; ///< in lists and legends: "Ring, amplitude 20"; the name of a live run follows its values
+    Scenario opened;                 ///< as it was opened: the values that reset buttons restore
+    Scenario scenario;               ///< as the panels show it; the solver may not have these values yet
     std::vector<StepReport> history; ///< since the run was last reset
     HistoryCurves curves;            ///< the same in columns
     std::vector<ChangeMark> marks;

@@ -79,12 +79,12 @@ ComparisonPanel::Wish ComparisonPanel::draw(const Document& document, const Cata
             ImGui::SameLine();
         } else {
             ImGui::BeginDisabled(chosen(document, catalogue).empty() || !document.active().live());
-            button("Solve with each", "compare.begin", Wish::begin);
+            button("Solve with each method", "compare.begin", Wish::begin);
             ImGui::EndDisabled();
         }
         const auto rows = document.comparison().rows();
         ImGui::BeginDisabled(rows.empty());
-        button("Meshes beside each other", "compare.meshes", Wish::meshes);
+        button("Meshes side by side", "compare.meshes", Wish::meshes);
         button("Copy as CSV", "compare.copy", Wish::copy);
         ImGui::EndDisabled();
         ImGui::NewLine();

@@ -1,5 +1,5 @@
-// Choosing methods to compare, watching them work, and the table of what they made of the problem. ImGui
-// calls and values; the runs are the document's.
+// The panel that compares methods: which ones, their progress, and the table of results. It consists of ImGui
+// calls and values; the document owns the runs.
 #pragma once
 
 #include "gui/base/item_rectangles.hpp"
@@ -16,18 +16,18 @@ class ComparisonPanel {
     void show() { open_ = true; }
     void close() { open_ = false; }
     bool open() const { return open_; }
-    /// Which button was pressed.
+    /// The button that was pressed.
     enum class Wish { none, begin, cancel, copy, meshes };
-    /// Keys "compare", "compare.METHOD", "compare.begin" (or "compare.cancel" while methods work),
+    /// Keys "compare", "compare.METHOD", "compare.begin" ("compare.cancel" during a comparison),
     /// "compare.copy" and "compare.meshes".
     Wish draw(const Document& document, const Catalogue& catalogue, const Theme& theme,
               ItemRectangles& items);
-    /// Of those that go with the first run's problem, in the catalogue's order.
+    /// The methods to compare: of those for the active run's problem, in the catalogue's order.
     std::vector<std::string> chosen(const Document& document, const Catalogue& catalogue) const;
 
   private:
     bool open_ = false;
-    std::set<std::string> left_out_; ///< methods without a tick
+    std::set<std::string> left_out_; ///< methods that are not ticked
 };
 
 } // namespace gaspard

@@ -10,7 +10,7 @@ namespace {
 constexpr ImGuiWindowFlags dialog_flags =
     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
 
-/// What sets a dialog off from the parts below it, while it begins.
+/// Border and rounding of a dialog, while it begins.
 struct Frame {
     Frame() {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2);
@@ -25,7 +25,7 @@ struct Frame {
     Frame& operator=(const Frame&) = delete;
 };
 
-/// Opens a modal popup where it is not, in the middle of the window.
+/// Begins a modal popup in the middle of the window, and opens it first if it is closed.
 bool begin_modal(const char* title) {
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -34,7 +34,7 @@ bool begin_modal(const char* title) {
     return ImGui::BeginPopupModal(title, nullptr, dialog_flags);
 }
 
-/// How wide text may become.
+/// The largest width of a line of text.
 float text_width() { return std::min(34 * ImGui::GetFontSize(), 0.85F * ImGui::GetIO().DisplaySize.x); }
 
 void help_line(const Theme& theme, const std::string& what, std::string_view help) {
@@ -48,7 +48,7 @@ void help_line(const Theme& theme, const std::string& what, std::string_view hel
 
 void ErrorDialog::draw(ItemRectangles& items) {
     if (!open()) return;
-    if (!begin_modal("This did not work")) return;
+    if (!begin_modal("Error")) return;
     ImGui::PushTextWrapPos(text_width());
     ImGui::TextUnformatted(sentence_.c_str());
     ImGui::PopTextWrapPos();
@@ -67,12 +67,12 @@ std::optional<std::string> OpenDialog::draw(const std::vector<std::string>& rece
     if (!open_ || !begin_modal("Open a scenario")) return std::nullopt;
     std::optional<std::string> chosen;
     const float em = ImGui::GetFontSize();
-    ImGui::TextUnformatted("The path of a .toml file, or drop one on the window:");
+    ImGui::TextUnformatted("Path of a .toml file (you can also drop the file on the window):");
     ImGui::SetNextItemWidth(text_width());
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     if (ImGui::InputText("##path", text_.data(), text_.size(), ImGuiInputTextFlags_EnterReturnsTrue))
         chosen = text_.data();
-    // In the frame in which it gets the focus, a field takes no letters.
+    // A text field takes no input in the frame in which it gets the focus.
     ready_ = ready_ || text_[0] != '\0' || (ImGui::IsItemActive() && !ImGui::IsItemActivated());
     remember_item(items, "open.path");
     for (std::size_t i = 0; i < recent.size(); ++i) {

@@ -1,5 +1,5 @@
-// What comes up over the window and goes away again: errors, the choice of a scenario file, the help. They
-// are ImGui calls and values; the caller draws each of them once a frame.
+// Dialogs over the window: errors, opening a scenario file, help, progress. They are ImGui calls and values;
+// the caller draws each of them once a frame.
 #pragma once
 
 #include "gui/base/actions.hpp"
@@ -14,7 +14,7 @@
 
 namespace gaspard {
 
-/// One sentence that somebody has to have seen. Nothing behind it is lost or stopped.
+/// An error message that the user has to confirm. The solver goes on meanwhile.
 class ErrorDialog {
   public:
     void show(std::string sentence) { sentence_ = std::move(sentence); }
@@ -28,14 +28,14 @@ class ErrorDialog {
     std::string sentence_;
 };
 
-/// Asks for the path of a scenario file; offers those opened before.
+/// Asks for the path of a scenario file, with a list of recent files.
 class OpenDialog {
   public:
     void show() { open_ = true, ready_ = false, text_.fill('\0'); }
     void close() { open_ = false; }
     bool open() const { return open_; }
-    bool opening() const { return open_ && !ready_; } ///< its field cannot be written in yet
-    /// The path, once it has been chosen. Keys "open.path", "open.ok", "open.recent.0", ...
+    bool opening() const { return open_ && !ready_; } ///< its text field does not take input yet
+    /// The path once the user has chosen it. Keys "open.path", "open.ok", "open.recent.0", ...
     std::optional<std::string> draw(const std::vector<std::string>& recent, ItemRectangles& items);
 
   private:
@@ -43,11 +43,11 @@ class OpenDialog {
     std::array<char, 4096> text_{};
 };
 
-/// Every action with its keys, and what the mouse does.
+/// A table of all actions with their keys, and of what the mouse does.
 void draw_help(bool& open, std::span<const Action> actions, const Theme& theme);
 
-/// A bar for work under way, over the lower left corner of `over`; true when its Cancel was pressed. Keys
-/// "progress" and "progress.cancel".
+/// A progress bar in the lower left corner of `over`; true when Cancel was pressed. Keys "progress" and
+/// "progress.cancel".
 bool draw_progress(const std::string& what, double fraction, const ItemRectangle& over,
                    ItemRectangles& items);
 

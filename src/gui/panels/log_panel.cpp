@@ -34,7 +34,7 @@ std::string Log::text() const {
 }
 
 void Log::draw(const Theme& theme, ItemRectangles& items) {
-    ImGui::TextDisabled("Messages");
+    ImGui::TextDisabled("Message log");
     ImGui::SameLine();
     if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(text().c_str());
     remember_item(items, "log.copy");
@@ -42,7 +42,7 @@ void Log::draw(const Theme& theme, ItemRectangles& items) {
     if (ImGui::SmallButton("Clear")) lines_.clear();
     remember_item(items, "log.clear");
     ImGui::BeginChild("##lines");
-    if (lines_.empty()) ImGui::TextDisabled("Nothing has been said yet.");
+    if (lines_.empty()) ImGui::TextDisabled("No messages yet.");
     for (const LogLine& line : lines_) {
         ImGui::TextDisabled("%s", line.time.c_str());
         ImGui::SameLine();

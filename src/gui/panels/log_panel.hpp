@@ -1,4 +1,4 @@
-// Everything the program has said since it began, with the time of day, for those who want to look again.
+// The message log: every message since the program started, with the time of day.
 #pragma once
 
 #include "gui/base/item_rectangles.hpp"
@@ -19,14 +19,14 @@ class Log {
   public:
     void add(Notice notice);
     const std::deque<LogLine>& lines() const { return lines_; }
-    /// All lines as text, for the clipboard.
+    /// All lines as text.
     std::string text() const;
-    /// Into the current ImGui window; keys "log", "log.copy", "log.clear".
+    /// Draws into the current ImGui window; keys "log", "log.copy", "log.clear".
     void draw(const Theme& theme, ItemRectangles& items);
 
   private:
-    std::deque<LogLine> lines_; ///< the newest last; old ones are dropped
-    bool grown_ = false;        ///< scroll to the end
+    std::deque<LogLine> lines_; ///< the newest last; the oldest are dropped
+    bool grown_ = false;        ///< scroll to the end in the next frame
 };
 
 } // namespace gaspard

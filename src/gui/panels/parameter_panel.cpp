@@ -14,7 +14,7 @@ namespace gaspard {
 
 namespace {
 
-/// Columns of a row: label, slider, typed value, reset button. All in window coordinates, scaled by the font.
+/// Columns of a row: label, slider, text field, reset button. In window coordinates, scaled by the font.
 struct Columns {
     float control, slider_width, typed, typed_width, reset;
 };
@@ -49,7 +49,7 @@ const char* section_key(SectionKind kind) {
     return "";
 }
 
-/// What a list of types shows: name, label, help.
+/// An entry in a list of types.
 struct TypeEntry {
     const std::string *name, *label, *help;
 };
@@ -75,7 +75,7 @@ Section fresh_section(const Catalogue& catalogue, const Scenario& opened, Sectio
     case SectionKind::domain:
         return domain_section(catalogue, type);
     case SectionKind::monitor:
-        return monitor_section(catalogue, type); // for the plane; it follows the domain in the end
+        return monitor_section(catalogue, type); // with the plane's rows; update_rows() adapts them
     case SectionKind::method:
         return method_section(catalogue, type);
     }
@@ -94,8 +94,8 @@ void set_number(Values& values, const ParameterRow& row, double number) {
         values.set(row.key, number);
 }
 
-/// What a slider runs along, evenly: the value, its logarithm, or where that has no place for the smallest
-/// value, asinh, which is a logarithm for large values and goes through zero.
+/// The scale of a slider: the value, its logarithm, or, if the range is not positive, asinh, which is like a
+/// logarithm for large values and is defined at zero.
 double along(const ParameterRow& row, double value) {
     if (row.scale == ParameterScale::linear) return value;
     return row.minimum > 0 ? std::log(value) : std::asinh(value);
@@ -113,7 +113,7 @@ double value_at(const ParameterRow& row, double position) {
     return row.minimum > 0 ? std::exp(place) : std::sinh(place);
 }
 
-/// A dragged value with no more digits than the hand can aim for; a typed one stays as typed.
+/// A value of a slider, rounded to the precision of the mouse. Typed values are not rounded.
 double rounded(const ParameterRow& row, double value) {
     if (row.kind == ParameterKind::integer) return std::round(value);
     const double size =
@@ -124,7 +124,7 @@ double rounded(const ParameterRow& row, double value) {
     return decimals >= 0 ? std::round(value * factor) / factor : std::round(value / factor) * factor;
 }
 
-/// Beside the panel, so that it never covers what it explains.
+/// Beside the panel, so that it does not cover the row that it explains.
 void show_tooltip(const std::string& title, const std::string& help, const std::string& details, float top) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + 0.5F * em, top - 0.6F * em});
@@ -139,10 +139,10 @@ void show_tooltip(const std::string& title, const std::string& help, const std::
 
 std::string details_of(const ParameterRow& row, const std::string& key) {
     const std::string unit = row.unit.empty() ? "" : " " + row.unit;
-    return key + "\n" + describe_range(row) + unit + "; by default " + format_value(row.default_value) + unit;
+    return key + "\n" + describe_range(row) + unit + "; default " + format_value(row.default_value) + unit;
 }
 
-/// Whether the mouse rests on a row, from its label to its typed value.
+/// Whether the mouse is over a row, from its label to its text field.
 bool row_hovered(ImVec2 corner, const Columns& c) {
     const ImVec2 end(ImGui::GetWindowPos().x + c.typed + c.typed_width, corner.y + ImGui::GetFrameHeight());
     return ImGui::IsMouseHoveringRect(corner, end) && ImGui::IsWindowHovered() && !ImGui::IsMouseDown(0);
@@ -166,7 +166,7 @@ bool reset_button(const char* id) {
     return clicked;
 }
 
-/// Whether values have a row's key with the same range: a monitor's rows depend on the domain.
+/// Whether `values` has the row's key with the same range: the rows of a monitor depend on the domain.
 bool has_same_row(const Values& values, const ParameterRow& row) {
     const auto& rows = values.rows();
     return std::any_of(rows.begin(), rows.end(), [&](const ParameterRow& one) {
@@ -174,7 +174,7 @@ bool has_same_row(const Values& values, const ParameterRow& row) {
     });
 }
 
-/// The choices of a row that go with the rest of the scenario. Without a scenario, all do.
+/// Whether a choice can be combined with the rest of the scenario. Without a scenario, all can.
 bool choice_fits(const PanelContext& context, const Scenario* scenario, const Values& values,
                  const std::string& key, const std::string& choice) {
     const auto& missing = context.unavailable;
@@ -203,7 +203,7 @@ std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& op
                                   const Scenario& scenario, SectionKind kind, const std::string& type) {
     Scenario changed = scenario;
     section_of(changed, kind) = fresh_section(catalogue, opened, kind, type);
-    follow_domain(catalogue, changed);
+    update_rows(catalogue, changed);
     if (find_capability(catalogue, changed)) return changed;
     if (kind != SectionKind::domain) return std::nullopt;
     const auto row = std::find_if(catalogue.capabilities.begin(), catalogue.capabilities.end(),
@@ -216,7 +216,7 @@ std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& op
     };
     adapt(SectionKind::monitor, row->monitors);
     adapt(SectionKind::method, row->methods);
-    follow_domain(catalogue, changed);
+    update_rows(catalogue, changed);
     return find_capability(catalogue, changed) ? std::optional(std::move(changed)) : std::nullopt;
 }
 
@@ -252,14 +252,13 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
             remember_item(context.items, key + "=" + *entry.name);
             if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
                 ImGui::SetTooltip("%s", candidate || selected ? entry.help->c_str()
-                                                              : "does not go with the other choices");
+                                                              : "cannot be combined with the other sections");
         }
         ImGui::EndCombo();
     }
     const Section& opened = section_of(context.opened, kind);
     Section& section = section_of(scenario, kind);
-    const std::vector<ParameterRow> rows =
-        section.values.rows(); // a choice may replace the section meanwhile
+    const std::vector<ParameterRow> rows = section.values.rows(); // a copy: a choice may replace the section
     for (const auto& row : rows) {
         const Values* before =
             opened.type == section.type && has_same_row(opened.values, row) ? &opened.values : nullptr;
@@ -335,13 +334,13 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
         ImGui::SameLine(c.reset);
         if (reset_button("##reset")) values.set(row.key, origin);
         remember_item(context.items, key + ".reset");
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("back to %s", format_value(origin).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Reset to %s", format_value(origin).c_str());
     }
     ImGui::PopID();
     return values.at(row.key) != before;
 }
 
-/// Half a name is no name: the text counts once the field is left.
+/// A text takes effect when its field is left, since a part of a name would be invalid.
 void ParameterPanel::draw_text(const ParameterRow& row, const std::string& key, Values& values) {
     std::string shown = typing_ == key ? typed_text_ : values.text(row.key);
     if (ImGui::InputText("##text", &shown)) typing_ = key, typed_text_ = shown;
@@ -350,7 +349,7 @@ void ParameterPanel::draw_text(const ParameterRow& row, const std::string& key, 
     values.set(row.key, typed_text_);
 }
 
-// A box hands the choice to the program; without a tick a slider follows it.
+// A check box for "auto"; if it is not ticked, a slider follows.
 void ParameterPanel::draw_number_or_auto(const PanelContext& context, const ParameterRow& row,
                                          const std::string& key, Values& values) {
     const Columns c = columns();

@@ -1,9 +1,9 @@
-// Panels made from parameter rows alone: a slider, a typed value, a reset button and a tooltip for every
-// number, a list for every choice. They draw into the current ImGui window and need no graphics backend.
+// Panels made from parameter rows: a slider, a text field, a reset button and a tooltip for every number, a
+// list for every choice. They draw into the current ImGui window and need no graphics backend.
 //
-// A panel edits a scenario and says that it changed; it knows no solver. What cannot be is not offered:
-// numbers stay in their range, and names that do not go together (by the catalogue's capabilities) are greyed
-// out.
+// A panel edits a scenario and returns whether it changed; it knows no solver. It offers only valid values:
+// numbers are limited to their range, and types that cannot be combined (by the catalogue's capabilities) are
+// greyed out.
 #pragma once
 
 #include "core/scenario/catalogue.hpp"
@@ -21,7 +21,7 @@ enum class SectionKind { domain, monitor, method };
 /// "Domain", as a heading.
 const char* section_title(SectionKind kind);
 
-/// What the panels show, and what they go back to.
+/// What the panels need besides the values that they edit.
 struct PanelContext {
     const Catalogue& catalogue;
     const Scenario& opened; ///< as it was opened: the values that reset buttons restore
@@ -29,7 +29,7 @@ struct PanelContext {
     /// Filled with "monitor.amplitude" (its slider or list), "monitor.amplitude.input",
     /// "monitor.amplitude.reset", "monitor.type", and "monitor.type=ring" while the list is open.
     ItemRectangles& items;
-    std::vector<std::string> unavailable{}; ///< choices greyed out for other reasons: "layout=map"
+    std::vector<std::string> unavailable{}; ///< other choices to grey out: "layout=map"
 };
 
 class ParameterPanel {
@@ -46,20 +46,20 @@ class ParameterPanel {
                   const Scenario* scenario);
     void draw_number_or_auto(const PanelContext& context, const ParameterRow& row, const std::string& key,
                              Values& values);
-    /// `taken`: how much of the slider's room is not its own.
+    /// `taken`: width to the left of the slider that something else uses.
     bool draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,
                      double& value, float taken = 0);
     bool draw_typed(const PanelContext& context, const ParameterRow& row, const std::string& key,
                     double& value);
 
-    std::string typing_;     ///< the key whose field is being typed into
-    double typed_value_ = 0; ///< what stands there so far; taken over when the field is left
-    std::string typed_text_; ///< likewise
-    std::string focus_;      ///< the key whose field is to get the keyboard
+    std::string typing_;     ///< the key whose text field is being edited
+    double typed_value_ = 0; ///< its content so far; it takes effect when the field is left
+    std::string typed_text_; ///< the same for texts
+    std::string focus_;      ///< the key whose text field gets the keyboard focus
 };
 
-/// `scenario` with another type in one section, or nothing where that does not go with the rest. Another
-/// domain brings along the first monitor and method that go with it.
+/// `scenario` with another type in one section; nothing if it cannot be combined with the other sections. With
+/// another domain, a monitor or method that does not fit is replaced by the first one that does.
 std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& opened,
                                   const Scenario& scenario, SectionKind kind, const std::string& type);
 

@@ -1,5 +1,5 @@
-// The runs of a document as a list: which colour each has in the plots, whether it is shown there, what it is
-// called. Kept runs can be renamed in place and removed.
+// The list of a document's runs: name, colour in the plots, and whether the plots show it. Kept runs can be
+// renamed in place and removed.
 #pragma once
 
 #include "gui/base/actions.hpp"

@@ -84,8 +84,8 @@ std::vector<StatusCell> status_cells(const DocumentRun& run) {
 std::string method_note(const DocumentRun& run, const Catalogue& catalogue) {
     for (std::size_t i = run.history.size(); i-- > 1;) {
         const StepReport& report = run.history[i];
-        const bool of_values = report.iteration == run.history[i - 1].iteration; // that have changed
-        if (of_values) return {}; // what was said of other values is past
+        const bool changed = report.iteration == run.history[i - 1].iteration; // a row for other values
+        if (changed) return {}; // earlier notes are about the values before
         if (report.note.empty()) continue;
         return catalogue.method(run.scenario.method.type).label + ", from iteration " +
                std::to_string(report.iteration) + ": " + report.note;
@@ -98,14 +98,13 @@ std::string closing_note(const DocumentRun& run, const Action& reset) {
     std::string note = run.history.back().note;
     if (note.empty()) return {};
     note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
-    const bool beyond_repair = run.status.run == RunStatus::diverged || run.status.run == RunStatus::tangled;
-    if (beyond_repair) note += "; " + describe_keys(reset) + " starts from the beginning";
+    const bool failed = run.status.run == RunStatus::diverged || run.status.run == RunStatus::tangled;
+    if (failed) note += "; " + describe_keys(reset) + " starts from the beginning";
     return note + ".";
 }
 
 bool has_linear_cells(const DocumentRun& run) {
-    const Values& domain = run.scenario.domain.values;
-    return run.live() && domain.has("geometry_order") && format_value(domain.at("geometry_order")) == "1";
+    return run.live() && find_remedy(run.scenario.domain.values).has_value();
 }
 
 std::string remedy_note(const DocumentRun& run) {
@@ -113,10 +112,9 @@ std::string remedy_note(const DocumentRun& run) {
     const bool tangled = measured && measured->tangled_cells.value_or(0) > 0;
     const bool failed = run.status.run == RunStatus::diverged || run.status.run == RunStatus::tangled;
     if (!has_linear_cells(run) || !(failed || tangled)) return {};
-    return failed ? "Linear cells do not follow this monitor around the sphere; quadratic ones, which are "
-                    "curved as it is, do."
-                  : "Linear cells are tangling. Quadratic ones, which are curved as the sphere is, follow "
-                    "this monitor.";
+    return failed
+               ? "Linear cells cannot follow this monitor on the sphere. Quadratic cells are curved and can."
+               : "Linear cells are tangling. Quadratic cells are curved and can follow this monitor.";
 }
 
 void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view note,
@@ -138,7 +136,8 @@ void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_
     if (!message.text.empty()) {
         ImGui::TextColored(tone_colour(theme, message.error ? Tone::bad : Tone::good), "%s",
                            message.text.c_str());
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", message.text.c_str()); // a narrow window clips it
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s", message.text.c_str()); // a narrow window clips the text
     } else if (!note.empty()) {
         ImGui::TextColored(tone_colour(theme, Tone::warning), "%.*s", static_cast<int>(note.size()),
                            note.data());

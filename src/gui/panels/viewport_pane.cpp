@@ -12,8 +12,8 @@ namespace gaspard {
 
 namespace {
 
-constexpr float drag_threshold = 4; // pixels at scale 1: less is a click
-constexpr double pick_reach = 8;    // likewise
+constexpr float drag_threshold = 4; // pixels at scale 1; a shorter drag is a click
+constexpr double pick_reach = 8;    // pixels at scale 1
 constexpr double handle_reach = 11;
 constexpr double wheel_factor = 1.15;
 
@@ -21,7 +21,7 @@ Pixel pixel_in(const PlannedView& shown, ImVec2 mouse) {
     return {static_cast<double>(mouse.x - shown.rect.min.x), static_cast<double>(mouse.y - shown.rect.min.y)};
 }
 
-/// The picture that a position belongs to; of those beside each other the nearer one.
+/// The view at a position; the nearest one if there is none.
 const PlannedView& view_at(const ViewportPlan& plan, ImVec2 at) {
     const auto away = [at](const PlannedView& shown) {
         const ScreenRect& r = shown.rect;
@@ -31,8 +31,8 @@ const PlannedView& view_at(const ViewportPlan& plan, ImVec2 at) {
                              [&](const auto& a, const auto& b) { return away(a) < away(b); });
 }
 
-/// A point of a ball comes to face the viewer. A ball that is seen whole stays where it is in the picture;
-/// of one that is not the point comes to the middle.
+/// Rotates a ball so that a point faces the viewer. A ball that is fully visible stays at its place in the
+/// view; else the point moves to the middle.
 void recentre(Camera& camera, const PlannedView& shown, Vec3 where) {
     const Vec3 pivot = pivot_of(shown.scene);
     bring_to_front(camera, where, pivot);
@@ -40,14 +40,14 @@ void recentre(Camera& camera, const PlannedView& shown, Vec3 where) {
     if (across > std::min(shown.size().width, shown.size().height)) camera.centre = pivot;
 }
 
-/// Whether a camera sees a ball as large and in the same place as another does.
-bool only_turned(const PlannedView& shown, const Camera& camera) {
-    constexpr double hardly = 1e-6; // pixels
+/// Whether a camera shows a ball at the same size and place as before.
+bool only_rotated(const PlannedView& shown, const Camera& camera) {
+    constexpr double tolerance = 1e-6; // pixels
     const Vec3 pivot = pivot_of(shown.scene);
     const Pixel before = to_pixel(shown.camera, shown.size(), pivot),
                 now = to_pixel(camera, shown.size(), pivot);
     return shown.scene.ball > 0 && camera.scale == shown.camera.scale &&
-           std::hypot(before.x - now.x, before.y - now.y) < hardly;
+           std::hypot(before.x - now.x, before.y - now.y) < tolerance;
 }
 
 /// "Newton: 11 iterations, converged"
@@ -60,7 +60,7 @@ std::string title_among_others(const DocumentRun& run) {
     return text + std::string(status_name(run.status.run));
 }
 
-/// The button that is held; -1 for none.
+/// The mouse button that is held; -1 for none.
 int held_button() {
     for (const int button : {0, 1, 2})
         if (ImGui::IsMouseDown(button)) return button;
@@ -107,7 +107,7 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
     ImGui::End();
 }
 
-/// Where a picture shows a handle; other runs have monitors of their own.
+/// Where a view shows a handle; nothing in the views of other runs, which have their own monitors.
 std::optional<Pixel> ViewportPane::seen(const Handle& handle, const PlannedView& shown) const {
     if (shown.scene.physical != plan_->views.front().scene.physical) return std::nullopt;
     return pixel_of(handle, shown);
@@ -123,12 +123,12 @@ std::optional<std::size_t> ViewportPane::handle_at(ImVec2 at, float scale) const
     return std::nullopt;
 }
 
-/// A handle that the button was pressed on goes with the pointer, and the picture stays.
+/// Moves the handle on which the button was pressed with the pointer; the camera stays. True if it did.
 bool ViewportPane::drag_handle(float scale) {
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActivated())
         held_ = ImGui::IsMouseDown(0) ? handle_at(io.MouseClickedPos[0], scale) : std::nullopt;
-    if (held_ && *held_ >= handles_.size()) held_.reset(); // it has gone
+    if (held_ && *held_ >= handles_.size()) held_.reset(); // it no longer exists
     if (!held_) return false;
     const bool ends = ImGui::IsItemDeactivated();
     const ImVec2 clicked = io.MouseClickedPos[0];
@@ -141,7 +141,7 @@ bool ViewportPane::drag_handle(float scale) {
     }
     if (ImGui::IsItemActive()) return true;
     held_.reset();
-    return std::exchange(dragging_, false); // without a drag it was a click
+    return std::exchange(dragging_, false); // no drag: a click
 }
 
 void ViewportPane::draw_handles(const FrameContext& context) {
@@ -176,18 +176,18 @@ void ViewportPane::look_as(DocumentViewport& viewport, const std::string& camera
     spun_ = 0;
 }
 
-/// A mesh in space goes on turning, unless the mouse holds it; where it stops it stays.
+/// Rotates a mesh in space, except while the mouse drags it. When the rotation stops, the camera keeps it.
 void ViewportPane::turn(Values& view) {
     const PlannedView& front = plan_->views.front();
     spinning_ = false;
-    if (front.scene.planar()) return; // a map waits; a globe goes on from where it was
+    if (front.scene.planar()) return; // a map does not rotate; the globe continues later
     const double rate = view.real("spin") * std::numbers::pi / 180;
     const std::string from = view.text("camera") + view.text("direction");
     if (from != spun_from_) spun_ = 0;
     spun_from_ = from;
     if (rate == 0 && spun_ != 0) set_camera(view, front, front.camera);
     spinning_ = rate != 0;
-    constexpr double longest = 0.1; // seconds; more has passed only where nothing was drawn
+    constexpr double longest = 0.1; // seconds; longer if no frame was drawn
     if (rate != 0 && !dragging_)
         spun_ += rate * std::min(longest, static_cast<double>(ImGui::GetIO().DeltaTime));
     planner_.turn_by(spun_);
@@ -209,16 +209,15 @@ void ViewportPane::fix_range(DocumentViewport& viewport) const {
 
 void ViewportPane::set_camera(Values& view, const PlannedView& shown, Camera camera) {
     if (camera == shown.camera && spun_ == 0) return;
-    // What showed the whole ball goes on doing so, also when the picture's size changes.
+    // A camera that shows the whole ball still does so when the size of the view changes.
     const std::string before = view.text(camera_key(shown.scene));
-    const bool whole = (before.empty() || shows_all(before)) && only_turned(shown, camera);
+    const bool whole = (before.empty() || shows_all(before)) && only_rotated(shown, camera);
     if (shown.rear) camera = from_behind(camera, pivot_of(shown.scene));
     view.set(camera_key(shown.scene), whole ? format_axes(camera) : format_camera(camera, shown.size()));
     spun_ = 0;
 }
 
-/// Drags pan or turn, the wheel zooms to the pointer, a click picks, a double click brings a point to the
-/// middle.
+/// Drags pan or rotate, the wheel zooms at the pointer, a click picks, a double click centres a point.
 void ViewportPane::steer(Values& view, float scale) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool hovered = ImGui::IsItemHovered();
@@ -226,7 +225,7 @@ void ViewportPane::steer(Values& view, float scale) {
         const int button = held_button();
         const float far = drag_threshold * scale;
         const bool begins = button >= 0 && !dragging_ && io.MouseDragMaxDistanceSqr[button] > far * far;
-        // What was held back until it was clear that this is no click comes with the first step.
+        // The first step includes the motion before it was clear that this is no click.
         if (button >= 0 && (begins || dragging_))
             drag(view, view_at(*plan_, io.MouseClickedPos[button]), button,
                  dragging_ ? io.MouseDelta : ImGui::GetMouseDragDelta(button, 0));
@@ -255,7 +254,7 @@ void ViewportPane::steer(Values& view, float scale) {
     const ImVec2 clicked = io.MouseClickedPos[0];
     const float x = io.MousePos.x - clicked.x, y = io.MousePos.y - clicked.y;
     const bool moved = x * x + y * y > drag_threshold * drag_threshold * scale * scale;
-    if (!dragging_ && ImGui::IsMouseReleased(0) && moved) { // all of a drag since the last frame
+    if (!dragging_ && ImGui::IsMouseReleased(0) && moved) { // a drag within one frame
         drag(view, view_at(*plan_, clicked), 0, {x, y});
     } else if (!dragging_ && hovered && ImGui::IsMouseReleased(0)) {
         picked_before_ = view.text("pick");
@@ -275,7 +274,7 @@ void ViewportPane::drag(Values& view, const PlannedView& shown, int button, ImVe
         turn_ball(camera, shown.size(), {to.x - by.x, to.y - by.y}, to, pivot_of(shown.scene),
                   shown.scene.ball);
     } else {
-        // A mesh turns about its own middle as long as that is to be seen.
+        // A mesh rotates about its middle while that is visible.
         const Vec3 middle = shown.scene.box.centre();
         const Pixel seen = to_pixel(camera, shown.size(), middle);
         const bool visible =

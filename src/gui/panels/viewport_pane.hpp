@@ -1,9 +1,9 @@
-// A viewport as part of the window: the picture of its run's newest snapshot, the camera that mouse and wheel
-// steer, what the mouse picks, and the legend on top. All of it are ImGui calls and values; whoever has
-// OpenGL draws the pictures it asks for.
+// A viewport as part of the window: the view of its run's newest snapshot, the camera that mouse and wheel
+// move, picking, and the legend on top. It consists of ImGui calls and values; the caller draws the meshes
+// with OpenGL.
 //
-// What one looks at and from where are values of the viewport's view (core/scenario/view_rows.hpp), nothing
-// else: the camera and the pick are texts there, which the mouse rewrites.
+// All that the viewport shows is given by the values of its view (core/scenario/view_rows.hpp). Camera and
+// pick are texts there, which the mouse changes.
 #pragma once
 
 #include "gui/base/frame_context.hpp"
@@ -18,10 +18,10 @@
 
 namespace gaspard {
 
-/// A mesh to be drawn: what, from where, and where it belongs, in window coordinates.
+/// A mesh to draw: its scene, its camera, and its place in window coordinates.
 struct ShownView {
     MeshScene scene;
-    Camera camera; ///< speaks of the size of `rectangle`
+    Camera camera; ///< for a view of the size of `rectangle`
     ItemRectangle rectangle;
     friend bool operator==(const ShownView&, const ShownView&) = default;
 };
@@ -30,39 +30,39 @@ class ViewportPane {
   public:
     explicit ViewportPane(std::shared_ptr<TessellationCache> cache) : planner_(std::move(cache)) {}
 
-    /// Draws all but the meshes into a window of its own that fills `area`.
-    /// `others`: runs whose meshes are to be seen beside it, where the view's layout is "runs".
+    /// Draws all but the meshes, into an ImGui window that fills `area`. `others`: runs whose meshes are shown
+    /// side by side with it in the layout "runs".
     void frame(const DocumentRun& run, DocumentViewport& viewport, const ItemRectangle& area,
                const FrameContext& context, const std::vector<const DocumentRun*>& others = {});
-    /// Shows the whole mesh again, however the viewport's size changes, from the view's direction.
+    /// Shows the whole mesh from the view's direction, also when the size of the viewport changes.
     void go_home(DocumentViewport& viewport);
-    /// Home is from now on for the mesh that is shown next.
+    /// The next mesh shown determines the home camera.
     void forget_home() { planner_.forget_home(); }
-    /// The present camera as text, also where the view's is empty; empty before the first snapshot.
+    /// The present camera as text, also if the view's is empty; empty before the first snapshot.
     std::string camera_text() const;
-    /// A mesh that has turned by itself is shown as the view says again.
+    /// Shows a mesh that has rotated by itself as the view says.
     void stop_turning() { spun_ = 0; }
-    /// Takes a camera's text as that of what is shown.
+    /// Sets the camera, given as text.
     void look_as(DocumentViewport& viewport, const std::string& camera);
-    /// What the next frames say in the lower left corner.
+    /// The note in the lower left corner of the next frames.
     void say_in_corner(std::string note) { note_ = std::move(note); }
-    /// The handles of the next frames; the mouse may take hold of them.
+    /// The handles of the next frames, which the mouse can drag.
     void offer_handles(std::vector<Handle> handles) { handles_ = std::move(handles); }
     struct HandleMove {
         Handle handle;
-        Vec3 place; ///< where it is to be now
+        Vec3 place; ///< its new place
     };
-    /// What the mouse has done to one since the last call.
+    /// The last drag of a handle since the last call.
     std::optional<HandleMove> take_handle_move() { return std::exchange(handle_move_, std::nullopt); }
-    /// The mesh turns by itself: the next frame differs from this one.
+    /// The mesh rotates by itself: the next frame differs from this one.
     bool spinning() const { return spinning_; }
-    /// Choices of the view that what is shown has not, as "layout=map".
+    /// Choices of the view that are not available for this mesh, such as "layout=map".
     std::vector<std::string> unavailable() const {
         return plan_ ? plan_->unavailable : std::vector<std::string>();
     }
-    /// The view's range becomes fixed, to what the colours span now.
+    /// Fixes the range of the colours to the present one.
     void fix_range(DocumentViewport& viewport) const;
-    /// What the last frame asked for; empty before the first snapshot.
+    /// The meshes of the last frame; empty before the first snapshot.
     const std::vector<ShownView>& views() const { return views_; }
 
   private:
@@ -81,12 +81,12 @@ class ViewportPane {
     std::vector<ShownView> views_;
     std::string note_;
     std::vector<Handle> handles_;
-    std::optional<std::size_t> held_; ///< handle under the pressed button
+    std::optional<std::size_t> held_; ///< the handle being dragged
     std::optional<HandleMove> handle_move_;
     bool dragging_ = false;
     bool spinning_ = false;
-    double spun_ = 0;           ///< in radians, since the view's camera was last set
-    std::string spun_from_;     ///< what the view said of its camera then
+    double spun_ = 0;           ///< rotation in radians since the view's camera was last set
+    std::string spun_from_;     ///< camera and direction of the view at that time
     std::string picked_before_; ///< view.pick before the last click, which may be the first of two
 };
 

@@ -8,7 +8,7 @@
 namespace gaspard {
 namespace {
 
-TEST(Ellipticity, IsThatOfMatricesAtTheVertices) {
+TEST(Ellipticity, MatchesTheEigenvaluesAtTheVertices) {
     for (const bool periodic : {true, false})
         for (const std::size_t n : {4, 9, 16}) {
             const LineGrid grid{n, periodic};

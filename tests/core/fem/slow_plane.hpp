@@ -1,8 +1,8 @@
-// Slow and obvious: Lagrange elements on the unit square, n x n squares, with 2-D shape functions, sparse
-// matrices and a generous quadrature. What PlaneQ2 is held against, written from the formulas alone.
+// Reference: Lagrange elements on n x n squares of the unit square with two-dimensional basis functions,
+// sparse matrices and overintegration, written from the formulas alone. PlaneQ2 is compared with it.
 //
-// A function of degree k has its values on the lattice i / (k n), j / (k n), x running fastest; on the
-// periodic square the last row and column are the first.
+// A function of degree k has its values on the lattice (i / (k n), j / (k n)), x fastest; on the
+// periodic square the last row and column coincide with the first.
 #pragma once
 
 #include "core/linear/slow_line.hpp"
@@ -36,13 +36,13 @@ struct Jet {
     double value = 0, dx = 0, dy = 0;
 };
 
-/// A point of the quadrature: cell (i, j), point (p, q) of the rule, weight with the cell's area.
+/// A quadrature point: cell (i, j), point (p, q) of the rule, weight times the cell's area.
 struct Place {
     int i, j, p, q;
     double weight;
 };
 
-/// Which values vanish: on the walls x = 0, 1 and on the walls y = 0, 1. The torus has none.
+/// Whether values vanish on the walls x = 0, 1 and y = 0, 1.
 struct Vanish {
     bool on_x = false, on_y = false;
 };
@@ -59,7 +59,7 @@ class Plane {
 
     int side(int degree) const { return degree * n_ + (periodic_ ? 0 : 1); }
     int unknowns(int degree) const { return side(degree) * side(degree); }
-    /// Of node (a, b) of cell (i, j), each from 0 to degree.
+    /// Index of node (a, b) of cell (i, j), each from 0 to degree.
     int unknown(int degree, int i, int j, int a, int b) const {
         return (degree * j + b) % side(degree) * side(degree) + (degree * i + a) % side(degree);
     }
@@ -92,7 +92,7 @@ class Plane {
                     for (int p = 0; p < points; ++p) action({i, j, p, q, weight(p, q)});
     }
 
-    /// The integrals of `integrand` for every test function v.
+    /// The integrals of `integrand` against every test function v.
     Vector load(int degree, const std::function<double(const Jet& v, const Place&)>& integrand) const {
         Vector b = Vector::Zero(unknowns(degree));
         for_each_place([&](const Place& place) {
@@ -156,7 +156,7 @@ class Plane {
     std::vector<Local> lines_[3][3]; ///< of degree and node: at the points of the rule
 };
 
-/// `count` numbers between low and high, the same at every run.
+/// `count` deterministic pseudo-random numbers between low and high.
 inline std::vector<double> random_values(std::size_t count, double low, double high, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> distribution(low, high);

@@ -1,5 +1,5 @@
-// Slow and obvious: the equation of the sphere with dense matrices and 3 x 3 tensors, point by point, written
-// from the formulas alone. What SurfaceQ2 is held against.
+// Reference: the equation on the sphere with dense matrices and 3 x 3 tensors, point by point, written
+// from the formulas alone. SurfaceQ2 is compared with it.
 #pragma once
 
 #include "core/fem/slow_plane.hpp"
@@ -12,7 +12,7 @@ class Surface {
     using Tensor = Eigen::Matrix3d;
     using Point = Eigen::Vector3d;
 
-    /// Of quadratic functions on a mesh of order 2 whose facets are of this order, every node an unknown.
+    /// Quadratic functions on a mesh of order 2 with facets of the given order; every node is an unknown.
     Surface(const SurfaceMesh& surface, int geometry_order, bool flat = false,
             std::vector<std::int32_t> unknowns = {})
         : mesh_(surface.quadratic), facets_(geometry_order == 2 ? surface.quadratic : straightened(surface)),
@@ -39,7 +39,7 @@ class Surface {
     const Eigen::MatrixXd& stiffness() const { return stiffness_; }
     const Vector& weights() const { return weights_; }
 
-    /// (4.9): nine functions, row by row.
+    /// (4.9): nine functions, by rows.
     Eigen::MatrixXd sigma(const Vector& phi) const {
         Eigen::MatrixXd load = Eigen::MatrixXd::Zero(size_, 9);
         each([&](const At& at) {
@@ -52,7 +52,7 @@ class Surface {
         return mass_.ldlt().solve(load);
     }
 
-    /// <v, m det A>, for the monitor's values at the facets' nodes, or at vertices alone.
+    /// <v, m det A> for the monitor's values at the nodes of the facets, or at the vertices only.
     Vector determinant_load(const Vector& phi, std::span<const double> monitor, bool at_vertices) const {
         const Eigen::MatrixXd s = sigma(phi);
         Vector r = Vector::Zero(size_);
@@ -108,7 +108,7 @@ class Surface {
     }
 
   private:
-    struct At { ///< a point of the quadrature
+    struct At { ///< a quadrature point
         std::size_t cell;
         Point xi;
         double area;

@@ -1,5 +1,5 @@
-// Slow and obvious: dense matrices of Lagrange elements on [0,1], n equal cells, from polynomials that are
-// integrated exactly. What the fast operators along lines are held against.
+// Reference: dense matrices of Lagrange elements on [0, 1] with n equal cells, from exactly integrated
+// polynomials. The fast operators along lines are compared with it.
 #pragma once
 
 #include "core/linear/dense.hpp"
@@ -51,10 +51,10 @@ inline Polynomial lagrange(int degree, int node) {
 
 struct Line {
     int cells;
-    bool periodic; ///< else with natural ends
+    bool periodic; ///< otherwise natural boundary conditions
 
     int unknowns(int degree) const { return cells * degree + (periodic ? 0 : 1); }
-    /// Unknowns run from left to right; local node 0 is the cell's left end.
+    /// Unknowns are numbered from left to right; local node 0 is the left end of the cell.
     int unknown(int degree, int cell, int local) const { return (cell * degree + local) % unknowns(degree); }
 };
 
@@ -85,7 +85,7 @@ inline Eigen::MatrixXd stiffness(Line line, int degree) {
     return line_matrix(line, {degree, true}, {degree, true});
 }
 
-/// Of the entries' magnitudes.
+/// The largest absolute value of an entry.
 inline double largest(const Eigen::MatrixXd& matrix) { return matrix.cwiseAbs().maxCoeff(); }
 
 } // namespace gaspard::slow

@@ -96,7 +96,7 @@ TEST_F(Follow, ABadMonitorIsOneSentenceAndTheRunGoesOn) {
             run.follow(function_monitor([bad](Vec3 p) { return p.x > 0.5 ? bad : 1; }));
             FAIL() << bad;
         } catch (const InputError& error) {
-            EXPECT_NE(std::string(error.what()).find("must be positive and finite, and is"),
+            EXPECT_NE(std::string(error.what()).find("must be positive and finite, but is"),
                       std::string::npos);
         }
         EXPECT_EQ(run.state(), state);
@@ -117,7 +117,7 @@ TEST_F(Follow, AFunctionOfAnotherSpaceIsRefused) {
         FAIL() << "a function of the periodic square";
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(),
-                     "the monitor is a function of a periodic square, which domain 'cubed-sphere' is not");
+                     "the monitor is a function on a periodic square, but domain 'cubed-sphere' is not");
     }
     EXPECT_EQ(run.scenario().monitor.type, "x-n") << "the run is as it was";
     run.follow(function_monitor([](Vec3 p) { return 2 + p.z; }, run.space()));

@@ -309,7 +309,8 @@ TEST_F(WindowTest, SettingsThatCannotBeReadOrWrittenAreNoReasonToFail) {
     start("plane-ring", 1000, 700);
     press("ctrl+q");
     EXPECT_EQ(program->wait(10s), 0) << text_of(folder / "log");
-    EXPECT_NE(text_of(folder / "log").find("not remembered"), std::string::npos) << text_of(folder / "log");
+    EXPECT_NE(text_of(folder / "log").find("cannot save the window settings"), std::string::npos)
+        << text_of(folder / "log");
 }
 
 TEST_F(WindowTest, AnIdleWindowCostsNothing) {

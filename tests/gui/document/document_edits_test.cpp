@@ -279,7 +279,8 @@ TEST_F(DocumentEditsTest, ComparisonsAndSteppingAreNoEdits) {
     ASSERT_TRUE(wait_until([&] { return run().solving(); }));
     document.step(run().id), document.reset(run().id), document.start(run().id);
     document.compare({"relaxation"});
-    ASSERT_TRUE(wait_until([&] { return document.runs().size() == 2 && !document.runs()[1].history.empty(); }));
+    ASSERT_TRUE(
+        wait_until([&] { return document.runs().size() == 2 && !document.runs()[1].history.empty(); }));
     document.cancel_comparison();
     EXPECT_FALSE(document.edits().can_undo());
 

@@ -23,7 +23,8 @@ RunValues titled(RunId run, const std::string& title) {
 }
 
 Edit changing(RunId run, const std::string& before, const std::string& after) {
-    return {.key = "values", .before = {titled(run, before)}, .after = {titled(run, after)}, .settled = false};
+    return {
+        .key = "values", .before = {titled(run, before)}, .after = {titled(run, after)}, .settled = false};
 }
 
 std::string name_in(const std::vector<EditPart>& parts) { return std::get<RunEntry>(parts.front()).name; }

@@ -1,6 +1,6 @@
+#include "gui/headless_ui.hpp"
 #include "gui/panels/plot_pane.hpp"
 #include "gui/panels/run_list.hpp"
-#include "gui/headless_ui.hpp"
 #include "gui/run_fixtures.hpp"
 
 #include <gtest/gtest.h>
@@ -176,12 +176,12 @@ TEST_F(PlotPaneTest, RandomInputOnPlotsAndRunListBreaksNothing) {
         if (random.once_in(100)) second.bottom = second.top + random.real(-10, 600);
         if (!document.runs().empty())
             document.active().curves.append({.iteration = 201 + frames / 3,
-                                                   .residual = random.value(),
-                                                   .step_size = random.value(),
-                                                   .equidistribution = random.value(),
-                                                   .min_jacobian = random.value(),
-                                                   .max_jacobian = random.value(),
-                                                   .seconds = 2 + 0.01 * frames});
+                                             .residual = random.value(),
+                                             .step_size = random.value(),
+                                             .equidistribution = random.value(),
+                                             .min_jacobian = random.value(),
+                                             .max_jacobian = random.value(),
+                                             .seconds = 2 + 0.01 * frames});
         if (random.once_in(5) && !items.empty()) {
             for (const int button : {0, 1, 2}) ui.button(false, button);
             ui.click(random.choose(items), draw_both);

@@ -1,5 +1,5 @@
-#include "gui/panels/run_list.hpp"
 #include "gui/headless_ui.hpp"
+#include "gui/panels/run_list.hpp"
 #include "gui/run_fixtures.hpp"
 
 #include <gtest/gtest.h>
