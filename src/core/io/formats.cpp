@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/base/join.hpp"
 #include "core/base/parameter.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/svg.hpp"
@@ -101,10 +102,8 @@ const Format& find_format(std::string_view name) {
         if (format.name == name) return format;
         names.push_back(format.name);
     }
-    std::string allowed;
-    for (const auto& known : names) allowed += (allowed.empty() ? "" : ", ") + known;
     throw InputError("unknown format '" + std::string(name) + "'" + did_you_mean(name, names) +
-                     "; allowed: " + allowed);
+                     "; allowed: " + join(names, ", "));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "gui/app/application.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/join.hpp"
 #include "core/io/formats.hpp"
 #include "core/scenario/toml.hpp"
 #include "gui/document/runs_csv.hpp"
@@ -225,14 +226,14 @@ void Application::cancel() {
 
 /// At least one format stays selected.
 void Application::toggle_format(const std::string& name) {
-    std::string names;
+    std::vector<std::string_view> names;
     for (const Format& format : formats()) {
         const bool chosen = exports(run().scenario, format.name) != (format.name == name);
-        if (chosen) names += (names.empty() ? "" : ",") + format.name;
+        if (chosen) names.push_back(format.name);
     }
     if (names.empty()) return;
     Scenario scenario = run().scenario;
-    scenario.output.set("formats", names);
+    scenario.output.set("formats", join(names, ","));
     document_.change(run().id, scenario);
 }
 
