@@ -6,6 +6,7 @@
 // The integrals are tabulated once, from both ends, so that s is accurate near the axis and opposite to it.
 #pragma once
 
+#include "core/base/series.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/monitor/monitor.hpp"
 
@@ -42,5 +43,8 @@ struct ExactDeviation {
     double nodes = 0;    ///< over all nodes
 };
 ExactDeviation exact_deviation(const Mesh& mesh, const Points& x, const Points& exact);
+/// What a run reports of it, and the values in the same order.
+std::vector<SeriesInfo> exact_series();
+SeriesValues values_of(const ExactDeviation& deviation);
 
 } // namespace gaspard

@@ -6,6 +6,7 @@
 //   A cell is tangled if its Jacobian is <= 0, or not a number, at any sampled point.
 #pragma once
 
+#include "core/base/series.hpp"
 #include "core/diagnostics/flat_squares.hpp"
 #include "core/diagnostics/sphere_cells.hpp"
 #include "core/mesh/mesh.hpp"
@@ -27,6 +28,10 @@ struct MeshQuality {
     std::vector<double> cell_mass;     ///< M_i
     std::vector<double> cell_jacobian; ///< smallest Jacobian over the sampled points, per cell
 };
+
+/// What a run reports of it, and the values in the same order.
+std::vector<SeriesInfo> quality_series();
+SeriesValues values_of(const MeshQuality& quality);
 
 /// Measures a mesh; holds the reference quadrature and the computational measures, and room to work in.
 /// Of a line or surface in space the Jacobian is negative where the physical cell faces away from the

@@ -11,6 +11,10 @@
 
 namespace gaspard {
 
+/// The constant that m det(dx/dxi) is to equal: the integral of m over the physical domain / measure of the
+/// computational one, which a map of the domain to itself keeps.
+SeriesInfo theta_series();
+
 class Equation {
   public:
     virtual ~Equation() = default;
@@ -44,8 +48,9 @@ class Equation {
     virtual Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) = 0;
     /// Where the mesh's nodes stand, in physical coordinates.
     virtual const Points& positions() const = 0;
-    /// Further measures of that mesh, where the equation has any.
-    virtual std::vector<Measure> measures(const Monitor&) { return {}; }
+    /// What is reported of a potential, and the values of the `measured` ones; as for Method.
+    virtual std::vector<SeriesInfo> series() const { return {theta_series()}; }
+    virtual std::vector<double> measures(const Monitor&) { return {}; }
     /// Positions alone, of another potential.
     virtual void move(std::span<const double> phi) = 0;
     /// r, not normalised.

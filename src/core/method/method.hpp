@@ -1,7 +1,9 @@
 // A method turns a state into the next one; it prints nothing and knows no thread, window or file.
 #pragma once
 
+#include "core/base/field.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/series.hpp"
 #include "core/mesh/discretisation.hpp"
 #include "core/monitor/monitor.hpp"
 
@@ -30,18 +32,11 @@ struct State {
 
 /// The numbers of one iterate, as the method knows them.
 struct Evaluation {
-    double residual = 0;      ///< normalised: McRae et al. (5.1) divided by the norm of <v, theta>
-    double theta = 0;         ///< the constant that m det(dx/dxi) is to equal
+    double residual = 0;      ///< as MethodType::residual describes it
+    SeriesValues series{};    ///< of Method::series(), those that every iterate has, in their order
     double step_size = 0;     ///< of the update that led here; 0 at the start
     int inner_iterations = 0; ///< of the linear solver, for that update
     std::string note{};       ///< a sentence for people, where something is to be said of it
-};
-
-/// A number by which a paper judges its own maps.
-struct Measure {
-    std::string name;
-    double value = 0;
-    friend bool operator==(const Measure&, const Measure&) = default;
 };
 
 class Method {
@@ -61,8 +56,12 @@ class Method {
     virtual Evaluation step(const Monitor& monitor, State& state, std::stop_token stop) = 0;
     /// Where the mesh's nodes stand for the state last evaluated, in physical coordinates.
     virtual const Points& positions() = 0;
-    /// Further numbers of the state last evaluated, as the method's source defines them.
-    virtual std::vector<Measure> measures(const Monitor&) { return {}; }
+    /// What the method reports of an iterate besides the residual.
+    virtual std::vector<SeriesInfo> series() const { return {}; }
+    /// The values, of the state last evaluated, of those series() that are `measured`, in their order.
+    virtual std::vector<double> measures(const Monitor&) { return {}; }
+    /// The values, of the state last evaluated, of MethodType::fields, in their order.
+    virtual std::vector<std::vector<double>> fields(const Monitor&) { return {}; }
     /// New values of the method's own parameters; the state stays.
     virtual void configure(const Values& values) = 0;
     /// At most so many, the caller's own included; results do not depend on it.
@@ -71,12 +70,17 @@ class Method {
     virtual double other_cpu_seconds() const { return 0; }
 };
 
+/// McRae et al. (5.1) divided by the norm of <v, theta>, and what corresponds to it elsewhere.
+SeriesInfo normalised_residual();
+
 /// A kind of method as the user sees it.
 struct MethodType {
     std::string name;
     std::string label;
     std::string help;
     std::vector<ParameterRow> rows; ///< beyond those that every method has (tolerance, max_iterations, ...)
+    SeriesInfo residual = normalised_residual(); ///< its name is "residual"
+    std::vector<FieldInfo> fields{};             ///< of nodes and cells: colours and files offer them
     /// May take as long as a factorisation, and be stopped on the way (Interrupted).
     std::function<std::unique_ptr<Method>(std::shared_ptr<const Discretisation>, const Values&,
                                           const Progress&, std::stop_token)>

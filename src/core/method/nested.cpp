@@ -93,7 +93,7 @@ const Points& Nested::positions() {
     return levels_[0]->positions();
 }
 
-std::vector<Measure> Nested::measures(const Monitor& monitor) {
+std::vector<double> Nested::measures(const Monitor& monitor) {
     positions(); // of which the finest mesh's are measured
     return levels_[0]->measures(monitor);
 }

@@ -25,7 +25,8 @@ class Nested final : public Method {
     Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token stop) override;
     Evaluation step(const Monitor& monitor, State& state, std::stop_token stop) override;
     const Points& positions() override;
-    std::vector<Measure> measures(const Monitor& monitor) override;
+    std::vector<SeriesInfo> series() const override { return levels_[0]->series(); }
+    std::vector<double> measures(const Monitor& monitor) override;
 
   private:
     Equation& here() { return *levels_[level_]; }

@@ -34,8 +34,9 @@ struct PatchMeasures {
     double max_jacobian = 0;
     double border_error = 0; ///< largest |(Psi - xi) . n| on that grid's border
 };
-/// As reports name them.
-std::vector<Measure> named(const PatchMeasures& measures);
+/// As reports name them, and their values in the same order.
+std::vector<SeriesInfo> patch_series();
+std::vector<double> values_of(const PatchMeasures& measures);
 
 /// One form on a patch, with n cells or fewer than its mesh has.
 class PatchForm {

@@ -35,7 +35,8 @@ class QuasiNewton final : public Method {
         return equation_->adopt(other, of);
     }
     const Points& positions() override { return equation_->positions(); }
-    std::vector<Measure> measures(const Monitor& monitor) override { return equation_->measures(monitor); }
+    std::vector<SeriesInfo> series() const override { return equation_->series(); }
+    std::vector<double> measures(const Monitor& monitor) override { return equation_->measures(monitor); }
 
     Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token) override {
         return now_ = equation_->evaluate(monitor, equation_->potential(state));

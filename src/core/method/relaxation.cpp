@@ -40,7 +40,8 @@ class Relaxation final : public Method {
     }
 
     const Points& positions() override { return equation_->positions(); }
-    std::vector<Measure> measures(const Monitor& monitor) override { return equation_->measures(monitor); }
+    std::vector<SeriesInfo> series() const override { return equation_->series(); }
+    std::vector<double> measures(const Monitor& monitor) override { return equation_->measures(monitor); }
 
   private:
     std::unique_ptr<Equation> equation_;

@@ -28,8 +28,9 @@ class SplineEquation final : public Equation {
 
     Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override;
     const Points& positions() const override { return positions_; }
-    std::vector<Measure> measures(const Monitor& monitor) override {
-        return named(patch_->measure(monitor, shown_));
+    std::vector<SeriesInfo> series() const override;
+    std::vector<double> measures(const Monitor& monitor) override {
+        return values_of(patch_->measure(monitor, shown_));
     }
     void move(std::span<const double> phi) override;
     std::span<const double> residual() const override { return residual_; }

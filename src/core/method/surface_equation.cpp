@@ -139,7 +139,7 @@ Evaluation SurfaceEquation::evaluate(const Monitor& monitor, std::span<const dou
     move(phi);
     monitor.values(positions_, monitor_);
     const auto [theta, normalised] = surface_->residual(monitor_, residual_, workspace_);
-    return {.residual = normalised, .theta = theta, .step_size = 0};
+    return {.residual = normalised, .series = {theta}, .step_size = 0};
 }
 
 void SurfaceEquation::move(std::span<const double> phi) {

@@ -26,9 +26,8 @@ void finish(Run& run, const Workshop& workshop);
 Run solve(const Workshop& workshop, const std::string& scenario, const std::vector<std::string>& settings,
           const std::string& title);
 
-/// A curve through a run's history, of what a report holds; rows without it are left out.
-Curve history_curve(const Run& run, const std::string& label,
-                    const std::function<std::optional<double>(const StepReport&)>& of);
+/// One of the series of a run as a curve; rows without a value are left out.
+Curve history_curve(const Run& run, const std::string& label, std::string_view series);
 
 /// A recipe of a function of the workshop.
 Recipe make_recipe(const std::string& id, const std::string& title,

@@ -101,7 +101,6 @@ Catalogue builtin_catalogue() {
                                     picard_mixed_method()},
                         .capabilities = {plane_capability(), sphere_capability("cubed-sphere"),
                                          sphere_capability("icosahedral-sphere")},
-                        .view_rows = view_rows(),
                         .output_rows = output_rows()};
     for (auto& domain : spline_domains()) {
         catalogue.capabilities.push_back(spline_capability(domain.name));
@@ -124,6 +123,10 @@ Section method_section(const Catalogue& catalogue, std::string_view type) {
     return {std::string(type), Values("method", std::move(rows))};
 }
 
+Values view_section(const Catalogue& catalogue, std::string_view method) {
+    return {"view", view_rows(catalogue.method(method).fields)};
+}
+
 Scenario default_scenario(const Catalogue& catalogue) {
     return {.name = "untitled",
             .title = {},
@@ -131,7 +134,7 @@ Scenario default_scenario(const Catalogue& catalogue) {
             .domain = domain_section(catalogue, catalogue.domains.front().name),
             .monitor = monitor_section(catalogue, catalogue.monitors.front().name),
             .method = method_section(catalogue, catalogue.methods.front().name),
-            .view = Values("view", catalogue.view_rows),
+            .view = view_section(catalogue, catalogue.methods.front().name),
             .output = Values("output", catalogue.output_rows)};
 }
 

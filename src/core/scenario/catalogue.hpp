@@ -34,7 +34,7 @@ struct Catalogue {
     std::vector<MonitorType> monitors;
     std::vector<MethodType> methods;
     std::vector<Capability> capabilities;
-    std::vector<ParameterRow> view_rows, output_rows;
+    std::vector<ParameterRow> output_rows;
 
     /// Throw InputError for a name that is not there, with the nearest that is.
     const DomainType& domain(std::string_view name) const;
@@ -50,6 +50,9 @@ Section domain_section(const Catalogue& catalogue, std::string_view type);
 Section monitor_section(const Catalogue& catalogue, std::string_view type, const Space& space = {});
 Section method_section(const Catalogue& catalogue, std::string_view type);
 
+/// The values of the section "view" for a method: its fields are among the colours.
+Values view_section(const Catalogue& catalogue, std::string_view method);
+
 /// The first of every type, with its defaults.
 Scenario default_scenario(const Catalogue& catalogue);
 
@@ -58,6 +61,10 @@ Space space_of(const Catalogue& catalogue, const Scenario& scenario);
 /// Gives the monitor the rows that it has on the scenario's domain. Values that were chosen stay where the
 /// key is still there and allows them.
 void follow_domain(const Catalogue& catalogue, Scenario& scenario);
+
+/// Gives the view the rows that it has with a method. Values that were chosen stay where the method allows
+/// them.
+void follow_method(const Catalogue& catalogue, std::string_view method, Values& view);
 
 /// Throws InputError if a scenario has no such key, or a reserved one.
 void check_key(const Catalogue& catalogue, Scenario& scenario, std::string_view key);

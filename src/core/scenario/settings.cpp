@@ -38,7 +38,8 @@ bool has_row(const std::vector<ParameterRow>& rows, std::string_view key) {
 bool same_rows(const std::vector<ParameterRow>& a, const std::vector<ParameterRow>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
         return one.key == other.key && one.minimum == other.minimum && one.maximum == other.maximum &&
-               one.default_value == other.default_value && one.unit == other.unit;
+               one.default_value == other.default_value && one.unit == other.unit &&
+               one.choices == other.choices;
     });
 }
 
@@ -92,8 +93,21 @@ void set_type(const Catalogue& catalogue, Scenario& scenario, Section& section, 
         follow_domain(catalogue, scenario);
     } else if (&section == &scenario.monitor)
         section = monitor_section(catalogue, type, space_of(catalogue, scenario));
-    else
+    else {
         section = method_section(catalogue, type);
+        follow_method(catalogue, type, scenario.view);
+    }
+}
+
+/// Values that were chosen stay where the key is still there and allows them.
+void keep_values(const Values& before, Values& now) {
+    for (const auto& row : now.rows()) {
+        if (!before.has(row.key) || is_default(before, row.key)) continue;
+        try {
+            now.set(row.key, before.at(row.key));
+        } catch (const InputError&) { // not allowed here: the default stands
+        }
+    }
 }
 
 } // namespace
@@ -107,14 +121,15 @@ void follow_domain(const Catalogue& catalogue, Scenario& scenario) {
     const Values before = scenario.monitor.values;
     Section section = monitor_section(catalogue, scenario.monitor.type, space_of(catalogue, scenario));
     if (same_rows(section.values.rows(), before.rows())) return;
-    for (const auto& row : section.values.rows()) {
-        if (!before.has(row.key) || is_default(before, row.key)) continue;
-        try {
-            section.values.set(row.key, before.at(row.key));
-        } catch (const InputError&) { // out of the range that it has here: the default stands
-        }
-    }
+    keep_values(before, section.values);
     scenario.monitor = std::move(section);
+}
+
+void follow_method(const Catalogue& catalogue, std::string_view method, Values& view) {
+    Values now = view_section(catalogue, method);
+    if (same_rows(now.rows(), view.rows())) return;
+    keep_values(view, now);
+    view = std::move(now);
 }
 
 void check_key(const Catalogue& catalogue, Scenario& scenario, std::string_view key) {

@@ -458,10 +458,10 @@ void Application::fulfil(const PlotWish& wish) {
         return say({"Copied the numbers of all runs that are shown", false});
     case PlotWish::Kind::save_png:
         plot_picture_ = plot_of_runs(document_.runs(), wish.choice, wish.zoom);
-        plot_name_ = name_of(wish.choice.quantity);
+        plot_name_ = wish.choice.plot;
         return;
     case PlotWish::Kind::save_svg:
-        return writer_.run([folder = output_folder(), name = std::string(name_of(wish.choice.quantity)),
+        return writer_.run([folder = output_folder(), name = wish.choice.plot,
                             plot = plot_of_runs(document_.runs(), wish.choice, wish.zoom)] {
             check_writable(folder);
             const auto file = free_name(folder, name, ".svg");

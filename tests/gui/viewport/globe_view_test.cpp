@@ -1,7 +1,7 @@
 // Globes and maps in a viewport: cameras, picking, and what the window lets one do with them.
-#include "gui/application_fixture.hpp"
 #include "core/base/error.hpp"
 #include "fixtures/fixture_catalogue.hpp"
+#include "gui/application_fixture.hpp"
 #include "gui/globes.hpp"
 #include "gui/panels/status_bar.hpp"
 #include "gui/plan_fixture.hpp"
@@ -354,7 +354,7 @@ TEST_F(GlobeApplicationTest, OffersQuadraticCellsWhereLinearOnesFail) {
     EXPECT_FALSE(offered()) << "nothing has failed";
     EXPECT_EQ(remedy_note(run()), "");
     run().history.back().tangled_cells = 5; // as if
-    run().history.back().equidistribution = 1;
+    run().history.back().set("equidistribution", 1);
     EXPECT_NE(remedy_note(run()), "");
     frame();
     ASSERT_TRUE(offered());
