@@ -33,10 +33,11 @@ Scenario scenario_of(const Catalogue& catalogue, const RunArguments& arguments) 
     if (arguments.formats) scenario.output.set("formats", *arguments.formats);
     if (arguments.size) apply_size(scenario, *arguments.size);
     if (arguments.seed) {
-        if (!scenario.monitor.values.has("seed"))
+        const ParameterRow* row = find_role(scenario.monitor.values.rows(), ParameterRole::seed);
+        if (!row)
             throw InputError("--seed has nothing to set: scenario '" + scenario.name +
                              "' uses no random numbers");
-        scenario.monitor.values.set("seed", std::int64_t{*arguments.seed});
+        scenario.monitor.values.set(row->key, std::int64_t{*arguments.seed});
     }
     return scenario;
 }
@@ -121,7 +122,7 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
     const Scenario scenario = scenario_of(*catalogue, arguments);
     check(*catalogue, scenario);
     check_view(scenario.view);
-    const auto formats = formats_of(scenario);
+    const auto formats = formats_of(*catalogue, scenario);
     RunOptions options{.threads = threads_of(arguments)};
     if (arguments.start) options.start = read_state(*arguments.start);
     const std::filesystem::path folder = arguments.out.empty()

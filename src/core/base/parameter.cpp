@@ -121,6 +121,21 @@ Values::Values(std::string section, std::vector<ParameterRow> rows)
         set(row.key, row.default_value); // a default out of its own range is our fault
 }
 
+const ParameterRow* find_role(const std::vector<ParameterRow>& rows, ParameterRole role) {
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.role == role; });
+    return row == rows.end() ? nullptr : &*row;
+}
+
+std::optional<Remedy> find_remedy(const Values& values) {
+    for (const ParameterRow& row : values.rows())
+        if (row.remedy && *row.remedy != values.at(row.key)) return Remedy{row.key, *row.remedy};
+    return std::nullopt;
+}
+
+std::string describe(const Values& section, const Remedy& remedy) {
+    return section.section() + "." + remedy.key + " = " + format_value(remedy.value);
+}
+
 bool is_default(const Values& values, std::string_view key) {
     const auto row = std::find_if(values.rows().begin(), values.rows().end(),
                                   [&](const ParameterRow& one) { return one.key == key; });

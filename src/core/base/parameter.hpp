@@ -18,6 +18,18 @@ enum class ParameterScale { linear, logarithmic };
 
 using Value = std::variant<double, std::int64_t, bool, std::string>;
 
+/// What the program must know of a parameter beyond its value, whatever its key is called.
+enum class ParameterRole {
+    none,
+    x,              ///< with the row of role y and the same `point`: a point of the plane that can be dragged
+    y,
+    latitude,       ///< with `longitude` and the same `point`: a point of the sphere that can be dragged
+    longitude,
+    seed,           ///< of random numbers
+    control_points, ///< of a patch, as text
+    defines_rows,   ///< other rows depend on its value, so it is set before them
+};
+
 struct ParameterRow {
     std::string key{};    ///< within its section: "amplitude"
     std::string label{};  ///< as a slider shows it: "Amplitude"
@@ -30,7 +42,14 @@ struct ParameterRow {
     Value default_value = 0.0;
     std::vector<std::string> choices{}; ///< of kind choice only
     std::string help{};                 ///< one line
+    ParameterRole role = ParameterRole::none;
+    std::string point{};   ///< of coordinates only: which point it belongs to ("center")
+    bool periodic = false;         ///< minimum and maximum are the same place
+    std::optional<Value> remedy{}; ///< the value that often helps if a run fails
 };
+
+/// The first row with a role; null if there is none.
+const ParameterRow* find_role(const std::vector<ParameterRow>& rows, ParameterRole role);
 
 /// The values of one section ("monitor"), one for each of its rows. Always complete and always in range.
 class Values {
@@ -68,6 +87,16 @@ class Values {
     std::vector<ParameterRow> rows_;
     std::vector<Value> values_;
 };
+
+/// Another value of one parameter, which often helps if a run fails.
+struct Remedy {
+    std::string key;
+    Value value;
+};
+/// Of the first row that has a remedy and another value; nothing if there is none.
+std::optional<Remedy> find_remedy(const Values& values);
+/// "domain.geometry_order = 2".
+std::string describe(const Values& section, const Remedy& remedy);
 
 /// Whether a value is as its row has it.
 bool is_default(const Values& values, std::string_view key);

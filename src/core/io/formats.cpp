@@ -9,6 +9,7 @@
 #include "core/spline/patch_xml.hpp"
 #include "core/tessellate/colouring.hpp"
 #include "core/tessellate/fine_tessellation.hpp"
+#include "core/scenario/catalogue.hpp"
 
 #include <algorithm>
 
@@ -177,10 +178,11 @@ std::vector<const Format*> parse_formats(std::string_view list) {
     }
 }
 
-std::vector<const Format*> formats_of(const Scenario& scenario) {
+std::vector<const Format*> formats_of(const Catalogue& catalogue, const Scenario& scenario) {
+    const bool is_spline = catalogue.domain(scenario.domain.type).spline_patch;
     auto chosen = parse_formats(scenario.output.text("formats"));
     for (const Format* format : chosen)
-        if (format->splines_only && !scenario.domain.values.has("degree"))
+        if (format->splines_only && !is_spline)
             throw InputError("format '" + format->name + "' is for spline patches, which domain '" +
                              scenario.domain.type + "' is not");
     return chosen;

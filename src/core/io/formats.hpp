@@ -15,6 +15,8 @@
 
 namespace gaspard {
 
+struct Catalogue;
+
 struct SplinePatch;
 struct Tessellation;
 
@@ -77,6 +79,6 @@ bool exports(const Scenario& scenario, std::string_view format);
 /// Parses "obj,glb". Throws InputError for an unknown name, with the nearest.
 std::vector<const Format*> parse_formats(std::string_view list);
 /// Those of a scenario. Throws InputError too where one has nothing to write of its domain.
-std::vector<const Format*> formats_of(const Scenario& scenario);
+std::vector<const Format*> formats_of(const Catalogue& catalogue, const Scenario& scenario);
 
 } // namespace gaspard

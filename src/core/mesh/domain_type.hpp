@@ -17,6 +17,8 @@ struct DomainType {
     std::string help;
     std::vector<ParameterRow> rows;
     std::function<Space(const Values&)> space;
+    /// Its meshes are images of a spline patch, so that formats of splines can be written.
+    bool spline_patch = false;
 };
 
 /// The unit square: doubly periodic, or with walls along which nodes slide.
@@ -25,7 +27,8 @@ DomainType plane_domain();
 /// The sphere, of quadrilaterals or of triangles.
 DomainType cubed_sphere_domain();
 DomainType icosahedral_sphere_domain();
-/// Which mesh of the sphere the values of one of these mean.
-SphereGrid sphere_grid(const Values& values);
+/// The mesh that the values of one of these stand for.
+SphereGrid cubed_sphere_grid(const Values& values);
+SphereGrid icosahedral_sphere_grid(const Values& values);
 
 } // namespace gaspard

@@ -14,7 +14,8 @@ std::vector<ParameterRow> common_rows() {
              .default_value = std::int64_t{2},
              .help =
                  "1: straight edges between vertices, 2: curved cells with nodes between them; with 1 strong "
-                 "monitors blow up"},
+                 "monitors blow up",
+             .remedy = std::int64_t{2}},
             {.key = "radius",
              .label = "Radius",
              .symbol = "R",
@@ -79,11 +80,13 @@ DomainType icosahedral_sphere_domain() {
             .space = sphere_space};
 }
 
-SphereGrid sphere_grid(const Values& values) {
-    if (values.has("refinements"))
-        return {SphereCells::icosahedral, static_cast<int>(values.integer("refinements"))};
+SphereGrid cubed_sphere_grid(const Values& values) {
     return {SphereCells::cubed, static_cast<int>(values.integer("cells")),
             values.text("mid_nodes") == "normalised" ? MidNodes::normalised : MidNodes::equiangular};
+}
+
+SphereGrid icosahedral_sphere_grid(const Values& values) {
+    return {SphereCells::icosahedral, static_cast<int>(values.integer("refinements"))};
 }
 
 } // namespace gaspard

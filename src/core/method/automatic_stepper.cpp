@@ -27,35 +27,35 @@ class AutomaticStepper final : public Stepper {
   public:
     AutomaticStepper() : anderson_(make_anderson_stepper()), newton_(make_newton_stepper()) {}
 
-    void begin(Equation& equation, double target) override {
-        equation_ = &equation;
+    void begin(NonlinearProblem& problem, double target) override {
+        problem_ = &problem;
         target_ = target;
         iterations_ = 0, near_ = 0;
         choose(false);
     }
 
-    Iterate step(const Monitor& monitor, std::vector<double>& phi, const Iterate& now,
+    Iterate step(const ProblemData& data, std::vector<double>& u, const Iterate& now,
                  std::stop_token stop) override {
         std::string note;
         Iterate from = now;
         if (iterations_ == 0) {
             note = "accelerated relaxation first";
-            condition_ = condition(now);
-            may_start_anew_ = std::all_of(phi.begin(), phi.end(), [](double value) { return value == 0; });
+            condition_ = now.shape.condition;
+            may_start_anew_ = u == problem_->start();
         }
         if (!use_newton_ && newton_is_worth_it(now)) {
             choose(true);
             note = "Newton's method takes over";
             if (now.evaluation.residual > far && may_start_anew_) {
                 note += " from the uniform mesh on";
-                from = start_anew(monitor, phi);
+                from = start_anew(data, u);
             }
         }
-        Iterate next = (use_newton_ ? newton_ : anderson_)->step(monitor, phi, from, stop);
+        Iterate next = (use_newton_ ? newton_ : anderson_)->step(data, u, from, stop);
         if (next.lost && may_start_anew_) {
             next.evaluation.note += "; Newton's method from the uniform mesh on";
             const Evaluation lost = next.evaluation;
-            next = start_anew(monitor, phi);
+            next = start_anew(data, u);
             next.evaluation.step_size = lost.step_size;
             next.evaluation.inner_iterations = lost.inner_iterations;
             next.evaluation.note = lost.note;
@@ -71,23 +71,17 @@ class AutomaticStepper final : public Stepper {
 
   private:
     /// Newton's path begins at the uniform mesh.
-    Iterate start_anew(const Monitor& monitor, std::vector<double>& phi) {
+    Iterate start_anew(const ProblemData& data, std::vector<double>& u) {
         may_start_anew_ = false;
         choose(true);
-        std::fill(phi.begin(), phi.end(), 0.0);
-        return look(*equation_, monitor, phi);
+        u = problem_->start();
+        return evaluate(*problem_, data, u);
     }
 
     void choose(bool newton) {
         use_newton_ = newton;
         residuals_.clear();
-        (newton ? newton_ : anderson_)->begin(*equation_, target_);
-    }
-
-    /// Of the linearised equation relative to the Laplacian; of the monitor, for the uniform mesh.
-    static double condition(const Iterate& now) {
-        constexpr double not_convex = 1e4; // where it is not defined
-        return now.shape.slowest > 0 ? now.shape.fastest / now.shape.slowest : not_convex;
+        (newton ? newton_ : anderson_)->begin(*problem_, target_);
     }
 
     bool newton_is_worth_it(const Iterate& now) const {
@@ -105,12 +99,12 @@ class AutomaticStepper final : public Stepper {
         }
         if (near_ <= window) return false; // the rate is still that of the way there
         const double inner =
-            inner_work * std::pow(condition(now), inner_growth) * std::log10(residual / target_);
+            inner_work * std::pow(now.shape.condition, inner_growth) * std::log10(residual / target_);
         const double steps = 1 + std::log2(std::max(1.0, std::log(target_ / residual) / std::log(residual)));
         return anderson(target_) > inner + step_work * steps;
     }
 
-    Equation* equation_ = nullptr;
+    NonlinearProblem* problem_ = nullptr;
     double target_ = 0;
     std::unique_ptr<Stepper> anderson_, newton_;
     bool use_newton_ = false;

@@ -5,7 +5,7 @@
 #include "core/base/parameter.hpp"
 #include "core/base/series.hpp"
 #include "core/mesh/discretisation.hpp"
-#include "core/monitor/monitor.hpp"
+#include "core/monitor/problem_data.hpp"
 
 #include <functional>
 #include <memory>
@@ -49,19 +49,19 @@ class Method {
     /// it: it saves making those operators again.
     virtual std::optional<State> adopt(const State& other, const Discretisation* of) = 0;
     /// Evaluates the equation at `state` and leaves it as it is.
-    virtual Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token stop) = 0;
+    virtual Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token stop) = 0;
     /// One update of the unknowns, then the evaluation of what came out. The last evaluate() or step() must
-    /// have been of this very state and monitor. A result that is not finite is a value (the run ends as
+    /// have been of this very state and data. A result that is not finite is a value (the run ends as
     /// diverged).
-    virtual Evaluation step(const Monitor& monitor, State& state, std::stop_token stop) = 0;
+    virtual Evaluation step(const ProblemData& data, State& state, std::stop_token stop) = 0;
     /// Where the mesh's nodes stand for the state last evaluated, in physical coordinates.
     virtual const Points& positions() = 0;
     /// What the method reports of an iterate besides the residual.
     virtual std::vector<SeriesInfo> series() const { return {}; }
     /// The values, of the state last evaluated, of those series() that are `measured`, in their order.
-    virtual std::vector<double> measures(const Monitor&) { return {}; }
+    virtual std::vector<double> measures(const ProblemData&) { return {}; }
     /// The values, of the state last evaluated, of MethodType::fields, in their order.
-    virtual std::vector<std::vector<double>> fields(const Monitor&) { return {}; }
+    virtual std::vector<std::vector<double>> fields(const ProblemData&) { return {}; }
     /// New values of the method's own parameters; the state stays.
     virtual void configure(const Values& values) = 0;
     /// At most so many, the caller's own included; results do not depend on it.
@@ -73,6 +73,18 @@ class Method {
 /// McRae et al. (5.1) divided by the norm of <v, theta>, and what corresponds to it elsewhere.
 SeriesInfo normalised_residual();
 
+class NonlinearProblem; // core/method/nonlinear_problem.hpp
+
+/// What a method is made of.
+struct MethodContext {
+    std::shared_ptr<const Discretisation> discretisation;
+    /// The nonlinear problem on this discretisation, from the row of the capability table; empty if the row has
+    /// none. May be called more than once.
+    std::function<std::unique_ptr<NonlinearProblem>()> problem{};
+    Progress progress{};
+    std::stop_token stop{};
+};
+
 /// A kind of method as the user sees it.
 struct MethodType {
     std::string name;
@@ -82,10 +94,10 @@ struct MethodType {
     SeriesInfo residual = normalised_residual(); ///< its name is "residual"
     std::vector<FieldInfo> fields{};             ///< of nodes and cells: colours and files offer them
     /// May take as long as a factorisation, and be stopped on the way (Interrupted).
-    std::function<std::unique_ptr<Method>(std::shared_ptr<const Discretisation>, const Values&,
-                                          const Progress&, std::stop_token)>
-        make;
+    std::function<std::unique_ptr<Method>(const MethodContext&, const Values&)> make;
 };
+/// The defaults of the method's rows and of those that every method has.
+Values default_values(const MethodType& type);
 
 /// Rows that every method has; the run reads them.
 std::vector<ParameterRow> common_method_rows();

@@ -39,9 +39,9 @@ class Picard final : public Method {
     }
 
     void configure(const Values& values) override {
-        tolerance_ = values.has("tolerance") ? values.real("tolerance") : 1e-8;
+        tolerance_ = values.real("tolerance");
         multilevel_ = values.text("start") == "multilevel";
-        const double shift = values.has("penalty") ? values.real("penalty") : 0;
+        const double shift = formulation_ == Formulation::standard ? values.real("penalty") : 0;
         if (shift == shift_) return;
         shift_ = shift;
         for (Level& level : levels_) level.bfo = Bfo(level.form->form(), shift_);
@@ -60,21 +60,21 @@ class Picard final : public Method {
         return State{levels_[0].form->layout(), {{"phi", std::move(phi)}}};
     }
 
-    Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token) override {
+    Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token) override {
         level_ = level_of(state);
         const auto& phi = state.arrays[0].values;
-        at_start_ = level_ == 0 && std::all_of(phi.begin(), phi.end(), [](double v) { return v == 0; });
+        at_start_ = level_ == 0 && state == initial_state();
         whole_.resize(phi.size());
         levels_[level_].form->add_identity(phi, whole_);
         if (level_ == 0) {
-            iterate(monitor);
+            iterate(*data.monitor);
             return report();
         }
         // What is said of a map is said of the mesh that was asked for, or a coarse one might end a run.
         const std::size_t coarse = level_;
         const std::vector<double> of_state = whole_;
         go_to(0);
-        iterate(monitor);
+        iterate(*data.monitor);
         const Evaluation evaluation = report();
         level_ = coarse;
         whole_ = of_state;
@@ -82,10 +82,10 @@ class Picard final : public Method {
         return evaluation;
     }
 
-    Evaluation step(const Monitor& monitor, State& state, std::stop_token) override {
+    Evaluation step(const ProblemData& data, State& state, std::stop_token) override {
         GASPARD_CHECK(level_of(state) == level_);
-        if (std::exchange(at_start_, false) && multilevel_) go_to_coarsest(monitor);
-        if (next_.empty()) iterate(monitor);
+        if (std::exchange(at_start_, false) && multilevel_) go_to_coarsest(*data.monitor);
+        if (next_.empty()) iterate(*data.monitor);
         whole_.swap(next_);
         next_.clear();
         Evaluation evaluation = report();
@@ -93,7 +93,7 @@ class Picard final : public Method {
         // Also over a mesh on which there is nothing to do: no coarse one may end a run.
         while (level_ > 0 && (late || residual_ < std::max(coarse_tolerance, tolerance_))) {
             go_to(level_ - 1);
-            iterate(monitor);
+            iterate(*data.monitor);
             late = false;
             evaluation = report();
             evaluation.note = "on " + std::to_string(levels_[level_].form->cells()) + " cells from here";
@@ -114,8 +114,8 @@ class Picard final : public Method {
         all.insert(all.begin(), sigma_series());
         return all;
     }
-    std::vector<double> measures(const Monitor& monitor) override {
-        return values_of(levels_[level_].form->measure(monitor, whole_));
+    std::vector<double> measures(const ProblemData& data) override {
+        return values_of(levels_[level_].form->measure(*data.monitor, whole_));
     }
 
   private:
@@ -199,21 +199,22 @@ MethodType picard_type(Formulation formulation, std::string name, std::string la
                         .maximum = 1e-2,
                         .default_value = 0.0,
                         .help = "of phi's mean, 1e-8 in the paper; 0 leaves the mean out exactly"});
-    return {.name = std::move(name),
-            .label = std::move(label),
-            .help = std::move(help),
-            .rows = std::move(rows),
-            .residual = {.name = "residual",
-                         .label = "Increment",
-                         .symbol = "‖Δφ‖",
-                         .scale = ParameterScale::logarithmic,
-                         .help = "L² norm of the last increment of φ"},
-            .make = [formulation](std::shared_ptr<const Discretisation> discretisation, const Values& values,
-                                  const Progress&, std::stop_token) -> std::unique_ptr<Method> {
-                auto domain = std::dynamic_pointer_cast<const SplineDomain>(std::move(discretisation));
-                GASPARD_CHECK(domain != nullptr);
-                return std::make_unique<Picard>(std::move(domain), formulation, values);
-            }};
+    return {
+        .name = std::move(name),
+        .label = std::move(label),
+        .help = std::move(help),
+        .rows = std::move(rows),
+        .residual = {.name = "residual",
+                     .label = "Increment",
+                     .symbol = "‖Δφ‖",
+                     .scale = ParameterScale::logarithmic,
+                     .help = "L² norm of the last increment of φ"},
+        .make = [formulation](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
+            // Its row of the capability table promises this kind of discretisation.
+            auto domain = std::dynamic_pointer_cast<const SplineDomain>(context.discretisation);
+            GASPARD_CHECK(domain != nullptr);
+            return std::make_unique<Picard>(std::move(domain), formulation, values);
+        }};
 }
 
 } // namespace

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/fem/plane_q2.hpp"
-#include "core/method/equation.hpp"
+#include "core/method/monge_ampere.hpp"
 
 namespace gaspard {
 
-class PlaneEquation final : public Equation {
+class PlaneEquation final : public MongeAmpereEquation {
   public:
     explicit PlaneEquation(std::shared_ptr<const PlaneQ2> plane);
 
@@ -15,10 +15,10 @@ class PlaneEquation final : public Equation {
 
     /// From any plane with the same boundary.
     std::optional<State> adopt(const State& other, const Discretisation* of) override;
-    State adopt(Equation& other, std::span<const double> phi) override;
-    std::unique_ptr<Equation> coarser(const Progress& progress, std::stop_token stop) const override;
+    State adopt(NonlinearProblem& other, std::span<const double> phi) override;
+    std::unique_ptr<NonlinearProblem> coarser(const Progress& progress, std::stop_token stop) const override;
 
-    Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override;
+    Evaluation evaluate(const ProblemData& data, std::span<const double> phi) override;
     const Points& positions() const override { return positions_; }
     void move(std::span<const double> phi) override { plane_->positions(phi, positions_, workspace_); }
     std::span<const double> residual() const override { return residual_; }
@@ -28,7 +28,7 @@ class PlaneEquation final : public Equation {
     }
     void direction(std::span<double> u) override { plane_->poisson(residual_, u, workspace_); }
 
-    void linearise(const Monitor& monitor, Linearised how) override;
+    void linearise(const ProblemData& data, Linearised how) override;
     void derivative(std::span<const double> w, std::span<double> out) override;
     void precondition(std::span<const double> r, std::span<double> u) override;
 

@@ -7,7 +7,7 @@
 // Laplacian as preconditioner, where the paper has the Riesz map of the mixed system. s makes the l2 norm of
 // the residual small, by five secant steps (Brune, Knepley, Smith, Tu, 2015). Nothing guards convexity.
 #include "core/linear/gmres.hpp"
-#include "core/method/equation.hpp"
+#include "core/method/nonlinear_problem.hpp"
 
 #include <cmath>
 
@@ -23,52 +23,52 @@ constexpr double least_step = 1e-12, longest_step = 1e8;
 
 class QuasiNewton final : public Method {
   public:
-    explicit QuasiNewton(std::unique_ptr<Equation> equation)
-        : equation_(std::move(equation)), gmres_(equation_->unknowns(), memory),
-          update_(equation_->unknowns()), before_(update_) {}
+    explicit QuasiNewton(std::unique_ptr<NonlinearProblem> problem)
+        : problem_(std::move(problem)), gmres_(problem_->size(), memory), update_(problem_->size()),
+          before_(update_) {}
 
     void configure(const Values&) override {}
-    void use_threads(int threads) override { equation_->use_threads(threads); }
-    double other_cpu_seconds() const override { return equation_->other_cpu_seconds(); }
-    State initial_state() const override { return equation_->initial_state(); }
+    void use_threads(int threads) override { problem_->use_threads(threads); }
+    double other_cpu_seconds() const override { return problem_->other_cpu_seconds(); }
+    State initial_state() const override { return problem_->state_of(problem_->start()); }
     std::optional<State> adopt(const State& other, const Discretisation* of) override {
-        return equation_->adopt(other, of);
+        return problem_->adopt(other, of);
     }
-    const Points& positions() override { return equation_->positions(); }
-    std::vector<SeriesInfo> series() const override { return equation_->series(); }
-    std::vector<double> measures(const Monitor& monitor) override { return equation_->measures(monitor); }
+    const Points& positions() override { return problem_->positions(); }
+    std::vector<SeriesInfo> series() const override { return problem_->series(); }
+    std::vector<double> measures(const ProblemData& data) override { return problem_->measures(data); }
 
-    Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token) override {
-        return now_ = equation_->evaluate(monitor, equation_->potential(state));
+    Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token) override {
+        return now_ = problem_->evaluate(data, problem_->unknowns(state));
     }
 
-    Evaluation step(const Monitor& monitor, State& state, std::stop_token stop) override {
-        auto& phi = equation_->potential(state);
-        equation_->linearise(monitor, Equation::Linearised::frozen_monitor);
-        const auto solved = gmres_.solve([&](auto v, auto out) { equation_->derivative(v, out); },
-                                         [&](auto v, auto out) { equation_->precondition(v, out); },
-                                         equation_->residual(), update_, {tolerance, most_inner}, stop);
-        before_ = phi;
-        const double length = stop.stop_requested() ? 0 : search(monitor, phi);
-        now_ = at(monitor, phi, length);
+    Evaluation step(const ProblemData& data, State& state, std::stop_token stop) override {
+        auto& u = problem_->unknowns(state);
+        problem_->linearise(data, NonlinearProblem::Linearised::frozen_monitor);
+        const auto solved = gmres_.solve([&](auto v, auto out) { problem_->derivative(v, out); },
+                                         [&](auto v, auto out) { problem_->precondition(v, out); },
+                                         problem_->residual(), update_, {tolerance, most_inner}, stop);
+        before_ = u;
+        const double length = stop.stop_requested() ? 0 : search(data, u);
+        now_ = at(data, u, length);
         now_.step_size = length;
         now_.inner_iterations = solved.iterations;
-        if (equation_->ellipticity().convexity <= 0) now_.note = "the map has lost its convexity";
+        if (problem_->shape().admissibility <= 0) now_.note = "the map has lost its convexity";
         if (!solved.converged && !stop.stop_requested())
             now_.note += std::string(now_.note.empty() ? "" : "; ") + "the linear solver stagnates";
         return now_;
     }
 
   private:
-    Evaluation at(const Monitor& monitor, std::vector<double>& phi, double length) {
-        for (std::size_t i = 0; i < phi.size(); ++i) phi[i] = before_[i] + length * update_[i];
-        return equation_->evaluate(monitor, phi);
+    Evaluation at(const ProblemData& data, std::vector<double>& u, double length) {
+        for (std::size_t i = 0; i < u.size(); ++i) u[i] = before_[i] + length * update_[i];
+        return problem_->evaluate(data, u);
     }
 
     /// Secants for the derivative of |r|^2 along the line, from values at both ends and in the middle.
-    double search(const Monitor& monitor, std::vector<double>& phi) {
+    double search(const ProblemData& data, std::vector<double>& u) {
         const auto squared = [&](double length) {
-            const double residual = at(monitor, phi, length).residual;
+            const double residual = at(data, u, length).residual;
             return residual * residual;
         };
         double old = 0, length = 1, at_old = now_.residual * now_.residual;
@@ -87,7 +87,7 @@ class QuasiNewton final : public Method {
         return length;
     }
 
-    std::unique_ptr<Equation> equation_;
+    std::unique_ptr<NonlinearProblem> problem_;
     Gmres gmres_;
     std::vector<double> update_, before_;
     Evaluation now_;
@@ -101,9 +101,8 @@ MethodType quasi_newton_method() {
             .help = "the paper's linearisation with an l2 line search: far fewer iterations than the "
                     "relaxation, but it fails for harsh monitors",
             .rows = {},
-            .make = [](std::shared_ptr<const Discretisation> discretisation, const Values&, const Progress&,
-                       std::stop_token) -> std::unique_ptr<Method> {
-                return std::make_unique<QuasiNewton>(make_equation(std::move(discretisation)));
+            .make = [](const MethodContext& context, const Values&) -> std::unique_ptr<Method> {
+                return std::make_unique<QuasiNewton>(context.problem());
             }};
 }
 

@@ -1,5 +1,5 @@
 // The series that several methods report.
-#include "core/method/equation.hpp"
+#include "core/method/monge_ampere.hpp"
 
 namespace gaspard {
 

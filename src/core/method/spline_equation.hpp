@@ -7,37 +7,34 @@
 // identity.
 #pragma once
 
-#include "core/method/equation.hpp"
+#include "core/method/monge_ampere.hpp"
 #include "core/method/patch_form.hpp"
 
 namespace gaspard {
 
-class SplineEquation final : public Equation {
+class SplineEquation final : public MongeAmpereEquation {
   public:
     explicit SplineEquation(std::shared_ptr<const SplineDomain> domain)
         : SplineEquation(domain, domain->cells()) {}
     /// With fewer cells than the domain's mesh has.
     SplineEquation(std::shared_ptr<const SplineDomain> domain, std::size_t cells);
 
-    void use_threads(int) override {} // it works alone
-    double other_cpu_seconds() const override { return 0; }
-
     std::optional<State> adopt(const State& other, const Discretisation* of) override;
-    State adopt(Equation& other, std::span<const double> phi) override;
-    std::unique_ptr<Equation> coarser(const Progress& progress, std::stop_token stop) const override;
+    State adopt(NonlinearProblem& other, std::span<const double> phi) override;
+    std::unique_ptr<NonlinearProblem> coarser(const Progress& progress, std::stop_token stop) const override;
 
-    Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override;
+    Evaluation evaluate(const ProblemData& data, std::span<const double> phi) override;
     const Points& positions() const override { return positions_; }
     std::vector<SeriesInfo> series() const override;
-    std::vector<double> measures(const Monitor& monitor) override {
-        return values_of(patch_->measure(monitor, shown_));
+    std::vector<double> measures(const ProblemData& data) override {
+        return values_of(patch_->measure(*data.monitor, shown_));
     }
     void move(std::span<const double> phi) override;
     std::span<const double> residual() const override { return residual_; }
     Ellipticity ellipticity() const override { return {shape_.convexity, shape_.slowest, shape_.fastest}; }
     void direction(std::span<double> u) override;
 
-    void linearise(const Monitor& monitor, Linearised how) override;
+    void linearise(const ProblemData& data, Linearised how) override;
     void derivative(std::span<const double> w, std::span<double> out) override { bfo_.derivative(w, out); }
     void precondition(std::span<const double> r, std::span<double> u) override { bfo_.poisson(r, u); }
 

@@ -1,33 +1,32 @@
-// One way of making updates on one mesh: what the nested methods (method/nested.hpp) are made of.
+// A stepper makes the updates on one mesh; nested iteration (nested.hpp) uses one on every level.
 #pragma once
 
-#include "core/method/equation.hpp"
+#include "core/method/nonlinear_problem.hpp"
 
 namespace gaspard {
 
-/// An iterate as its equation sees it.
+/// An iterate, evaluated.
 struct Iterate {
-    Evaluation evaluation; ///< of the monitor itself; with the update's step size, inner iterations and note
-    Ellipticity shape;
-    bool lost = false; ///< the update was made because one has to be: no way on is known
+    Evaluation evaluation; ///< for the data itself; with the update's step size, inner iterations and note
+    IterateShape shape;
+    bool lost = false; ///< the update was made only because one has to be: no better one is known
 };
 
 class Stepper {
   public:
     virtual ~Stepper() = default;
-    /// From here on, the updates are of this equation, down to a residual of `target`; nothing is remembered.
-    virtual void begin(Equation& equation, double target) = 0;
-    /// One update of phi, `now` the iterate that the equation has last evaluated; evaluates what came out.
-    /// Where it is stopped, phi may stay as it is.
-    virtual Iterate step(const Monitor& monitor, std::vector<double>& phi, const Iterate& now,
+    /// The updates from here on are for this problem, down to a residual of `target`. Forgets everything.
+    virtual void begin(NonlinearProblem& problem, double target) = 0;
+    /// One update of the unknowns u; `now` is the iterate last evaluated. Evaluates the result. If it is asked
+    /// to stop, u may stay as it is.
+    virtual Iterate step(const ProblemData& data, std::vector<double>& u, const Iterate& now,
                          std::stop_token stop) = 0;
 };
 
-/// The equation evaluated at phi.
-inline Iterate look(Equation& equation, const Monitor& monitor, const std::vector<double>& phi) {
+inline Iterate evaluate(NonlinearProblem& problem, const ProblemData& data, const std::vector<double>& u) {
     Iterate iterate;
-    iterate.evaluation = equation.evaluate(monitor, phi);
-    iterate.shape = equation.ellipticity();
+    iterate.evaluation = problem.evaluate(data, u);
+    iterate.shape = problem.shape();
     return iterate;
 }
 

@@ -97,14 +97,14 @@ Eigenvalues flat_cofactor_eigenvalues(Tensor sigma) {
 } // namespace
 
 SurfaceEquation::SurfaceEquation(std::shared_ptr<const SurfaceQ2> surface)
-    : Equation(layout_of(*surface), surface->unknowns()), surface_(std::move(surface)),
+    : MongeAmpereEquation(layout_of(*surface), surface->unknowns()), surface_(std::move(surface)),
       workspace_(surface_->make_workspace()), monitor_(surface_->mesh()->node_count()),
       residual_(surface_->unknowns()) {}
 
 std::optional<State> SurfaceEquation::adopt(const State& other, const Discretisation* of) {
     if (other.arrays.size() != 1 || other.arrays[0].name != "phi") return std::nullopt;
     const auto& phi = other.arrays[0].values;
-    if (other.layout == layout() && phi.size() == unknowns()) return other;
+    if (other.layout == layout() && phi.size() == size()) return other;
     if (!surface_->grid()) return std::nullopt;
     const auto* there = dynamic_cast<const SurfaceQ2*>(of);
     if (there && there->unknowns() == phi.size() && other.layout == layout_of(*there))
@@ -114,7 +114,7 @@ std::optional<State> SurfaceEquation::adopt(const State& other, const Discretisa
     return adopt(SurfaceQ2(std::move(*setup)), phi);
 }
 
-State SurfaceEquation::adopt(Equation& other, std::span<const double> phi) {
+State SurfaceEquation::adopt(NonlinearProblem& other, std::span<const double> phi) {
     return adopt(*dynamic_cast<SurfaceEquation&>(other).surface_, phi);
 }
 
@@ -124,7 +124,8 @@ State SurfaceEquation::adopt(const SurfaceQ2& from, std::span<const double> phi)
     return state_of(surface_->potential(interpolated(from, from.laplacian(phi), *surface_)));
 }
 
-std::unique_ptr<Equation> SurfaceEquation::coarser(const Progress& progress, std::stop_token stop) const {
+std::unique_ptr<NonlinearProblem> SurfaceEquation::coarser(const Progress& progress,
+                                                           std::stop_token stop) const {
     if (!surface_->grid()) return nullptr;
     SphereGrid half = *surface_->grid();
     const bool cubed = half.cells == SphereCells::cubed;
@@ -135,9 +136,9 @@ std::unique_ptr<Equation> SurfaceEquation::coarser(const Progress& progress, std
         progress, stop));
 }
 
-Evaluation SurfaceEquation::evaluate(const Monitor& monitor, std::span<const double> phi) {
+Evaluation SurfaceEquation::evaluate(const ProblemData& data, std::span<const double> phi) {
     move(phi);
-    monitor.values(positions_, monitor_);
+    data.monitor->values(positions_, monitor_);
     const auto [theta, normalised] = surface_->residual(monitor_, residual_, workspace_);
     return {.residual = normalised, .series = {theta}, .step_size = 0};
 }
@@ -147,11 +148,11 @@ void SurfaceEquation::move(std::span<const double> phi) {
     surface_->positions(workspace_, positions_, gradient_);
 }
 
-void SurfaceEquation::linearise(const Monitor& monitor, Linearised how) {
+void SurfaceEquation::linearise(const ProblemData& data, Linearised how) {
     if (!d_workspace_) d_workspace_ = surface_->make_workspace();
     d_monitor_.assign(monitor_.size(), 0.0);
     slope_.resize(0);
-    if (how == Linearised::fully) monitor.gradients(positions_, slope_);
+    if (how == Linearised::fully) data.monitor->gradients(positions_, slope_);
     scale_ = surface_->at_unknowns(monitor_);
     for (double& value : scale_) value = preconditioner_scale(value);
 }

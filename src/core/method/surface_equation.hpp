@@ -2,23 +2,20 @@
 #pragma once
 
 #include "core/fem/surface_q2.hpp"
-#include "core/method/equation.hpp"
+#include "core/method/monge_ampere.hpp"
 
 namespace gaspard {
 
-class SurfaceEquation final : public Equation {
+class SurfaceEquation final : public MongeAmpereEquation {
   public:
     explicit SurfaceEquation(std::shared_ptr<const SurfaceQ2> surface);
 
-    void use_threads(int) override {}
-    double other_cpu_seconds() const override { return 0; }
-
     /// From any mesh of the sphere, of whatever cells; of flat surfaces from the same alone.
     std::optional<State> adopt(const State& other, const Discretisation* of) override;
-    State adopt(Equation& other, std::span<const double> phi) override;
-    std::unique_ptr<Equation> coarser(const Progress& progress, std::stop_token stop) const override;
+    State adopt(NonlinearProblem& other, std::span<const double> phi) override;
+    std::unique_ptr<NonlinearProblem> coarser(const Progress& progress, std::stop_token stop) const override;
 
-    Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override;
+    Evaluation evaluate(const ProblemData& data, std::span<const double> phi) override;
     const Points& positions() const override { return positions_; }
     void move(std::span<const double> phi) override;
     std::span<const double> residual() const override { return residual_; }
@@ -26,7 +23,7 @@ class SurfaceEquation final : public Equation {
     Ellipticity ellipticity() const override;
     void direction(std::span<double> u) override { surface_->poisson(residual_, u, workspace_); }
 
-    void linearise(const Monitor& monitor, Linearised how) override;
+    void linearise(const ProblemData& data, Linearised how) override;
     void derivative(std::span<const double> w, std::span<double> out) override;
     void precondition(std::span<const double> r, std::span<double> u) override;
 

@@ -105,7 +105,7 @@ MonitorType circle_monitor() {
                     for (auto& row : center_in_space_rows({0.5, 0.5, 0})) rows.push_back(std::move(row));
                     return rows;
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 const double r = v.real("radius");
                 return std::make_shared<FormulaMonitor<CreasedCircles<1>>>(CreasedCircles<1>{
                     {Circle{v.real("amplitude"), r * r, center_in_space(v)}}, v.real("sharpness")});
@@ -128,7 +128,7 @@ MonitorType three_circles_monitor() {
                 return std::vector<ParameterRow>{positive_amplitude(5, "on the circles"),
                                                  creased_sharpness(100), mouth};
             },
-        .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+        .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
             const double a = v.real("amplitude");
             return std::make_shared<FormulaMonitor<CreasedCircles<4>>>(CreasedCircles<4>{
                 {Circle{a, 0.1, {0.45, 0.4, 0}}, Circle{a, 0.2, {0, 0, 0}}, Circle{a, 0.1, {-0.45, 0.4, 0}},
@@ -165,7 +165,7 @@ MonitorType two_circles_monitor() {
                      .help =
                          "of both spheres, for surfaces in space: 1/2 on the Moebius strip of the source"}};
             },
-        .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+        .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
             const double a = v.real("amplitude"), r = v.real("radius"), z = v.real("center_z");
             const double x = std::sqrt(3.0) / 2;
             return std::make_shared<FormulaMonitor<SmoothCircles>>(SmoothCircles{

@@ -42,7 +42,7 @@ MonitorType constant_monitor() {
                                                       .default_value = 1.0,
                                                       .help = "any positive number gives the same mesh"}};
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 return std::make_shared<ConstantMonitor>(v.real("value"));
             }};
 }

@@ -23,7 +23,7 @@ MonitorType cross_monitor() {
                     for (auto& row : place_rows("pole2", "Pole 2", 30, 180)) rows.push_back(std::move(row));
                     return rows;
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 const SechProfile band{v.real("amplitude"), v.real("sharpness"), std::numbers::pi / 2};
                 return std::make_shared<GeodesicMonitor<SechProfile>>(
                     1.0, band, std::vector{place_of(v, "pole1"), place_of(v, "pole2")});

@@ -8,12 +8,15 @@
 
 #include "core/base/parameter.hpp"
 #include "core/base/points.hpp"
+#include "core/mesh/discretisation.hpp"
 #include "core/mesh/space.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -37,6 +40,18 @@ class Monitor {
     virtual std::optional<Vec3> symmetry_axis() const { return std::nullopt; }
 };
 
+class TensorMonitor; // core/monitor/tensor.hpp
+
+/// What a monitor may use while it is made, after the domain's operators are there. Monitors that read files
+/// or compute on the mesh report progress, and throw Interrupted when asked to stop.
+struct MonitorContext {
+    Space space{};                                 ///< of the domain
+    const Discretisation* discretisation = nullptr; ///< null: the monitor is made without a run
+    std::filesystem::path folder{};                ///< relative paths start here; empty: the working directory
+    Progress progress{};
+    std::stop_token stop{};
+};
+
 /// A kind of monitor as the user sees it. Adding one is a file with its rows and `make`, and a line in
 /// monitors.cpp.
 struct MonitorType {
@@ -44,8 +59,13 @@ struct MonitorType {
     std::string label;
     std::string help;
     std::string equation;                                        ///< as in the source, with the rows' symbols
-    std::function<std::vector<ParameterRow>(const Space&)> rows; ///< a place has other keys on a sphere
-    std::function<std::shared_ptr<const Monitor>(const Values&, const Space&)> make;
+    std::function<std::vector<ParameterRow>(const Space&)> rows; ///< a point has other keys on a sphere
+    /// Exactly one of these two, for a scalar or a tensor monitor. Throw InputError.
+    std::function<std::shared_ptr<const Monitor>(const Values&, const MonitorContext&)> make{};
+    std::function<std::shared_ptr<const TensorMonitor>(const Values&, const MonitorContext&)> make_tensor{};
+    /// Further rows that follow from the values of `rows`, such as the constants of a formula; a row that
+    /// they depend on has the role defines_rows. Throws InputError if the values have no meaning.
+    std::function<std::vector<ParameterRow>(const Values&, const Space&)> further_rows{};
 };
 
 /// All built-in monitors, in the order in which `list` shows them.

@@ -71,16 +71,21 @@ ParameterRow sharpness_row(double value, const std::string& half_height, const s
 
 std::vector<ParameterRow> center_rows(const Space& space) {
     if (space.kind == SpaceKind::sphere) return place_rows("center", "Centre", 30, 0);
-    const auto row = [](const char* key, const char* label, const char* symbol) {
+    const bool periodic = space.kind == SpaceKind::periodic_square;
+    const auto row = [&](const char* key, const char* label, const char* symbol, ParameterRole role) {
         return ParameterRow{.key = key,
                             .label = label,
                             .symbol = symbol,
                             .minimum = 0,
                             .maximum = 1,
                             .default_value = 0.5,
-                            .help = "where the feature stands; the square is [0, 1] x [0, 1]"};
+                            .help = "where the feature stands; the square is [0, 1] x [0, 1]",
+                            .role = role,
+                            .point = "center",
+                            .periodic = periodic};
     };
-    return {row("center_x", "Centre x", "c1"), row("center_y", "Centre y", "c2")};
+    return {row("center_x", "Centre x", "c₁", ParameterRole::x),
+            row("center_y", "Centre y", "c₂", ParameterRole::y)};
 }
 
 std::shared_ptr<const Monitor> make_sech_monitor(const Values& values, double radius, const Space& space) {

@@ -28,7 +28,8 @@ inline ParameterRow seed_row(const std::string& what) {
             .minimum = 0,
             .maximum = 1e9,
             .default_value = std::int64_t{1},
-            .help = "chooses " + what + "; the option --seed of run sets it"};
+            .help = "chooses " + what + "; the option --seed of run sets it",
+            .role = ParameterRole::seed};
 }
 
 } // namespace gaspard

@@ -11,7 +11,8 @@ namespace gaspard {
 
 namespace {
 
-std::shared_ptr<const Monitor> make_random_bells(const Values& values, const Space& space) {
+std::shared_ptr<const Monitor> make_random_bells(const Values& values, const MonitorContext& context) {
+    const Space& space = context.space;
     std::mt19937_64 random(static_cast<std::uint64_t>(values.integer("seed")));
     std::vector<std::shared_ptr<const Monitor>> bells;
     for (std::int64_t i = 0; i < values.integer("count"); ++i) {

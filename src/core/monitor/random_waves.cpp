@@ -70,7 +70,8 @@ class WavesMonitor final : public Monitor {
     double slope_ = 0, least_ = 0; ///< log C over the range of f; where that begins
 };
 
-std::shared_ptr<const Monitor> make_random_waves(const Values& values, const Space& space) {
+std::shared_ptr<const Monitor> make_random_waves(const Values& values, const MonitorContext& context) {
+    const Space& space = context.space;
     std::mt19937_64 random(static_cast<std::uint64_t>(values.integer("seed")));
     constexpr double turn = 2 * std::numbers::pi;
     const double highest = values.real("wave_number");

@@ -28,8 +28,9 @@ MonitorType ring_monitor() {
                 for (auto& row : center_rows(space)) rows.push_back(std::move(row));
                 return rows;
             },
-        .make = [](const Values& values,
-                   const Space& space) { return make_sech_monitor(values, values.real("radius"), space); }};
+        .make = [](const Values& values, const MonitorContext& context) {
+            return make_sech_monitor(values, values.real("radius"), context.space);
+        }};
 }
 
 } // namespace gaspard

@@ -40,14 +40,16 @@ void add_rows(std::vector<ParameterRow>& rows, const MonitorType& type, const Sp
         if (row.key == "amplitude") row.minimum = 0; // see SumMonitor
         row.key = type.name + "_" + row.key;
         row.label = type.label + ": " + row.label;
+        if (!row.point.empty()) row.point = type.name + "_" + row.point;
         rows.push_back(std::move(row));
     }
 }
 
-std::shared_ptr<const Monitor> make_part(const MonitorType& type, const Values& values, const Space& space) {
-    Values own("monitor", type.rows(space));
+std::shared_ptr<const Monitor> make_part(const MonitorType& type, const Values& values,
+                                         const MonitorContext& context) {
+    Values own("monitor", type.rows(context.space));
     for (const auto& row : own.rows()) own.set(row.key, values.at(type.name + "_" + row.key));
-    return type.make(own, space);
+    return type.make(own, context);
 }
 
 } // namespace
@@ -64,9 +66,9 @@ MonitorType ring_and_bell_monitor() {
                     add_rows(rows, bell_monitor(), space);
                     return rows;
                 },
-            .make = [](const Values& values, const Space& space) -> std::shared_ptr<const Monitor> {
-                return std::make_shared<SumMonitor>(std::vector{make_part(ring_monitor(), values, space),
-                                                                make_part(bell_monitor(), values, space)});
+            .make = [](const Values& values, const MonitorContext& context) -> std::shared_ptr<const Monitor> {
+                return std::make_shared<SumMonitor>(std::vector{make_part(ring_monitor(), values, context),
+                                                                make_part(bell_monitor(), values, context)});
             }};
 }
 

@@ -96,7 +96,7 @@ MonitorType spiral_monitor() {
                         if (row.key != "center_z") rows.push_back(std::move(row));
                     return rows;
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 return std::make_shared<FormulaMonitor<Spiral>>(
                     Spiral{v.real("amplitude"),
                            v.real("sharpness"),
@@ -124,7 +124,7 @@ MonitorType cosine_waves_monitor() {
                     for (auto& row : center_in_space_rows({0.5, 0.5, 0})) rows.push_back(std::move(row));
                     return rows;
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 return std::make_shared<FormulaMonitor<CosineWaves>>(
                     CosineWaves{v.real("frequency"), center_in_space(v)});
             }};
@@ -142,7 +142,7 @@ MonitorType sine_waves_monitor() {
                     amplitude.minimum = 0;
                     return std::vector<ParameterRow>{amplitude, sharpness_row(50, "0.7 / B", "1/length")};
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 return std::make_shared<FormulaMonitor<SineWaves>>(
                     SineWaves{v.real("amplitude"), v.real("sharpness")});
             }};

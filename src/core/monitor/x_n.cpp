@@ -66,7 +66,7 @@ MonitorType x_n_monitor() {
                     for (auto& row : place_rows("center", "Centre", 30, 0)) rows.push_back(std::move(row));
                     return rows;
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 const StepProfile profile{std::pow(v.real("ratio"), -4), v.real("alpha"), v.real("beta")};
                 return std::make_shared<GeodesicMonitor<StepProfile>>(0.0, profile,
                                                                       std::vector{place_of(v, "center")});

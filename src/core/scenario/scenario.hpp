@@ -1,17 +1,18 @@
-// A scenario: what to solve, as plain data. Every value is there, checked against its row. `gaspard list`
-// shows all keys with their ranges; a scenario is made by default_scenario() or find_scenario(), and changed
-// by set_value().
+// A scenario: what to solve, as plain data. It is complete, and every value is checked against its row.
+// `gaspard list` shows all keys with their ranges. Made by default_scenario() or find_scenario(), changed by
+// set_value().
 #pragma once
 
 #include "core/base/parameter.hpp"
 
+#include <filesystem>
 #include <string>
 
 namespace gaspard {
 
 /// A section whose rows depend on its type: domain, monitor, method.
 struct Section {
-    std::string type;
+    std::string type; ///< empty: the problem has no such section
     Values values;
     friend bool operator==(const Section&, const Section&) = default;
 };
@@ -21,7 +22,11 @@ struct Scenario {
     std::string title;       ///< for people
     std::string description; ///< one line
     Section domain, monitor, method;
+    Section target{}; ///< "monitor.target": the density on the target domain
+    Section pde{};    ///< "pde": the PDE that is solved on the mesh
     Values view, output;
+    /// Relative paths among the values start here; empty: the working directory.
+    std::filesystem::path folder{};
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 

@@ -3,13 +3,16 @@
 #include "core/scenario/catalogue.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <functional>
+#include <optional>
 
 namespace gaspard {
 
 namespace {
 
-// Names kept for what is to come: using one now is an error with a sentence of its own.
+// Names of sections that only some problems have, and of sections to come: where a problem lacks them, a key
+// in them has an error of its own.
 const std::vector<std::string> reserved = {"domain.target", "monitor.target", "pde", "time"};
 
 bool starts_with_key(std::string_view key, std::string_view prefix) {
@@ -17,18 +20,32 @@ bool starts_with_key(std::string_view key, std::string_view prefix) {
            (key.starts_with(prefix) && key.size() > prefix.size() && key[prefix.size()] == '.');
 }
 
-std::vector<std::string> all_keys(const Scenario& scenario) {
-    std::vector<std::string> keys = {"domain.type", "monitor.type", "method.type"};
-    for (const Values* values : {&scenario.domain.values, &scenario.monitor.values, &scenario.method.values,
-                                 &scenario.view, &scenario.output})
-        for (const auto& row : values->rows()) keys.push_back(values->section() + "." + row.key);
+/// The sections with a type that this scenario has; monitor.target before monitor, whose name begins its own.
+std::vector<Section*> typed_sections(Scenario& scenario) {
+    std::vector<Section*> sections;
+    for (Section* section :
+         {&scenario.target, &scenario.domain, &scenario.monitor, &scenario.method, &scenario.pde})
+        if (!section->type.empty()) sections.push_back(section);
+    return sections;
+}
+
+std::vector<std::string> all_keys(Scenario& scenario) {
+    std::vector<std::string> keys;
+    const auto add = [&](const Values& values) {
+        for (const auto& row : values.rows()) keys.push_back(values.section() + "." + row.key);
+    };
+    for (const Section* section : typed_sections(scenario)) {
+        keys.push_back(section->values.section() + ".type");
+        add(section->values);
+    }
+    add(scenario.view), add(scenario.output);
     return keys;
 }
 
 struct Target {
     Values* values = nullptr;   ///< the section's values
-    Section* section = nullptr; ///< where the key is a type
-    std::string key;
+    Section* section = nullptr; ///< the section that the key belongs to; null for view and output
+    std::string key;            ///< "type", or that of a row
 };
 
 bool has_row(const std::vector<ParameterRow>& rows, std::string_view key) {
@@ -68,46 +85,78 @@ void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, st
                 refuse(scenario.monitor.values, "");
 }
 
+std::optional<Target> find_target(Scenario& scenario, std::string_view full_key) {
+    const auto key_in = [&](const Values& values) {
+        const std::string& name = values.section();
+        if (!starts_with_key(full_key, name) || full_key.size() == name.size()) return std::string();
+        return std::string(full_key.substr(name.size() + 1));
+    };
+    for (Section* section : typed_sections(scenario)) {
+        const std::string key = key_in(section->values);
+        if (key == "type" || section->values.has(key)) return Target{&section->values, section, key};
+    }
+    for (Values* values : {&scenario.view, &scenario.output})
+        if (const std::string key = key_in(*values); values->has(key)) return Target{values, nullptr, key};
+    return std::nullopt;
+}
+
 Target locate(const Catalogue& catalogue, Scenario& scenario, std::string_view full_key) {
-    for (const auto& name : reserved)
-        if (starts_with_key(full_key, name))
-            throw InputError(std::string(full_key) + ": " + name +
-                             " is reserved and has no meaning for domain '" + scenario.domain.type + "'");
+    check_section(scenario, full_key);
+    if (auto target = find_target(scenario, full_key)) return *target;
     const auto dot = full_key.find('.');
     const std::string_view section = full_key.substr(0, dot);
     const std::string key(dot == std::string_view::npos ? std::string_view() : full_key.substr(dot + 1));
-    for (Section* typed : {&scenario.domain, &scenario.monitor, &scenario.method})
-        if (section == typed->values.section()) {
-            if (key == "type") return {nullptr, typed, key};
-            if (typed->values.has(key)) return {&typed->values, nullptr, key};
-        }
-    for (Values* values : {&scenario.view, &scenario.output})
-        if (section == values->section() && values->has(key)) return {values, nullptr, key};
     refuse_foreign_key(catalogue, scenario, full_key, section, key);
     throw InputError("unknown key " + std::string(full_key) + did_you_mean(full_key, all_keys(scenario)));
 }
 
 void set_type(const Catalogue& catalogue, Scenario& scenario, Section& section, const std::string& type) {
-    if (&section == &scenario.domain) {
+    const std::string name = section.values.section();
+    if (&section == &scenario.domain)
         section = domain_section(catalogue, type);
-        follow_domain(catalogue, scenario);
-    } else if (&section == &scenario.monitor)
-        section = monitor_section(catalogue, type, space_of(catalogue, scenario));
-    else {
+    else if (&section == &scenario.method)
         section = method_section(catalogue, type);
-        follow_method(catalogue, type, scenario.view);
+    else if (&section == &scenario.pde)
+        section = pde_section(catalogue, type);
+    else
+        section = monitor_section(catalogue, type, space_of(catalogue, scenario), name);
+    update_rows(catalogue, scenario);
+}
+
+/// Values that were chosen stay if the key still exists and allows them.
+void carry_over(const Values& before, Values& after) {
+    for (const auto& row : after.rows()) {
+        if (!before.has(row.key) || is_default(before, row.key)) continue;
+        try {
+            after.set(row.key, before.at(row.key));
+        } catch (const InputError&) { // out of its new range: the default stands
+        }
     }
 }
 
-/// Values that were chosen stay where the key is still there and allows them.
-void keep_values(const Values& before, Values& now) {
-    for (const auto& row : now.rows()) {
-        if (!before.has(row.key) || is_default(before, row.key)) continue;
-        try {
-            now.set(row.key, before.at(row.key));
-        } catch (const InputError&) { // not allowed here: the default stands
-        }
+void update_monitor_rows(const Catalogue& catalogue, const Space& space, Section& section) {
+    if (section.type.empty() || section.type == own_monitor) return;
+    const MonitorType& type = catalogue.monitor(section.type);
+    const std::string name = section.values.section();
+    Values values(name, type.rows(space));
+    if (type.further_rows) {
+        carry_over(section.values, values);
+        auto rows = values.rows();
+        for (auto& row : type.further_rows(values, space)) rows.push_back(std::move(row));
+        values = Values(name, std::move(rows));
     }
+    if (same_rows(values.rows(), section.values.rows())) return;
+    carry_over(section.values, values);
+    section.values = std::move(values);
+}
+
+/// A section that only some domains and methods have: `offered` are its types there.
+template <class Make>
+void update_optional(Section& section, const std::vector<std::string>& offered, const Make& make) {
+    if (offered.empty())
+        section = {};
+    else if (std::find(offered.begin(), offered.end(), section.type) == offered.end())
+        section = make(offered.front());
 }
 
 } // namespace
@@ -116,19 +165,30 @@ Space space_of(const Catalogue& catalogue, const Scenario& scenario) {
     return catalogue.domain(scenario.domain.type).space(scenario.domain.values);
 }
 
-void follow_domain(const Catalogue& catalogue, Scenario& scenario) {
-    if (scenario.monitor.type == own_monitor) return; // its caller's business
-    const Values before = scenario.monitor.values;
-    Section section = monitor_section(catalogue, scenario.monitor.type, space_of(catalogue, scenario));
-    if (same_rows(section.values.rows(), before.rows())) return;
-    keep_values(before, section.values);
-    scenario.monitor = std::move(section);
+void update_rows(const Catalogue& catalogue, Scenario& scenario) {
+    const Space space = space_of(catalogue, scenario);
+    std::vector<std::string> targets, pdes;
+    for (const Capability& row : catalogue.capabilities) {
+        if (row.domain != scenario.domain.type) continue;
+        if (std::find(row.methods.begin(), row.methods.end(), scenario.method.type) == row.methods.end())
+            continue;
+        targets.insert(targets.end(), row.targets.begin(), row.targets.end());
+        pdes.insert(pdes.end(), row.pdes.begin(), row.pdes.end());
+    }
+    update_optional(scenario.target, targets, [&](const std::string& type) {
+        return monitor_section(catalogue, type, space, "monitor.target");
+    });
+    update_optional(scenario.pde, pdes,
+                    [&](const std::string& type) { return pde_section(catalogue, type); });
+    update_monitor_rows(catalogue, space, scenario.monitor);
+    update_monitor_rows(catalogue, space, scenario.target);
+    update_view_rows(catalogue, scenario.method.type, scenario.view);
 }
 
-void follow_method(const Catalogue& catalogue, std::string_view method, Values& view) {
+void update_view_rows(const Catalogue& catalogue, std::string_view method, Values& view) {
     Values now = view_section(catalogue, method);
     if (same_rows(now.rows(), view.rows())) return;
-    keep_values(view, now);
+    carry_over(view, now);
     view = std::move(now);
 }
 
@@ -136,17 +196,38 @@ void check_key(const Catalogue& catalogue, Scenario& scenario, std::string_view 
     locate(catalogue, scenario, key);
 }
 
+void check_section(Scenario& scenario, std::string_view key) {
+    const auto sections = typed_sections(scenario);
+    const auto present = [&](const std::string& name) {
+        return std::any_of(sections.begin(), sections.end(),
+                           [&](const Section* section) { return section->values.section() == name; });
+    };
+    for (const auto& name : reserved)
+        if (starts_with_key(key, name) && !present(name))
+            throw InputError(std::string(key) + ": " + name + " is reserved and has no meaning for domain '" +
+                             scenario.domain.type + "'");
+}
+
+bool has_key(Scenario& scenario, std::string_view key) { return find_target(scenario, key).has_value(); }
+
 void set_value(const Catalogue& catalogue, Scenario& scenario, std::string_view key, const Value& value) {
     const Target target = locate(catalogue, scenario, key);
-    if (target.values) return target.values->set(target.key, value);
-    const auto* type = std::get_if<std::string>(&value);
-    if (!type) throw InputError(std::string(key) + " wants a name, not '" + format_value(value) + "'");
-    set_type(catalogue, scenario, *target.section, *type);
+    if (target.section && target.key == "type") {
+        const auto* type = std::get_if<std::string>(&value);
+        if (!type) throw InputError(std::string(key) + " wants a name, not '" + format_value(value) + "'");
+        return set_type(catalogue, scenario, *target.section, *type);
+    }
+    Scenario changed =
+        scenario; // all or nothing: the value may have no meaning for the rows that follow from it
+    const Target there = *find_target(changed, key);
+    there.values->set(there.key, value);
+    if (there.section) update_rows(catalogue, changed);
+    scenario = std::move(changed);
 }
 
 void apply_settings(const Catalogue& catalogue, Scenario& scenario,
                     const std::vector<std::string>& settings) {
-    std::vector<std::pair<std::string, std::string>> pairs;
+    std::deque<std::pair<std::string, std::string>> pairs;
     for (const auto& setting : settings) {
         const auto equals = setting.find('=');
         if (equals == std::string::npos || equals == 0)
@@ -155,12 +236,23 @@ void apply_settings(const Catalogue& catalogue, Scenario& scenario,
     }
     std::stable_partition(pairs.begin(), pairs.end(),
                           [](const auto& pair) { return pair.first.ends_with(".type"); });
-    for (const auto& [key, text] : pairs) {
+    // A key may exist only once another one is set (a constant of a formula): such keys wait for their turn.
+    for (std::size_t waiting = 0; !pairs.empty();) {
+        auto [key, text] = std::move(pairs.front());
+        pairs.pop_front();
+        if (!has_key(scenario, key) && waiting < pairs.size()) {
+            ++waiting;
+            pairs.emplace_back(std::move(key), std::move(text));
+            continue;
+        }
+        waiting = 0;
         const Target target = locate(catalogue, scenario, key);
-        if (target.section)
+        if (target.section && target.key == "type") {
             set_type(catalogue, scenario, *target.section, text);
-        else
+        } else {
             target.values->parse(target.key, text);
+            if (target.section) update_rows(catalogue, scenario);
+        }
     }
 }
 

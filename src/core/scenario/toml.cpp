@@ -5,6 +5,7 @@
 #include "core_assets.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <sstream>
 #include <toml++/toml.h>
 
@@ -24,14 +25,32 @@ Value to_value(const toml::node& node, const std::string& key) {
     throw InputError(key + " wants a single value, not a section or a list");
 }
 
-// Sets every key of one table, its type first, and says where an error is.
+/// Sets every key of one table, its type first; a key that does not exist yet waits for the others, whose
+/// values it may depend on. Says where an error is.
 void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::table& table,
                   const std::string& section, const std::string& origin) {
-    std::vector<std::pair<std::string, const toml::node*>> entries;
+    std::deque<std::pair<std::string, const toml::node*>> entries;
     for (const auto& [key, node] : table) entries.emplace_back(section + "." + std::string(key.str()), &node);
     std::stable_partition(entries.begin(), entries.end(),
                           [&](const auto& entry) { return entry.first == section + ".type"; });
-    for (const auto& [key, node] : entries) {
+    if (entries.empty()) {
+        try {
+            check_section(scenario, section);
+        } catch (const InputError& error) {
+            throw InputError(place(origin, table.source()) + error.what());
+        }
+    }
+    for (std::size_t waiting = 0; !entries.empty();) {
+        const auto [key, node] = entries.front();
+        entries.pop_front();
+        const bool subsection = key == "monitor.target" && node->is_table();
+        if (subsection) continue; // read_document reads it, once its method is known
+        if (!has_key(scenario, key) && waiting < entries.size()) {
+            ++waiting;
+            entries.emplace_back(key, node);
+            continue;
+        }
+        waiting = 0;
         try {
             check_key(catalogue, scenario, key); // reserved and unknown sections have a sentence of their own
             set_value(catalogue, scenario, key, to_value(*node, key));
@@ -65,7 +84,7 @@ void write_section(std::ostream& out, const std::string& type, const Values& val
 } // namespace
 
 Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const std::string& origin) {
-    const std::vector<std::string> sections = {"domain", "monitor", "method", "view", "output"};
+    const std::vector<std::string> sections = {"domain", "method", "monitor", "pde", "view", "output"};
     toml::table document;
     try {
         document = toml::parse(text, origin);
@@ -85,22 +104,28 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
             } else {
                 auto known = sections;
                 known.insert(known.end(), {"title", "description"});
-                if (name == "pde" || name == "time") check_key(catalogue, scenario, name);
+                if (name == "time") check_key(catalogue, scenario, name);
                 throw InputError("unknown section or key '" + name + "'" + did_you_mean(name, known));
             }
         } catch (const InputError& error) {
             throw InputError(place(origin, node.source()) + error.what());
         }
     }
-    // Domain first: what is reserved depends on it.
-    for (const auto& name : sections)
+    // Domain and method first: which sections and rows there are depends on them.
+    for (const auto& name : sections) {
         if (const auto* table = document[name].as_table())
             read_section(catalogue, scenario, *table, name, origin);
+        if (name != "monitor") continue;
+        if (const auto* table = document[name]["target"].as_table())
+            read_section(catalogue, scenario, *table, "monitor.target", origin);
+    }
     return scenario;
 }
 
 Scenario load_scenario(const Catalogue& catalogue, const std::filesystem::path& file) {
-    return parse_scenario(catalogue, read_file(file), file.string());
+    Scenario scenario = parse_scenario(catalogue, read_file(file), file.string());
+    scenario.folder = file.parent_path();
+    return scenario;
 }
 
 std::string to_toml(const Scenario& scenario) {
@@ -109,8 +134,8 @@ std::string to_toml(const Scenario& scenario) {
     out << "title = " << quoted(scenario.title) << "\n";
     out << "description = " << quoted(scenario.description) << "\n";
     write_section(out, scenario.domain.type, scenario.domain.values);
-    write_section(out, scenario.monitor.type, scenario.monitor.values);
-    write_section(out, scenario.method.type, scenario.method.values);
+    for (const Section* section : {&scenario.monitor, &scenario.target, &scenario.method, &scenario.pde})
+        if (!section->values.section().empty()) write_section(out, section->type, section->values);
     write_section(out, {}, scenario.view);
     write_section(out, {}, scenario.output);
     return out.str();

@@ -24,10 +24,31 @@ constexpr int patience = 200;        // iterations without a better residual
 
 std::shared_ptr<const Discretisation> prepare(const Problem& problem, const Progress& progress,
                                               std::stop_token stop) {
-    auto discretisation = problem.capability->prepare(problem.scenario.domain.values, progress, stop);
+    auto discretisation = problem.capability->prepare({problem.scenario, progress, stop});
     if (stop.stop_requested()) throw Interrupted();
     GASPARD_CHECK(discretisation != nullptr);
     return discretisation;
+}
+
+MonitorContext Run::monitor_context(const Scenario& scenario, const Discretisation& discretisation,
+                                    const Progress& progress, std::stop_token stop) const {
+    return {.space = space_of(*catalogue_, scenario),
+            .discretisation = &discretisation,
+            .folder = scenario.folder,
+            .progress = progress,
+            .stop = std::move(stop)};
+}
+
+std::unique_ptr<Method> Run::make_method(const Problem& problem,
+                                         std::shared_ptr<const Discretisation> discretisation,
+                                         const Progress& progress, std::stop_token stop) const {
+    MethodContext context{.discretisation = discretisation, .progress = progress, .stop = std::move(stop)};
+    if (const auto& make = problem.capability->problem)
+        context.problem = [make, discretisation] { return make(discretisation); };
+    const Section& section = problem.scenario.method;
+    auto method = catalogue_->method(section.type).make(context, section.values);
+    method->use_threads(options_.threads);
+    return method;
 }
 
 Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptions options,
@@ -36,9 +57,9 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
       problem_(check(*catalogue_, std::move(scenario))) {
     const Stopwatch watch;
     discretisation_ = prepare(problem_, progress, stop);
-    method_ = catalogue_->method(problem_.scenario.method.type)
-                  .make(discretisation_, problem_.scenario.method.values, progress, stop);
-    method_->use_threads(options_.threads);
+    data_ = make_problem_data(*catalogue_, problem_.scenario, own_,
+                              monitor_context(problem_.scenario, *discretisation_, progress, stop));
+    method_ = make_method(problem_, discretisation_, progress, stop);
     make_meter();
     find_exact_map();
     name_series();
@@ -51,7 +72,7 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
         state = std::move(*adopted);
     }
     setup_seconds_ = watch.seconds();
-    const Evaluation evaluation = first_look(problem_, state);
+    const Evaluation evaluation = first_look(data_, state);
     begin(std::move(state), evaluation);
 }
 
@@ -59,10 +80,10 @@ Run::Run(Run&&) noexcept = default;
 Run::~Run() = default;
 
 // A state or a monitor of the caller's may be unfit; one of our own may not.
-Evaluation Run::first_look(const Problem& problem, const State& state) {
-    const Evaluation evaluation = method_->evaluate(*problem.monitor, state, {});
+Evaluation Run::first_look(const ProblemData& data, const State& state) {
+    const Evaluation evaluation = method_->evaluate(data, state, {});
     if (std::isfinite(evaluation.residual)) return evaluation;
-    GASPARD_CHECK(options_.start || problem.scenario.monitor.type == own_monitor);
+    GASPARD_CHECK(options_.start || data.monitor != data_.monitor || own_);
     throw InputError("the start state has no finite residual for this monitor");
 }
 
@@ -74,7 +95,7 @@ void Run::make_meter() {
 void Run::find_exact_map() {
     exact_.reset();
     if (space().kind != SpaceKind::sphere) return;
-    if (const auto map = ExactMap::of(*problem_.monitor))
+    if (const auto map = ExactMap::of(*data_.monitor))
         exact_ = std::make_shared<const Points>(map->apply(discretisation_->mesh()->nodes));
 }
 
@@ -105,17 +126,21 @@ void Run::restart_judging() {
 
 void Run::reset() {
     State state = method_->initial_state();
-    const Evaluation evaluation = first_look(problem_, state);
+    const Evaluation evaluation = first_look(data_, state);
     ++epoch_;
     begin(std::move(state), evaluation);
 }
 
 void Run::follow(std::shared_ptr<const Monitor> monitor) {
     if (!monitor) throw InputError("there is no monitor to follow");
-    Problem problem = check(*catalogue_, problem_.scenario, monitor);
+    Problem problem = check(*catalogue_, problem_.scenario, monitor.get());
+    ProblemData data = data_;
+    data.monitor = scalar_problem(monitor).monitor;
+    data.tensor.reset();
     const bool back = status() == RunStatus::diverged || status() == RunStatus::tangled;
     State state = back ? last_untangled_ : state_;
-    const Evaluation evaluation = first_look(problem, state);
+    const Evaluation evaluation = first_look(data, state);
+    data_ = std::move(data);
     own_ = std::move(monitor);
     problem_ = std::move(problem);
     find_exact_map();
@@ -141,7 +166,7 @@ const StepReport& Run::step(std::stop_token stop) {
     last_finite_ = state_;
     Evaluation evaluation;
     try {
-        evaluation = method_->step(*problem_.monitor, state_, stop);
+        evaluation = method_->step(data_, state_, stop);
     } catch (...) { // half a step is none
         state_ = last_finite_;
         throw;
@@ -161,7 +186,7 @@ const StepReport& Run::step(std::stop_token stop) {
 void Run::take_back(Evaluation& evaluation, std::string& note) {
     const Evaluation lost = evaluation;
     state_ = last_finite_;
-    evaluation = method_->evaluate(*problem_.monitor, state_, {});
+    evaluation = method_->evaluate(data_, state_, {});
     evaluation.step_size = lost.step_size;
     evaluation.inner_iterations = lost.inner_iterations;
     not_finite_ = true;
@@ -219,17 +244,16 @@ RunStatus Run::judge(const StepReport& report, std::string& note) {
     if (report.residual < method.real("tolerance")) return RunStatus::converged;
     if (report.residual > divergence_factor * std::max(1.0, first_residual_) || out_of_bounds(report)) {
         const Values& domain = problem_.scenario.domain.values;
-        const bool straight = domain.has("geometry_order") && domain.integer("geometry_order") == 1;
-        note = "the iteration has left all bounds; " +
-               std::string(straight ? "domain.geometry_order = 2 or " : "") + "a smaller step may help";
+        note = "the iteration diverged; ";
+        if (const auto remedy = find_remedy(domain)) note += describe(domain, *remedy) + " or ";
+        note += "a smaller step may help";
         return RunStatus::diverged;
     }
     if (report.iteration - judged_from_ >= method.integer("max_iterations"))
         return RunStatus::iteration_limit;
     if (report.iteration - best_iteration_ >= patience) {
         note = "the residual has not decreased for " + std::to_string(patience) + " iterations";
-        if (method.has("step_size") && method.real_or_auto("step_size"))
-            note += "; method.step_size = auto may help";
+        if (const auto remedy = find_remedy(method)) note += "; " + describe(method, *remedy) + " may help";
         return RunStatus::stalled;
     }
     return RunStatus::running;
@@ -237,7 +261,7 @@ RunStatus Run::judge(const StepReport& report, std::string& note) {
 
 void Run::measure(StepReport& report) {
     if (measured_) return;
-    const MeshQuality& quality = meter_->measure(method_->positions(), *problem_.monitor);
+    const MeshQuality& quality = meter_->measure(method_->positions(), *data_.monitor);
     report.tangled_cells = quality.tangled_cells;
     auto next = report.values.begin(); // as name_series() has them: the diagnostics, then the method's
     for (const double value : values_of(quality)) *next++ = value;
@@ -245,7 +269,7 @@ void Run::measure(StepReport& report) {
         for (const double value :
              values_of(exact_deviation(*discretisation_->mesh(), method_->positions(), *exact_)))
             *next++ = value;
-    const std::vector<double> measures = method_->measures(*problem_.monitor);
+    const std::vector<double> measures = method_->measures(data_);
     auto measure = measures.begin();
     for (std::size_t i = report.series->first_of_method(); i < report.series->all().size(); ++i, ++next)
         if (report.series->all()[i].measured) {
@@ -266,26 +290,27 @@ void Run::interrupt() {
 }
 
 std::string Run::change(const Scenario& scenario, const Progress& progress, std::stop_token stop) {
-    Problem problem = check(*catalogue_, scenario, own_);
+    Problem problem = check(*catalogue_, scenario, own_.get());
     const Scenario& old = problem_.scenario;
-    if (problem.scenario.domain == old.domain && problem.scenario.monitor == old.monitor &&
-        problem.scenario.method == old.method) {
+    const bool new_data = !same_problem_data(problem.scenario, old);
+    if (!new_data && problem.scenario.method == old.method) {
         problem_ = std::move(problem);
         return {};
     }
     const bool new_domain = !(problem.scenario.domain == old.domain);
-    const bool new_monitor = !(problem.scenario.monitor == old.monitor);
     const bool new_method = new_domain || problem.scenario.method.type != old.method.type;
     // What has blown up is no start: a smaller step, say, goes on from the last mesh that was one.
     const bool back = status() == RunStatus::diverged || status() == RunStatus::tangled;
     std::optional<State> state = back ? last_untangled_ : state_;
     std::optional<State> untangled = last_untangled_;
+    const Stopwatch watch;
+    auto discretisation = new_domain ? prepare(problem, progress, stop) : discretisation_;
+    ProblemData data = data_;
+    if (new_data)
+        data = make_problem_data(*catalogue_, problem.scenario, own_,
+                                 monitor_context(problem.scenario, *discretisation, progress, stop));
     if (new_method) {
-        const Stopwatch watch;
-        auto discretisation = new_domain ? prepare(problem, progress, stop) : discretisation_;
-        auto method = catalogue_->method(problem.scenario.method.type)
-                          .make(discretisation, problem.scenario.method.values, progress, stop);
-        method->use_threads(options_.threads);
+        auto method = make_method(problem, discretisation, progress, stop);
         const bool same = *state == last_untangled_;
         state = method->adopt(*state, discretisation_.get());
         untangled = same ? state : method->adopt(last_untangled_, discretisation_.get());
@@ -295,9 +320,10 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     } else {
         method_->configure(problem.scenario.method.values);
     }
+    data_ = std::move(data);
     problem_ = std::move(problem);
     if (new_domain) make_meter();
-    if (new_domain || new_monitor) find_exact_map();
+    if (new_data) find_exact_map();
     name_series();
     if (!state) {
         reset();
@@ -305,7 +331,7 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     }
     state_ = std::move(*state);
     last_untangled_ = untangled ? std::move(*untangled) : method_->initial_state();
-    const Evaluation evaluation = method_->evaluate(*problem_.monitor, state_, {});
+    const Evaluation evaluation = method_->evaluate(data_, state_, {});
     GASPARD_CHECK(std::isfinite(evaluation.residual));
     restart_judging();
     record(evaluation, history_.back().iteration,
@@ -322,7 +348,7 @@ std::shared_ptr<const Snapshot> Run::snapshot() {
     snapshot->exact = exact_;
     snapshot->control = discretisation_->control_points();
     Field monitor{mesh_colour("monitor"), std::vector<double>(snapshot->x.size())};
-    problem_.monitor->values(snapshot->x, monitor.values);
+    data_.monitor->values(snapshot->x, monitor.values);
     const FieldInfo mass{.name = "mass", .label = "cell mass", .symbol = "Mᵢ", .place = FieldPlace::cell};
     snapshot->fields = {std::move(monitor),
                         {mass, meter_->quality().cell_mass},
@@ -335,7 +361,7 @@ std::shared_ptr<const Snapshot> Run::snapshot() {
 
 void Run::add_fields_of_method(Snapshot& snapshot) {
     const std::vector<FieldInfo>& infos = method_type().fields;
-    auto values = method_->fields(*problem_.monitor);
+    auto values = method_->fields(data_);
     GASPARD_CHECK(values.size() == infos.size());
     for (std::size_t i = 0; i < infos.size(); ++i) {
         const bool of_nodes = infos[i].place == FieldPlace::node;

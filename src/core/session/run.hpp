@@ -78,7 +78,12 @@ class Run {
     std::shared_ptr<const Snapshot> snapshot();
 
   private:
-    Evaluation first_look(const Problem& problem, const State& state);
+    Evaluation first_look(const ProblemData& data, const State& state);
+    MonitorContext monitor_context(const Scenario& scenario, const Discretisation& discretisation,
+                                   const Progress& progress, std::stop_token stop) const;
+    std::unique_ptr<Method> make_method(const Problem& problem,
+                                        std::shared_ptr<const Discretisation> discretisation,
+                                        const Progress& progress, std::stop_token stop) const;
     void begin(State state, const Evaluation& evaluation);
     void restart_judging();
     void make_meter();
@@ -97,6 +102,7 @@ class Run {
     RunOptions options_;
     Problem problem_;
     std::shared_ptr<const Monitor> own_; ///< the caller's monitor; null: the scenario's
+    ProblemData data_;
     std::shared_ptr<const Discretisation> discretisation_;
     std::unique_ptr<Method> method_;
     std::unique_ptr<QualityMeter> meter_;

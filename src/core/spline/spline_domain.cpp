@@ -71,7 +71,15 @@ std::vector<ParameterRow> rows() {
              .help = "of the splines, which have p - 1 continuous derivatives"}};
 }
 
-Space flat(const Values&) { return {SpaceKind::euclidean}; }
+DomainType domain_type(const char* name, const char* label, const char* help,
+                       std::vector<ParameterRow> rows) {
+    return {.name = name,
+            .label = label,
+            .help = help,
+            .rows = std::move(rows),
+            .space = [](const Values&) { return Space{SpaceKind::euclidean}; },
+            .spline_patch = true};
+}
 
 } // namespace
 
@@ -96,7 +104,7 @@ std::vector<double> SplineDomain::node_lines() const {
 
 std::vector<DomainType> spline_domains() {
     std::vector<DomainType> types;
-    for (const auto& one : shipped()) types.push_back({one.name, one.label, one.help, rows(), flat});
+    for (const auto& one : shipped()) types.push_back(domain_type(one.name, one.label, one.help, rows()));
     std::vector<ParameterRow> with_file = rows();
     with_file.push_back(
         {.key = "file",
@@ -111,9 +119,10 @@ std::vector<DomainType> spline_domains() {
          .kind = ParameterKind::text,
          .default_value = std::string(),
          .help = "of a patch in the plane, instead of the file's: \"x y, x y, ...\"; in the window, "
-                 "drag them"});
-    types.push_back({from_file, "Patch from a file",
-                     "splines or NURBS with control points, in the plane or in space", with_file, flat});
+                 "drag them",
+         .role = ParameterRole::control_points});
+    types.push_back(domain_type(from_file, "Patch from a file",
+                                "splines or NURBS with control points, in the plane or in space", with_file));
     return types;
 }
 

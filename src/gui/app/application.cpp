@@ -329,7 +329,9 @@ bool Application::available(const std::string& choice) const {
 /// From the beginning: what linear cells leave when they fail is seldom a map to go on from.
 void Application::use_quadratic_cells() {
     Scenario scenario = run().scenario;
-    scenario.domain.values.parse("geometry_order", "2");
+    const auto remedy = find_remedy(scenario.domain.values);
+    if (!remedy) return;
+    scenario.domain.values.set(remedy->key, remedy->value);
     viewport().view.set("pick", std::string());
     document_.change(0, scenario);
     document_.reset(0);
@@ -424,12 +426,12 @@ void Application::export_files() {
     if (scenario != run().scenario) document_.change(0, scenario);
     // The board is shared, for the task may come to its turn when the window is already closing.
     run().solver->post(InspectCommand{
-        [board = board_, folder = output_folder(),
+        [board = board_, folder = output_folder(), catalogue = catalogue_,
          names = run().scenario.output.text("formats")](Run& solved, const Activity& activity) {
             report_outcome(*board, [&] {
                 Scenario chosen = solved.scenario();
                 chosen.output.set("formats", names);
-                const auto formats = formats_of(chosen);
+                const auto formats = formats_of(*catalogue, chosen);
                 check_writable(folder);
                 write_run_files(folder, solved, formats, activity.progress, activity.stop);
                 return "Exported to " + folder.string();

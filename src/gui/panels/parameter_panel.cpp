@@ -210,7 +210,7 @@ std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& op
                                   const Scenario& scenario, SectionKind kind, const std::string& type) {
     Scenario changed = scenario;
     section_of(changed, kind) = fresh_section(catalogue, opened, kind, type);
-    follow_domain(catalogue, changed);
+    update_rows(catalogue, changed);
     if (find_capability(catalogue, changed)) return changed;
     if (kind != SectionKind::domain) return std::nullopt;
     const auto row = std::find_if(catalogue.capabilities.begin(), catalogue.capabilities.end(),
@@ -223,7 +223,7 @@ std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& op
     };
     adapt(SectionKind::monitor, row->monitors);
     adapt(SectionKind::method, row->methods);
-    follow_domain(catalogue, changed);
+    update_rows(catalogue, changed);
     return find_capability(catalogue, changed) ? std::optional(std::move(changed)) : std::nullopt;
 }
 

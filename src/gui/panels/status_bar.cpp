@@ -107,8 +107,7 @@ std::string closing_note(const DocumentRun& run) {
 }
 
 bool has_linear_cells(const DocumentRun& run) {
-    const Values& domain = run.scenario.domain.values;
-    return run.live() && domain.has("geometry_order") && format_value(domain.at("geometry_order")) == "1";
+    return run.live() && find_remedy(run.scenario.domain.values).has_value();
 }
 
 std::string remedy_note(const DocumentRun& run) {
