@@ -72,7 +72,7 @@ TEST_F(DocumentTest, AChangeGoesOnAndAResetBeginsAnew) {
     document.reset(0);
     ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
     EXPECT_EQ(run().history.front().iteration, 0);
-    EXPECT_EQ(run().curves.residual.values.size(), 1U);
+    EXPECT_EQ(run().curves.find("residual")->trace.values.size(), 1U);
     EXPECT_FALSE(run().wants_to_run) << "a run that had ended rests after a reset";
     document.start(0);
     ASSERT_TRUE(wait_until([&] { return run().ended() && run().history.back().iteration == 40; }));
@@ -99,7 +99,7 @@ TEST_F(DocumentTest, AKeptRunStaysWhileTheLiveOneGoesOn) {
                run().history[40].residual != kept.history[40].residual;
     }));
     EXPECT_EQ(kept.history.size(), 41U);
-    EXPECT_EQ(kept.curves.residual.values[40], kept.history[40].residual);
+    EXPECT_EQ(kept.curves.find("residual")->trace.values[40], kept.history[40].residual);
     EXPECT_LT(kept.history[40].residual, run().history[40].residual);
     EXPECT_EQ(kept.snapshot, snapshot) << "its mesh can still be looked at";
     EXPECT_EQ(kept.scenario.monitor.values.real("amplitude"), 10);
