@@ -3,7 +3,7 @@
 // and first order for triangles on the sphere, and leave open why. Rings of the same smoothness, as many
 // cells.
 #include "core/diagnostics/quality.hpp"
-#include "core/method/method.hpp"
+#include "core/method/surface_equation.hpp"
 #include "support/built_in.hpp"
 #include "support/periodic_surface.hpp"
 
@@ -28,10 +28,12 @@ double equidistribution(const Sequence& sequence, int size) {
     const auto surface = std::make_shared<const SurfaceQ2>(sequence.setup(size));
     const auto monitor = make_monitor("ring", sequence.space, sequence.ring);
     const MethodType type = accelerated_method();
-    const auto method = type.make(surface, Values("method", type.rows), {}, {});
+    const auto method = type.make(
+        {.discretisation = surface, .problem = [&] { return std::make_unique<SurfaceEquation>(surface); }},
+        default_values(type));
     State state = method->initial_state();
-    Evaluation now = method->evaluate(*monitor, state, {});
-    for (int i = 0; i < 1000 && now.residual > 1e-8; ++i) now = method->step(*monitor, state, {});
+    Evaluation now = method->evaluate(ProblemData{monitor}, state, {});
+    for (int i = 0; i < 1000 && now.residual > 1e-8; ++i) now = method->step(ProblemData{monitor}, state, {});
     if (!(now.residual <= 1e-8)) std::printf("    not converged: %g\n", now.residual);
     return QualityMeter(surface->mesh(), 1, 6, sequence.space)
         .measure(method->positions(), *monitor)

@@ -21,7 +21,7 @@ struct Scene {
           m(plane->mesh()->node_count()) {
         for (const auto& type : monitor_types())
             if (type.name == "ring")
-                monitor = type.make(Values("monitor", type.rows({})), Space{SpaceKind::periodic_square});
+                monitor = type.make(Values("monitor", type.rows({})), {Space{SpaceKind::periodic_square}});
         for (int i = 0; i < 6; ++i) {
             evaluate();
             plane->poisson(r, u, workspace);
@@ -100,10 +100,12 @@ void diagnostics(benchmark::State& state) {
 void step(benchmark::State& state) {
     Scene s(state.range(0));
     const MethodType type = relaxation_method();
-    const auto method = type.make(s.plane, Values("method", type.rows), {}, {});
+    const auto method = type.make(
+        {.discretisation = s.plane, .problem = [&] { return std::make_unique<PlaneEquation>(s.plane); }},
+        default_values(type));
     State phi = method->initial_state();
-    method->evaluate(*s.monitor, phi, {});
-    for (auto _ : state) method->step(*s.monitor, phi, {});
+    method->evaluate(ProblemData{s.monitor}, phi, {});
+    for (auto _ : state) method->step(ProblemData{s.monitor}, phi, {});
     count(state, 17 * 8, 0);
 }
 

@@ -2,7 +2,7 @@
 // is the time that one cell takes.
 #include "core/diagnostics/quality.hpp"
 #include "core/fem/surface_q2.hpp"
-#include "core/method/method.hpp"
+#include "core/method/surface_equation.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -20,7 +20,7 @@ struct Scene {
         for (const auto& type : monitor_types())
             if (type.name == "cross") {
                 const Space space{SpaceKind::sphere};
-                monitor = type.make(Values("monitor", type.rows(space)), space);
+                monitor = type.make(Values("monitor", type.rows(space)), {space});
             }
         for (int i = 0; i < 5; ++i) {
             evaluate();
@@ -104,12 +104,14 @@ void diagnostics(benchmark::State& state) {
 void step(benchmark::State& state) {
     Scene s(state.range(0));
     const MethodType type = relaxation_method();
-    Values values("method", type.rows);
+    Values values = default_values(type);
     values.set("step_size", 0.1);
-    const auto method = type.make(s.sphere, values, {}, {});
+    const auto method = type.make(
+        {.discretisation = s.sphere, .problem = [&] { return std::make_unique<SurfaceEquation>(s.sphere); }},
+        values);
     State phi = method->initial_state();
-    method->evaluate(*s.monitor, phi, {});
-    for (auto _ : state) method->step(*s.monitor, phi, {});
+    method->evaluate(ProblemData{s.monitor}, phi, {});
+    for (auto _ : state) method->step(ProblemData{s.monitor}, phi, {});
     count(state, s.cells());
 }
 

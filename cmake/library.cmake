@@ -7,8 +7,10 @@ include(CMakePackageConfigHelpers)
 set(public_headers
   gaspard.hpp base/error.hpp base/field.hpp base/parameter.hpp base/points.hpp base/series.hpp base/version.hpp
   mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/space.hpp mesh/sphere_mesh.hpp
-  monitor/function.hpp monitor/monitor.hpp method/method.hpp
-  scenario/catalogue.hpp scenario/output_rows.hpp scenario/scenario.hpp scenario/toml.hpp session/run.hpp session/series_table.hpp session/snapshot.hpp
+  monitor/function.hpp monitor/monitor.hpp monitor/problem_data.hpp monitor/tensor.hpp
+  method/method.hpp
+  scenario/catalogue.hpp scenario/output_rows.hpp scenario/pde_type.hpp scenario/scenario.hpp scenario/toml.hpp
+  session/run.hpp session/series_table.hpp session/snapshot.hpp
   tessellate/colour_choice.hpp io/formats.hpp io/run_files.hpp io/state_file.hpp)
 # Here they are "core/session/run.hpp", for others <gaspard/session/run.hpp>.
 foreach(header IN LISTS public_headers)
@@ -16,9 +18,9 @@ foreach(header IN LISTS public_headers)
   file(READ src/core/${header} text)
   string(REPLACE "#include \"core/" "#include \"gaspard/" text "${text}")
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/include/gaspard/${header} CONTENT "${text}" @ONLY)
-  get_filename_component(room ${header} DIRECTORY)
+  get_filename_component(module ${header} DIRECTORY)
   install(FILES ${CMAKE_BINARY_DIR}/include/gaspard/${header}
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gaspard/${room} COMPONENT development)
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gaspard/${module} COMPONENT development)
 endforeach()
 
 add_library(gaspard_library SHARED $<TARGET_OBJECTS:gaspard_core>)

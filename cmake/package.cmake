@@ -1,13 +1,13 @@
-# The program where a desktop looks for it, and Debian packages by CPack (scripts/package.sh):
+# Installs the program with its desktop entry, and makes Debian packages by CPack (scripts/package.sh):
 #   gaspard          program, desktop entry, icon, manual page
 #   libgaspard0.1    the library
-#   libgaspard-dev   its headers and find_package(Gaspard)
+#   libgaspard-dev   headers, CMake configuration, example
 install(TARGETS gaspard RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(FILES packaging/gaspard.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
 install(FILES packaging/gaspard.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps
   COMPONENT program)
 
-# Debian wants manual pages and change logs compressed, without a time in them.
+# Debian requires compressed manual pages and change logs without timestamps.
 find_program(GZIP gzip REQUIRED)
 configure_file(packaging/gaspard.1 ${CMAKE_BINARY_DIR}/packaging/gaspard.1 @ONLY)
 configure_file(packaging/changelog.Debian ${CMAKE_BINARY_DIR}/packaging/changelog @ONLY)
@@ -55,17 +55,17 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/packaging/tri
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-# Opened at run time, where no tool sees it: OpenGL for the window, and one of two for pictures without a screen.
+# Loaded at run time, so no tool finds them: OpenGL for the window, and one of two for images without a display.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libgl1, libosmesa6 | libegl1")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), libstdc++-12-dev | libstdc++-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "watch a mesh adapt by the Monge-Ampere equation
-A mesh of the plane or the sphere moves to where a monitor is large, by optimal transport.
-Window with sliders and plots, and a command line that writes meshes, numbers
-and pictures without one.")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "adaptive meshes by the Monge-Ampere equation
+Computes adaptive meshes of the plane, the sphere and spline patches by optimal transport.
+A window with sliders and plots shows the iteration; a command line writes meshes,
+numbers and images without a display.")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "adaptive meshes by the Monge-Ampere equation (library)
-Meshes that move along with a simulation, by optimal transport.")
+Adaptive meshes that follow a simulation, by optimal transport.")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "adaptive meshes by the Monge-Ampere equation (development files)
-Headers, CMake's configuration and an example.")
+Headers, CMake configuration and an example.")
 include(CPack)

@@ -1,4 +1,4 @@
-// A spot goes round; the mesh follows. Every time step begins with the map of the one before.
+// A spot moves on a circle, and the mesh follows it. Every time step starts from the map of the previous one.
 #include <cmath>
 #include <cstdio>
 #include <gaspard/gaspard.hpp>
@@ -15,11 +15,11 @@ int main() {
     for (int step = 0; step <= 160; ++step) {
         const double angle = 2 * std::numbers::pi * step / 160;
         const Vec3 spot{0.5 + 0.25 * std::cos(angle), 0.5 + 0.25 * std::sin(angle), 0};
-        run.follow(function_monitor([spot](Vec3 x) { // in a simulation: from its fields
+        run.follow(function_monitor([spot](Vec3 x) { // a simulation would evaluate its own fields
             const Vec3 d = displacement({SpaceKind::periodic_square}, spot, x);
             return 1 + 10 * std::exp(-100 * dot(d, d));
         }));
-        const StepReport& report = run.solve(); // run.snapshot()->x: where the nodes are now
+        const StepReport& report = run.solve(); // run.snapshot()->x: node positions
         std::printf("step %d: %s after %d iterations, equidistribution %.4f\n", step,
                     status_name(report.status).data(), report.iteration, *report.equidistribution);
     }

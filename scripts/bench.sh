@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures Gaspard against its peer, in one run on this machine, and prints the table of the README; then the parts
-# against the machine's limits (docs/performance.md). Arguments go to bench/compare.py (--repeat R, --quick).
+# Measures Gaspard and its peer in one run on this machine and prints the tables of docs/performance.md, then the parts
+# of an iteration with the machine's limits. Arguments go to bench/compare.py (--repeat R, --quick).
 set -euo pipefail
 here=$(cd "$(dirname "$0")/.." && pwd)
 "$here/scripts/install-packages.sh" build bench

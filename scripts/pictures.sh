@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Draws the pictures that README and docs show, with the program itself, into docs/.
+# Draws the images of README and docs with the program, into docs/. Usage: scripts/pictures.sh [PROGRAM]
 set -euo pipefail
 here=$(cd "$(dirname "$0")/.." && pwd)
 gaspard=${1:-$here/build/gaspard}
-[ -x "$gaspard" ] || { echo "scripts/pictures.sh: there is no program $gaspard; scripts/run.sh builds it" >&2; exit 2; }
+[ -x "$gaspard" ] || { echo "scripts/pictures.sh: $gaspard does not exist; scripts/run.sh builds it" >&2; exit 2; }
 drawn=$(mktemp -d)
 trap 'rm -rf "$drawn"' EXIT
 
-picture() { # name, then what `gaspard run` is given
+draw() { # name, then arguments of `gaspard run`
   local name=$1; shift
   "$gaspard" run "$@" --quiet --formats obj --out "$drawn/$name"
   mv "$drawn/$name/view.png" "$here/docs/$name.png"
@@ -17,17 +17,17 @@ picture() { # name, then what `gaspard run` is given
 "$gaspard" compare plane-bell --methods relaxation,auto --out "$drawn/compare" > "$drawn/table"
 mv "$drawn/compare/comparison.png" "$here/docs/compare.png"
 echo docs/compare.png
-picture window plane-bell --whole-window --size 1400x900
-picture side-by-side plane-ring --size 1400x640 --set view.layout=side-by-side --set view.color=equidistribution \
+draw window plane-bell --whole-window --size 1400x900
+draw side-by-side plane-ring --size 1400x640 --set view.layout=side-by-side --set view.color=equidistribution \
   --set view.theme=light --set domain.cells=40
-picture sphere-x16 sphere-x16 --size 1400x740 --set view.layout=front-and-rear --set view.color=none \
+draw sphere-x16 sphere-x16 --size 1400x740 --set view.layout=front-and-rear --set view.color=none \
   --set view.theme=light
-picture sphere-cross sphere-cross --size 1200x900 --set view.theme=light --set view.histogram=false \
+draw sphere-cross sphere-cross --size 1200x900 --set view.theme=light --set view.histogram=false \
   --set view.camera="centre 0.05 0.02 -0.04 height 2.25 right -0.9272 0.3746 0 up -0.09 -0.2226 0.9707"
-picture sphere-map sphere-cross --size 1200x640 --set view.theme=light --set view.layout=map --set view.map_longitude=90
+draw sphere-map sphere-cross --size 1200x640 --set view.theme=light --set view.layout=map --set view.map_longitude=90
 
-# A film: once round the Moebius strip, while its nodes go from where they came from to where they are. ImageMagick
-# (Debian's package imagemagick) puts the frames together.
+# An animation: the camera moves once around the Möbius strip while the nodes move from ξ to x. ImageMagick (Debian's
+# package imagemagick) joins the frames.
 strip=(spline-moebius --quiet --formats obj --set domain.cells=40)
 "$gaspard" run "${strip[@]}" --no-render --out "$drawn/strip"
 frame=100

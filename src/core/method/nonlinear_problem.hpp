@@ -11,15 +11,14 @@
 
 #include "core/method/method.hpp"
 
-#include <limits>
-
 namespace gaspard {
 
 /// What an iterate is judged by, beside its residual.
 struct IterateShape {
     /// Positive while the iterate is admissible: the smallest eigenvalue of a convex map's Jacobian, or the
-    /// smallest Jacobian determinant. Methods do not accept steps that lose most of it.
-    double admissibility = std::numeric_limits<double>::infinity();
+    /// smallest Jacobian determinant; 1 if every iterate is admissible. Methods do not accept steps that lose
+    /// most of it.
+    double admissibility = 1;
     /// The longest stable step along direction(), roughly.
     double stable_step = 1;
     /// Condition number of the linearisation, preconditioned as in direction(); an estimate.

@@ -5,6 +5,7 @@
 #include "core/method/spline_equation.hpp"
 #include "core/method/surface_equation.hpp"
 #include "core/scenario/output_rows.hpp"
+#include "core/scenario/problem_on.hpp"
 #include "core/scenario/view_rows.hpp"
 
 #include <algorithm>

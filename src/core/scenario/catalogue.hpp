@@ -3,10 +3,9 @@
 // a value: tests add fixtures to a copy.
 #pragma once
 
-#include "core/base/check.hpp"
 #include "core/mesh/discretisation.hpp"
 #include "core/mesh/domain_type.hpp"
-#include "core/method/nonlinear_problem.hpp"
+#include "core/method/method.hpp"
 #include "core/monitor/monitor.hpp"
 #include "core/scenario/pde_type.hpp"
 #include "core/scenario/scenario.hpp"
@@ -41,14 +40,6 @@ struct Capability {
         targets{};                   ///< monitors of section monitor.target; empty: there is no such section
     std::vector<std::string> pdes{}; ///< types of section pde; empty: there is no such section
 };
-
-/// For Capability::problem: Problem is made from a discretisation of class Discretised, which `prepare` makes.
-template <class Problem, class Discretised>
-std::unique_ptr<NonlinearProblem> problem_on(std::shared_ptr<const Discretisation> discretisation) {
-    auto own = std::dynamic_pointer_cast<const Discretised>(std::move(discretisation));
-    GASPARD_CHECK(own != nullptr);
-    return std::make_unique<Problem>(std::move(own));
-}
 
 struct Catalogue {
     std::vector<DomainType> domains;

@@ -4,6 +4,7 @@
 #include "core/base/stopwatch.hpp"
 #include "core/diagnostics/exact_map.hpp"
 #include "core/diagnostics/quality.hpp"
+#include "core/method/nonlinear_problem.hpp"
 #include "core/scenario/view_rows.hpp"
 
 #include <algorithm>

@@ -138,7 +138,9 @@ TEST(SurfaceQ2, HasTheEllipticityOfDifferences) {
         const Vec3 p = surface->places()[i];
         phi[i] = 0.1 * p.x * p.y + 0.2 * p.z;
     }
-    equation.evaluate(Waves(), phi);
+    const Waves waves;
+    equation.evaluate({.monitor = std::shared_ptr<const Monitor>(std::shared_ptr<const Monitor>(), &waves)},
+                      phi);
     auto workspace = surface->make_workspace();
     surface->map(phi, workspace);
     Points x, gradient;

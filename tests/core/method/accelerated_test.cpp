@@ -77,7 +77,7 @@ TEST(Accelerated, ConvergesWhereCoarserPlanesAreOfNoUse) {
 TEST(Accelerated, GoesOnFromTheMiddleOfTheWay) {
     Driven run(accelerated_method(), 60, true);
     run.begin(monitor_of("ring", true));
-    for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
+    for (int i = 0; i < 5; ++i) run.method->step(problem_of(*run.monitor), run.state, {});
     ASSERT_EQ(run.state.layout, run.layout(30));
     Driven other(accelerated_method(), 60, true);
     other.state = *other.method->adopt(run.state, nullptr);
@@ -88,7 +88,7 @@ TEST(Accelerated, GoesOnFromTheMiddleOfTheWay) {
     auto workspace = plane.make_workspace(), from_room = from.make_workspace();
     const auto phi = plane.transfer(from, run.state.arrays[0].values, from_room, workspace);
     const auto relaxation = make_relaxation(other.plane, 0.1);
-    const Evaluation fine = relaxation->evaluate(*run.monitor, State{other.layout(60), {{"phi", phi}}}, {});
+    const Evaluation fine = relaxation->evaluate(problem_of(*run.monitor), State{other.layout(60), {{"phi", phi}}}, {});
     EXPECT_NEAR(other.history[0].residual, fine.residual, 1e-12);
     EXPECT_LT(largest_distance(other.method->positions(), relaxation->positions()), 1e-14);
     other.solve();
@@ -112,7 +112,7 @@ TEST(Accelerated, AdoptsWhatTheRelaxationHasFound) {
 TEST(Accelerated, MovesNothingForAConstantMonitor) {
     Driven run(accelerated_method(), 60, false);
     run.begin(monitor_of("constant", false));
-    for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
+    for (int i = 0; i < 5; ++i) run.method->step(problem_of(*run.monitor), run.state, {});
     EXPECT_LT(largest_distance(run.method->positions(), run.plane->mesh()->nodes), 1e-13);
 }
 
@@ -120,8 +120,8 @@ TEST(Accelerated, ChecksThatStatesAreItsOwn) {
     Driven run(accelerated_method(), 60, true);
     run.begin(monitor_of("ring", true));
     State other = Driven(relaxation_method(), 16, true).state;
-    EXPECT_THROW(run.method->evaluate(*run.monitor, other, {}), InternalError);
-    EXPECT_THROW(run.method->step(*run.monitor, other, {}), InternalError);
+    EXPECT_THROW(run.method->evaluate(problem_of(*run.monitor), other, {}), InternalError);
+    EXPECT_THROW(run.method->step(problem_of(*run.monitor), other, {}), InternalError);
 }
 
 } // namespace

@@ -110,7 +110,7 @@ TEST(Newton, MovesNothingForAConstantMonitor) {
     for (const auto& type : {newton_method(), quasi_newton_method(), automatic_method()}) {
         Driven run(type, 60, false);
         run.begin(monitor_of("constant", false));
-        for (int i = 0; i < 3; ++i) run.method->step(*run.monitor, run.state, {});
+        for (int i = 0; i < 3; ++i) run.method->step(problem_of(*run.monitor), run.state, {});
         EXPECT_LT(largest_distance(run.method->positions(), run.plane->mesh()->nodes), 1e-13) << type.name;
     }
 }
@@ -121,7 +121,8 @@ TEST(Newton, DoesNotDependOnThreads) {
         Driven run(newton_method(), 240, true);
         run.method->use_threads(threads);
         run.begin(monitor_of("ring", true));
-        for (int i = 0; i < 9; ++i) run.history.push_back(run.method->step(*run.monitor, run.state, {}));
+        for (int i = 0; i < 9; ++i)
+            run.history.push_back(run.method->step(problem_of(*run.monitor), run.state, {}));
         states.push_back(run.state);
     }
     EXPECT_EQ(states[0], states[1]);
@@ -131,61 +132,68 @@ TEST(Newton, LeavesTheMapAsItIsWhenStopped) {
     for (const auto& type : {newton_method(), quasi_newton_method()}) {
         Driven run(type, 30, true);
         run.begin(monitor_of("bell", true));
-        for (int i = 0; i < 3; ++i) run.method->step(*run.monitor, run.state, {});
+        for (int i = 0; i < 3; ++i) run.method->step(problem_of(*run.monitor), run.state, {});
         const State before = run.state;
         std::stop_source source;
         source.request_stop();
-        const Evaluation same = run.method->step(*run.monitor, run.state, source.get_token());
+        const Evaluation same = run.method->step(problem_of(*run.monitor), run.state, source.get_token());
         EXPECT_EQ(run.state, before);
         EXPECT_TRUE(std::isfinite(same.residual));
-        EXPECT_GT(run.method->step(*run.monitor, run.state, {}).inner_iterations, 0); // and goes on
+        EXPECT_GT(run.method->step(problem_of(*run.monitor), run.state, {}).inner_iterations,
+                  0); // and goes on
     }
 }
 
 // Newton's stepper with an equation whose derivative has the wrong sign.
-class Wrong final : public Equation {
+class Wrong final : public NonlinearProblem {
   public:
-    explicit Wrong(std::unique_ptr<Equation> right)
-        : Equation(right->layout(), right->unknowns()), right_(std::move(right)) {}
-    void use_threads(int) override {}
-    double other_cpu_seconds() const override { return 0; }
+    explicit Wrong(std::unique_ptr<NonlinearProblem> right)
+        : NonlinearProblem(right->layout(), right->size(), "phi"), right_(std::move(right)) {}
     std::optional<State> adopt(const State& other, const Discretisation* of) override {
         return right_->adopt(other, of);
     }
-    State adopt(Equation& other, std::span<const double> phi) override { return right_->adopt(other, phi); }
-    std::unique_ptr<Equation> coarser(const Progress&, std::stop_token) const override { return nullptr; }
-    Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override {
-        return right_->evaluate(monitor, phi);
+    State adopt(NonlinearProblem& other, std::span<const double> phi) override {
+        return right_->adopt(other, phi);
+    }
+    std::unique_ptr<NonlinearProblem> coarser(const Progress&, std::stop_token) const override {
+        return nullptr;
+    }
+    Evaluation evaluate(const ProblemData& data, std::span<const double> phi) override {
+        return right_->evaluate(data, phi);
     }
     const Points& positions() const override { return right_->positions(); }
     void move(std::span<const double> phi) override { right_->move(phi); }
     std::span<const double> residual() const override { return right_->residual(); }
-    Ellipticity ellipticity() const override { return right_->ellipticity(); }
+    IterateShape shape() const override { return right_->shape(); }
     void direction(std::span<double> u) override { right_->direction(u); }
-    void linearise(const Monitor& monitor, Linearised how) override { right_->linearise(monitor, how); }
+    void linearise(const ProblemData& data, Linearised how) override { right_->linearise(data, how); }
     void derivative(std::span<const double> w, std::span<double> out) override {
         right_->derivative(w, out);
         for (double& value : out) value = -value;
     }
     void precondition(std::span<const double> r, std::span<double> u) override { right_->precondition(r, u); }
+    ProblemData continued(const ProblemData& data, double t) const override {
+        return right_->continued(data, t);
+    }
+    std::string name_of_continued(double t) const override { return right_->name_of_continued(t); }
 
   private:
-    std::unique_ptr<Equation> right_;
+    std::unique_ptr<NonlinearProblem> right_;
 };
 
 TEST(Newton, SaysSoWhereItsStepsAreOfNoUse) {
     const auto monitor = monitor_of("ring", true);
     for (const bool wrong : {false, true}) {
-        std::unique_ptr<Equation> equation =
+        std::unique_ptr<NonlinearProblem> equation =
             std::make_unique<PlaneEquation>(std::make_shared<PlaneQ2>(LineGrid{20, true}));
         if (wrong) equation = std::make_unique<Wrong>(std::move(equation));
         const auto stepper = make_newton_stepper();
         stepper->begin(*equation, 1e-8);
-        std::vector<double> phi(equation->unknowns(), 0.0);
-        Iterate now = look(*equation, *monitor, phi);
+        std::vector<double> phi(equation->size(), 0.0);
+        Iterate now = evaluate(*equation, problem_of(*monitor), phi);
         int steps = 0;
         for (bool lost = false; !lost && now.evaluation.residual > 1e-8 && steps < 30; ++steps) {
-            now = stepper->step(*monitor, phi, now, {});
+            now = stepper->step(problem_of(*monitor), phi, now, {});
             lost = now.lost;
         }
         EXPECT_EQ(now.lost, wrong);
@@ -199,7 +207,7 @@ TEST(Newton, SaysSoWhereItsStepsAreOfNoUse) {
 
 TEST(PowerMonitor, HasTheGradientOfItsValues) {
     const auto whole = monitor_of("bell", false);
-    const PowerMonitor part(*whole, 0.3);
+    const PowerMonitor part(whole, 0.3);
     Points x(3), gradients;
     x.set(0, {0.4, 0.45, 0}), x.set(1, {0.4 + 1e-6, 0.45, 0}), x.set(2, {0.4, 0.45 + 1e-6, 0});
     std::vector<double> m(3), m_whole(3);
@@ -227,7 +235,7 @@ TEST(QuasiNewton, FailsForAHarshMonitorAndSaysHow) {
     Driven run(quasi_newton_method(), 20, true);
     run.begin(monitor_of("bell", true, {{"amplitude", 5000}}));
     for (int i = 0; i < 60; ++i) {
-        run.history.push_back(run.method->step(*run.monitor, run.state, {}));
+        run.history.push_back(run.method->step(problem_of(*run.monitor), run.state, {}));
         ASSERT_TRUE(std::isfinite(run.history.back().residual));
     }
     EXPECT_GT(run.history.back().residual, 1e-3);

@@ -1,6 +1,7 @@
 #include "core/base/error.hpp"
 #include "core/fem/ellipticity.hpp"
 #include "core/method/relax.hpp"
+#include "core/scenario/catalogue.hpp"
 #include "support/largest_distance.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +43,7 @@ TEST_P(Relaxation, MovesNothingForAConstantMonitor) {
 TEST_P(Relaxation, DoesNotSeeAConstantInPhi) {
     Relaxing run = off_centre(16, 10), raised = off_centre(16, 10);
     for (double& value : raised.state.arrays[0].values) value += 0.5;
-    raised.method->evaluate(*raised.monitor, raised.state, {});
+    raised.method->evaluate(problem_of(*raised.monitor), raised.state, {});
     for (int i = 0; i < 3; ++i) {
         EXPECT_LT(largest_distance(run.x(), raised.x()), 1e-13);
         const Evaluation& ours = run.step();
@@ -108,7 +109,7 @@ TEST_P(Relaxation, MakesTheStepOfThePaper) {
 TEST_P(Relaxation, EvaluatesWithoutChangingTheState) {
     Relaxing run = off_centre(10, 3);
     const State before = run.state;
-    const Evaluation again = run.method->evaluate(*run.monitor, run.state, {});
+    const Evaluation again = run.method->evaluate(problem_of(*run.monitor), run.state, {});
     EXPECT_EQ(run.state, before);
     EXPECT_EQ(again.residual, run.history.back().residual);
     EXPECT_EQ(again.series[0], run.history.back().series[0]);
@@ -162,14 +163,14 @@ TEST_P(Relaxation, GoesOnFromOtherMeshes) {
         const auto adopted = run->method->adopt(coarse.state, nullptr);
         ASSERT_TRUE(adopted.has_value());
         EXPECT_EQ(adopted->layout, run->state.layout);
-        const Evaluation there = run->method->evaluate(*run->monitor, *adopted, {});
+        const Evaluation there = run->method->evaluate(problem_of(*run->monitor), *adopted, {});
         EXPECT_LT(there.residual, 0.2 * run->history[0].residual); // far from the identity's
     }
     // And down again, to the very potential but for its mean.
     fine.state = *fine.method->adopt(coarse.state, nullptr);
     const auto back = same.method->adopt(fine.state, nullptr);
     ASSERT_TRUE(back.has_value());
-    same.method->evaluate(*same.monitor, *back, {});
+    same.method->evaluate(problem_of(*same.monitor), *back, {});
     EXPECT_LT(largest_distance(same.x(), coarse.x()), 1e-12);
 }
 
@@ -199,8 +200,8 @@ TEST_P(Relaxation, DoesNotTakeStatesOfAnotherKind) {
 TEST_P(Relaxation, ChecksThatStatesAreItsOwn) {
     Relaxing run = off_centre(12, 0);
     State other = off_centre(16, 0).state;
-    EXPECT_THROW(run.method->evaluate(*run.monitor, other, {}), InternalError);
-    EXPECT_THROW(run.method->step(*run.monitor, other, {}), InternalError);
+    EXPECT_THROW(run.method->evaluate(problem_of(*run.monitor), other, {}), InternalError);
+    EXPECT_THROW(run.method->step(problem_of(*run.monitor), other, {}), InternalError);
 }
 
 class NotThePlane final : public Discretisation {
@@ -210,7 +211,8 @@ class NotThePlane final : public Discretisation {
 };
 
 TEST(RelaxationMethod, ChecksThatItIsOnThePlane) {
-    EXPECT_THROW(make_relaxation(std::make_shared<NotThePlane>(), 0.1), InternalError);
+    const auto make = builtin_catalogue().capabilities.front().problem;
+    EXPECT_THROW(make(std::make_shared<NotThePlane>()), InternalError);
 }
 
 // A monitor on [0,1]^2, mirrored at its walls and shrunk to half its size: periodic.

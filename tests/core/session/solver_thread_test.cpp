@@ -199,12 +199,12 @@ TEST_F(SolverThreadTest, ARefusedChangeSaysSoAndNamesTheValuesThatRemain) {
 std::shared_ptr<const Catalogue> slow_catalogue(std::atomic<bool>& slow) {
     auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
     auto& prepare = catalogue->capabilities.front().prepare;
-    prepare = [&slow, quick = prepare](const Values& values, const Progress& progress, std::stop_token stop) {
-        while (slow && !stop.stop_requested()) {
-            progress(0.5, "waiting");
+    prepare = [&slow, quick = prepare](const PrepareContext& context) {
+        while (slow && !context.stop.stop_requested()) {
+            context.progress(0.5, "waiting");
             std::this_thread::sleep_for(1ms);
         }
-        return quick(values, progress, stop);
+        return quick(context);
     };
     return catalogue;
 }
@@ -256,9 +256,9 @@ TEST_F(SolverThreadTest, ATaskIsCancelledOnItsOwnAndTheRunGoesOn) {
 TEST_F(SolverThreadTest, AFaultEndsTheRunButNotTheThread) {
     auto broken = std::make_shared<Catalogue>(*catalogue);
     auto& prepare = broken->capabilities.front().prepare;
-    prepare = [quick = prepare](const Values& values, const Progress& progress, std::stop_token stop) {
-        if (values.integer("cells") == 20) throw std::bad_alloc();
-        return quick(values, progress, stop);
+    prepare = [quick = prepare](const PrepareContext& context) {
+        if (context.scenario.domain.values.integer("cells") == 20) throw std::bad_alloc();
+        return quick(context);
     };
     SolverThread thread(broken, scenario(), {});
     ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));

@@ -50,11 +50,12 @@ TEST(Actions, MarkdownHasOneRowPerAction) {
             << row.name;
 }
 
-TEST(Actions, TheReadmeHasTheTable) {
-    std::ifstream file(GASPARD_SOURCE_DIR "/README.md");
-    const std::string readme((std::istreambuf_iterator<char>(file)), {});
-    EXPECT_NE(readme.find(actions_markdown()), std::string::npos) << "README.md is to have:\n"
-                                                                  << actions_markdown();
+TEST(Actions, TheDocumentationHasTheTable) {
+    std::ifstream file(GASPARD_SOURCE_DIR "/docs/window.md");
+    const std::string page((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_NE(page.find(actions_markdown()), std::string::npos)
+        << "docs/window.md should contain:\n"
+        << actions_markdown();
 }
 
 } // namespace

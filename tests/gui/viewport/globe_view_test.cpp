@@ -235,7 +235,8 @@ class GlobeApplicationTest : public ApplicationFixture {
         Scenario scenario = default_scenario(catalogue);
         apply_settings(catalogue, scenario,
                        {"domain.type=sphere", "domain.cells=4", "domain.geometry_order=1",
-                        "monitor.type=constant", "method.type=smoothing", "method.max_iterations=3"});
+                        "monitor.type=constant", "method.type=relaxation", "method.step_size=1",
+                        "method.max_iterations=3"});
         return scenario;
     }
 };
