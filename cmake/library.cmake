@@ -5,11 +5,11 @@ include(CMakePackageConfigHelpers)
 
 # What a simulation needs; src/core/gaspard.hpp includes all of them. Nobody promises the others.
 set(public_headers
-  gaspard.hpp base/error.hpp base/parameter.hpp base/points.hpp base/version.hpp
+  gaspard.hpp base/error.hpp base/field.hpp base/parameter.hpp base/points.hpp base/series.hpp base/version.hpp
   mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/space.hpp mesh/sphere_mesh.hpp mesh/surface_topology.hpp
   monitor/function.hpp monitor/monitor.hpp monitor/problem_data.hpp monitor/tensor.hpp
   method/method.hpp
-  scenario/catalogue.hpp scenario/output_rows.hpp scenario/pde_type.hpp scenario/scenario.hpp scenario/toml.hpp session/run.hpp session/snapshot.hpp
+  scenario/catalogue.hpp scenario/output_rows.hpp scenario/pde_type.hpp scenario/scenario.hpp scenario/toml.hpp session/run.hpp session/series_table.hpp session/snapshot.hpp
   tessellate/check_view.hpp tessellate/colour_choice.hpp io/formats.hpp io/run_files.hpp io/state_file.hpp io/surface_mesh.hpp)
 # Here they are "core/session/run.hpp", for others <gaspard/session/run.hpp>.
 foreach(header IN LISTS public_headers)

@@ -56,12 +56,14 @@ void list_methods(const Catalogue& catalogue) {
     for (const auto& type : catalogue.methods) {
         print_head(type.name, type.help);
         print_rows(method_section(catalogue, type.name).values);
+        for (const FieldInfo& field : type.fields) // choices of view.color with this method
+            std::cout << "    view.color = " << field.name << "  " << field.help << "\n";
     }
 }
 
 void list_view(const Catalogue& catalogue) {
     std::cout << "View\n";
-    print_rows(Values("view", catalogue.view_rows));
+    print_rows(view_section(catalogue, catalogue.methods.front().name));
 }
 
 void list_output(const Catalogue& catalogue) {

@@ -64,7 +64,7 @@ class ProgressLine {
         next_ = now + 0.1;
         shown_ = true;
         const double rate = report.seconds > 0 ? report.iteration / report.seconds : 0;
-        if (report.equidistribution) equidistribution_ = *report.equidistribution;
+        equidistribution_ = report.value("equidistribution").value_or(equidistribution_);
         std::fprintf(stderr, "\riteration %d  residual %.3e  equidistribution %.3e  %.0f iterations/s\033[K",
                      report.iteration, report.residual, equidistribution_, rate);
         std::fflush(stderr);
@@ -80,7 +80,7 @@ void print_outcome(const Run& run, const std::filesystem::path& folder) {
     const StepReport& last = run.history().back();
     std::printf("%s after %d iterations: residual %.3e, equidistribution %.6e, %zu tangled cells, %.3f s\n",
                 std::string(status_name(last.status)).c_str(), last.iteration, last.residual,
-                last.equidistribution.value_or(0), last.tangled_cells.value_or(0), last.seconds);
+                last.value("equidistribution").value_or(0), last.tangled_cells.value_or(0), last.seconds);
     if (!last.note.empty()) std::printf("%s\n", last.note.c_str());
     std::printf("files in %s\n", folder.string().c_str());
 }

@@ -8,6 +8,7 @@
 // The integrals are tabulated from both ends, so that s(t) is accurate near both poles of the axis.
 #pragma once
 
+#include "core/base/series.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/monitor/monitor.hpp"
 
@@ -44,5 +45,8 @@ struct ExactDeviation {
     double nodes = 0;    ///< over all nodes
 };
 ExactDeviation exact_deviation(const Mesh& mesh, const Points& x, const Points& exact);
+/// What a run reports of it, and the values in the same order.
+std::vector<SeriesInfo> exact_series();
+SeriesValues values_of(const ExactDeviation& deviation);
 
 } // namespace gaspard

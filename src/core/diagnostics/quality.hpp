@@ -9,6 +9,7 @@
 // A cell is tangled if its Jacobian is <= 0 or NaN at any sample point.
 #pragma once
 
+#include "core/base/series.hpp"
 #include "core/diagnostics/flat_squares.hpp"
 #include "core/diagnostics/sphere_cells.hpp"
 #include "core/mesh/cell_measure.hpp"
@@ -29,6 +30,10 @@ struct MeshQuality {
     std::vector<double> cell_mass;     ///< M_i
     std::vector<double> cell_jacobian; ///< minimum Jacobian over the sample points of each cell
 };
+
+/// The series of a run that describe its quality, and their values in the same order.
+std::vector<SeriesInfo> quality_series();
+SeriesValues values_of(const MeshQuality& quality);
 
 /// Measures a mesh. Holds the reference quadrature, the measures of the computational cells and a workspace.
 ///

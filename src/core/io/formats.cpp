@@ -70,30 +70,26 @@ Plot against_iteration(std::string title, const std::string& y) {
     return {.title = std::move(title), .x = {"iteration", false}, .y = {y, true}, .curves = {{}}};
 }
 
-Plot residual_plot(const std::vector<StepReport>& history) {
-    Plot plot = against_iteration("Residual", "normalised residual");
-    for (const auto& report : history) {
-        plot.curves[0].x.push_back(report.iteration);
-        plot.curves[0].y.push_back(report.residual);
-    }
-    return plot;
-}
-
-Plot equidistribution_plot(const std::vector<StepReport>& history) {
-    Plot plot = against_iteration("Equidistribution", "coefficient of variation of M");
-    for (const auto& report : history) {
-        if (!report.equidistribution) continue; // not measured in this iteration; the curve skips it
-        plot.curves[0].x.push_back(report.iteration);
-        plot.curves[0].y.push_back(*report.equidistribution);
-    }
+/// Where the series was not measured the curve goes on to the next report that was.
+Plot history_plot(const std::vector<StepReport>& history, std::string_view name) {
+    const SeriesTable& table = history.empty() ? *common_series() : *history.back().series;
+    const auto place = table.find(name);
+    GASPARD_CHECK(place);
+    const SeriesInfo& info = table.all()[*place];
+    Plot plot = against_iteration(info.label, info.help);
+    for (const auto& report : history)
+        if (const auto value = report.value(name)) {
+            plot.curves[0].x.push_back(report.iteration);
+            plot.curves[0].y.push_back(*value);
+        }
     return plot;
 }
 
 void write_svg_files(const std::filesystem::path& folder, const RunResult& result) {
     write_svg(folder / "adapted.svg", result.snapshot, make_colouring(result.snapshot, result.colours),
               {.camera = result.camera, .aspect = result.aspect});
-    write_svg(folder / "residual.svg", residual_plot(result.history));
-    write_svg(folder / "equidistribution.svg", equidistribution_plot(result.history));
+    write_svg(folder / "residual.svg", history_plot(result.history, "residual"));
+    write_svg(folder / "equidistribution.svg", history_plot(result.history, "equidistribution"));
 }
 
 const Format& find_format(std::string_view name) {

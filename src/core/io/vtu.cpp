@@ -7,8 +7,10 @@
 #include "core/io/formats.hpp"
 #include "core/io/little_endian.hpp"
 #include "core/io/xml.hpp"
+#include "core/session/report_columns.hpp"
 #include "core/tessellate/colouring.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -90,12 +92,12 @@ std::string field_data(const StepReport& report) {
         arrays.integers(name, std::span(&narrow, 1), one);
     };
     integer("iteration", static_cast<std::size_t>(report.iteration));
-    real("residual", report.residual);
-    real("theta", report.theta);
-    real("equidistribution", report.equidistribution);
-    real("min_jacobian", report.min_jacobian);
-    real("max_jacobian", report.max_jacobian);
+    static constexpr std::array<std::string_view, 5> always = {"residual", "theta", "equidistribution",
+                                                               "min_jacobian", "max_jacobian"};
+    const auto columns = report_columns(always, std::span(&report, 1));
+    for (std::size_t i = 0; i < always.size(); ++i) real(columns[i], report.value(columns[i]));
     if (report.tangled_cells) integer("tangled_cells", *report.tangled_cells);
+    for (std::size_t i = always.size(); i < columns.size(); ++i) real(columns[i], report.value(columns[i]));
     return arrays.text();
 }
 

@@ -1,7 +1,9 @@
 // A method computes the next state from the current one. It is independent of output, windows and files.
 #pragma once
 
+#include "core/base/field.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/series.hpp"
 #include "core/mesh/discretisation.hpp"
 #include "core/monitor/problem_data.hpp"
 
@@ -30,18 +32,11 @@ struct State {
 
 /// Results of evaluating one iterate.
 struct Evaluation {
-    double residual = 0;      ///< normalised: McRae et al. (5.1) divided by the norm of <v, theta>
-    double theta = 0;         ///< the constant in m det(dx/dxi) = theta
-    double step_size = 0;     ///< step size of the last update; 0 at the start
-    int inner_iterations = 0; ///< iterations of the linear solver in that update
-    std::string note{};       ///< message for the user; may be empty
-};
-
-/// A quality measure defined by the paper of the method.
-struct Measure {
-    std::string name;
-    double value = 0;
-    friend bool operator==(const Measure&, const Measure&) = default;
+    double residual = 0;      ///< as MethodType::residual describes it
+    SeriesValues series{};    ///< of Method::series(), those that every iterate has, in their order
+    double step_size = 0;     ///< of the update that led here; 0 at the start
+    int inner_iterations = 0; ///< of the linear solver, for that update
+    std::string note{};       ///< a sentence for people, where something is to be said of it
 };
 
 class Method {
@@ -61,15 +56,22 @@ class Method {
     virtual Evaluation step(const ProblemData& data, State& state, std::stop_token stop) = 0;
     /// Positions x of the mesh nodes for the state last evaluated, in physical coordinates.
     virtual const Points& positions() = 0;
-    /// Quality measures of the state last evaluated, as defined by the paper of the method.
-    virtual std::vector<Measure> measures(const ProblemData&) { return {}; }
-    /// Sets the parameters of the method; the state does not change.
+    /// What the method reports of an iterate besides the residual.
+    virtual std::vector<SeriesInfo> series() const { return {}; }
+    /// The values, of the state last evaluated, of those series() that are `measured`, in their order.
+    virtual std::vector<double> measures(const ProblemData&) { return {}; }
+    /// The values, of the state last evaluated, of MethodType::fields, in their order.
+    virtual std::vector<std::vector<double>> fields(const ProblemData&) { return {}; }
+    /// New values of the method's own parameters; the state stays.
     virtual void configure(const Values& values) = 0;
     /// Maximum number of threads, including that of the caller; results do not depend on it.
     virtual void use_threads(int) {}
     /// Total CPU time of this method's threads other than the caller's.
     virtual double other_cpu_seconds() const { return 0; }
 };
+
+/// McRae et al. (5.1) divided by the norm of <v, theta>, and what corresponds to it elsewhere.
+SeriesInfo normalised_residual();
 
 class NonlinearProblem; // core/method/nonlinear_problem.hpp
 
@@ -88,8 +90,10 @@ struct MethodType {
     std::string name;
     std::string label;
     std::string help;
-    std::vector<ParameterRow> rows; ///< in addition to common_method_rows()
-    /// May include a factorisation; throws Interrupted if asked to stop.
+    std::vector<ParameterRow> rows; ///< beyond those that every method has (tolerance, max_iterations, ...)
+    SeriesInfo residual = normalised_residual(); ///< its name is "residual"
+    std::vector<FieldInfo> fields{};             ///< of nodes and cells: colours and files offer them
+    /// May take as long as a factorisation, and be stopped on the way (Interrupted).
     std::function<std::unique_ptr<Method>(const MethodContext&, const Values&)> make;
 };
 /// Default values of the rows of the method and of common_method_rows().

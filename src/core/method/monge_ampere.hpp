@@ -15,12 +15,17 @@
 
 namespace gaspard {
 
+/// The constant that m det(dx/dxi) is to equal: the integral of m over the physical domain / measure of the
+/// computational one, which a map of the domain to itself keeps.
+SeriesInfo theta_series();
+
 class MongeAmpereEquation : public NonlinearProblem {
   public:
     /// Ellipticity of the map last evaluated.
     virtual Ellipticity ellipticity() const = 0;
 
-    /// Derived from ellipticity(); the admissibility is the convexity.
+    std::vector<SeriesInfo> series() const override { return {theta_series()}; }
+    /// From the ellipticity: admissibility is the convexity.
     IterateShape shape() const final;
     /// Data with monitor m^t. For t = 0 it is constant, and the identity map is the solution.
     ProblemData continued(const ProblemData& data, double t) const final;

@@ -19,8 +19,7 @@ constexpr double hopeless = 100;       ///< residual above which a coarser mesh 
 Nested::Nested(std::unique_ptr<NonlinearProblem> problem, std::unique_ptr<Stepper> stepper,
                const Values& values, const Progress& progress, std::stop_token stop)
     : stepper_(std::move(stepper)) {
-    for (; problem; problem = levels_.back()->coarser(progress, stop))
-        levels_.push_back(std::move(problem));
+    for (; problem; problem = levels_.back()->coarser(progress, stop)) levels_.push_back(std::move(problem));
     configure(values);
     select(0);
 }
@@ -93,7 +92,7 @@ const Points& Nested::positions() {
     return levels_[0]->positions();
 }
 
-std::vector<Measure> Nested::measures(const ProblemData& data) {
+std::vector<double> Nested::measures(const ProblemData& data) {
     positions(); // prolongs to the finest mesh, where measures are taken
     return levels_[0]->measures(data);
 }
@@ -124,8 +123,7 @@ void Nested::go_up(bool arrived, const ProblemData& data, State& state) {
     const std::size_t next = level_ - 1;
     if (arrived) go_to(next, here().unknowns(state), data, state);
     if (arrived && (now_.shape.admissibility > 0 || now_.evaluation.residual < far)) {
-        if (level_ > 0 && now_.evaluation.residual < enough_)
-            go_up(true, data, state); // already solved on this level
+        if (level_ > 0 && now_.evaluation.residual < enough_) go_up(true, data, state); // already solved
         return;
     }
     if (start_.empty()) start_ = levels_[0]->start(); // the run started on a coarser level

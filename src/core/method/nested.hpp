@@ -25,7 +25,8 @@ class Nested final : public Method {
     Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token stop) override;
     Evaluation step(const ProblemData& data, State& state, std::stop_token stop) override;
     const Points& positions() override;
-    std::vector<Measure> measures(const ProblemData& data) override;
+    std::vector<SeriesInfo> series() const override { return levels_[0]->series(); }
+    std::vector<double> measures(const ProblemData& data) override;
 
   private:
     NonlinearProblem& here() { return *levels_[level_]; }
@@ -43,8 +44,8 @@ class Nested final : public Method {
     bool may_go_down_ = false;  ///< set by evaluate(), cleared by step()
     std::vector<double> start_; ///< unknowns on the finest mesh before coarsening
     Iterate now_;
-    bool prolonged_ = false;             ///< the finest mesh shows the map of a coarser level:
-    std::vector<double> u_of_positions_; ///< these unknowns of that level
+    bool prolonged_ = false;             ///< the finest mesh's positions are of a coarser one's potential,
+    std::vector<double> u_of_positions_; ///< this one
 };
 
 /// A method type of nested iteration with the given stepper, without further rows.

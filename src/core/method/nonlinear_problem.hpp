@@ -63,8 +63,9 @@ class NonlinearProblem {
     virtual const Points& positions() const = 0;
     /// Updates only positions(), for other unknowns.
     virtual void move(std::span<const double> unknowns) = 0;
-    /// Quality measures of that mesh, if the problem defines any.
-    virtual std::vector<Measure> measures(const ProblemData&) { return {}; }
+    /// What is reported of an iterate, and the values of the `measured` series; as for Method.
+    virtual std::vector<SeriesInfo> series() const { return {}; }
+    virtual std::vector<double> measures(const ProblemData&) { return {}; }
     /// The residual vector r, not normalised.
     virtual std::span<const double> residual() const = 0;
     virtual IterateShape shape() const = 0;

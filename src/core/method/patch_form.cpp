@@ -53,14 +53,55 @@ std::unique_ptr<SplineForm> make_form(const SplineLayout& layout) {
                                                        : make_mixed_form(line, trace);
 }
 
-std::vector<Measure> named(const PatchMeasures& m) {
-    return {{"err", m.err_printed},
-            {"err_absolute", m.err_defined},
-            {"qual", m.qual_det},
-            {"qual_f", m.qual_f},
-            {"min_jacobian_psi", m.min_jacobian},
-            {"max_jacobian_psi", m.max_jacobian},
-            {"border_error", m.border_error}};
+namespace {
+
+struct PatchMeasure {
+    std::string name, label, symbol;
+    ParameterScale scale;
+    std::string help;
+    double PatchMeasures::*value;
+};
+
+const std::vector<PatchMeasure>& patch_measures() {
+    using enum ParameterScale;
+    static const std::vector<PatchMeasure> table = {
+        {"err", "Density error", "‖det/f − 1‖", logarithmic,
+         "L² norm of det/f − 1, the error in the tables of Bahari et al.", &PatchMeasures::err_printed},
+        {"err_absolute", "Density error, absolute", "‖det − f‖", logarithmic, "L² norm of det − f",
+         &PatchMeasures::err_defined},
+        {"qual", "Displacement cost", "", linear, "root of the integral of |Ψ − ξ|² / |det|",
+         &PatchMeasures::qual_det},
+        {"qual_f", "Displacement cost over f", "", linear, "root of the integral of |Ψ − ξ|² / f",
+         &PatchMeasures::qual_f},
+        {"min_jacobian_psi", "Min. Jacobian of Ψ", "min det", linear,
+         "smallest Jacobian of Ψ on a grid of 100 × 100 points", &PatchMeasures::min_jacobian},
+        {"max_jacobian_psi", "Max. Jacobian of Ψ", "max det", linear,
+         "largest Jacobian of Ψ on a grid of 100 × 100 points", &PatchMeasures::max_jacobian},
+        {"border_error", "Border error", "|(Ψ − ξ) · n|", logarithmic,
+         "largest distance of Ψ from the border on a grid of 100 × 100 points",
+         &PatchMeasures::border_error}};
+    return table;
+}
+
+} // namespace
+
+std::vector<SeriesInfo> patch_series() {
+    std::vector<SeriesInfo> all;
+    for (const PatchMeasure& one : patch_measures())
+        all.push_back({.name = one.name,
+                       .label = one.label,
+                       .symbol = one.symbol,
+                       .scale = one.scale,
+                       .help = one.help,
+                       .measured = true,
+                       .column = false});
+    return all;
+}
+
+std::vector<double> values_of(const PatchMeasures& measures) {
+    std::vector<double> values;
+    for (const PatchMeasure& one : patch_measures()) values.push_back(measures.*one.value);
+    return values;
 }
 
 PatchForm::PatchForm(std::shared_ptr<const SplineDomain> domain, Formulation formulation, std::size_t cells)

@@ -35,8 +35,9 @@ struct PatchMeasures {
     double max_jacobian = 0;
     double border_error = 0; ///< max |(Psi - xi) . n| on the boundary of that grid
 };
-/// The measures with their names in reports.
-std::vector<Measure> named(const PatchMeasures& measures);
+/// As reports name them, and their values in the same order.
+std::vector<SeriesInfo> patch_series();
+std::vector<double> values_of(const PatchMeasures& measures);
 
 /// A form on a patch with `cells` cells per direction, possibly fewer than the mesh of the domain.
 class PatchForm {

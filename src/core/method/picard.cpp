@@ -20,6 +20,16 @@ constexpr std::size_t coarsest = 16;      // cells
 constexpr double coarse_tolerance = 1e-5; // for the increment, on all levels except the finest
 constexpr int coarse_iterations = 100;    // maximum on each of these levels
 
+/// Its column has the name that the other methods give to the same constant.
+SeriesInfo sigma_series() {
+    return {.name = "theta",
+            .label = "Constant σ",
+            .symbol = "σ",
+            .help = "the factor that gives f the integral of the Jacobian",
+            .column = false,
+            .bounded = true};
+}
+
 class Picard final : public Method {
   public:
     Picard(std::shared_ptr<const SplineDomain> domain, Formulation formulation, const Values& values)
@@ -99,8 +109,13 @@ class Picard final : public Method {
         return positions_;
     }
 
-    std::vector<Measure> measures(const ProblemData& data) override {
-        return named(levels_[level_].form->measure(*data.monitor, whole_));
+    std::vector<SeriesInfo> series() const override {
+        std::vector<SeriesInfo> all = patch_series();
+        all.insert(all.begin(), sigma_series());
+        return all;
+    }
+    std::vector<double> measures(const ProblemData& data) override {
+        return values_of(levels_[level_].form->measure(*data.monitor, whole_));
     }
 
   private:
@@ -142,7 +157,7 @@ class Picard final : public Method {
         level_ = level;
         iterations_here_ = 0;
     }
-    Evaluation report() const { return {.residual = residual_, .theta = sigma_}; }
+    Evaluation report() const { return {.residual = residual_, .series = {sigma_}}; }
 
     void go_to_coarsest(const Monitor& monitor) {
         while (levels_.back().form->cells() % 2 == 0 && levels_.back().form->cells() / 2 >= coarsest)
@@ -190,6 +205,11 @@ MethodType picard_type(Formulation formulation, std::string name, std::string la
         .label = std::move(label),
         .help = std::move(help),
         .rows = std::move(rows),
+        .residual = {.name = "residual",
+                     .label = "Increment",
+                     .symbol = "‖Δφ‖",
+                     .scale = ParameterScale::logarithmic,
+                     .help = "L² norm of the last increment of φ"},
         .make = [formulation](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
             // guaranteed by the rows of the capability table
             auto domain = std::dynamic_pointer_cast<const SplineDomain>(context.discretisation);

@@ -25,8 +25,8 @@ constexpr double least_step = 1e-12, longest_step = 1e8;
 class QuasiNewton final : public Method {
   public:
     explicit QuasiNewton(std::unique_ptr<NonlinearProblem> problem)
-        : problem_(std::move(problem)), gmres_(problem_->size(), memory),
-          update_(problem_->size()), before_(update_) {}
+        : problem_(std::move(problem)), gmres_(problem_->size(), memory), update_(problem_->size()),
+          before_(update_) {}
 
     void configure(const Values&) override {}
     void use_threads(int threads) override { problem_->use_threads(threads); }
@@ -36,7 +36,8 @@ class QuasiNewton final : public Method {
         return problem_->adopt(other, of);
     }
     const Points& positions() override { return problem_->positions(); }
-    std::vector<Measure> measures(const ProblemData& data) override { return problem_->measures(data); }
+    std::vector<SeriesInfo> series() const override { return problem_->series(); }
+    std::vector<double> measures(const ProblemData& data) override { return problem_->measures(data); }
 
     Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token) override {
         return now_ = problem_->evaluate(data, problem_->unknowns(state));

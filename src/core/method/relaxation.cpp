@@ -40,7 +40,8 @@ class Relaxation final : public Method {
     }
 
     const Points& positions() override { return problem_->positions(); }
-    std::vector<Measure> measures(const ProblemData& data) override { return problem_->measures(data); }
+    std::vector<SeriesInfo> series() const override { return problem_->series(); }
+    std::vector<double> measures(const ProblemData& data) override { return problem_->measures(data); }
 
   private:
     std::unique_ptr<NonlinearProblem> problem_;

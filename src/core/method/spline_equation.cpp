@@ -56,7 +56,13 @@ Evaluation SplineEquation::evaluate(const ProblemData& data, std::span<const dou
     bfo_.residual(whole_, next_, residual_);
     shown_ = whole_;
     patch_->positions(shown_, positions_);
-    return {.residual = std::sqrt(dot(residual_, residual_)) / unit_, .theta = source.sigma()};
+    return {.residual = std::sqrt(dot(residual_, residual_)) / unit_, .series = {source.sigma()}};
+}
+
+std::vector<SeriesInfo> SplineEquation::series() const {
+    std::vector<SeriesInfo> all = patch_series();
+    all.insert(all.begin(), theta_series());
+    return all;
 }
 
 void SplineEquation::move(std::span<const double> phi) {

@@ -25,8 +25,9 @@ class SplineEquation final : public MongeAmpereEquation {
 
     Evaluation evaluate(const ProblemData& data, std::span<const double> phi) override;
     const Points& positions() const override { return positions_; }
-    std::vector<Measure> measures(const ProblemData& data) override {
-        return named(patch_->measure(*data.monitor, shown_));
+    std::vector<SeriesInfo> series() const override;
+    std::vector<double> measures(const ProblemData& data) override {
+        return values_of(patch_->measure(*data.monitor, shown_));
     }
     void move(std::span<const double> phi) override;
     std::span<const double> residual() const override { return residual_; }

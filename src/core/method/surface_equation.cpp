@@ -145,7 +145,7 @@ Evaluation SurfaceEquation::evaluate(const ProblemData& data, std::span<const do
     move(phi);
     data.monitor->values(positions_, monitor_);
     const auto [theta, normalised] = surface_->residual(monitor_, residual_, workspace_);
-    return {.residual = normalised, .theta = theta, .step_size = 0};
+    return {.residual = normalised, .series = {theta}, .step_size = 0};
 }
 
 void SurfaceEquation::move(std::span<const double> phi) {

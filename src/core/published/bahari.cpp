@@ -52,9 +52,9 @@ struct Maps {
 };
 
 double measure(const StepReport& report, const std::string& name) {
-    for (const Measure& one : report.measures)
-        if (one.name == name) return one.value;
-    check_failed("the method has this measure");
+    const auto value = report.value(name);
+    GASPARD_CHECK(value);
+    return *value;
 }
 
 std::string note_of(const Maps& maps, const PublishedMap& row) {

@@ -18,7 +18,7 @@ Curve attempt(const Workshop& workshop, const std::string& scenario, const std::
     const std::string status(status_name(last.status));
     rows.push_back({label, "iterations", static_cast<double>(last.iteration), std::nullopt, status});
     rows.push_back({label, "residual", last.residual, std::nullopt, status});
-    return history_curve(run, label, [](const auto& r) { return r.residual; });
+    return history_curve(run, label, "residual");
 }
 
 Plot residual_plot(const std::string& title) {

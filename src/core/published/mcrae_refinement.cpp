@@ -50,7 +50,7 @@ Plot refinement(const Workshop& workshop, const Sequence& sequence, const std::s
     Curve ours{sequence.name + ", relaxation", {}, {}, true};
     for (const int size : sequence.sizes) {
         const Run run = sequence.solved(workshop, size);
-        const double measure = *run.history().back().equidistribution;
+        const double measure = *run.history().back().value("equidistribution");
         rows.push_back({sequence.title(size), "equidistribution", measure});
         if (!ours.y.empty()) {
             const bool finest = size == sequence.sizes.back();
@@ -83,7 +83,7 @@ Reproduction figure12(const Workshop& workshop) {
         const StepReport& last = run.history().back();
         const std::string title = sequence->title(finest);
         result.rows.push_back({title, "iterations", static_cast<double>(last.iteration)});
-        result.rows.push_back({title, "smallest Jacobian", *last.min_jacobian});
+        result.rows.push_back({title, "smallest Jacobian", *last.value("min_jacobian")});
         result.rows.push_back({title, "tangled cells", static_cast<double>(*last.tangled_cells), 0,
                                "the paper: no evidence whatsoever of mesh tangling"});
         const auto snapshot = run.snapshot();

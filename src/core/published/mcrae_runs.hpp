@@ -26,9 +26,8 @@ void finish(Run& run, const Workshop& workshop);
 Run solve(const Workshop& workshop, const std::string& scenario, const std::vector<std::string>& settings,
           const std::string& title);
 
-/// A curve of one quantity over the iterations of a run; reports without a value are skipped.
-Curve history_curve(const Run& run, const std::string& label,
-                    const std::function<std::optional<double>(const StepReport&)>& of);
+/// One of the series of a run as a curve; rows without a value are left out.
+Curve history_curve(const Run& run, const std::string& label, std::string_view series);
 
 /// A recipe from a function of the workshop.
 Recipe make_recipe(const std::string& id, const std::string& title,

@@ -94,17 +94,14 @@ const MethodType& Catalogue::method(std::string_view name) const {
 const PdeType& Catalogue::pde(std::string_view name) const { return find(pdes, name, "pde.type"); }
 
 Catalogue builtin_catalogue() {
-    Catalogue catalogue{.domains = {plane_domain(), cubed_sphere_domain(), icosahedral_sphere_domain()},
-                        .monitors = monitor_types(),
-                        .methods = {relaxation_method(), accelerated_method(), quasi_newton_method(),
-                                    newton_method(), automatic_method(), picard_method(),
-                                    picard_mixed_method()},
-                        .capabilities = {plane_capability(),
-                                         sphere_capability(cubed_sphere_domain(), cubed_sphere_grid),
-                                         sphere_capability(icosahedral_sphere_domain(),
-                                                           icosahedral_sphere_grid)},
-                        .view_rows = view_rows(),
-                        .output_rows = output_rows()};
+    Catalogue catalogue{
+        .domains = {plane_domain(), cubed_sphere_domain(), icosahedral_sphere_domain()},
+        .monitors = monitor_types(),
+        .methods = {relaxation_method(), accelerated_method(), quasi_newton_method(), newton_method(),
+                    automatic_method(), picard_method(), picard_mixed_method()},
+        .capabilities = {plane_capability(), sphere_capability(cubed_sphere_domain(), cubed_sphere_grid),
+                         sphere_capability(icosahedral_sphere_domain(), icosahedral_sphere_grid)},
+        .output_rows = output_rows()};
     for (auto& domain : spline_domains()) {
         catalogue.capabilities.push_back(spline_capability(domain.name));
         catalogue.domains.push_back(std::move(domain));
@@ -133,15 +130,19 @@ Section pde_section(const Catalogue& catalogue, std::string_view type) {
     return {std::string(type), Values("pde", catalogue.pde(type).rows)};
 }
 
+Values view_section(const Catalogue& catalogue, std::string_view method) {
+    return {"view", view_rows(catalogue.method(method).fields)};
+}
+
 Scenario default_scenario(const Catalogue& catalogue) {
     Scenario scenario{.name = "untitled",
-            .title = {},
-            .description = {},
-            .domain = domain_section(catalogue, catalogue.domains.front().name),
-            .monitor = monitor_section(catalogue, catalogue.monitors.front().name),
-            .method = method_section(catalogue, catalogue.methods.front().name),
-            .view = Values("view", catalogue.view_rows),
-            .output = Values("output", catalogue.output_rows)};
+                      .title = {},
+                      .description = {},
+                      .domain = domain_section(catalogue, catalogue.domains.front().name),
+                      .monitor = monitor_section(catalogue, catalogue.monitors.front().name),
+                      .method = method_section(catalogue, catalogue.methods.front().name),
+                      .view = view_section(catalogue, catalogue.methods.front().name),
+                      .output = Values("output", catalogue.output_rows)};
     update_rows(catalogue, scenario);
     return scenario;
 }

@@ -47,7 +47,7 @@ struct Catalogue {
     std::vector<MethodType> methods;
     std::vector<PdeType> pdes{};
     std::vector<Capability> capabilities;
-    std::vector<ParameterRow> view_rows, output_rows;
+    std::vector<ParameterRow> output_rows;
 
     /// Throw InputError if the name is unknown; the message names the nearest known name.
     const DomainType& domain(std::string_view name) const;
@@ -67,6 +67,9 @@ Section monitor_section(const Catalogue& catalogue, std::string_view type, const
 Section method_section(const Catalogue& catalogue, std::string_view type);
 Section pde_section(const Catalogue& catalogue, std::string_view type);
 
+/// The values of the section "view" for a method: its fields are among the colours.
+Values view_section(const Catalogue& catalogue, std::string_view method);
+
 /// The first domain, monitor and method of the catalogue, with default values.
 Scenario default_scenario(const Catalogue& catalogue);
 
@@ -76,6 +79,9 @@ Space space_of(const Catalogue& catalogue, const Scenario& scenario);
 /// the sections monitor.target and pde on domain and method. Values set by the user are kept if the key still
 /// exists and allows them.
 void update_rows(const Catalogue& catalogue, Scenario& scenario);
+
+/// Updates the rows of the view for a method. Values set by the user are kept if the method allows them.
+void update_view_rows(const Catalogue& catalogue, std::string_view method, Values& view);
 
 /// Throws InputError if the scenario has no such key, or if the key is reserved.
 void check_key(const Catalogue& catalogue, Scenario& scenario, std::string_view key);

@@ -55,7 +55,8 @@ bool has_row(const std::vector<ParameterRow>& rows, std::string_view key) {
 bool same_rows(const std::vector<ParameterRow>& a, const std::vector<ParameterRow>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
         return one.key == other.key && one.minimum == other.minimum && one.maximum == other.maximum &&
-               one.default_value == other.default_value && one.unit == other.unit;
+               one.default_value == other.default_value && one.unit == other.unit &&
+               one.choices == other.choices;
     });
 }
 
@@ -181,6 +182,14 @@ void update_rows(const Catalogue& catalogue, Scenario& scenario) {
                     [&](const std::string& type) { return pde_section(catalogue, type); });
     update_monitor_rows(catalogue, space, scenario.monitor);
     update_monitor_rows(catalogue, space, scenario.target);
+    update_view_rows(catalogue, scenario.method.type, scenario.view);
+}
+
+void update_view_rows(const Catalogue& catalogue, std::string_view method, Values& view) {
+    Values now = view_section(catalogue, method);
+    if (same_rows(now.rows(), view.rows())) return;
+    carry_over(view, now);
+    view = std::move(now);
 }
 
 void check_key(const Catalogue& catalogue, Scenario& scenario, std::string_view key) {

@@ -5,6 +5,7 @@
 #include "core/diagnostics/exact_map.hpp"
 #include "core/diagnostics/quality.hpp"
 #include "core/method/nonlinear_problem.hpp"
+#include "core/scenario/view_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +16,8 @@ namespace gaspard {
 
 namespace {
 
-// A run has diverged if theta exceeds divergence_factor times its first value, or the residual exceeds
-// divergence_factor times max(1, first residual). theta is an integral of m over the physical domain, which
-// is constant for maps of the domain onto itself; the residual is normalised by theta.
+// A run has diverged if a bounded series (theta) exceeds divergence_factor times its first value, or the
+// residual exceeds divergence_factor times max(1, first residual).
 constexpr double divergence_factor = 1e3;
 constexpr double worthwhile = 0.999; // an improvement is a residual below this fraction of the best one
 constexpr int patience = 200;        // iterations without improvement after which a run has stalled
@@ -64,6 +64,7 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
     method_ = make_method(problem_, discretisation_, progress, stop);
     make_meter();
     find_exact_map();
+    name_series();
     State state = method_->initial_state();
     if (options_.start) {
         auto adopted = method_->adopt(*options_.start, nullptr);
@@ -100,6 +101,18 @@ void Run::find_exact_map() {
         exact_ = std::make_shared<const Points>(map->apply(discretisation_->mesh()->nodes));
 }
 
+/// Once the method and the exact map are there.
+void Run::name_series() {
+    std::vector<SeriesInfo> diagnostics = quality_series();
+    if (exact_)
+        for (SeriesInfo& one : exact_series()) diagnostics.push_back(std::move(one));
+    auto table = std::make_shared<const SeriesTable>(method_type().residual, std::move(diagnostics),
+                                                     method_->series());
+    if (!series_ || series_->all() != table->all()) series_ = std::move(table);
+}
+
+const MethodType& Run::method_type() const { return catalogue_->method(problem_.scenario.method.type); }
+
 void Run::begin(State state, const Evaluation& evaluation) {
     state_ = last_untangled_ = std::move(state);
     history_.clear();
@@ -133,6 +146,7 @@ void Run::follow(std::shared_ptr<const Monitor> monitor) {
     own_ = std::move(monitor);
     problem_ = std::move(problem);
     find_exact_map();
+    name_series();
     ++epoch_;
     begin(std::move(state), evaluation);
 }
@@ -184,12 +198,13 @@ void Run::take_back(Evaluation& evaluation, std::string& note) {
 void Run::record(const Evaluation& evaluation, int iteration, std::string note) {
     StepReport report{.iteration = iteration,
                       .residual = evaluation.residual,
-                      .theta = evaluation.theta,
                       .step_size = evaluation.step_size,
                       .inner_iterations = evaluation.inner_iterations,
                       .seconds = seconds_,
                       .cpu_seconds = cpu_seconds_,
-                      .note = std::move(note)};
+                      .note = std::move(note),
+                      .series = series_};
+    take_series(evaluation.series, report);
     ++version_;
     measured_ = false;
     report.status = judge(report, report.note);
@@ -199,15 +214,37 @@ void Run::record(const Evaluation& evaluation, int iteration, std::string note) 
     history_.push_back(std::move(report));
 }
 
+/// The values that every iterate has; those that are measured stay empty.
+void Run::take_series(const SeriesValues& values, StepReport& report) const {
+    const auto& all = series_->all();
+    report.values.assign(series_->slots(), std::numeric_limits<double>::quiet_NaN());
+    const double* next = values.begin();
+    for (std::size_t i = series_->first_of_method(); i < all.size(); ++i) {
+        if (all[i].measured) continue;
+        GASPARD_CHECK(next != values.end());
+        report.values[series_->slot(i)] = *next++;
+    }
+    GASPARD_CHECK(next == values.end());
+}
+
+bool Run::out_of_bounds(const StepReport& report) const {
+    for (std::size_t i = series_->first_of_method(); i < series_->all().size(); ++i) {
+        if (!series_->all()[i].bounded) continue;
+        const std::size_t slot = series_->slot(i);
+        const double value = report.values[slot];
+        if (!(value > 0) || value > divergence_factor * first_values_[slot]) return true;
+    }
+    return false;
+}
+
 RunStatus Run::judge(const StepReport& report, std::string& note) {
     const Values& method = problem_.scenario.method.values;
     if (std::exchange(not_finite_, false)) return RunStatus::diverged;
-    if (std::isinf(first_residual_)) first_residual_ = report.residual, first_theta_ = report.theta;
+    if (std::isinf(first_residual_)) first_residual_ = report.residual, first_values_ = report.values;
     if (report.residual < worthwhile * best_residual_)
         best_residual_ = report.residual, best_iteration_ = report.iteration;
     if (report.residual < method.real("tolerance")) return RunStatus::converged;
-    if (report.residual > divergence_factor * std::max(1.0, first_residual_) || !(report.theta > 0) ||
-        report.theta > divergence_factor * first_theta_) {
+    if (report.residual > divergence_factor * std::max(1.0, first_residual_) || out_of_bounds(report)) {
         const Values& domain = problem_.scenario.domain.values;
         note = "the iteration diverged; ";
         if (const auto remedy = find_remedy(domain)) note += describe(domain, *remedy) + " or ";
@@ -227,17 +264,21 @@ RunStatus Run::judge(const StepReport& report, std::string& note) {
 void Run::measure(StepReport& report) {
     if (measured_) return;
     const MeshQuality& quality = meter_->measure(method_->positions(), *data_.monitor);
-    report.equidistribution = quality.equidistribution;
-    report.min_jacobian = quality.min_jacobian;
-    report.max_jacobian = quality.max_jacobian;
     report.tangled_cells = quality.tangled_cells;
-    report.measures = method_->measures(data_);
-    if (exact_) {
-        const auto [vertices, nodes] =
-            exact_deviation(*discretisation_->mesh(), method_->positions(), *exact_);
-        report.exact_rms = vertices;
-        report.exact_rms_nodes = nodes;
-    }
+    auto next = report.values.begin(); // as name_series() has them: the diagnostics, then the method's
+    for (const double value : values_of(quality)) *next++ = value;
+    if (exact_)
+        for (const double value :
+             values_of(exact_deviation(*discretisation_->mesh(), method_->positions(), *exact_)))
+            *next++ = value;
+    const std::vector<double> measures = method_->measures(data_);
+    auto measure = measures.begin();
+    for (std::size_t i = report.series->first_of_method(); i < report.series->all().size(); ++i, ++next)
+        if (report.series->all()[i].measured) {
+            GASPARD_CHECK(measure != measures.end());
+            *next = *measure++;
+        }
+    GASPARD_CHECK(measure == measures.end());
     measured_ = true;
     if (quality.tangled_cells == 0) last_untangled_ = state_;
 }
@@ -285,6 +326,7 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     problem_ = std::move(problem);
     if (new_domain) make_meter();
     if (new_data) find_exact_map();
+    name_series();
     if (!state) {
         reset();
         return "The map could not be transferred; the run restarts from the uniform mesh.";
@@ -307,15 +349,28 @@ std::shared_ptr<const Snapshot> Run::snapshot() {
     snapshot->x = method_->positions();
     snapshot->exact = exact_;
     snapshot->control = discretisation_->control_points();
-    Field monitor{"monitor", "", FieldPlace::node, std::vector<double>(snapshot->x.size())};
+    Field monitor{mesh_colour("monitor"), std::vector<double>(snapshot->x.size())};
     data_.monitor->values(snapshot->x, monitor.values);
-    snapshot->fields.push_back(std::move(monitor));
-    const MeshQuality& quality = meter_->quality();
-    snapshot->fields.push_back({"mass", "", FieldPlace::cell, quality.cell_mass});
-    snapshot->fields.push_back({"jacobian", "", FieldPlace::cell, quality.cell_jacobian});
+    const FieldInfo mass{.name = "mass", .label = "cell mass", .symbol = "Mᵢ", .place = FieldPlace::cell};
+    snapshot->fields = {std::move(monitor),
+                        {mass, meter_->quality().cell_mass},
+                        {mesh_colour("jacobian"), meter_->quality().cell_jacobian}};
+    add_fields_of_method(*snapshot);
     snapshot->report = history_.back();
     snapshot->version = version_;
     return snapshot;
+}
+
+void Run::add_fields_of_method(Snapshot& snapshot) {
+    const std::vector<FieldInfo>& infos = method_type().fields;
+    auto values = method_->fields(data_);
+    GASPARD_CHECK(values.size() == infos.size());
+    for (std::size_t i = 0; i < infos.size(); ++i) {
+        const bool of_nodes = infos[i].place == FieldPlace::node;
+        GASPARD_CHECK(values[i].size() ==
+                      (of_nodes ? snapshot.mesh->node_count() : snapshot.mesh->cell_count()));
+        snapshot.fields.push_back({infos[i], std::move(values[i])});
+    }
 }
 
 } // namespace gaspard

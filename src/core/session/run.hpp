@@ -88,8 +88,13 @@ class Run {
     void restart_judging();
     void make_meter();
     void find_exact_map();
+    void name_series();
+    const MethodType& method_type() const;
     void record(const Evaluation& evaluation, int iteration, std::string note);
+    void take_series(const SeriesValues& values, StepReport& report) const;
     void measure(StepReport& report);
+    void add_fields_of_method(Snapshot& snapshot);
+    bool out_of_bounds(const StepReport& report) const;
     RunStatus judge(const StepReport& report, std::string& note);
     void take_back(Evaluation& evaluation, std::string& note);
 
@@ -105,10 +110,12 @@ class Run {
     State state_, last_finite_;
     State last_untangled_; ///< among the iterates with diagnostics
     std::vector<StepReport> history_;
-    bool measured_ = false; ///< the last measurement of meter_ is of the current iterate
+    std::shared_ptr<const SeriesTable> series_; ///< of the reports to come
+    bool measured_ = false;                     ///< the meter's last measurement is of the present iterate
     bool not_finite_ = false;
-    // Used to detect convergence, divergence and stagnation; reset when values change.
-    double first_residual_ = 0, first_theta_ = 0, best_residual_ = 0;
+    // What the end is judged by; begins anew when values change.
+    double first_residual_ = 0, best_residual_ = 0;
+    std::vector<double> first_values_; ///< of the series
     int judged_from_ = 0, best_iteration_ = 0;
     int epoch_ = 0;
     double setup_seconds_ = 0, seconds_ = 0, cpu_seconds_ = 0;

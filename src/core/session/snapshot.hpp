@@ -1,17 +1,15 @@
 // The results of a run as immutable values, for the window, the output files and the tests.
 //
-//   theta             integral of m over the physical domain / measure of the computational domain
-//   residual          norm of m det(dx/dxi) - theta, divided by the norm of theta (method.hpp)
+//   residual          what the method makes small (MethodType::residual)
 //   equidistribution  standard deviation / mean over the cells of M_i, McRae et al. (5.2):
 //                     integral of m over physical cell i / measure of computational cell i
-//   Jacobian          det dx/dxi of a physical cell; a cell is tangled if det dx/dxi <= 0 at some point
-//
-// All of them are dimensionless.
+//   Jacobian          det dx/dxi of a physical cell; a cell is tangled where it is <= 0 anywhere
 #pragma once
 
+#include "core/base/field.hpp"
 #include "core/base/points.hpp"
 #include "core/mesh/mesh.hpp"
-#include "core/method/method.hpp"
+#include "core/session/series_table.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -41,40 +39,36 @@ bool is_final(RunStatus status);
 struct StepReport {
     int iteration = 0;
     double residual = 0;
-    double theta = 0;
-    double step_size = 0; ///< step size of the last update; 0 at the start
-    // Diagnostics are nullopt if they were skipped (method.diagnostics_every).
-    std::optional<double> equidistribution{};
-    /// RMS distance of the vertices, and of all nodes, from their exact positions; nullopt if no exact map is
-    /// known.
-    std::optional<double> exact_rms{}, exact_rms_nodes{};
-    std::optional<double> min_jacobian{}, max_jacobian{};
-    std::optional<std::size_t> tangled_cells{};
-    std::vector<Measure> measures{}; ///< quality measures of the method (Method::measures)
-    int inner_iterations = 0;        ///< iterations of the linear solver in this update
-    double seconds = 0;              ///< cumulative wall time of solving
-    double cpu_seconds = 0;          ///< cumulative CPU time of all solver threads
+    double step_size = 0;                       ///< of the update that led here; 0 at the start
+    std::optional<std::size_t> tangled_cells{}; ///< empty where the mesh was not measured
+    int inner_iterations = 0;                   ///< of the linear solver, for this update
+    double seconds = 0;                         ///< cumulative wall time of solving
+    double cpu_seconds = 0;                     ///< cumulative CPU time of all threads that solve
     RunStatus status = RunStatus::running;
-    std::string note{}; ///< message for the user; may be empty
-};
+    std::string note{}; ///< a sentence for people, where something is to be said
+    /// The names of the series, and the values of those after the residual and without the step size; what
+    /// was not measured (method.diagnostics_every) is not a number. value() reads them.
+    std::shared_ptr<const SeriesTable> series = common_series();
+    std::vector<double> values{};
 
-enum class FieldPlace { node, cell };
-
-/// One value for every node or cell, in the numbering of the mesh.
-struct Field {
-    std::string name; ///< "monitor" (nodes); "mass" (M_i) and "jacobian" (minimum over the cell) (cells)
-    std::string unit; ///< may be empty
-    FieldPlace place = FieldPlace::node;
-    std::vector<double> values;
+    /// Whether the mesh was measured.
+    bool measured() const { return tangled_cells.has_value(); }
+    /// Of one of series->all(), by its name or its place there. Empty where there is none of that name, and
+    /// where it has no value: it was not measured, or no step was made yet.
+    std::optional<double> value(std::string_view name) const;
+    std::optional<double> value(std::size_t place) const;
+    /// The series must be there, and be neither residual nor step size, which are members.
+    void set(std::string_view name, double value);
 };
 
 /// An iterate as an immutable value, which may be shared between threads.
 struct Snapshot {
     std::shared_ptr<const Mesh> mesh; ///< cells and xi; shared by all snapshots of a run
-    Points x;                         ///< node positions, in the numbering of the mesh
-    std::shared_ptr<const Points> exact{};   ///< node positions of the exact map; null if unknown
-    std::shared_ptr<const Points> control{}; ///< movable control points; null if there are none
-    std::vector<Field> fields;
+    Points x;                         ///< where the nodes stand, in the mesh's numbering
+    std::shared_ptr<const Points>
+        exact{}; ///< where they would stand in the exact solution; null where unknown
+    std::shared_ptr<const Points> control{}; ///< control points that may be moved; null where there are none
+    std::vector<Field> fields; ///< monitor (of nodes), mass (M_i) and jacobian (of cells), the method's own
     StepReport report;
     std::uint64_t version = 0; ///< increases with every iterate
 

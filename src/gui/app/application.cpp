@@ -290,10 +290,10 @@ void Application::fulfil(const PlotWish& wish) {
         return messages_.say({"Copied the numbers of all runs that are shown", false});
     case PlotWish::Kind::save_png:
         plot_to_save_ = plot_of_runs(document_.runs(), wish.choice, wish.zoom);
-        plot_name_ = name_of(wish.choice.quantity);
+        plot_name_ = wish.choice.plot;
         return;
     case PlotWish::Kind::save_svg:
-        return files_.save_svg(run().scenario, std::string(name_of(wish.choice.quantity)),
+        return files_.save_svg(run().scenario, wish.choice.plot,
                                plot_of_runs(document_.runs(), wish.choice, wish.zoom));
     }
 }

@@ -174,6 +174,14 @@ bool has_same_row(const Values& values, const ParameterRow& row) {
     });
 }
 
+/// The choices of a row that go with the rest of the scenario. Without a scenario, all do.
+/// A colour of another method is none here.
+bool allows(const ParameterRow& row, const Value& value) {
+    const auto* choice = std::get_if<std::string>(&value);
+    return row.kind != ParameterKind::choice ||
+           (choice && std::find(row.choices.begin(), row.choices.end(), *choice) != row.choices.end());
+}
+
 /// Whether a choice can be combined with the rest of the scenario. Without a scenario, all can.
 bool choice_fits(const PanelContext& context, const Scenario* scenario, const Values& values,
                  const std::string& key, const std::string& choice) {
@@ -329,7 +337,8 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
     }
     if (row_hovered(corner, c)) show_tooltip(row.label, row.help, details_of(row, key), corner.y);
 
-    const Value& origin = opened ? opened->at(row.key) : row.default_value;
+    const Value& origin =
+        opened && allows(row, opened->at(row.key)) ? opened->at(row.key) : row.default_value;
     if (values.at(row.key) != origin) {
         ImGui::SameLine(c.reset);
         if (reset_button("##reset")) values.set(row.key, origin);

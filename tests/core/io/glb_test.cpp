@@ -24,7 +24,7 @@ Snapshot snapshot_of(Mesh mesh) {
     Snapshot snapshot;
     snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
     snapshot.x = moved(*snapshot.mesh);
-    Field monitor{"monitor", "", FieldPlace::node, {}};
+    Field monitor{{.name = "monitor"}, {}};
     for (std::size_t i = 0; i < snapshot.x.size(); ++i)
         monitor.values.push_back(2 + std::sin(5 * snapshot.x.x[i] + snapshot.x.y[i]));
     snapshot.fields.push_back(std::move(monitor));

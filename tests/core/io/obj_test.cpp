@@ -199,7 +199,7 @@ TEST(Formats, TheTableListsTheFilesOfEachFormat) {
     const TemporaryFolder folder;
     const auto mesh = std::make_shared<Mesh>(unit_square_mesh(4));
     Snapshot snapshot{.mesh = mesh, .x = moved(*mesh), .fields = {}, .report = {}, .version = 1};
-    snapshot.fields.push_back({"monitor", "", FieldPlace::node, mesh->nodes.x});
+    snapshot.fields.push_back({{.name = "monitor"}, mesh->nodes.x});
     const std::vector<StepReport> history(3);
     std::vector<std::string> expected;
     for (const auto& format : formats()) {

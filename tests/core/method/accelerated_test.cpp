@@ -24,7 +24,7 @@ TEST(Accelerated, FindsTheMapOfTheRelaxationInFewerIterations) {
         EXPECT_LE(iterations, most);
         EXPECT_LT(2 * iterations, relaxed.solve());
         EXPECT_LT(largest_distance(accelerated.method->positions(), relaxed.method->positions()), 1e-8);
-        EXPECT_NEAR(accelerated.history.back().theta, relaxed.history.back().theta, 1e-8);
+        EXPECT_NEAR(accelerated.history.back().series[0], relaxed.history.back().series[0], 1e-8);
         EXPECT_EQ(accelerated.state.layout, accelerated.layout(60));
         EXPECT_EQ(accelerated.quality().tangled_cells, 0u);
     }

@@ -40,7 +40,7 @@ TEST(Newton, FindsTheMapOfTheRelaxationInFewIterations) {
         EXPECT_LE(newton.solve(), most);
         relaxed.solve();
         EXPECT_LT(largest_distance(newton.method->positions(), relaxed.method->positions()), 1e-8);
-        EXPECT_NEAR(newton.history.back().theta, relaxed.history.back().theta, 1e-8);
+        EXPECT_NEAR(newton.history.back().series[0], relaxed.history.back().series[0], 1e-8);
         EXPECT_EQ(newton.quality().tangled_cells, 0u);
         EXPECT_LT(inner_iterations(newton), 25 * newton.history.size());
     }

@@ -78,12 +78,12 @@ TEST_F(Follow, WhatIsTriedAfterwardsKeepsTheMonitor) {
     run.solve();
     EXPECT_EQ(run.scenario().monitor.type, own_monitor);
     EXPECT_NE(summary_json(run).find("\"type\": \"own\""), std::string::npos);
-    const double equidistribution = *run.history().back().equidistribution;
+    const double equidistribution = *run.history().back().value("equidistribution");
     Scenario finer = run.scenario();
     apply_settings(*catalogue, finer, {"domain.cells=48"});
     EXPECT_EQ(run.change(finer), "");
     EXPECT_EQ(run.solve().status, RunStatus::converged);
-    EXPECT_LT(*run.history().back().equidistribution, 0.5 * equidistribution);
+    EXPECT_LT(*run.history().back().value("equidistribution"), 0.5 * equidistribution);
 }
 
 TEST_F(Follow, ABadMonitorIsOneSentenceAndTheRunGoesOn) {
@@ -122,7 +122,7 @@ TEST_F(Follow, AFunctionOfAnotherSpaceIsRefused) {
     EXPECT_EQ(run.scenario().monitor.type, "x-n") << "the run is as it was";
     run.follow(function_monitor([](Vec3 p) { return 2 + p.z; }, run.space()));
     EXPECT_EQ(run.solve().status, RunStatus::converged);
-    EXPECT_LT(*run.history().back().equidistribution, 0.05);
+    EXPECT_LT(*run.history().back().value("equidistribution"), 0.05);
 }
 
 TEST_F(Follow, AnotherDomainCanBeChosenAfterwards) {
@@ -161,7 +161,7 @@ TEST_F(Follow, SolvingStopsWhenAsked) {
     std::stop_source stop;
     stop.request_stop();
     EXPECT_EQ(run.solve(stop.get_token()).status, RunStatus::interrupted);
-    EXPECT_TRUE(run.history().back().equidistribution);
+    EXPECT_TRUE(run.history().back().value("equidistribution"));
 }
 
 TEST(FunctionMonitor, AsksWithinTheSquareAndKnowsSlopes) {

@@ -21,7 +21,7 @@ constexpr Size size{800, 600};
 Snapshot snapshot_of(Mesh mesh) {
     Snapshot snapshot;
     snapshot.x = mesh.nodes;
-    snapshot.fields.push_back({"monitor", "", FieldPlace::node, std::vector<double>(mesh.node_count(), 1.0)});
+    snapshot.fields.push_back({{.name = "monitor"}, std::vector<double>(mesh.node_count(), 1.0)});
     snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
     return snapshot;
 }
@@ -167,7 +167,7 @@ TEST(Picking, TheCardSaysWhatTheNumbersAre) {
     Snapshot snapshot = snapshot_of(unit_square_mesh(4));
     snapshot.fields[0].values[6] = 5; // node (1, 1)
     snapshot.x.x[6] = 0.3;
-    snapshot.fields.push_back({"mass", "", FieldPlace::cell, std::vector<double>(16, 1.25)});
+    snapshot.fields.push_back({{.name = "mass", .place = FieldPlace::cell}, std::vector<double>(16, 1.25)});
     snapshot.fields[1].values[5] = 1.5;
     ColouringMaker cells;
     const PickFacts cell = facts_of({Pick::Kind::cell, 5}, snapshot, cells);

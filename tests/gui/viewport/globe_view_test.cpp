@@ -357,7 +357,7 @@ TEST_F(GlobeApplicationTest, OffersQuadraticCellsWhereLinearOnesFail) {
     EXPECT_FALSE(offered()) << "nothing has failed";
     EXPECT_EQ(remedy_note(run()), "");
     run().history.back().tangled_cells = 5; // as if
-    run().history.back().equidistribution = 1;
+    run().history.back().set("equidistribution", 1);
     EXPECT_NE(remedy_note(run()), "");
     frame();
     ASSERT_TRUE(offered());
