@@ -104,7 +104,7 @@ void ask_for(Axis& axis, const std::optional<AxisRange>& range) {
 
 } // namespace
 
-std::vector<RunPlot> plots_of(const std::vector<DocumentRun>& runs) {
+std::vector<RunPlot> plots_of(const DocumentRuns& runs) {
     std::vector<RunPlot> plots;
     for (const DocumentRun& run : runs)
         for (const auto& [info, name, trace] : run.curves.all()) {
@@ -117,7 +117,7 @@ std::vector<RunPlot> plots_of(const std::vector<DocumentRun>& runs) {
     return plots;
 }
 
-std::string_view plot_label(const std::vector<DocumentRun>& runs, std::string_view name) {
+std::string_view plot_label(const DocumentRuns& runs, std::string_view name) {
     for (const RunPlot& plot : plots_of(runs))
         if (plot.name == name) return plot.label;
     return name;

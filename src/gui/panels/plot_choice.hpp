@@ -28,9 +28,9 @@ struct RunPlot {
     const SeriesInfo* info; ///< of its first series
 };
 /// Of all series of all runs, in the order in which they report them. Valid until the runs change.
-std::vector<RunPlot> plots_of(const std::vector<DocumentRun>& runs);
+std::vector<RunPlot> plots_of(const DocumentRuns& runs);
 /// For people; the name itself where no run has such a plot.
-std::string_view plot_label(const std::vector<DocumentRun>& runs, std::string_view name);
+std::string_view plot_label(const DocumentRuns& runs, std::string_view name);
 
 std::span<const Abscissa> abscissas();
 std::string_view name_of(Abscissa abscissa);

@@ -49,8 +49,8 @@ std::string help_of(const RunPlot& plot) {
     return (plot.info->symbol.empty() ? "" : plot.info->symbol + ": ") + plot.info->help;
 }
 
-void draw_plots_list(const std::string& key, const std::vector<DocumentRun>& runs, PlotChoice& choice,
-                     float width, ItemRectangles& items) {
+void draw_plots_list(const std::string& key, const DocumentRuns& runs, PlotChoice& choice, float width,
+                     ItemRectangles& items) {
     const std::vector<RunPlot> plots = plots_of(runs);
     std::vector<Entry> entries;
     for (const RunPlot& plot : plots) entries.push_back({plot.name, plot.label, help_of(plot)});

@@ -74,7 +74,7 @@ TEST_F(SpringsApplicationTest, ColoursAreThoseOfTheMethodAsLongAsItIsChosen) {
     EXPECT_EQ(shown().scene.colouring->label, "Strain [%]");
     Scenario other = run().scenario;
     apply_settings(*catalogue, other, {"method.type=relaxation"});
-    application.document().change(0, other);
+    application.document().change(run().id, other);
     ASSERT_TRUE(wait_until([&] { return look().text("color") == "monitor"; }));
     click("view.color");
     EXPECT_TRUE(there("view.color=area"));

@@ -41,7 +41,7 @@ TEST(PlotChoice, ReadsBackFromItsText) {
 }
 
 TEST(PlotsOfRuns, AreThoseOfTheSeriesThatTheRunsReport) {
-    std::vector<DocumentRun> runs = two_runs();
+    DocumentRuns runs = two_runs();
     const auto names = [&] {
         std::vector<std::string> found;
         for (const RunPlot& plot : plots_of(runs)) found.emplace_back(plot.name);
