@@ -170,7 +170,7 @@ TEST_F(SectionsTest, AMonitorIsMadeOnceAfterTheOperators) {
     scenario.folder = "there";
     check(*catalogue, scenario);
     EXPECT_EQ(made.times, 0);
-    Run run(catalogue, scenario);
+    gaspard::Run run(catalogue, scenario);
     EXPECT_EQ(made.times, 1);
     EXPECT_TRUE(made.with_operators);
     EXPECT_EQ(made.folder, "there");
@@ -183,12 +183,12 @@ TEST_F(SectionsTest, AMonitorIsMadeOnceAfterTheOperators) {
 }
 
 TEST_F(SectionsTest, ATensorIsMeasuredByItsDensity) {
-    Run run(catalogue, with({"monitor.type=stretch", "domain.cells=8", "domain.boundary=walls"}));
+    gaspard::Run run(catalogue, with({"monitor.type=stretch", "domain.cells=8", "domain.boundary=walls"}));
     const auto snapshot = run.snapshot();
     const Field* density = snapshot->field("monitor");
     for (std::size_t i = 0; i < density->values.size(); ++i)
         EXPECT_NEAR(density->values[i], std::sqrt(4 * (1 + snapshot->x.x[i]) - 0.25), 1e-14);
-    EXPECT_THROW(Run(catalogue, with({"monitor.type=stretch", "monitor.factor=0.1"})), InputError);
+    EXPECT_THROW(gaspard::Run(catalogue, with({"monitor.type=stretch", "monitor.factor=0.1"})), InputError);
 }
 
 TEST(Tensor, DensityHasTheGradientOfItsValues) {
