@@ -15,6 +15,7 @@
 #include "gui/app/whole_window.hpp"
 #include "gui/viewport/viewport.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <iostream>

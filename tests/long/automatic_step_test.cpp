@@ -1,6 +1,7 @@
 // The step that the relaxation chooses against the best of a dozen fixed ones, over mild and harsh monitors.
 #include "core/method/relax.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gaspard {

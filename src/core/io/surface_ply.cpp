@@ -2,6 +2,7 @@
 #include "core/io/surface_formats.hpp"
 #include "core/io/text_scanner.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <optional>

@@ -2,14 +2,7 @@
 
 #include "core/base/check.hpp"
 
-// With -march=native, GCC 12 reports the deliberately uninitialised registers of its own AVX-512 header as
-// errors in code that inlines Eigen (GCC bug 105593).
-#pragma GCC diagnostic push
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
 #include <Eigen/Dense>
-#pragma GCC diagnostic pop
 
 namespace gaspard {
 
@@ -17,7 +10,7 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-/// The frontal matrix of a part: rows of the unknowns that it eliminates, then rows of its border.
+/// The dense matrix in which a part eliminates: its own unknowns first, then its border.
 class Front {
   public:
     explicit Front(std::size_t unknowns) : place_(unknowns, -1) {}
@@ -29,26 +22,23 @@ class Front {
         own_ = part.end - part.begin;
         matrix_.setZero(next, next);
     }
-    /// Adds a cell's symmetric matrix, stored by rows.
-    void add_cell(std::span<const std::int32_t> numbers, const std::vector<std::int32_t>& permutation,
+    /// A symmetric matrix over some unknowns, row by row.
+    void add_cell(std::span<const std::int32_t> numbers, const std::vector<std::int32_t>& place,
                   std::span<const double> values) {
-        const auto row_of = [&](std::size_t n) {
-            return at(permutation[static_cast<std::size_t>(numbers[n])]);
-        };
+        const auto row_of = [&](std::size_t n) { return at(place[static_cast<std::size_t>(numbers[n])]); };
         for (std::size_t a = 0; a < numbers.size(); ++a)
             for (std::size_t b = 0; b < numbers.size(); ++b)
                 if (const auto row = row_of(a), column = row_of(b); row >= column)
                     matrix_(row, column) += values[a * numbers.size() + b];
     }
-    /// Adds the Schur complement of a child (lower triangle); `border` lists its unknowns, ascending.
+    /// What another part leaves over its border, ascending: the lower triangle.
     void add_remainder(const std::vector<std::int32_t>& border, const Matrix& rest) {
         for (std::size_t b = 0; b < border.size(); ++b)
             for (std::size_t a = b; a < border.size(); ++a)
                 matrix_(at(border[a]), at(border[b])) +=
                     rest(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
     }
-    /// Factorises the leading block, overwrites its columns with those of L, and returns the Schur complement
-    /// of the border.
+    /// Leaves the factor's rows in the place of the own columns; returns what remains over the border.
     Matrix eliminate() {
         const Eigen::Index border = matrix_.rows() - own_;
         if (own_ > 0) {
@@ -65,7 +55,7 @@ class Front {
         }
         return matrix_.bottomRightCorner(border, border);
     }
-    /// Appends the factor in CellCholesky's format: lower triangle with reciprocal pivots, then border rows.
+    /// As CellCholesky keeps it: the triangle with reciprocals on the diagonal, then the rows of the border.
     void append_to(std::vector<double>& values) const {
         for (Eigen::Index i = 0; i < own_; ++i) {
             for (Eigen::Index j = 0; j < i; ++j) values.push_back(matrix_(i, j));
@@ -78,7 +68,7 @@ class Front {
   private:
     Eigen::Index& at(std::int32_t unknown) { return place_[static_cast<std::size_t>(unknown)]; }
 
-    std::vector<Eigen::Index> place_; ///< row in the front of each unknown of the current part
+    std::vector<Eigen::Index> place_; ///< of every unknown of the present part: its row
     Eigen::Index own_ = 0;
     Matrix matrix_;
 };
@@ -116,7 +106,7 @@ CellCholesky::CellCholesky(const CellUnknowns& unknowns, std::shared_ptr<const D
         for (auto i = part.cells_begin; i < part.cells_end; ++i) {
             const auto cell = static_cast<std::size_t>(dissection->cells[static_cast<std::size_t>(i)]);
             cell_matrix(cell, small);
-            front.add_cell(unknowns.of(cell), dissection->permutation, small);
+            front.add_cell(unknowns.of(cell), dissection->place, small);
         }
         for (const auto child : part.children) {
             if (child < 0) continue;

@@ -1,7 +1,7 @@
 // FlatSquares compared with the general measurement, which is used for a mesh that claims to be
 // in space.
 #include "core/diagnostics/quality.hpp"
-#include "core/fem/slow_plane.hpp"
+#include "support/polynomials.hpp"
 #include "support/built_in.hpp"
 
 #include <gtest/gtest.h>

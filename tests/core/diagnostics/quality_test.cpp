@@ -1,10 +1,11 @@
 #include "core/base/error.hpp"
 #include "core/diagnostics/quality.hpp"
-#include "core/fem/slow_plane.hpp"
+#include "support/polynomials.hpp"
 #include "core/monitor/radial.hpp"
 #include "support/built_in.hpp"
 #include "support/small_meshes.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 

@@ -1,7 +1,7 @@
 // Independence of the number of threads. The values are tested in plane_q2_test.cpp.
 #include "core/base/error.hpp"
 #include "core/fem/determinant_load.hpp"
-#include "core/fem/slow_plane.hpp"
+#include "support/polynomials.hpp"
 
 #include <gtest/gtest.h>
 

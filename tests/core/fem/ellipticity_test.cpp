@@ -1,8 +1,9 @@
 #include "core/base/error.hpp"
 #include "core/fem/ellipticity.hpp"
-#include "core/fem/slow_plane.hpp"
+#include "support/polynomials.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace gaspard {

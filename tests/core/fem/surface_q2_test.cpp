@@ -6,6 +6,10 @@
 #include "support/built_in.hpp"
 #include "support/periodic_surface.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 

@@ -2,6 +2,7 @@
 #include "core/linear/cell_cholesky.hpp"
 #include "core/linear/dense.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <random>
@@ -65,7 +66,7 @@ void expect_solves(const CellCholesky& factor, const Dissection& dissection, con
     std::uniform_real_distribution<double> entry(-1, 1);
     const Eigen::MatrixXd b =
         Eigen::MatrixXd::NullaryExpr(dense.rows(), columns, [&] { return entry(random); });
-    const Eigen::MatrixXd expected = dense.llt().solve(b);
+    const Eigen::MatrixXd expected = slow::solve(dense, b);
     std::vector<double> rows(factor.size() * columns);
     const auto row = [&](Eigen::Index i) {
         return &rows[static_cast<std::size_t>(dissection.permutation[static_cast<std::size_t>(i)]) * columns];

@@ -2,6 +2,7 @@
 #include "core/mesh/domain_type.hpp"
 #include "core/mesh/sphere_mesh.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <map>
 #include <numbers>

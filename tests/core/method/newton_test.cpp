@@ -6,6 +6,7 @@
 #include "core/method/stepper.hpp"
 #include "support/largest_distance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 

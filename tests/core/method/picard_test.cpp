@@ -9,6 +9,7 @@
 #include "support/built_in.hpp"
 #include "support/largest_distance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>

@@ -4,6 +4,7 @@
 #include "core/method/convexity.hpp"
 #include "core/method/relax.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <numeric>

@@ -4,6 +4,7 @@
 #include "core/scenario/catalogue.hpp"
 #include "support/largest_distance.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numeric>
 

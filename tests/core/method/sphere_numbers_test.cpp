@@ -2,6 +2,7 @@
 #include "core/method/relax_sphere.hpp"
 #include "support/periodic_surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 #include "core/monitor/radial.hpp"
 #include "support/built_in.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>

@@ -1,5 +1,6 @@
 #include "core/spline/knots.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>

@@ -2,6 +2,7 @@
 #include "fixtures/fixture_meshes.hpp"
 #include "support/small_meshes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>

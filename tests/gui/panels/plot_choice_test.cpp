@@ -1,6 +1,7 @@
 #include "gui/panels/plot_choice.hpp"
 #include "gui/run_fixtures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>

@@ -3,6 +3,7 @@
 #include "gui/panels/run_list.hpp"
 #include "gui/run_fixtures.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -123,8 +124,8 @@ class RandomInput {
         if (once_in(100)) ui.move_away();
         if (once_in(3)) ui.button(once_in(2), whole(0, 2));
         if (once_in(5)) ui.wheel(real(-5, 5));
-        if (once_in(10)) io.KeyCtrl = !io.KeyCtrl;
-        if (once_in(10)) io.KeyShift = !io.KeyShift;
+        if (once_in(10)) ui.control(!io.KeyCtrl);
+        if (once_in(10)) ui.shift(!io.KeyShift);
         if (once_in(5)) io.AddInputCharacter(static_cast<unsigned>(whole(32, 0x3000)));
     }
     /// One of the items there are, most of all of an open menu or list.

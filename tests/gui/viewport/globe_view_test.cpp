@@ -8,6 +8,7 @@
 #include "gui/plan_fixture.hpp"
 #include "support/messages.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
