@@ -106,7 +106,7 @@ CellCholesky::CellCholesky(const CellUnknowns& unknowns, std::shared_ptr<const D
         for (auto i = part.cells_begin; i < part.cells_end; ++i) {
             const auto cell = static_cast<std::size_t>(dissection->cells[static_cast<std::size_t>(i)]);
             cell_matrix(cell, small);
-            front.add_cell(unknowns.of(cell), dissection->place, small);
+            front.add_cell(unknowns.of(cell), dissection->permutation, small);
         }
         for (const auto child : part.children) {
             if (child < 0) continue;
