@@ -186,6 +186,8 @@ void update_rows(const Catalogue& catalogue, Scenario& scenario) {
 }
 
 void update_view_rows(const Catalogue& catalogue, std::string_view method, Values& view) {
+    const auto known = [&](const MethodType& type) { return type.name == method; };
+    if (std::none_of(catalogue.methods.begin(), catalogue.methods.end(), known)) return; // the run will refuse it
     Values now = view_section(catalogue, method);
     if (same_rows(now.rows(), view.rows())) return;
     carry_over(view, now);
