@@ -10,6 +10,7 @@
 #include "core/session/run.hpp"
 #include "core/tessellate/check_view.hpp"
 #include "gui/app/viewport_image.hpp"
+#include "gui/gl/offscreen.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -100,6 +101,7 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
     const std::filesystem::path folder =
         arguments.out.empty() ? std::filesystem::path("gaspard-out") / (scenario.name + "-methods")
                               : std::filesystem::path(arguments.out);
+    if (!arguments.no_render) check_offscreen_choice();
     check_writable(folder);
     std::vector<ComparisonRow> rows;
     Outcome outcome;

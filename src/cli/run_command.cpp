@@ -8,11 +8,13 @@
 #include "core/io/image.hpp"
 #include "core/io/run_files.hpp"
 #include "core/io/state_file.hpp"
+#include "core/io/svg.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
 #include "core/tessellate/check_view.hpp"
 #include "gui/app/viewport_image.hpp"
 #include "gui/app/whole_window.hpp"
+#include "gui/gl/offscreen.hpp"
 #include "gui/viewport/viewport.hpp"
 
 #include <algorithm>
@@ -134,6 +136,11 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
     try {
         Run run(catalogue, scenario, std::move(options), {}, interrupt.token());
         check_view(scenario.view, run.discretisation().mesh().get());
+        if (std::any_of(formats.begin(), formats.end(), [](const auto* one) { return one->name == "svg"; }))
+            check_svg_camera(run.discretisation().mesh()->nodes, scenario.view.text("camera"),
+                             static_cast<double>(scenario.view.integer("height")) /
+                                 static_cast<double>(scenario.view.integer("width")));
+        if (!arguments.no_render) check_offscreen_choice();
         check_writable(folder); // after all checks of the input
         {
             ProgressLine line(arguments.quiet);

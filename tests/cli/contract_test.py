@@ -219,6 +219,15 @@ class Runs(Contract):
 
 
 class BadInput(Contract):
+    def test_cameras_too_close_for_an_svg_and_unknown_backends(self):
+        close = "view.camera=centre 0.5 0.5 height 1e-6"
+        self.refused(self.run_quick("--formats", "svg", "--set", close), "too small for an SVG")
+        os.environ["GASPARD_OFFSCREEN"] = "nonsense"
+        try:
+            self.refused(self.run_quick(), "GASPARD_OFFSCREEN")
+        finally:
+            del os.environ["GASPARD_OFFSCREEN"]
+
     def test_values_out_of_range(self):
         self.refused(self.run_quick("--set", "domain.cells=0"), "domain.cells = 0", "4 to 480")
         self.refused(self.run_quick("--set", "domain.cells=1000000000"), "4 to 480")

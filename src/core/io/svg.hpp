@@ -29,6 +29,10 @@ struct MeshSvgOptions {
     double aspect = 0.75;  ///< height over width of what a camera with a centre and a height shows
 };
 
+/// Throws InputError if `camera` cannot be read, or shows so small a part of points within `nodes` that their
+/// places on the page have too many digits.
+void check_svg_camera(const Points& nodes, const std::string& camera, double aspect);
+
 /// The mesh at x: cells filled in classes of the colouring (white without one), edges as long lines (curved
 /// ones as exact parabolas), tangled cells in magenta above all others, a legend. Of a mesh in space hidden
 /// faces are left out. An interval is drawn as a band, a curve as a line. The camera says from where and

@@ -114,10 +114,25 @@ static SvgView view_of_camera(const Camera& camera, PagePoint corner, Size size)
     return view;
 }
 
+void check_svg_camera(const Points& nodes, const std::string& camera, double aspect) {
+    constexpr double largest_zoom = 1e4; // so that coordinates in points stay far below 1e7
+    if (camera.empty() || shows_all(camera)) return;
+    const Size size{1, aspect};
+    const Camera seen = parse_camera(camera, size);
+    const Box box = bounding_box(nodes);
+    const double height = aspect * seen.scale;
+    const double least = (norm(box.high - box.low) + norm(seen.centre - box.centre())) / largest_zoom;
+    if (height < least)
+        throw InputError("view.camera shows a height of " + format_number(height) +
+                         ", which is too small for an SVG of this mesh; it must be at least " +
+                         format_number(std::ceil(1e6 * least) / 1e6));
+}
+
 SvgView svg_view(const SvgScene& scene, const MeshSvgOptions& options, PagePoint corner, double width) {
     const Size size{width, options.aspect * width};
     std::optional<Camera> camera;
     if (!options.camera.empty()) camera = parse_camera(options.camera, size);
+    if (camera) check_svg_camera(scene.x, options.camera, options.aspect);
     if (camera && !shows_all(options.camera)) return view_of_camera(*camera, corner, size);
     SvgView view{.corner = corner};
     if (scene.spatial) {

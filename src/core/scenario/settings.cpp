@@ -207,7 +207,7 @@ void check_section(Scenario& scenario, std::string_view key) {
     };
     for (const auto& name : reserved)
         if (starts_with_key(key, name) && !present(name))
-            throw InputError(std::string(key) + ": " + name + " is reserved and not available for domain '" +
+            throw InputError((key == name ? "" : std::string(key) + ": ") + name + " is reserved and not available for domain '" +
                              scenario.domain.type + "'");
 }
 

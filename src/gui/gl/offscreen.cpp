@@ -193,6 +193,8 @@ OffscreenBackend chosen_by_user() {
 
 } // namespace
 
+void check_offscreen_choice() { chosen_by_user(); }
+
 std::unique_ptr<OffscreenContext> make_offscreen_context(OffscreenBackend backend) {
     if (backend == OffscreenBackend::any) backend = chosen_by_user();
     std::string reasons;

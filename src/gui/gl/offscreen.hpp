@@ -25,6 +25,8 @@ class OffscreenContext {
 /// `any` uses the backend that the environment variable GASPARD_OFFSCREEN names (`osmesa` or `egl`); without it,
 /// OSMesa if it is installed, else EGL. Throws MachineError with one sentence if none works, InputError if the
 /// variable names another backend.
+/// Throws InputError if GASPARD_OFFSCREEN names no backend; to be called before long work.
+void check_offscreen_choice();
 std::unique_ptr<OffscreenContext> make_offscreen_context(OffscreenBackend backend = OffscreenBackend::any);
 
 /// How often a pixel is looked at, for smooth rims of surfaces.
