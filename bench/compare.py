@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Gaspard and its peer do the same work in one run; prints the table of the README.
+"""Compare Gaspard with FEniCS on the same work; prints the table of the README.
 
 usage: compare.py GASPARD [--repeat R] [--quick]
 
-The work is McRae's relaxation on the doubly periodic unit square from the uniform mesh. The peer is
-peers/mcrae_plane_fenics.py in its fastest variant: operators assembled once, Cholesky factors of the Laplacian
-made once, P2 on triangles. Both run on one thread; times are CPU seconds of the iteration, the least of R runs,
-taken in turn. Set-up is printed beside. Gaspard measures its mesh as often as it does by default.
+The work is McRae's relaxation on the doubly periodic unit square, starting from the uniform mesh. The FEniCS program is
+peers/mcrae_plane_fenics.py in its fastest variant: operators assembled once, one Cholesky factorisation of the
+Laplacian, P2 on triangles. Both run on one thread. Times are CPU seconds of the iteration, the minimum of R alternating
+runs; set-up times are listed separately. Gaspard measures its mesh as often as it does by default.
 """
 import argparse, datetime, json, os, platform, subprocess, tempfile
 
-PYTHON = "/usr/bin/python3"  # Debian's, for which its FEniCS is built
+PYTHON = "/usr/bin/python3"  # Debian's, which its FEniCS requires
 HERE = os.path.dirname(os.path.abspath(__file__))
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
 
@@ -55,7 +55,7 @@ def describe(program):
         first_line([program, "--version"]), first_line(["c++", "--version"]), dolfin, petsc))
 
 
-# What Gaspard does: the peer's own iteration, the same with a step of its own, and its other methods.
+# Variants of Gaspard: the peer's iteration, the same with its own step size, and its other methods.
 WAYS = {"same step": [], "`step_size=auto`": ["method.step_size=auto"]}
 WAYS.update({"`%s`" % method: ["method.type=" + method] for method in ("accelerated", "newton", "auto")})
 
@@ -69,7 +69,7 @@ def main():
     cases = [("ring", 60, 1e-8), ("ring", 60, 1e-2)]
     if not options.quick:
         cases += [("ring", 120, 1e-8), ("ring", 120, 1e-2), ("bell", 60, 1e-8), ("bell", 60, 1e-2)]
-    peer("ring", 8, 1e-2)  # compiles its forms
+    peer("ring", 8, 1e-2)  # compiles the forms
     each, solves = [], []
     for monitor, n, tolerance in cases:
         runs = {name: [] for name in ["peer", *WAYS]}
@@ -93,7 +93,7 @@ def main():
     print("| | FEniCS | Gaspard | ratio | set-up FEniCS | set-up Gaspard |")
     print("| --- | --- | --- | --- | --- | --- |")
     print("\n".join(each))
-    print("\nWhole solves from the uniform mesh (iterations), and how many times less CPU:\n")
+    print("\nWhole solves from the uniform mesh (iterations), and speed-up:\n")
     print("| | FEniCS | " + " | ".join(WAYS) + " |")
     print("| --- | --- |" + " --- |" * len(WAYS))
     print("\n".join(solves))

@@ -1,13 +1,13 @@
-// What this machine can do, on one thread: how fast it streams from memory and from its caches, and how many
-// multiply-adds it makes. The limits that the parts in plane.cpp are held against.
+// Limits of this machine on one thread: bandwidth of memory and caches, and rate of multiply-adds. The rates
+// of plane.cpp are compared with them.
 #include <benchmark/benchmark.h>
 #include <vector>
 
 namespace {
 
-// a = b + s c, counted as three times eight bytes a number.
+// a = b + s c, counted as 24 bytes per number.
 void triad(benchmark::State& state) {
-    const auto n = static_cast<std::size_t>(state.range(0)) * 1024 / 24; // of KiB in all
+    const auto n = static_cast<std::size_t>(state.range(0)) * 1024 / 24; // KiB of the three arrays together
     std::vector<double> a(n), b(n, 1.0), c(n, 2.0);
     for (auto _ : state) {
         double* __restrict to = a.data();
@@ -19,7 +19,7 @@ void triad(benchmark::State& state) {
 }
 BENCHMARK(triad)->ArgName("KiB")->Arg(16)->Arg(512)->Arg(8192)->Arg(262144);
 
-// Independent chains of multiply-adds that stay in registers, two operations each.
+// Independent chains of multiply-adds in registers, two operations each.
 void multiply_add(benchmark::State& state) {
     constexpr std::size_t chains = 96;
     constexpr int rounds = 1000;

@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Every method on monitors from easy to harsh; prints markdown for docs/newton.md.
+"""Run every method on monitors from mild to extreme; prints markdown for docs/newton.md.
 
 usage: newton.py GASPARD [--part plane|sphere|all] [--cells 30,60,120] [--methods ...] [--limit SECONDS] [--repeat R]
-       newton.py GASPARD --random 50 [--seed S]     success of each method on monitors from a seed
-       newton.py GASPARD --restrict                 can the meshes carry the rings of amplitude 200 and 1000?
+       newton.py GASPARD --random 50 [--seed S]     success rate of each method on random monitors
+       newton.py GASPARD --restrict                 can the meshes represent the rings of amplitude 200 and 1000?
 
-The table: iterations, inner iterations of the linear solver, CPU seconds of the iteration on one thread (the least of R
-runs, the methods taking turns), status, and tangled cells where there are any; then how many times the best method's
-time auto takes. A run that needs more CPU time than the limit is cut off and says so.
+The table lists iterations, inner iterations of the linear solver, CPU seconds of the iteration on one thread (minimum
+of R runs, methods alternating), status, and the number of tangled cells if any; the last column is the time of auto
+relative to the fastest method. A run that exceeds the CPU limit is stopped and marked.
 
---random N: N monitors of each of two kinds (bells, waves) on each of two domains (plane, sphere), none of which anything
-was tuned for. A success has a residual below 1e-8 and no tangled cells.
+--random N: N monitors of each of two kinds (bells, waves) on each of two domains (plane, sphere), none of which was
+used for tuning. Success means a residual below 1e-8 and no tangled cells.
 """
 import argparse, json, math, os, random, resource, subprocess, sys, tempfile
 
@@ -31,7 +31,7 @@ SPHERE += [("cross, icosahedral %d" % r, "sphere-cross", ["domain.refinements=%d
 
 
 def run(program, scenario, settings, method, limit):
-    """The summary of a run, with its mesh (xi, x, faces); nothing where it was cut off."""
+    """The summary of a run with its mesh (xi, x, faces), or None if it was stopped."""
     with tempfile.TemporaryDirectory() as folder:
         command = [program, "run", scenario, "--threads", "1", "--no-render", "--quiet", "--out", folder, "--formats",
                    "obj"]
@@ -90,7 +90,7 @@ def table(options, cases):
         for turn in range(options.repeat):
             for method in methods:
                 if turn and (best[method] is None or best[method]["cpu_seconds"] > options.limit / 10):
-                    continue  # hopeless or long enough to be exact
+                    continue  # hopeless, or long enough for an accurate time
                 out = run(options.gaspard, scenario, settings, method, options.limit)
                 if turn == 0 or out and out["cpu_seconds"] < best[method]["cpu_seconds"]:
                     best[method] = out
@@ -105,7 +105,7 @@ def table(options, cases):
 
 
 def random_cases(count, seed):
-    """The monitors are drawn by Python's generator, and those with random numbers of their own get a seed from it."""
+    """Random monitors from Python's generator, which also seeds the monitors that use random numbers themselves."""
     draw = random.Random(seed)
     cases = []
     for domain in ("plane", "sphere"):
@@ -126,7 +126,7 @@ def random_cases(count, seed):
 
 def successes(options):
     methods = options.methods.split(",")
-    limits = {"quasi-newton": 40}  # iterations; where it fails they are long, and the ring takes 32
+    limits = {"quasi-newton": 40}  # iterations: failing ones are slow, and the ring takes 32
     rates, failures = {}, []
     for domain, kind, contrast, settings in random_cases(options.random, options.seed):
         scenario, size = ("plane-ring", "30") if domain == "plane" else ("sphere-x2", "8")
@@ -153,7 +153,7 @@ def successes(options):
 
 
 def tangled(vertices, faces, outward):
-    """Faces of which a corner is turned inside out, seen from where outward(vertex) points to."""
+    """Faces with a reversed corner; outward(vertex) is the viewing direction."""
     count = 0
     for face in faces:
         corners = [vertices[i] for i in face]
@@ -168,8 +168,8 @@ def tangled(vertices, faces, outward):
 
 
 def carried(options, domain, settings, n):
-    """Whether a mesh of n cells a side can carry a monitor: its map at 2 n converges without tangled cells, and none
-    are tangled either when only the vertices of the coarser mesh are taken from it."""
+    """Whether a mesh of n cells per side can represent the map: the solution at 2 n must converge without tangled cells,
+    and its restriction to the vertices of the coarser mesh must not be tangled either."""
     scenario, outward = ("plane-ring", lambda x: (0, 0, 1)) if domain == "plane" else ("sphere-x2", lambda x: x)
     finer = run(options.gaspard, scenario, settings + ["domain.cells=%d" % (2 * n)], "auto", options.limit)
     text = "at twice the cells: " + cell(finer, options.limit)
@@ -200,9 +200,9 @@ def main():
     parser.add_argument("--limit", type=float, default=60)
     parser.add_argument("--repeat", type=int, default=1)
     parser.add_argument("--only", default="", help="cases whose name contains this")
-    parser.add_argument("--random", type=int, default=0, help="so many monitors of each kind on each domain")
+    parser.add_argument("--random", type=int, default=0, help="number of monitors of each kind on each domain")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--carried", action="store_true", help="where auto fails: whether the mesh can carry the monitor")
+    parser.add_argument("--carried", action="store_true", help="if auto fails, test whether the mesh can represent the map")
     parser.add_argument("--restrict", action="store_true")
     options = parser.parse_args()
     if options.random:

@@ -1,9 +1,9 @@
-// The order at which the equidistribution measure (5.2) falls under refinement, for squares and triangles on
-// the plane and on the sphere: McRae, Cotter and Budd (section 5.4) see second order for squares on the plane
-// and first order for triangles on the sphere, and leave open why. Rings of the same smoothness, as many
-// cells.
+// Convergence order of the equidistribution measure (5.2) under refinement, for quadrilaterals and triangles
+// on the plane and on the sphere. McRae, Cotter, Budd (section 5.4) observe second order for squares on the
+// plane and first order for triangles on the sphere and leave the cause open. The rings have the same
+// smoothness and the meshes the same number of cells.
 #include "core/diagnostics/quality.hpp"
-#include "core/method/method.hpp"
+#include "core/method/surface_equation.hpp"
 #include "support/built_in.hpp"
 #include "support/periodic_surface.hpp"
 
@@ -17,21 +17,23 @@ using namespace gaspard;
 
 struct Sequence {
     const char* name;
-    std::function<SurfaceSetup(int)> setup; ///< of a number that doubles the cells a side
+    std::function<SurfaceSetup(int)> setup; ///< argument: resolution, doubled in each refinement
     std::vector<int> sizes;
     Space space;
     Settings ring;
 };
 
-/// Of the converged mesh.
+/// The measure on the converged mesh.
 double equidistribution(const Sequence& sequence, int size) {
     const auto surface = std::make_shared<const SurfaceQ2>(sequence.setup(size));
     const auto monitor = make_monitor("ring", sequence.space, sequence.ring);
     const MethodType type = accelerated_method();
-    const auto method = type.make(surface, Values("method", type.rows), {}, {});
+    const auto method = type.make(
+        {.discretisation = surface, .problem = [&] { return std::make_unique<SurfaceEquation>(surface); }},
+        default_values(type));
     State state = method->initial_state();
-    Evaluation now = method->evaluate(*monitor, state, {});
-    for (int i = 0; i < 1000 && now.residual > 1e-8; ++i) now = method->step(*monitor, state, {});
+    Evaluation now = method->evaluate(ProblemData{monitor}, state, {});
+    for (int i = 0; i < 1000 && now.residual > 1e-8; ++i) now = method->step(ProblemData{monitor}, state, {});
     if (!(now.residual <= 1e-8)) std::printf("    not converged: %g\n", now.residual);
     return QualityMeter(surface->mesh(), 1, 6, sequence.space)
         .measure(method->positions(), *monitor)
@@ -41,7 +43,7 @@ double equidistribution(const Sequence& sequence, int size) {
 } // namespace
 
 int main() {
-    // On the unit square lengths are measured in its side, on the sphere in quarters of a great circle.
+    // Unit of length: the side of the unit square, or a quarter of a great circle.
     const Settings plane = {{"amplitude", 10}, {"sharpness", 40}, {"radius", 0.25}};
     const Settings sphere = {{"amplitude", 10}, {"sharpness", 4}, {"radius", 0.785}};
     const Space torus{SpaceKind::periodic_square}, globe{SpaceKind::sphere};

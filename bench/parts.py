@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""The parts of an iteration, and of showing one, beside this machine's limits: prints the tables of
+"""Time the parts of an iteration and of its display relative to this machine's limits; prints the tables of
 docs/performance.md.
 
 usage: parts.py FOLDER_OF_PROGRAMS
 
-bench_plane and bench_upload say how long a part takes, and how many bytes and operations it needs at least (see
-plane.cpp); machine.cpp measures how fast this machine streams and multiplies. A part's limit is the time that the
-slower of the two would take. One thread; CPU time, the least of all repetitions.
+bench_plane and bench_upload report the time of each part and the minimum number of bytes and operations that it needs
+(see plane.cpp); machine.cpp measures the machine's bandwidth and arithmetic rate. The limit of a part is the larger of
+the two resulting times. One thread; CPU time, minimum over all repetitions.
 """
 import json, os, subprocess, sys
 
@@ -22,7 +22,7 @@ def measure(program):
             seconds = row["cpu_time"] * {"ns": 1e-9, "us": 1e-6, "ms": 1e-3}[row["time_unit"]]
             one = {"seconds": seconds}
             for name in ("bytes", "flops", "bytes_per_second"):
-                one[name] = row.get(name, 0) * seconds  # of one call
+                one[name] = row.get(name, 0) * seconds  # per call
             if row["name"] not in best or seconds < best[row["name"]]["seconds"]:
                 best[row["name"]] = one
     return best

@@ -1,6 +1,6 @@
-// The parts of an iteration on the plane, one thread, ring monitor. "bytes" counts every array that a part
-// has to read or write once; "flops" the arithmetic that its formula needs at least. Both are rates, to be
-// held against those of machine.cpp.
+// The parts of an iteration on the plane with the ring monitor, on one thread. "bytes" counts every array
+// that a part must read or write once, "flops" the minimum arithmetic of its formula. Both are rates;
+// machine.cpp measures their limits.
 #include "core/diagnostics/quality.hpp"
 #include "core/method/plane_equation.hpp"
 #include "core/scenario/toml.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using namespace gaspard;
 
-/// A ring's mesh on its way, with everything that the parts work on.
+/// A partly adapted ring mesh with all arrays that the parts need.
 struct Scene {
     explicit Scene(std::int64_t cells)
         : plane(std::make_shared<PlaneQ2>(LineGrid{static_cast<std::size_t>(cells), true})),
@@ -21,7 +21,7 @@ struct Scene {
           m(plane->mesh()->node_count()) {
         for (const auto& type : monitor_types())
             if (type.name == "ring")
-                monitor = type.make(Values("monitor", type.rows({})), Space{SpaceKind::periodic_square});
+                monitor = type.make(Values("monitor", type.rows({})), {Space{SpaceKind::periodic_square}});
         for (int i = 0; i < 6; ++i) {
             evaluate();
             plane->poisson(r, u, workspace);
@@ -44,7 +44,7 @@ struct Scene {
     std::shared_ptr<const Monitor> monitor;
 };
 
-/// Rates from what one call moves and computes, per unknown (four a cell).
+/// Rates from the bytes and operations of one call, given per unknown (four per cell).
 void count(benchmark::State& state, double bytes, double flops) {
     const auto unknowns = 4.0 * static_cast<double>(state.range(0) * state.range(0));
     const auto rate = [&](double one) {
@@ -53,7 +53,7 @@ void count(benchmark::State& state, double bytes, double flops) {
     };
     state.counters["bytes"] = rate(bytes);
     state.counters["flops"] = rate(flops);
-    state.counters["cell"] = // what one takes
+    state.counters["cell"] = // time per cell
         benchmark::Counter(unknowns / 4 * static_cast<double>(state.iterations()),
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
@@ -61,11 +61,11 @@ void count(benchmark::State& state, double bytes, double flops) {
 void poisson(benchmark::State& state) {
     Scene s(state.range(0));
     for (auto _ : state) s.plane->poisson(s.r, s.u, s.workspace);
-    // Two transforms of lines of n complex numbers, 5 n log2 n each, the modes, the recurrences.
+    // Two transforms of lines of n complex numbers (5 n log2 n each), the modes, and the recurrences.
     count(state, 4 * 8, 5 * std::log2(static_cast<double>(state.range(0))) + 2 * 8 + 10);
 }
 
-void mass(benchmark::State& state) { // the weak Hessian: four solves with mass matrices along lines
+void mass(benchmark::State& state) { // weak Hessian: four solves with mass matrices along lines
     Scene s(state.range(0));
     for (auto _ : state) s.plane->hessian(s.phi, s.sigma, s.workspace);
     count(state, 5 * 8, 4 * 13);
@@ -86,7 +86,8 @@ void monitor(benchmark::State& state) {
 void residual(benchmark::State& state) {
     Scene s(state.range(0));
     for (auto _ : state) s.plane->residual(s.m, s.sigma, s.r, s.workspace);
-    // Per cell: 3 fields x 2 rows x 4 points x 5, 16 points x (3 x 5 + 3 + 3 + 4 + 6), 3 x 3 x 7 back.
+    // Per cell: 3 fields x 2 rows x 4 points x 5, 16 points x (3 x 5 + 3 + 3 + 4 + 6), 3 x 3 x 7 for the
+    // tests.
     count(state, 4.25 * 8, (120 + 16 * 31 + 63) / 4.0);
 }
 
@@ -100,10 +101,12 @@ void diagnostics(benchmark::State& state) {
 void step(benchmark::State& state) {
     Scene s(state.range(0));
     const MethodType type = relaxation_method();
-    const auto method = type.make(s.plane, Values("method", type.rows), {}, {});
+    const auto method = type.make(
+        {.discretisation = s.plane, .problem = [&] { return std::make_unique<PlaneEquation>(s.plane); }},
+        default_values(type));
     State phi = method->initial_state();
-    method->evaluate(*s.monitor, phi, {});
-    for (auto _ : state) method->step(*s.monitor, phi, {});
+    method->evaluate(ProblemData{s.monitor}, phi, {});
+    for (auto _ : state) method->step(ProblemData{s.monitor}, phi, {});
     count(state, 17 * 8, 0);
 }
 

@@ -1,8 +1,8 @@
-// The parts of an iteration on the icosahedral sphere, 20 4^r triangles, one thread, crossing bands. "cell"
-// is the time that one cell takes.
+// The parts of an iteration on the icosahedral sphere (20 4^r triangles) with the crossing bands, on one
+// thread. "cell" is the time per cell.
 #include "core/diagnostics/quality.hpp"
 #include "core/fem/surface_q2.hpp"
-#include "core/method/method.hpp"
+#include "core/method/surface_equation.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 using namespace gaspard;
 
-/// The cross' mesh on its way, with everything that the parts work on.
+/// A partly adapted cross mesh with all arrays that the parts need.
 struct Scene {
     explicit Scene(std::int64_t refinements)
         : sphere(std::make_shared<SurfaceQ2>(
@@ -20,7 +20,7 @@ struct Scene {
         for (const auto& type : monitor_types())
             if (type.name == "cross") {
                 const Space space{SpaceKind::sphere};
-                monitor = type.make(Values("monitor", type.rows(space)), space);
+                monitor = type.make(Values("monitor", type.rows(space)), {space});
             }
         for (int i = 0; i < 5; ++i) {
             evaluate();
@@ -49,7 +49,7 @@ void count(benchmark::State& state, double cells) {
                                                 benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-/// Dissection and both factors; entries of the factors for every unknown.
+/// Dissection and both factorisations; counts the factor entries per unknown.
 void setup(benchmark::State& state) {
     const SurfaceSetup what = sphere_setup({SphereCells::icosahedral, static_cast<int>(state.range(0))});
     for (auto _ : state) {
@@ -61,14 +61,14 @@ void setup(benchmark::State& state) {
     count(state, static_cast<double>(what.mesh.quadratic.cell_count()));
 }
 
-/// One solution of a factorisation, one right-hand side.
+/// One solve with one right-hand side.
 void solve(benchmark::State& state) {
     Scene s(state.range(0));
     for (auto _ : state) s.sphere->poisson(s.r, s.u, s.workspace);
     count(state, s.cells());
 }
 
-/// Twelve loads and solutions with the mass matrix: sigma and the gradient.
+/// Twelve loads and solves with the mass matrix: sigma and the gradient.
 void map(benchmark::State& state) {
     Scene s(state.range(0));
     for (auto _ : state) s.sphere->map(s.phi, s.workspace);
@@ -100,16 +100,18 @@ void diagnostics(benchmark::State& state) {
     count(state, s.cells());
 }
 
-/// One iteration of the relaxation, with a fixed step.
+/// One iteration of the relaxation with a fixed step.
 void step(benchmark::State& state) {
     Scene s(state.range(0));
     const MethodType type = relaxation_method();
-    Values values("method", type.rows);
+    Values values = default_values(type);
     values.set("step_size", 0.1);
-    const auto method = type.make(s.sphere, values, {}, {});
+    const auto method = type.make(
+        {.discretisation = s.sphere, .problem = [&] { return std::make_unique<SurfaceEquation>(s.sphere); }},
+        values);
     State phi = method->initial_state();
-    method->evaluate(*s.monitor, phi, {});
-    for (auto _ : state) method->step(*s.monitor, phi, {});
+    method->evaluate(ProblemData{s.monitor}, phi, {});
+    for (auto _ : state) method->step(ProblemData{s.monitor}, phi, {});
     count(state, s.cells());
 }
 

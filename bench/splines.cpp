@@ -1,5 +1,6 @@
-// CPU time per Picard iteration in splines, the circle of example 5.3 on the square, without measuring the
-// mesh: what bench/peers/bahari_numpy/timing.py does. One line per case: form, degree, cells, milliseconds.
+// CPU time per spline Picard iteration without mesh measurement, for the circle of Example 5.3 on the square;
+// the same work as bench/peers/bahari_numpy/timing.py. Prints one line per case: form, degree, cells,
+// milliseconds.
 #include "core/method/patch_form.hpp"
 #include "support/built_in.hpp"
 
@@ -13,7 +14,8 @@ using namespace gaspard;
 
 double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// The fastest of some rounds of ten iterations from phi = 0 (where Psi is no map yet, as in the peer).
+/// The fastest of several rounds of ten iterations from phi = 0 (which is not the identity map, as in the
+/// peer).
 double milliseconds(Formulation formulation, int degree, std::size_t cells) {
     const auto domain = std::make_shared<SplineDomain>(degree, cells, square_map());
     const PatchForm patch(domain, formulation, cells);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""CPU time per Picard iteration in splines, ours beside numpy's, in one run on one thread; and how it grows with n.
+"""CPU time per spline Picard iteration, Gaspard and numpy, on one thread, and its growth with n.
 
 usage: bench/splines.py PATH_TO_bench_splines"""
 import os
@@ -21,7 +21,7 @@ def main():
     peer = milliseconds([sys.executable, os.path.join(HERE, "peers", "bahari_numpy", "timing.py")])
     again = milliseconds([sys.argv[1]])
     print("CPU milliseconds per Picard iteration, circle of example 5.3, one thread, fastest of several rounds")
-    print(f"{'form':<9} {'p':>2} {'n':>4} {'Gaspard':>9} {'numpy':>9} {'times less':>11} {'growth from n/2':>16}")
+    print(f"{'form':<9} {'p':>2} {'n':>4} {'Gaspard':>9} {'numpy':>9} {'speed-up':>11} {'growth from n/2':>16}")
     for key in ours:
         form, p, n = key
         best = min(ours[key], again[key])
@@ -29,7 +29,7 @@ def main():
         print(f"{'standard' if form == 'std' else 'mixed':<9} {p:>2} {n:>4} {best:>9.3f} "
               + (f"{peer[key]:>9.3f} {peer[key] / best:>11.1f}" if key in peer else f"{'':>9} {'':>11}")
               + (f" {best / below:>16.1f}" if below else ""))
-    print("Fast diagonalisation alone would grow by 8, quadrature by 4.")
+    print("Expected growth: 8 for fast diagonalisation, 4 for quadrature.")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,5 @@
-// What it takes to show a new snapshot, on the window's thread: the picture made of it (values, range,
-// histogram), and its numbers sent to OpenGL. The drawing that would follow is left out: it is the graphics
-// card's.
+// Cost of showing a new snapshot on the window's thread: preparing it (values, range, histogram) and
+// uploading the arrays to OpenGL. Drawing, which is the work of the graphics card, is not included.
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
 #include "gui/gl/offscreen.hpp"
@@ -13,7 +12,7 @@ namespace {
 
 using namespace gaspard;
 
-/// Two iterates of a ring's run, to be shown in turn.
+/// Two iterates of a ring run, shown alternately.
 struct Scene {
     explicit Scene(std::int64_t cells) {
         const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
@@ -42,10 +41,10 @@ void count(benchmark::State& state, double bytes_per_node) {
 void picture(benchmark::State& state) {
     const Scene scene(state.range(0));
     SceneBuilder maker;
-    maker.make(*scene.snapshots[0], scene.view); // triangles and edges, once
+    maker.make(*scene.snapshots[0], scene.view); // creates triangles and edges once
     std::size_t turn = 0;
     for (auto _ : state) benchmark::DoNotOptimize(maker.make(*scene.snapshots[turn ^= 1], scene.view));
-    // x, y, z and the values are read and kept, and read once more for box, range and histogram.
+    // x, y, z and the values are read and copied, and read again for box, range and histogram.
     count(state, 3 * 4 * 8);
 }
 
@@ -65,7 +64,7 @@ void upload(benchmark::State& state) {
     const auto show = [&](const MeshScene& one) {
         renderer.draw(one, home(one.box, {64, 64}), {0, 0, 64, 64}, 64, dark_theme(), 1);
     };
-    show(pictures[0]); // cells, edges and xi, once
+    show(pictures[0]); // uploads cells, edges and xi once
     std::size_t turn = 0;
     const std::size_t before = renderer.uploaded_bytes();
     for (auto _ : state) {
@@ -76,7 +75,7 @@ void upload(benchmark::State& state) {
     const double sent = static_cast<double>(renderer.uploaded_bytes() - before) / nodes /
                         static_cast<double>(state.iterations());
     if (sent < 16) return state.SkipWithError("nothing was sent");
-    // Four doubles are read, four floats written, which the driver reads and writes.
+    // Four doubles are read and four floats written, which the driver reads and writes again.
     count(state, 4 * 8 + 3 * sent);
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Makes the colour maps that are our own: a smooth path through a few colours in OKLab (Ottosson 2020), walked in
-equal steps. Run by hand when a map is to change: scripts/make_colour_maps.py writes assets/colour_maps/*.csv."""
+"""Makes our own colour maps: smooth curves through a few colours in OKLab (Ottosson 2020), sampled at equal
+distances. Run it by hand to change a map: scripts/make_colour_maps.py writes assets/colour_maps/*.csv."""
 import math
 import pathlib
 
@@ -8,15 +8,15 @@ COUNT = 256
 
 # OKLab colours: lightness, green-red, blue-yellow.
 PATHS = {
-    # Dark, so that it reads on white: pale yellow, orange, crimson, dark violet.
+    # Dark enough to be visible on white: pale yellow, orange, crimson, dark violet.
     "ember": [(0.965, -0.018, 0.060), (0.85, 0.022, 0.120), (0.70, 0.120, 0.110), (0.54, 0.165, 0.045),
               (0.38, 0.115, -0.035), (0.25, 0.045, -0.065)],
-    # Hardly any green-red, which is what colour-blind people miss most often.
+    # Hardly any difference of green and red, which colour-blind people most often cannot see.
     "blue-yellow": [(0.26, -0.010, -0.115), (0.40, -0.015, -0.085), (0.60, -0.010, 0.000), (0.78, -0.012, 0.085),
                     (0.94, -0.030, 0.140)],
     "grey": [(0.20, 0, 0), (0.60, 0, 0), (0.97, 0, 0)],
 }
-# From the middle of a diverging map to its two ends, of the same lightness at the same distance.
+# From the middle of a diverging map to both ends; points at the same distance from the middle are equally light.
 DIVERGING = {
     "blue-red": ([(0.965, 0, 0), (0.80, -0.045, -0.075), (0.60, -0.045, -0.135), (0.36, -0.015, -0.140)],
                  [(0.965, 0, 0), (0.80, 0.070, 0.045), (0.60, 0.150, 0.075), (0.36, 0.125, 0.035)]),

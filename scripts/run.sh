@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and opens the window. Arguments go to gaspard.
-# Without a display: runs the default scenario and says where the picture is.
+# Installs what is missing, builds, and opens the window. Arguments are passed to gaspard.
+# Without a display it solves the default scenario and prints where the image is.
 set -euo pipefail
 here=$(cd "$(dirname "$0")/.." && pwd)
 "$here/scripts/install-packages.sh" build
@@ -10,10 +10,10 @@ echo "Building in $here/build (the first time takes a few minutes) ..."
   && cmake --build "$here/build"; } >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
 rm -f "$log"; trap - EXIT
 if [ $# -eq 0 ] && [ -z "${DISPLAY:-}" ] && [ -z "${WAYLAND_DISPLAY:-}" ]; then
-  echo "No display: running the scenario plane-ring without a window."
+  echo "No display: solving the scenario plane-ring without a window."
   out="$PWD/gaspard-out/plane-ring"
   "$here/build/gaspard" run plane-ring --out "$out"
-  echo "The picture is $out/view.png"
+  echo "The image is $out/view.png"
   exit 0
 fi
 exec "$here/build/gaspard" "$@"

@@ -1,4 +1,4 @@
-// gaspard: arguments, then window or headless.
+// The program gaspard.
 #include "cli/command_line.hpp"
 
 int main(int argc, char** argv) { return gaspard::run_command_line(argc, argv); }

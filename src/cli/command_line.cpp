@@ -23,42 +23,43 @@ void add_settings(CLI::App& command, std::vector<std::string>& settings) {
 }
 
 void add_run(CLI::App& app, RunArguments& run) {
-    CLI::App* command = app.add_subcommand("run", "Solve without a window, write files, exit");
+    CLI::App* command = app.add_subcommand("run", "Solve without a window and write the results to files");
     command->add_option("SCENARIO", run.scenario, "A built-in name or a .toml file")->required();
     add_settings(*command, run.settings);
-    command->add_option("--out", run.out, "Where to write (default: ./gaspard-out/SCENARIO)")
+    command->add_option("--out", run.out, "Output folder (default: ./gaspard-out/SCENARIO)")
         ->type_name("DIR");
-    command->add_option("--formats", run.formats, "Mesh formats, separated by commas")->type_name("LIST");
-    command->add_option("--size", run.size, "Size of the picture in pixels")->type_name("WxH");
-    command->add_flag("--no-render", run.no_render, "Draw no picture");
-    command->add_flag("--whole-window", run.whole_window, "Draw the complete window as picture");
-    command->add_option("--max-iterations", run.max_iterations, "Iterations at most")->type_name("N");
-    command->add_option("--tolerance", run.tolerance, "Converged when the residual is below")->type_name("T");
-    command->add_option("--start", run.start, "Go on from a state.bin")->type_name("FILE");
-    command->add_option("--threads", run.threads, "Threads at most; results do not depend on it")
+    command->add_option("--formats", run.formats, "Comma-separated list of mesh formats")->type_name("LIST");
+    command->add_option("--size", run.size, "Size of the image in pixels")->type_name("WxH");
+    command->add_flag("--no-render", run.no_render, "Do not draw an image");
+    command->add_flag("--whole-window", run.whole_window, "Draw the whole window instead of the view");
+    command->add_option("--max-iterations", run.max_iterations, "Maximum number of iterations")
         ->type_name("N");
-    command->add_option("--seed", run.seed, "Seed of a monitor with random numbers")->type_name("N");
-    command->add_flag("--quiet", run.quiet, "Print nothing but errors");
+    command->add_option("--tolerance", run.tolerance, "Converged when the residual is below T")
+        ->type_name("T");
+    command->add_option("--start", run.start, "Start from a state.bin file")->type_name("FILE");
+    command->add_option("--threads", run.threads, "Maximum number of threads; does not affect the results")
+        ->type_name("N");
+    command->add_option("--seed", run.seed, "Seed of a random monitor")->type_name("N");
+    command->add_flag("--quiet", run.quiet, "Print only errors");
 }
 
 void add_compare(CLI::App& app, CompareArguments& compare) {
-    CLI::App* command =
-        app.add_subcommand("compare", "Several methods on one problem: a table and a picture");
+    CLI::App* command = app.add_subcommand("compare", "Compare methods on one problem: a table and an image");
     command->add_option("SCENARIO", compare.scenario, "A built-in name or a .toml file")->required();
     add_settings(*command, compare.settings);
-    command->add_option("--methods", compare.methods, "Methods, separated by commas (default: all)")
+    command->add_option("--methods", compare.methods, "Comma-separated list of methods (default: all)")
         ->type_name("LIST");
-    command->add_option("--out", compare.out, "Where to write (default: ./gaspard-out/SCENARIO-methods)")
+    command->add_option("--out", compare.out, "Output folder (default: ./gaspard-out/SCENARIO-methods)")
         ->type_name("DIR");
-    command->add_flag("--no-render", compare.no_render, "Draw no picture");
+    command->add_flag("--no-render", compare.no_render, "Do not draw an image");
 }
 
 int dispatch(int argc, char** argv) {
-    CLI::App app("Gaspard: watch a mesh adapt", "gaspard");
+    CLI::App app("Gaspard: adaptive meshes by optimal transport", "gaspard");
     app.set_version_flag("--version", "gaspard " + std::string(version()));
     app.get_formatter()->column_width(34);
     app.require_subcommand(0, 1);
-    app.footer("Without a command: opens the window on SCENARIO (default: plane-ring).");
+    app.footer("Without a command, opens SCENARIO in the window (default: plane-ring).");
 
     std::string scenario = "plane-ring", what, id, out;
     std::vector<std::string> settings, show_settings;
@@ -72,16 +73,16 @@ int dispatch(int argc, char** argv) {
     add_run(app, run);
     CompareArguments compare;
     add_compare(app, compare);
-    CLI::App* list = app.add_subcommand("list", "What there is, with parameters and ranges");
+    CLI::App* list = app.add_subcommand("list", "List what is available, with parameters and ranges");
     list->add_option("WHAT", what,
                      "scenarios, domains, monitors, methods, formats, view or output (default: all)");
-    CLI::App* show = app.add_subcommand("show", "The complete scenario as TOML, every default filled in");
+    CLI::App* show = app.add_subcommand("show", "Print the complete scenario as TOML, including defaults");
     show->add_option("SCENARIO", show_scenario, "A built-in name or a .toml file")->required();
     add_settings(*show, show_settings);
-    CLI::App* reproduce = app.add_subcommand("reproduce", "A published table or figure: ours beside theirs");
-    reproduce->add_option("ID", id, "Such as mcrae-fig2 (default: the list)");
-    reproduce->add_option("--out", out, "Where to write (default: ./gaspard-out/ID)")->type_name("DIR");
-    reproduce->add_flag("--no-render", reproduce_without_picture, "Draw no picture");
+    CLI::App* reproduce = app.add_subcommand("reproduce", "Reproduce a published table or figure");
+    reproduce->add_option("ID", id, "Table or figure, such as mcrae-fig2 (default: list all)");
+    reproduce->add_option("--out", out, "Output folder (default: ./gaspard-out/ID)")->type_name("DIR");
+    reproduce->add_flag("--no-render", reproduce_without_picture, "Do not draw an image");
 
     try {
         app.parse(argc, argv);
@@ -93,7 +94,7 @@ int dispatch(int argc, char** argv) {
         const bool known_command = !app.get_subcommands().empty();
         const std::string meant = known_command ? "" : did_you_mean(scenario, commands);
         if (meant.empty()) throw InputError(std::string(error.what()) + "; see gaspard --help");
-        throw InputError("there is no command '" + scenario + "'" + meant + "; see gaspard --help");
+        throw InputError("unknown command '" + scenario + "'" + meant + "; see gaspard --help");
     } catch (const CLI::ParseError& error) {
         std::cerr << "gaspard: " << error.what() << "; see gaspard --help\n";
         return exit_input;
@@ -116,7 +117,7 @@ int dispatch(int argc, char** argv) {
 } // namespace
 
 int run_command_line(int argc, char** argv) {
-    std::signal(SIGXFSZ, SIG_IGN); // a file-size limit is then an error of write, which has a sentence
+    std::signal(SIGXFSZ, SIG_IGN); // exceeding a file size limit then makes write() fail with EFBIG
     try {
         const int code = dispatch(argc, argv);
         std::cout.flush();

@@ -1,9 +1,9 @@
-// The command line: parses arguments, runs the chosen command, turns errors into sentences and exit codes.
+// The command line: parses arguments, runs the command, and reports errors as messages and exit codes.
 #pragma once
 
 namespace gaspard {
 
-/// Returns the exit code of the program; never throws.
+/// Returns the exit code of the program. Does not throw.
 int run_command_line(int argc, char** argv);
 
 } // namespace gaspard

@@ -1,5 +1,4 @@
-// The commands of the program, one function each. They throw InputError and MachineError and return the exit
-// code.
+// The commands of the program. Each returns the exit code and may throw InputError or MachineError.
 #pragma once
 
 #include "core/scenario/catalogue.hpp"
@@ -10,7 +9,7 @@
 
 namespace gaspard {
 
-/// What the options of `run` say, unchecked.
+/// The options of `run`, not yet checked.
 struct RunArguments {
     std::string scenario;
     std::vector<std::string> settings; ///< key=value
@@ -21,11 +20,11 @@ struct RunArguments {
     bool no_render = false, whole_window = false, quiet = false;
 };
 
-/// What the options of `compare` say, unchecked.
+/// The options of `compare`, not yet checked.
 struct CompareArguments {
     std::string scenario;
     std::vector<std::string> settings;
-    std::optional<std::string> methods; ///< separated by commas; none: all that go with the scenario
+    std::optional<std::string> methods; ///< comma-separated; default: all applicable
     std::string out;                    ///< empty: ./gaspard-out/SCENARIO-methods
     bool no_render = false;
 };
@@ -40,7 +39,7 @@ int reproduce_command(std::shared_ptr<const Catalogue> catalogue, const std::str
 int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string& scenario,
                    const std::vector<std::string>& settings, const std::optional<std::string>& size);
 
-/// "1200x900" into view.width and view.height.
+/// Sets view.width and view.height from a text such as "1200x900". Throws InputError if it is malformed.
 void apply_size(Scenario& scenario, const std::string& size);
 
 } // namespace gaspard

@@ -35,7 +35,7 @@ std::vector<std::string> chosen_methods(const Catalogue& catalogue, const Scenar
     if (!list) return methods_for(catalogue, scenario);
     std::vector<std::string> names;
     for (const std::string& name : split(*list)) {
-        catalogue.method(name); // throws where there is none
+        catalogue.method(name); // throws if it is unknown
         if (std::find(names.begin(), names.end(), name) != names.end())
             throw InputError("--methods names '" + name + "' twice");
         check(catalogue, with_method(catalogue, scenario, name));
@@ -57,10 +57,10 @@ void print_cells(const std::vector<std::string>& cells) {
     std::fflush(stdout);
 }
 
-/// What all methods made of it: the curves and the meshes.
+/// The results of all methods: residual curves and meshes.
 struct Outcome {
     Plot residual{"Residual", {"iteration", false}, {"normalised residual", true}, {}};
-    Plot against_time{"Residual against time", {"CPU seconds", true}, {"normalised residual", true}, {}};
+    Plot against_time{"Residual over time", {"CPU seconds", true}, {"normalised residual", true}, {}};
     std::vector<Panel> meshes;
 
     void add(const std::string& method, Run& run, const std::string& status) {
@@ -103,8 +103,8 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
     check_writable(folder);
     std::vector<ComparisonRow> rows;
     Outcome outcome;
-    bool trouble = false;
-    // One after the other, so that none takes the time of another.
+    bool failed = false;
+    // Sequentially, so that CPU times are comparable.
     for (const std::string& method : methods) {
         if (interrupt.token().stop_requested()) break;
         try {
@@ -121,16 +121,16 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
             break;
         } catch (const InputError&) {
             throw;
-        } catch (const std::exception& error) { // of one method; the others are compared all the same
+        } catch (const std::exception& error) { // this method failed; continue with the others
             std::fprintf(stderr, "gaspard: %s: %s\n", method.c_str(), error.what());
-            trouble = true;
+            failed = true;
         }
     }
     write_atomically(folder / "comparison.csv", comparison_csv(rows));
     if (!arguments.no_render && !rows.empty()) write_png(folder / "comparison.png", outcome.draw());
     std::printf("files in %s\n", folder.string().c_str());
     if (interrupt.token().stop_requested()) return exit_code(RunStatus::interrupted);
-    return trouble ? exit_code(RunStatus::failed) : 0;
+    return failed ? exit_code(RunStatus::failed) : 0;
 }
 
 } // namespace gaspard

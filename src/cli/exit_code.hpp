@@ -1,12 +1,12 @@
-// The exit codes, which scripts may rely on.
+// The exit codes. Scripts depend on them.
 #pragma once
 
 #include "core/session/snapshot.hpp"
 
 namespace gaspard {
 
-constexpr int exit_fault = 1; ///< an internal fault or the machine's
-constexpr int exit_input = 2; ///< bad usage or input
+constexpr int exit_fault = 1; ///< internal error or machine error
+constexpr int exit_input = 2; ///< invalid usage or input
 
 inline int exit_code(RunStatus status) {
     switch (status) {

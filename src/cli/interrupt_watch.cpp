@@ -12,7 +12,7 @@ InterruptWatch::InterruptWatch() {
     sigaddset(&signals, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     thread_ = std::jthread([signals, source = source_](std::stop_token stop) mutable {
-        const timespec interval{0, 50'000'000}; // how long the end of the program may wait for this thread
+        const timespec interval{0, 50'000'000}; // maximum delay at program exit
         while (!stop.stop_requested())
             if (sigtimedwait(&signals, nullptr, &interval) > 0) source.request_stop();
     });

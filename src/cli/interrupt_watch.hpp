@@ -1,5 +1,4 @@
-// Ctrl-C as a stop token: the signal is waited for by a thread of its own, so no handler and no global is
-// needed.
+// Ctrl-C as a stop token. A dedicated thread waits for the signal, which avoids signal handlers and globals.
 #pragma once
 
 #include <stop_token>
@@ -9,7 +8,7 @@ namespace gaspard {
 
 class InterruptWatch {
   public:
-    /// Blocks SIGINT and SIGTERM for this thread and those it will start.
+    /// Blocks SIGINT and SIGTERM in this thread and in threads that it starts.
     InterruptWatch();
     std::stop_token token() const { return source_.get_token(); }
 

@@ -56,12 +56,14 @@ void list_methods(const Catalogue& catalogue) {
     for (const auto& type : catalogue.methods) {
         print_head(type.name, type.help);
         print_rows(method_section(catalogue, type.name).values);
+        for (const FieldInfo& field : type.fields) // choices of view.color with this method
+            std::cout << "    view.color = " << field.name << "  " << field.help << "\n";
     }
 }
 
 void list_view(const Catalogue& catalogue) {
     std::cout << "View\n";
-    print_rows(Values("view", catalogue.view_rows));
+    print_rows(view_section(catalogue, catalogue.methods.front().name));
 }
 
 void list_output(const Catalogue& catalogue) {
@@ -92,8 +94,8 @@ int list_command(const Catalogue& catalogue, const std::string& what) {
     if (!found) {
         std::vector<std::string> names;
         for (const auto& list : lists) names.push_back(list.first);
-        throw InputError("there is no list '" + what + "'" + did_you_mean(what, names) +
-                         "; there are: scenarios, domains, monitors, methods, formats, view, output");
+        throw InputError("unknown list '" + what + "'" + did_you_mean(what, names) +
+                         "; allowed: scenarios, domains, monitors, methods, formats, view, output");
     }
     return 0;
 }

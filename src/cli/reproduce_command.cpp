@@ -20,7 +20,7 @@ void print_table(const std::vector<PublishedRow>& rows) {
                     row.published ? format_number(*row.published).c_str() : "", row.note.c_str());
 }
 
-// Side by side, each panel 800 x 800.
+// All panels in one row, 800 x 800 pixels each.
 Image draw(const Figure& figure) {
     std::vector<Panel> panels;
     for (const auto& [title, content, camera] : figure.panels) {

@@ -15,6 +15,7 @@
 #include "gui/app/whole_window.hpp"
 #include "gui/viewport/viewport.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <iostream>
@@ -34,10 +35,11 @@ Scenario scenario_of(const Catalogue& catalogue, const RunArguments& arguments) 
     if (arguments.formats) scenario.output.set("formats", *arguments.formats);
     if (arguments.size) apply_size(scenario, *arguments.size);
     if (arguments.seed) {
-        if (!scenario.monitor.values.has("seed"))
-            throw InputError("--seed has nothing to set: scenario '" + scenario.name +
+        const ParameterRow* row = find_role(scenario.monitor.values.rows(), ParameterRole::seed);
+        if (!row)
+            throw InputError("--seed does not apply: the monitor of scenario '" + scenario.name +
                              "' uses no random numbers");
-        scenario.monitor.values.set("seed", std::int64_t{*arguments.seed});
+        scenario.monitor.values.set(row->key, std::int64_t{*arguments.seed});
     }
     return scenario;
 }
@@ -50,7 +52,7 @@ int threads_of(const RunArguments& arguments) {
     return static_cast<int>(threads);
 }
 
-// One line on a terminal that is written over and over, at most ten times a second.
+// A progress line on the terminal, overwritten at most ten times a second.
 class ProgressLine {
   public:
     explicit ProgressLine(bool quiet) : on_(!quiet && isatty(STDERR_FILENO) != 0) {}
@@ -63,7 +65,7 @@ class ProgressLine {
         next_ = now + 0.1;
         shown_ = true;
         const double rate = report.seconds > 0 ? report.iteration / report.seconds : 0;
-        if (report.equidistribution) equidistribution_ = *report.equidistribution;
+        equidistribution_ = report.value("equidistribution").value_or(equidistribution_);
         std::fprintf(stderr, "\riteration %d  residual %.3e  equidistribution %.3e  %.0f iterations/s\033[K",
                      report.iteration, report.residual, equidistribution_, rate);
         std::fflush(stderr);
@@ -79,7 +81,7 @@ void print_outcome(const Run& run, const std::filesystem::path& folder) {
     const StepReport& last = run.history().back();
     std::printf("%s after %d iterations: residual %.3e, equidistribution %.6e, %zu tangled cells, %.3f s\n",
                 std::string(status_name(last.status)).c_str(), last.iteration, last.residual,
-                last.equidistribution.value_or(0), last.tangled_cells.value_or(0), last.seconds);
+                last.value("equidistribution").value_or(0), last.tangled_cells.value_or(0), last.seconds);
     if (!last.note.empty()) std::printf("%s\n", last.note.c_str());
     std::printf("files in %s\n", folder.string().c_str());
 }
@@ -111,18 +113,18 @@ void apply_size(Scenario& scenario, const std::string& size) {
     const std::string_view text = size;
     if (cross == std::string::npos || !read(text.substr(0, cross), width) ||
         !read(text.substr(cross + 1), height))
-        throw InputError("--size wants WIDTHxHEIGHT, such as 1200x900, not '" + size + "'");
+        throw InputError("--size must be WIDTHxHEIGHT, such as 1200x900, not '" + size + "'");
     scenario.view.set("width", width);
     scenario.view.set("height", height);
 }
 
 int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& arguments) {
     const InterruptWatch interrupt;
-    // All that can be wrong with the input is found before the first iteration.
+    // Check all input before the first iteration.
     const Scenario scenario = scenario_of(*catalogue, arguments);
     check(*catalogue, scenario);
     check_view(scenario.view);
-    const auto formats = formats_of(scenario);
+    const auto formats = formats_of(*catalogue, scenario);
     RunOptions options{.threads = threads_of(arguments)};
     if (arguments.start) options.start = read_state(*arguments.start);
     const std::filesystem::path folder = arguments.out.empty()
@@ -132,7 +134,7 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
     try {
         Run run(catalogue, scenario, std::move(options), {}, interrupt.token());
         check_view(scenario.view, run.discretisation().mesh().get());
-        check_writable(folder); // before the first iteration, after all that may refuse the input
+        check_writable(folder); // after all checks of the input
         {
             ProgressLine line(arguments.quiet);
             while (run.status() == RunStatus::running) {
@@ -144,14 +146,14 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
             }
         }
         if (!arguments.quiet) print_outcome(run, folder);
-        std::exception_ptr trouble; // with one file or the picture: the others are made all the same
+        std::exception_ptr failure; // rethrown after the other files are written
         try {
             write_run_files(folder, run, formats);
         } catch (const MachineError&) {
-            trouble = std::current_exception();
+            failure = std::current_exception();
         }
         if (!arguments.no_render) draw_view(catalogue, run, folder, arguments.whole_window);
-        if (trouble) std::rethrow_exception(trouble);
+        if (failure) std::rethrow_exception(failure);
         return exit_code(run.status());
     } catch (const Interrupted&) {
         std::cerr << "gaspard: interrupted before the first iteration; nothing was written\n";

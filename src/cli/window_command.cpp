@@ -12,33 +12,32 @@ namespace gaspard {
 
 namespace {
 
-/// A window that closes has done its work, so trouble with the file is a remark, no failure.
-void remember(const std::filesystem::path& file, const Settings& settings) {
+/// Saves the settings when the window closes. A failure is only reported.
+void save_settings(const std::filesystem::path& file, const Settings& settings) {
     try {
         write_settings(file, settings);
     } catch (const std::exception& error) {
-        std::cerr << "gaspard: the window's place and look are not remembered: " << error.what() << "\n";
+        std::cerr << "gaspard: cannot save the window settings: " << error.what() << "\n";
     }
 }
 
-/// What the scenario leaves open is as it was when the window was closed.
-void look_as_before(const Catalogue& catalogue, Scenario& scenario, const Values& remembered) {
+/// Restores theme and camera of the last session unless the scenario sets them.
+void restore_view(const Catalogue& catalogue, Scenario& scenario, const Values& remembered) {
     if (is_default(scenario.view, "theme")) scenario.view.set("theme", remembered.at("theme"));
     if (!is_default(scenario.view, "camera") || remembered.text("camera_scenario") != scenario.name) return;
     try {
         set_value(catalogue, scenario, "view.camera", remembered.at("camera"));
         check_view(scenario.view);
-    } catch (const InputError&) { // edited by hand: home will do
+    } catch (const InputError&) { // invalid, probably edited by hand
         scenario.view.set("camera", std::string());
     }
 }
 
-/// Whether a setting names a value that the scenario's method has and the window's choice has not.
-bool ask_for_own_method(const std::vector<std::string>& settings, const Scenario& own,
-                        const Scenario& other) {
+/// Whether a setting names a value of the scenario's own method that the window's default method lacks.
+bool needs_own_method(const std::vector<std::string>& settings, const Scenario& own, const Scenario& other) {
     bool asked = false;
     for (const std::string& setting : settings) {
-        if (setting.starts_with("method.type=")) return false; // that says which
+        if (setting.starts_with("method.type=")) return false; // the method is given explicitly
         if (!setting.starts_with("method.")) continue;
         const std::string key = setting.substr(7, setting.find('=') - 7);
         asked = asked || (own.method.values.has(key) && !other.method.values.has(key));
@@ -56,9 +55,9 @@ int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string
     Scenario scenario = find_scenario(*catalogue, name);
     if (!name.ends_with(".toml")) {
         Scenario chosen = for_window(*catalogue, scenario);
-        if (!ask_for_own_method(settings, scenario, chosen)) scenario = std::move(chosen);
+        if (!needs_own_method(settings, scenario, chosen)) scenario = std::move(chosen);
     }
-    look_as_before(*catalogue, scenario, options.settings.window);
+    restore_view(*catalogue, scenario, options.settings.window);
     apply_settings(*catalogue, scenario, settings);
     check(*catalogue, scenario);
     check_view(scenario.view);
@@ -68,7 +67,7 @@ int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string
         options.settings.window.set("maximized", false);
     }
     if (name.ends_with(".toml")) remember_recent(options.settings, name);
-    remember(file, run_window(std::move(catalogue), scenario, options));
+    save_settings(file, run_window(std::move(catalogue), scenario, options));
     return 0;
 }
 

@@ -9,6 +9,8 @@
 //   session/snapshot.hpp     where the nodes stand, with fields and numbers
 //   io/run_files.hpp         meshes, history and state as files
 //   io/state_file.hpp        the unknowns, to go on another day
+//   io/surface_mesh.hpp      surface meshes read from OBJ, OFF, PLY and STL
+//   mesh/surface_topology.hpp  edges, one-rings, boundary loops and orientation of a surface
 //
 // Coordinates are those of the domain (the unit square: 0 to 1 in x and y, z = 0; a sphere around the
 // origin), in double precision; lengths have no unit. xi is where a node stands in the uniform mesh, x where
@@ -21,6 +23,8 @@
 #include "core/io/formats.hpp"
 #include "core/io/run_files.hpp"
 #include "core/io/state_file.hpp"
+#include "core/io/surface_mesh.hpp"
+#include "core/mesh/surface_topology.hpp"
 #include "core/monitor/function.hpp"
 #include "core/scenario/catalogue.hpp"
 #include "core/scenario/toml.hpp"

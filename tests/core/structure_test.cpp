@@ -1,5 +1,5 @@
-// The structure of the sources, held to what docs/architecture.md says of it: which module may include which, and
-// how large a file may be.
+// Checks the sources against docs/architecture.md: which module may include which, and the size limit of
+// files.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -18,17 +18,18 @@ using Modules = std::set<std::string>;
 
 const fs::path root = GASPARD_SOURCE_DIR;
 
-/// What the block "modules" of docs/architecture.md says.
+/// The block "modules" of docs/architecture.md.
 struct Structure {
-    std::map<std::string, Modules> direct;  ///< what a module's line names
-    std::map<std::string, Modules> allowed; ///< the same with all below, and the module itself
+    std::map<std::string, Modules> direct;  ///< the modules on its line
+    std::map<std::string, Modules> allowed; ///< transitive closure, including the module itself
 };
 
-/// One line a module: its name, "<-", the modules that it uses. Each must have a line of its own above.
+/// One line per module: its name, "<-", the modules that it uses. Those must be listed above.
 Structure read_structure(std::istream& in) {
     Structure structure;
     std::string line;
-    while (std::getline(in, line) && line != "```modules") {}
+    while (std::getline(in, line) && line != "```modules") {
+    }
     while (std::getline(in, line) && line != "```") {
         std::istringstream words(line);
         std::string module, arrow;
@@ -40,7 +41,8 @@ Structure read_structure(std::istream& in) {
         all.insert(module);
         for (std::string used; words >> used; direct.insert(used)) {
             const auto below = structure.allowed.find(used);
-            EXPECT_TRUE(below != structure.allowed.end() && used != module) << used << " is not above: " << line;
+            EXPECT_TRUE(below != structure.allowed.end() && used != module)
+                << used << " is not above: " << line;
             if (below != structure.allowed.end()) all.insert(below->second.begin(), below->second.end());
         }
     }
@@ -52,7 +54,7 @@ Structure read_structure() {
     return read_structure(in);
 }
 
-/// "core/mesh" of "core/mesh/space.hpp"; "gaspard.hpp" and "main.cpp" are modules of their own.
+/// "core/mesh" for "core/mesh/space.hpp"; "core/gaspard.hpp" and "main.cpp" are modules themselves.
 std::string module_of(const std::string& path) {
     std::vector<std::string> parts;
     for (const auto& part : fs::path(path)) parts.push_back(part.string());
@@ -68,7 +70,7 @@ std::vector<fs::path> sources(const char* folder) {
     return files;
 }
 
-TEST(Structure, ModulesUseWhatTheDrawingSaysAndNothingElse) {
+TEST(Structure, ModulesIncludeExactlyWhatTheArchitectureStates) {
     const Structure structure = read_structure();
     ASSERT_GT(structure.direct.size(), 20u) << "docs/architecture.md has no block 'modules'";
     const std::regex include(R"re(#include "((core|gui|cli)/[^"]*)")re");
@@ -89,12 +91,12 @@ TEST(Structure, ModulesUseWhatTheDrawingSaysAndNothingElse) {
     for (const auto& [module, direct] : structure.direct) {
         EXPECT_TRUE(used.contains(module)) << "the drawing has a module that is not there: " << module;
         for (const auto& other : direct)
-            EXPECT_TRUE(used[module].contains(other)) << "the drawing has an arrow that is not there: " << module
-                                                      << " <- " << other;
+            EXPECT_TRUE(used[module].contains(other))
+                << "the drawing has an arrow that is not there: " << module << " <- " << other;
     }
 }
 
-TEST(Structure, AnArrowBackUpIsFound) {
+TEST(Structure, ReadsTransitiveDependencies) {
     std::istringstream text("```modules\nlow\nhigh <- low\ntop <- high\n```\n");
     const Structure structure = read_structure(text);
     EXPECT_TRUE(structure.allowed.at("top").contains("low"));
@@ -121,7 +123,7 @@ TEST(Structure, TheCoreSeesNoGraphicsAndTheDocumentNoImGui) {
     EXPECT_GT(seen, 10u) << "the pattern finds nothing any more";
 }
 
-TEST(Structure, FilesStayReadable) {
+TEST(Structure, FilesAreBelowTheSizeLimit) {
     for (const char* folder : {"src", "tests"})
         for (const auto& file : sources(folder)) {
             std::ifstream in(file);

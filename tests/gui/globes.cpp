@@ -45,7 +45,7 @@ double angle(Vec3 a, Vec3 b) { return std::atan2(norm(cross(a, b)), dot(a, b)); 
 
 Snapshot snapshot_of(Mesh mesh, Points x, const std::function<double(Vec3)>& monitor) {
     Snapshot snapshot;
-    Field field{"monitor", "", FieldPlace::node, std::vector<double>(x.size())};
+    Field field{{.name = "monitor"}, std::vector<double>(x.size())};
     for (std::size_t i = 0; i < x.size(); ++i) field.values[i] = monitor(x[i]);
     snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
     snapshot.x = std::move(x);

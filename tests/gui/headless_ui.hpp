@@ -4,6 +4,7 @@
 #include "gui/base/item_rectangles.hpp"
 #include "gui/base/theme.hpp"
 #include "gui/gl/imgui_context.hpp"
+#include "gui/gl/imgui_input.hpp"
 
 #include <functional>
 #include <imgui.h>
@@ -43,6 +44,9 @@ class HeadlessUi {
     void move(float x, float y) { ImGui::GetIO().MousePos = {x, y}; }
     void move_away() { ImGui::GetIO().MousePos = {-1e6F, -1e6F}; }
     void button(bool down, int which = 0) { ImGui::GetIO().MouseDown[which] = down; }
+    void key(ImGuiKey key, bool down) { feed_key(ImGui::GetIO(), key, down); }
+    void control(bool down) { feed_control(ImGui::GetIO(), down); }
+    void shift(bool down) { feed_shift(ImGui::GetIO(), down); }
     void wheel(float turns) { ImGui::GetIO().MouseWheel = turns; }
 
     /// Presses and releases at the middle of an item (a copy: every frame notes the items anew).

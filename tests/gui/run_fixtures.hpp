@@ -18,9 +18,9 @@ inline DocumentRun made_up_run(const std::string& name, int iterations) {
                           .step_size = i > 0 ? 0.1 : 0.0,
                           .seconds = 0.01 * i};
         if (i % 2 == 0) {
-            report.equidistribution = 1.0 / (1 + i);
-            report.min_jacobian = 1 - 0.001 * i;
-            report.max_jacobian = 1 + 0.1 * i;
+            report.set("equidistribution", 1.0 / (1 + i));
+            report.set("min_jacobian", 1 - 0.001 * i);
+            report.set("max_jacobian", 1 + 0.1 * i);
             report.tangled_cells = 0;
         }
         run.history.push_back(report);

@@ -14,7 +14,7 @@ namespace {
 
 Snapshot finished(Mesh mesh, Points x) {
     Snapshot snapshot;
-    Field monitor{"monitor", "", FieldPlace::node, std::vector<double>(x.size())};
+    Field monitor{{.name = "monitor"}, std::vector<double>(x.size())};
     for (std::size_t i = 0; i < x.size(); ++i) {
         const Vec3 p = x[i] - Vec3{0.3, 0, 0.4};
         monitor.values[i] = 1 + std::exp(-8 * dot(p, p));
@@ -24,7 +24,7 @@ Snapshot finished(Mesh mesh, Points x) {
     snapshot.fields.push_back(std::move(monitor));
     snapshot.report.iteration = 52;
     snapshot.report.residual = 9.8e-9;
-    snapshot.report.equidistribution = 0.03667985;
+    snapshot.report.set("equidistribution", 0.03667985);
     snapshot.report.status = RunStatus::converged;
     snapshot.version = 1;
     return snapshot;
@@ -49,7 +49,7 @@ Snapshot measured(Snapshot snapshot) {
     const Mesh& mesh = *snapshot.mesh;
     const CellGeometry geometry(snapshot.mesh);
     const std::vector<double> area = geometry.measures(snapshot.x), before = geometry.measures(mesh.nodes);
-    Field mass{"mass", "", FieldPlace::cell, std::vector<double>(mesh.cell_count(), 0.0)};
+    Field mass{{.name = "mass", .place = FieldPlace::cell}, std::vector<double>(mesh.cell_count(), 0.0)};
     const auto corners = static_cast<std::size_t>(corners_per_cell(mesh.kind));
     for (std::size_t i = 0; i < mesh.cell_count(); ++i) {
         for (std::size_t k = 0; k < corners; ++k)
@@ -111,7 +111,8 @@ Snapshot tangled_snapshot(int n) {
     const std::size_t node = corner * row + corner;
     snapshot.x.x[node] += 1.6 / n;
     snapshot.x.y[node] += 1.3 / n;
-    Field jacobian{"jacobian", "", FieldPlace::cell, std::vector<double>(snapshot.mesh->cell_count(), 1.0)};
+    Field jacobian{{.name = "jacobian", .place = FieldPlace::cell},
+                   std::vector<double>(snapshot.mesh->cell_count(), 1.0)};
     jacobian.values[corner * (row - 1) + corner] = -0.4;
     snapshot.fields.push_back(std::move(jacobian));
     snapshot.report.tangled_cells = 1;

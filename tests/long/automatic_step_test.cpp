@@ -1,6 +1,7 @@
 // The step that the relaxation chooses against the best of a dozen fixed ones, over mild and harsh monitors.
 #include "core/method/relax.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <gtest/gtest.h>
 
@@ -12,15 +13,15 @@ constexpr int none = 1 << 20;
 /// Iterations to 1e-8; none where there are more than `most`, or none that help.
 int iterations(const std::shared_ptr<const PlaneQ2>& plane, const Monitor& monitor, const Value& step_size,
                int most) {
-    Values values("method", relaxation_method().rows);
+    Values values = default_values(relaxation_method());
     values.set("step_size", step_size);
-    const auto method = relaxation_method().make(plane, values, {}, {});
+    const auto method = make_plane_method(relaxation_method(), plane, values);
     State state = method->initial_state();
-    Evaluation now = method->evaluate(monitor, state, {});
+    Evaluation now = method->evaluate(problem_of(monitor), state, {});
     for (int i = 0; i <= most; ++i) {
         if (now.residual < 1e-8) return i;
         if (!(now.residual < 1e4)) return none;
-        now = method->step(monitor, state, {});
+        now = method->step(problem_of(monitor), state, {});
     }
     return none;
 }

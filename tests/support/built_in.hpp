@@ -1,7 +1,7 @@
-// Built-in monitors by name, as a scenario would choose them.
+// Built-in monitors by name, as a scenario selects them.
 #pragma once
 
-#include "core/monitor/monitor.hpp"
+#include "core/monitor/problem_data.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -26,7 +26,12 @@ inline std::shared_ptr<const Monitor> make_monitor(const std::string& name, Spac
                 values.set(key, static_cast<std::int64_t>(value));
             else if (row.key == key)
                 values.set(key, value);
-    return type.make(values, space);
+    return type.make(values, {space});
+}
+
+/// The problem of a monitor that the caller keeps alive.
+inline ProblemData problem_of(const Monitor& monitor) {
+    return {.monitor = std::shared_ptr<const Monitor>(std::shared_ptr<const Monitor>(), &monitor)};
 }
 
 } // namespace gaspard

@@ -1,4 +1,4 @@
-// While it lives, the program's locale writes 1234.5 as 1.234,5: files must not follow it.
+// Sets a locale that writes 1234.5 as 1.234,5 for its lifetime; files must not depend on it.
 #pragma once
 
 #include <locale>

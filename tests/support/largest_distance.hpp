@@ -1,4 +1,4 @@
-// How far two meshes are apart.
+// The largest distance between corresponding points of two meshes.
 #pragma once
 
 #include "core/base/points.hpp"

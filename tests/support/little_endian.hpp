@@ -1,4 +1,4 @@
-// Takes numbers out of bytes, the lowest first.
+// Reads little-endian numbers from bytes.
 #pragma once
 
 #include <bit>

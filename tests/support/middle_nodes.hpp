@@ -1,5 +1,5 @@
-// What VTK and Gmsh agree on for triangles and quadrilaterals of order 2: behind the corners come the middles
-// of the edges, in the order around the cell, then the middle of a quadrilateral.
+// The node order shared by VTK and Gmsh for triangles and quadrilaterals of order 2: corners, then midpoints
+// of the edges in order around the cell, then the centre of a quadrilateral.
 #pragma once
 
 #include "core/base/points.hpp"
@@ -9,7 +9,7 @@
 
 namespace gaspard {
 
-/// Of all nodes of the cell, the one that ought to be in a middle is the nearest to it.
+/// Checks that every midpoint node is the node of the cell that is nearest to its midpoint.
 inline void expect_middle_nodes(const Points& x, const std::vector<std::size_t>& cell, std::size_t corners) {
     ASSERT_EQ(cell.size(), corners == 3 ? 6u : 9u);
     const auto nearest = [&](Vec3 p) {

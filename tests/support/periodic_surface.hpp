@@ -1,5 +1,5 @@
-// The periodic unit square as a flat surface of quadratic cells, of squares or of triangles (each square cut
-// along one diagonal): what the sphere's elements compute on a plane.
+// The periodic unit square as a flat surface of quadratic cells, squares or triangles (each square divided
+// along one diagonal), for the surface elements.
 #pragma once
 
 #include "core/fem/surface_q2.hpp"
@@ -20,7 +20,7 @@ inline SurfaceSetup periodic_surface(int n, CellShape shape, int geometry_order 
                        .monitor_at_vertices = geometry_order == 1};
     std::int32_t next = 0;
     for (const bool vertices : {true, false}) {
-        std::vector<std::int32_t> of(static_cast<std::size_t>(4 * n * n), -1); // by place on the torus
+        std::vector<std::int32_t> of(static_cast<std::size_t>(4 * n * n), -1); // by position on the torus
         for (std::int32_t j = 0; j < side; ++j)
             for (std::int32_t i = 0; i < side; ++i) {
                 if (vertex(i, j) != vertices) continue;

@@ -1,4 +1,4 @@
-// A snapshot with a field of nodes and one of cells, for writers of files.
+// A snapshot with a nodal field and a cell field, for tests of file writers.
 #pragma once
 
 #include "core/session/snapshot.hpp"
@@ -14,7 +14,7 @@ inline Snapshot sample_snapshot(Mesh mesh) {
     Snapshot snapshot;
     snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
     snapshot.x = moved(*snapshot.mesh);
-    Field monitor{"monitor", "", FieldPlace::node, {}}, jacobian{"jacobian", "", FieldPlace::cell, {}};
+    Field monitor{{.name = "monitor"}, {}}, jacobian{{.name = "jacobian", .place = FieldPlace::cell}, {}};
     for (std::size_t i = 0; i < snapshot.x.size(); ++i)
         monitor.values.push_back(2 + std::sin(5 * snapshot.x.x[i] + snapshot.x.y[i]));
     for (std::size_t c = 0; c < snapshot.mesh->cell_count(); ++c)

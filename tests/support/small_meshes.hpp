@@ -1,4 +1,4 @@
-// One small mesh of every shape of cell, written out, and positions that are somewhere else.
+// Small explicit meshes of every cell shape, and displaced positions.
 #pragma once
 
 #include "core/mesh/mesh.hpp"
@@ -23,19 +23,19 @@ inline Mesh mesh_of(CellKind kind, int dimension, std::initializer_list<Vec3> no
     return mesh;
 }
 
-/// [0,1] in three lines, the nodes not in the order of the line.
+/// [0, 1] with three line cells; nodes not in ascending order.
 inline Mesh three_lines() {
     return mesh_of({CellShape::line, 1}, 1, {{0, 0, 0}, {1, 0, 0}, {0.25, 0, 0}, {2.0 / 3, 0, 0}},
                    {0, 2, 2, 3, 3, 1});
 }
 
-/// The unit square in two triangles.
+/// The unit square as two triangles.
 inline Mesh two_triangles() {
     return mesh_of({CellShape::triangle, 1}, 2, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
                    {0, 1, 2, 0, 2, 3});
 }
 
-/// One square of order 2, whose first nodes are no corners.
+/// One square of order 2 whose first nodes are not corners.
 inline Mesh curved_square() {
     return mesh_of({CellShape::quadrilateral, 2}, 3,
                    {{.5, .5, .1},
@@ -50,7 +50,7 @@ inline Mesh curved_square() {
                    {2, 3, 4, 5, 1, 6, 7, 8, 0});
 }
 
-/// Two cubes side by side.
+/// Two adjacent cubes.
 inline Mesh two_cubes() {
     return mesh_of({CellShape::hexahedron, 1}, 3,
                    {{0, 0, 0},
@@ -68,7 +68,7 @@ inline Mesh two_cubes() {
                    {0, 1, 4, 3, 6, 7, 10, 9, 1, 2, 5, 4, 7, 8, 11, 10});
 }
 
-/// The same cells with the nodes that order 2 has more. Needs coordinates whose means are exact.
+/// The same cells with order 2. Requires coordinates whose means are exact in floating point.
 inline Mesh of_order_two(const Mesh& straight) {
     Mesh mesh;
     mesh.kind = {straight.kind.shape, 2};
@@ -93,7 +93,7 @@ inline Mesh of_order_two(const Mesh& straight) {
     return mesh;
 }
 
-/// The unit sphere in eight triangles of order 2, all nodes on the sphere, facing outward.
+/// The unit sphere as eight outward-facing triangles of order 2 with all nodes on the sphere.
 inline Mesh round_octahedron() {
     const Mesh straight = mesh_of({CellShape::triangle, 1}, 3,
                                   {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
@@ -104,16 +104,16 @@ inline Mesh round_octahedron() {
     return mesh;
 }
 
-/// Two or more cells of every kind that there is.
+/// Two or more cells of every kind.
 inline std::vector<Mesh> meshes_of_every_kind() {
     Mesh lines = three_lines();
-    lines.nodes.x[3] = 0.625; // in halves, for of_order_two()
+    lines.nodes.x[3] = 0.625; // exact in binary, for of_order_two()
     std::vector<Mesh> meshes = {lines, two_triangles(), unit_square_mesh(2), two_cubes()};
     for (std::size_t i = 0; i < 4; ++i) meshes.push_back(of_order_two(meshes[i]));
     return meshes;
 }
 
-/// Every node a little away from where it was, with digits that no float holds.
+/// Displaces every node slightly, to values that single precision cannot represent.
 inline Points moved(const Mesh& mesh) {
     Points x = mesh.nodes;
     for (std::size_t i = 0; i < x.size(); ++i) {

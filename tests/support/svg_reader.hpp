@@ -1,4 +1,4 @@
-// Reads an SVG picture: elements by name through tinyxml2, and the data of a path as what SVG's grammar says.
+// Reads SVG files: elements by name through tinyxml2, and path data by SVG's grammar.
 #pragma once
 
 #include <cctype>
@@ -17,13 +17,13 @@ struct SvgPoint {
     double x = 0, y = 0;
 };
 
-/// A stretch of a path without a move: its corners, and the control points of its curves.
+/// A subpath: its corners, and the control points of its curves.
 struct SvgStroke {
     std::vector<SvgPoint> corners, controls;
     bool closed = false;
 };
 
-/// Absolute positions of the commands M, m, l, q and z, which are all that we write. Throws at anything else.
+/// Absolute positions of the commands M, m, l, q and z, the only ones that are written. Throws for others.
 inline std::vector<SvgStroke> read_path(std::string_view data) {
     std::vector<SvgStroke> strokes;
     SvgPoint at, begin;
@@ -76,7 +76,7 @@ class SvgReader {
     }
     const tinyxml2::XMLElement& root() const { return *document_.RootElement(); }
 
-    /// All elements of a name, within `from` or anywhere, in the file's order.
+    /// All elements with a name, within `from` or in the whole file, in document order.
     std::vector<const tinyxml2::XMLElement*> all(const std::string& name,
                                                  const tinyxml2::XMLElement* from = nullptr) const {
         std::vector<const tinyxml2::XMLElement*> found;
@@ -96,7 +96,7 @@ class SvgReader {
                 if (e->Attribute("id") && e->Attribute("id") == id) return e;
         return nullptr;
     }
-    /// What is written in the picture, raised digits and all.
+    /// The text of the image, including superscripts.
     std::vector<std::string> texts() const {
         std::vector<std::string> found;
         for (const auto* e : all("text")) {

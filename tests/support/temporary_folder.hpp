@@ -1,4 +1,4 @@
-// A folder of its own for a test, gone at its end.
+// A temporary folder, removed at the end of the test.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ class TemporaryFolder {
     friend std::filesystem::path operator/(const TemporaryFolder& folder, const std::string& name) {
         return folder.path_ / name;
     }
-    /// The names of everything in it, sorted.
+    /// The names of its entries, sorted.
     std::vector<std::string> content() const {
         std::vector<std::string> names;
         for (const auto& entry : std::filesystem::directory_iterator(path_))

@@ -1,4 +1,4 @@
-// The angle between two directions in a form that compilers turn into vector instructions.
+// The angle between two directions, written so that compilers vectorise it.
 #pragma once
 
 #include "core/base/points.hpp"
@@ -9,8 +9,11 @@
 
 namespace gaspard {
 
-/// Coefficients (1 3 5 ...) / (2 4 6 ...) / (2 k + 1) of the arc sine's Taylor series, the last first. What
-/// is left out is below 1e-17 for arguments up to sin(pi / 8).
+/// Coefficients of the Taylor series of the arcsine, highest order first:
+///
+///     c_k = (1 3 5 ... (2k - 1)) / (2 4 6 ... (2k)) / (2k + 1),   k = 0 .. 18.
+///
+/// The truncation error is below 1e-17 for arguments up to sin(pi / 8).
 inline constexpr std::array<double, 19> arc_sine_series = [] {
     std::array<double, 19> c{};
     double product = 1;
@@ -21,25 +24,26 @@ inline constexpr std::array<double, 19> arc_sine_series = [] {
     return c;
 }();
 
-/// Arc sine for 0 <= y <= sin(pi / 8), to a few units in the last place.
+/// asin(y) for 0 <= y <= sin(pi / 8), to a few units in the last place.
 inline double small_arc_sine(double y) {
     const double t = y * y;
     double sum = 0;
-    [&]<std::size_t... k>(std::index_sequence<k...>) { // no loop, or those around it stay as they are
+    [&]<std::size_t... k>(std::index_sequence<k...>) { // unrolled, so that outer loops vectorise
         ((sum = sum * t + arc_sine_series[k]), ...);
     }
     (std::make_index_sequence<arc_sine_series.size()>());
     return y * sum;
 }
 
-/// From 0 to pi, right also near both ends. `centre` is of length 1; x, y, z of any but 0.
+/// The angle in [0, pi] between the unit vector `centre` and the nonzero vector (x, y, z); accurate near 0
+/// and near pi. `centre` must have length 1; (x, y, z) may have any length.
 inline double angle_from(Vec3 centre, double x, double y, double z) {
     const double inverse = 1 / std::sqrt(x * x + y * y + z * z);
     const double along = (x * centre.x + y * centre.y + z * centre.z) * inverse;
-    const double side = along >= 0 ? 1.0 : -1.0; // from the centre, or from the place opposite to it
+    const double side = along >= 0 ? 1.0 : -1.0; // measure from centre or from -centre, whichever is nearer
     const double dx = x * inverse - side * centre.x, dy = y * inverse - side * centre.y,
                  dz = z * inverse - side * centre.z;
-    const double sine = 0.5 * std::sqrt(dx * dx + dy * dy + dz * dz); // of half of the angle, up to pi / 4
+    const double sine = 0.5 * std::sqrt(dx * dx + dy * dy + dz * dz); // sin(half angle), half angle <= pi / 4
     const double cosine = std::sqrt(1 - sine * sine);
     const double quarter = sine / std::sqrt(2 * (1 + cosine));
     const double angle = 4 * small_arc_sine(quarter);

@@ -1,4 +1,4 @@
-// Checks of our own promises, always on. They are not for input: that gets an InputError.
+// Checks of internal invariants, always on. Invalid input throws InputError instead.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -10,7 +10,7 @@ namespace gaspard {
 
 [[noreturn]] inline void check_failed(const char* expression,
                                       std::source_location where = std::source_location::current()) {
-    throw InternalError(std::string("internal fault: ") + expression + " does not hold (" +
+    throw InternalError(std::string("internal error: ") + expression + " does not hold (" +
                         where.file_name() + ":" + std::to_string(where.line()) + ")");
 }
 

@@ -1,4 +1,4 @@
-// An exponential that compilers turn into vector instructions: no branch, no table, no call.
+// An exponential that compilers vectorise: no branches, tables or calls.
 #pragma once
 
 #include <bit>
@@ -6,16 +6,16 @@
 
 namespace gaspard {
 
-/// exp(t) for t <= 0, to about two units in the last place, but 0 below -708. Not a number in, not a number
-/// out. Rubbish for t > 700.
+/// exp(t) for t <= 0, to about two units in the last place. Returns 0 for t < -708 and NaN for NaN.
+/// The result is undefined for t > 700.
 inline double exponential(double t) {
-    // t = k ln 2 + r, |r| <= ln 2 / 2; adding the large number leaves k in the lowest bits.
+    // t = k ln 2 + r, |r| <= ln 2 / 2; adding 1.5 * 2^52 leaves the integer k in the lowest bits.
     constexpr double round = 6755399441055744.0; // 1.5 * 2^52
     constexpr double ln2_high = 6.93147180369123816490e-01, ln2_low = 1.90821492927058770002e-10;
     const double shifted = t * 1.44269504088896340736 + round;
     const double k = shifted - round;
     const double r = (t - k * ln2_high) - k * ln2_low;
-    double sum = 1.0 / 6227020800; // Taylor: the next term is below 1e-17
+    double sum = 1.0 / 6227020800; // Taylor polynomial of degree 13: the next term is below 1e-17
     sum = sum * r + 1.0 / 479001600;
     sum = sum * r + 1.0 / 39916800;
     sum = sum * r + 1.0 / 3628800;
@@ -33,7 +33,7 @@ inline double exponential(double t) {
     return t < -708 ? 0.0 : sum * std::bit_cast<double>(exponent);
 }
 
-/// The whole number nearest to t, |t| < 2^51; of two, the even one.
+/// The integer nearest to t, |t| < 2^51; ties go to the even integer.
 inline double nearest_whole(double t) {
     constexpr double round = 6755399441055744.0;
     return (t + round) - round;

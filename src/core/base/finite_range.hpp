@@ -1,4 +1,4 @@
-// The least and the greatest of many numbers, fast where all are finite.
+// Minimum and maximum of an array, with a check that all values are finite.
 #pragma once
 
 #include <array>
@@ -10,15 +10,15 @@
 
 namespace gaspard {
 
-/// Nothing where some of the values are not finite, or there are none.
+/// (minimum, maximum) of the values; nullopt if there are none or if any is infinite or NaN.
 inline std::optional<std::pair<double, double>> finite_range(std::span<const double> values) {
-    constexpr std::size_t lanes = 8; // so that no comparison waits for the one before
+    constexpr std::size_t lanes = 8; // independent accumulators, to hide the latency of comparisons
     std::array<double, lanes> low, high, strange{};
     low.fill(std::numeric_limits<double>::infinity()), high.fill(-std::numeric_limits<double>::infinity());
     const auto see = [&](std::size_t lane, double value) {
         low[lane] = value < low[lane] ? value : low[lane];
         high[lane] = value > high[lane] ? value : high[lane];
-        strange[lane] += value - value; // infinity - infinity is not a number
+        strange[lane] += value - value; // inf - inf is NaN
     };
     std::size_t i = 0;
     for (; i + lanes <= values.size(); i += lanes)

@@ -1,4 +1,4 @@
-// Work on independent items, shared by a few threads.
+// Loops over independent items, shared by a few threads.
 #pragma once
 
 #include "core/base/stopwatch.hpp"
@@ -11,10 +11,10 @@
 
 namespace gaspard {
 
-/// Calls work(worker, begin, end) for `workers` ranges that together are 0 .. count, each on its own thread,
-/// the first on the caller's. Every worker is called, also with an empty range. The first exception is
-/// rethrown at the end. Returns the CPU seconds of the other threads, which the caller's own clock does not
-/// see.
+/// Splits 0 .. count into `workers` consecutive ranges and calls work(worker, begin, end) for each on its own
+/// thread, the first on the calling thread. Every worker is called, even with an empty range. Rethrows the
+/// first exception after all have finished. Returns the CPU seconds of the other threads, which the caller's
+/// thread clock does not include.
 template <class Work>
 double parallel_ranges(std::size_t workers, std::size_t count, const Work& work) {
     std::vector<std::exception_ptr> errors(workers);

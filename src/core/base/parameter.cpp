@@ -33,13 +33,13 @@ std::string kind_name(ParameterKind kind) {
     case ParameterKind::real_or_auto:
         return "a number or \"auto\"";
     case ParameterKind::integer:
-        return "a whole number";
+        return "an integer";
     case ParameterKind::boolean:
         return "true or false";
     case ParameterKind::choice:
-        return "one of its choices";
+        return "one of the listed names";
     case ParameterKind::text:
-        return "a text";
+        return "a string";
     }
     return {};
 }
@@ -52,7 +52,7 @@ bool read_all(std::string_view text, Number& number) {
     return code == std::errc{} || code == std::errc::result_out_of_range;
 }
 
-// A real keeps its point, so that 60.0 is not taken for a whole number.
+// A real number keeps its decimal point, so that 60.0 is not printed as the integer 60.
 std::string written_value(const Value& value) {
     std::string text = format_value(value);
     if (std::holds_alternative<double>(value) && text.find_first_of(".en") == std::string::npos) text += ".0";
@@ -117,8 +117,23 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 Values::Values(std::string section, std::vector<ParameterRow> rows)
     : section_(std::move(section)), rows_(std::move(rows)) {
     for (const auto& row : rows_) values_.push_back(row.default_value);
-    for (const auto& row : rows_)
-        set(row.key, row.default_value); // a default out of its own range is our fault
+    for (const auto& row : rows_) set(row.key, row.default_value); // checks that the default is in range
+}
+
+const ParameterRow* find_role(const std::vector<ParameterRow>& rows, ParameterRole role) {
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.role == role; });
+    return row == rows.end() ? nullptr : &*row;
+}
+
+std::optional<Remedy> find_remedy(const Values& values) {
+    for (const ParameterRow& row : values.rows())
+        if (row.remedy && *row.remedy != values.at(row.key)) return Remedy{row.key, *row.remedy};
+    return std::nullopt;
+}
+
+std::string describe(const Values& section, const Remedy& remedy) {
+    return section.section() + "." + remedy.key + " = " + format_value(remedy.value);
 }
 
 bool is_default(const Values& values, std::string_view key) {
@@ -177,7 +192,7 @@ void Values::set(std::string_view key, const Value& value) {
     const ParameterRow& row = rows_[i];
     const std::string name = section_ + "." + row.key;
     const auto wrong_kind = [&] {
-        throw InputError(name + " wants " + kind_name(row.kind) + ", not '" + written_value(value) + "'");
+        throw InputError(name + " must be " + kind_name(row.kind) + ", not '" + written_value(value) + "'");
     };
     switch (row.kind) {
     case ParameterKind::real_or_auto:
@@ -207,7 +222,7 @@ void Values::set(std::string_view key, const Value& value) {
         const auto* word = std::get_if<std::string>(&value);
         if (!word) wrong_kind();
         if (std::find(row.choices.begin(), row.choices.end(), *word) == row.choices.end())
-            throw InputError(name + " = '" + *word + "' is not known" + did_you_mean(*word, row.choices) +
+            throw InputError(name + " = '" + *word + "' is unknown" + did_you_mean(*word, row.choices) +
                              "; allowed: " + describe_range(row));
         break;
     }

@@ -1,5 +1,5 @@
-// Parameter rows: everything a user can turn is declared once, as a row beside the code that uses it.
-// Slider, --set, TOML, `gaspard list`, tooltip and documentation are made from the row.
+// Parameter rows: each user-adjustable value is declared once, as a row beside the code that uses it. The row
+// generates its slider, tooltip, --set key, TOML key, `gaspard list` entry and documentation.
 #pragma once
 
 #include <cstdint>
@@ -12,31 +12,50 @@
 
 namespace gaspard {
 
-/// real_or_auto: a number, or the text "auto", which leaves the choice to the program.
+/// real_or_auto: a number, or the text "auto", for which the program chooses a value.
 enum class ParameterKind { real, real_or_auto, integer, boolean, choice, text };
 enum class ParameterScale { linear, logarithmic };
 
 using Value = std::variant<double, std::int64_t, bool, std::string>;
 
-struct ParameterRow {
-    std::string key{};    ///< within its section: "amplitude"
-    std::string label{};  ///< as a slider shows it: "Amplitude"
-    std::string symbol{}; ///< as the paper writes it; may be empty
-    std::string unit{};   ///< may be empty
-    ParameterKind kind = ParameterKind::real;
-    double minimum = -std::numeric_limits<double>::infinity(); ///< inclusive; of numbers only
-    double maximum = std::numeric_limits<double>::infinity();  ///< inclusive; of numbers only
-    ParameterScale scale = ParameterScale::linear;
-    Value default_value = 0.0;
-    std::vector<std::string> choices{}; ///< of kind choice only
-    std::string help{};                 ///< one line
+/// Special meaning of a parameter, independent of its key.
+enum class ParameterRole {
+    none,
+    x, ///< with role y and the same `point`: a draggable point of the plane
+    y,
+    latitude, ///< with role longitude and the same `point`: a draggable point of the sphere
+    longitude,
+    seed,           ///< of the random number generator
+    control_points, ///< of a spline patch, as text
+    defines_rows,   ///< other rows depend on its value, so it is set before them
 };
 
-/// The values of one section ("monitor"), one for each of its rows. Always complete and always in range.
+struct ParameterRow {
+    std::string key{};    ///< key within its section: "amplitude"
+    std::string label{};  ///< label of its slider: "Amplitude"
+    std::string symbol{}; ///< symbol in the paper; may be empty
+    std::string unit{};   ///< may be empty
+    ParameterKind kind = ParameterKind::real;
+    double minimum = -std::numeric_limits<double>::infinity(); ///< inclusive; numeric kinds only
+    double maximum = std::numeric_limits<double>::infinity();  ///< inclusive; numeric kinds only
+    ParameterScale scale = ParameterScale::linear;
+    Value default_value = 0.0;
+    std::vector<std::string> choices{}; ///< kind choice only
+    std::string help{};                 ///< one line
+    ParameterRole role = ParameterRole::none;
+    std::string point{};           ///< coordinates only: the point they belong to ("center")
+    bool periodic = false;         ///< minimum and maximum are equivalent
+    std::optional<Value> remedy{}; ///< the value that often helps if a run fails
+};
+
+/// The first row with a role; null if there is none.
+const ParameterRow* find_role(const std::vector<ParameterRow>& rows, ParameterRole role);
+
+/// The values of one section, such as "monitor": one value per row, always within its range.
 class Values {
   public:
     Values() = default;
-    /// Takes the rows' defaults.
+    /// Initialises every value with its row's default.
     Values(std::string section, std::vector<ParameterRow> rows);
 
     const std::string& section() const { return section_; }
@@ -44,17 +63,17 @@ class Values {
     bool has(std::string_view key) const;
 
     double real(std::string_view key) const;
-    /// Nothing for "auto".
+    /// nullopt if the value is "auto".
     std::optional<double> real_or_auto(std::string_view key) const;
     std::int64_t integer(std::string_view key) const;
     bool boolean(std::string_view key) const;
-    const std::string& text(std::string_view key) const; ///< of kinds choice and text
+    const std::string& text(std::string_view key) const; ///< kinds choice and text
     const Value& at(std::string_view key) const;
 
-    /// Throws InputError: key unknown (names the nearest), wrong kind, not finite, or out of range.
-    /// A whole number is taken where a real is wanted.
+    /// Throws InputError if the key is unknown (the message names the nearest key), or if the value has the
+    /// wrong kind, is not finite or is out of range. Integers are accepted where a real number is expected.
     void set(std::string_view key, const Value& value);
-    /// The same from text as given on a command line.
+    /// Like set, with the value given as text on the command line.
     void parse(std::string_view key, std::string_view text);
 
     friend bool operator==(const Values& a, const Values& b) {
@@ -69,18 +88,28 @@ class Values {
     std::vector<Value> values_;
 };
 
-/// Whether a value is as its row has it.
+/// Another value of one parameter, which often helps if a run fails.
+struct Remedy {
+    std::string key;
+    Value value;
+};
+/// The remedy of the first row whose value differs from it; nullopt if there is none.
+std::optional<Remedy> find_remedy(const Values& values);
+/// "domain.geometry_order = 2".
+std::string describe(const Values& section, const Remedy& remedy);
+
+/// Whether the value equals its row's default.
 bool is_default(const Values& values, std::string_view key);
-/// A number in the C locale that reads back to the same double.
+/// Shortest text, in the C locale, that reads back to the same double.
 std::string format_number(double value);
-/// The same, or no text where there is no number: the cell of a table.
+/// The same; an empty string for nullopt.
 std::string format_number(const std::optional<double>& value);
 std::string format_value(const Value& value);
-/// What a row allows, for people: "1 to 480", "ring, bell".
+/// The values a row allows, as text: "1 to 480", "ring, bell".
 std::string describe_range(const ParameterRow& row);
 /// The candidate with the smallest edit distance to `word`; empty if none is close.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
-/// " (did you mean 'x'?)", or nothing where no candidate is near.
+/// " (did you mean 'x'?)" with the nearest candidate; empty if none is close.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
 } // namespace gaspard

@@ -1,4 +1,4 @@
-// Positions in space, one array per coordinate, so that loops over many points run through memory in order.
+// Points in space, one array per coordinate, so that loops over many points access memory contiguously.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ inline Vec3 cross(Vec3 a, Vec3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline double norm(Vec3 a) { return std::sqrt(dot(a, a)); }
-/// Some unit vector at right angles to one.
+/// A unit vector orthogonal to the given unit vector.
 inline Vec3 any_across(Vec3 unit) {
     const Vec3 away = std::abs(unit.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     const Vec3 across = away - dot(away, unit) * unit;
@@ -43,7 +43,7 @@ struct Points {
     friend bool operator==(const Points&, const Points&) = default;
 };
 
-/// Point by point; both of the same size.
+/// Pointwise difference; both arguments have the same size.
 inline Points operator-(const Points& a, const Points& b) {
     Points difference(a.size());
     for (std::size_t i = 0; i < a.size(); ++i) difference.set(i, a[i] - b[i]);

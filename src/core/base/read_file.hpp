@@ -1,4 +1,4 @@
-// A whole file as bytes.
+// Reading a whole file.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 namespace gaspard {
 
-/// Throws InputError naming the file and the cause (no such file, a folder, no permission).
+/// Returns the file's bytes. Throws InputError if the file cannot be read (missing, a folder, no permission).
 std::string read_file(const std::filesystem::path& file);
 
 } // namespace gaspard

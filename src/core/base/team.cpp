@@ -8,7 +8,7 @@ namespace gaspard {
 
 Team::Team(std::size_t workers) {
     GASPARD_CHECK(workers >= 1);
-    others_.resize(workers - 1); // none moves once its thread runs
+    others_.resize(workers - 1); // sized once: an Other must not move while its thread runs
     for (std::size_t i = 0; i < others_.size(); ++i)
         others_[i].thread = std::jthread([this, i] { work_until_stopped(i + 1); });
 }

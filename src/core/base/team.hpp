@@ -1,4 +1,4 @@
-// A few threads that wait for work, so that short pieces of it can be shared without starting threads anew.
+// A pool of threads that wait for work, so that short loops can be shared without starting threads each time.
 #pragma once
 
 #include "core/base/stopwatch.hpp"
@@ -12,7 +12,7 @@
 
 namespace gaspard {
 
-/// The thread that makes a team is its first worker. Calls must come from one thread at a time.
+/// The constructing thread is the first worker. Calls must come from one thread at a time.
 class Team {
   public:
     explicit Team(std::size_t workers = 1);
@@ -21,8 +21,8 @@ class Team {
     Team& operator=(const Team&) = delete;
 
     std::size_t workers() const { return 1 + others_.size(); }
-    /// Calls work(worker, begin, end) for as many ranges as there are workers; together they are 0 .. count.
-    /// Every worker is called, also with an empty range. The first exception is rethrown at the end.
+    /// Splits 0 .. count into one range per worker and calls work(worker, begin, end) for each, even if the
+    /// range is empty. Rethrows the first exception after all workers have finished.
     template <class Work>
     void share(std::size_t count, const Work& work) {
         if (others_.empty()) return work(std::size_t{0}, std::size_t{0}, count);
@@ -30,7 +30,7 @@ class Team {
         call_all(
             [&, all](std::size_t worker) { work(worker, count * worker / all, count * (worker + 1) / all); });
     }
-    /// CPU time that the other workers have spent so far, which the caller's own clock does not see.
+    /// Total CPU time of the other workers, which the caller's thread clock does not include.
     double other_cpu_seconds() const;
 
   private:
@@ -42,10 +42,10 @@ class Team {
     void call_all(const std::function<void(std::size_t)>& work);
     void work_until_stopped(std::size_t worker);
 
-    const std::function<void(std::size_t)>* work_ = nullptr; ///< none: the workers are to end
-    std::atomic<unsigned> round_ = 0;                        ///< grows when there is work
-    std::atomic<std::size_t> busy_ = 0; ///< other workers that have not finished the round
-    std::vector<Other> others_;         ///< the last member: its threads end before the others go
+    const std::function<void(std::size_t)>* work_ = nullptr; ///< null: the workers end
+    std::atomic<unsigned> round_ = 0;                        ///< incremented for each call of share
+    std::atomic<std::size_t> busy_ = 0; ///< number of other workers still busy in this round
+    std::vector<Other> others_;         ///< last, so that threads are joined before the other members go
 };
 
 } // namespace gaspard

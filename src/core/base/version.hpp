@@ -1,10 +1,10 @@
-// Which Gaspard this is.
+// The program's version.
 #pragma once
 
 #include <string_view>
 
 namespace gaspard {
 
-std::string_view version(); ///< of the program, from CMakeLists.txt
+std::string_view version(); ///< from CMakeLists.txt
 
 } // namespace gaspard

@@ -48,8 +48,8 @@ ExactMap::ExactMap(const Monitor& monitor, Vec3 axis)
     theta_ = from_0_.back() / 2;
 }
 
-/// How far into an interval a part of its integral reaches, from 0 to 1: the density is taken for quadratic,
-/// of the integral that the table has.
+/// The relative position in [0, 1] at which the integral over an interval reaches `part`. The density is
+/// interpolated quadratically and scaled to the tabulated integral.
 double ExactMap::within(std::size_t interval, double part) const {
     const double a = density_[2 * interval], b = density_[2 * interval + 1], c = density_[2 * interval + 2];
     const double linear = -3 * a + 4 * b - c, square = 2 * a - 4 * b + 2 * c;
@@ -67,11 +67,11 @@ double ExactMap::within(std::size_t interval, double part) const {
 }
 
 double ExactMap::angle(double t) const {
-    const bool near = t < pi / 2; // the end from which integrals are counted
+    const bool near = t < pi / 2; // the end from which integrals are measured
     const double half = near ? std::sin(t / 2) : std::cos(t / 2);
     const double wanted = 2 * theta_ * half * half;
     const auto& table = near ? from_0_ : from_pi_;
-    std::size_t i = 0; // the interval in which the integral passes `wanted`
+    std::size_t i = 0; // index of the interval in which the integral reaches `wanted`
     if (near)
         i = static_cast<std::size_t>(std::upper_bound(table.begin(), table.end(), wanted) - table.begin());
     else

@@ -1,11 +1,14 @@
-// The exact map of the sphere for a monitor M(s) that depends on the angle s from an axis only; McRae,
-// Cotter, Budd, appendix A. Points move along great circles through the axis, from angle t to angle s(t):
+// The exact map of the sphere for a monitor M(s) that depends only on the angle s from an axis; McRae,
+// Cotter, Budd, Appendix A. Points move along great circles through the axis, from angle t to angle s(t):
 //
-//   integral from 0 to s of M(s') sin s' ds' = theta (1 - cos t),  theta = half of the integral from 0 to pi
+//   integral of M(s') sin s' ds' from 0 to s  =  theta (1 - cos t)
 //
-// The integrals are tabulated once, from both ends, so that s is accurate near the axis and opposite to it.
+//   theta = 1/2 integral of M(s') sin s' ds' from 0 to pi
+//
+// The integrals are tabulated from both ends, so that s(t) is accurate near both poles of the axis.
 #pragma once
 
+#include "core/base/series.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/monitor/monitor.hpp"
 
@@ -16,13 +19,13 @@ namespace gaspard {
 
 class ExactMap {
   public:
-    /// Nothing where the monitor has no axis.
+    /// nullopt if the monitor has no symmetry axis.
     static std::optional<ExactMap> of(const Monitor& monitor);
 
     double theta() const { return theta_; }
-    /// s(t), both from 0 to pi; right to about 1e-10.
+    /// s(t), both in [0, pi]; error about 1e-10.
     double angle(double t) const;
-    /// Where points of a sphere around the origin go, of whatever radius.
+    /// The images of points on a sphere of any radius around the origin.
     Points apply(const Points& xi) const;
 
   private:
@@ -31,16 +34,19 @@ class ExactMap {
 
     Vec3 axis_;
     double theta_ = 0;
-    std::vector<double> density_; ///< M sin s at the ends and middles of the intervals
+    std::vector<double> density_; ///< M sin s at the ends and midpoints of the intervals
     std::vector<double> from_0_, from_pi_;
 };
 
-/// Root mean squares of the distances along the sphere between x and where the exact map puts the nodes, in
-/// units of length; (5.9).
+/// Root mean square of the great-circle distance between x and the exact positions of the nodes, in units of
+/// length; (5.9).
 struct ExactDeviation {
-    double vertices = 0; ///< over the cells' corners
+    double vertices = 0; ///< over the corners of the cells
     double nodes = 0;    ///< over all nodes
 };
 ExactDeviation exact_deviation(const Mesh& mesh, const Points& x, const Points& exact);
+/// What a run reports of it, and the values in the same order.
+std::vector<SeriesInfo> exact_series();
+SeriesValues values_of(const ExactDeviation& deviation);
 
 } // namespace gaspard

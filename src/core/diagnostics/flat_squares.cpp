@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gaspard {
@@ -11,12 +12,12 @@ namespace {
 constexpr std::size_t batch = FlatSquares::batch;
 using Lane = FlatSquares::Lane;
 
-/// Of a batch of cells, the corners in order around the cell.
+/// The corners of a batch of cells, in order around the cell.
 struct Corners {
     std::array<Lane, 4> x, y;
 };
 
-// The last cells stand in for those that are missing in a short batch.
+// A short batch is filled up with its last cell.
 Corners gather(const Mesh& mesh, std::size_t begin, std::size_t end, const Points& from) {
     Corners corners;
     for (std::size_t c = 0; c < batch; ++c) {
@@ -30,7 +31,7 @@ Corners gather(const Mesh& mesh, std::size_t begin, std::size_t end, const Point
     return corners;
 }
 
-/// Of every cell at its corner k.
+/// The Jacobian of every cell at corner k.
 Lane jacobian(const Corners& at, std::size_t k) {
     const Lane &x = at.x[k], &y = at.y[k];
     const Lane &next_x = at.x[(k + 1) % 4], &next_y = at.y[(k + 1) % 4];
@@ -41,11 +42,11 @@ Lane jacobian(const Corners& at, std::size_t k) {
     return result;
 }
 
-// Of two numbers; what is not a number wins, so that it does not get lost.
+// Minimum and maximum that return NaN if b is NaN.
 double smaller(double a, double b) { return b < a || b != b ? b : a; }
 double larger(double a, double b) { return b > a || b != b ? b : a; }
 
-/// The coefficients of x = x0 + s a + t b + s t d, one coordinate.
+/// The coefficients of one coordinate of x = x0 + s a + t b + s t d.
 struct Bilinear {
     Lane start, a, b, d;
 

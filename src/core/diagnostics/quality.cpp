@@ -12,14 +12,14 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t batch = 64; // cells whose quadrature points are handed to the monitor at once
+constexpr std::size_t batch = 64; // cells whose quadrature points are evaluated by the monitor in one call
 
 std::size_t checked(int threads) {
     GASPARD_CHECK(threads >= 1);
     return static_cast<std::size_t>(threads);
 }
 
-// Of two numbers; what is not a number wins, so that it does not get lost.
+// Minimum and maximum that return NaN if b is NaN.
 double smaller(double a, double b) { return std::isnan(b) || b < a ? b : a; }
 double larger(double a, double b) { return std::isnan(b) || b > a ? b : a; }
 
@@ -65,23 +65,12 @@ void QualityMeter::gather(std::size_t cell, const Points& x, std::span<Vec3> nod
     for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] = x[static_cast<std::size_t>(numbers[k])];
 }
 
-QualityMeter::Tangents QualityMeter::tangents(std::span<const Vec3> nodes, const Sample& sample) const {
-    Tangents t{};
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        const Vec3 g = sample.gradients[k];
-        t[0] = t[0] + g.x * nodes[k];
-        if (dimension_ > 1) t[1] = t[1] + g.y * nodes[k];
-        if (dimension_ > 2) t[2] = t[2] + g.z * nodes[k];
-    }
-    return t;
+Tangents QualityMeter::tangents(std::span<const Vec3> nodes, const Sample& sample) const {
+    return cell_tangents(dimension_, sample.gradients, [nodes](std::size_t k) { return nodes[k]; });
 }
 
 double QualityMeter::signed_measure(const Tangents& of, const Tangents& reference) const {
-    if (dimension_ == 2 && mesh_->space_dimension == 2) return of[0].x * of[1].y - of[0].y * of[1].x;
-    if (dimension_ == 1) return std::copysign(norm(of[0]), dot(of[0], reference[0]));
-    const Vec3 normal = cross(of[0], of[1]);
-    if (dimension_ == 3) return dot(normal, of[2]);
-    return std::copysign(norm(normal), dot(normal, cross(reference[0], reference[1])));
+    return gaspard::signed_measure(dimension_, mesh_->space_dimension, of, reference);
 }
 
 void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,

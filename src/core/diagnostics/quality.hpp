@@ -1,17 +1,20 @@
-// How good a physical mesh is, from its cells and the monitor alone, whatever method moved it.
+// Quality of a physical mesh, computed from its cells and the monitor alone.
 //
 //   M_i = (integral of m over physical cell i) / (measure of computational cell i)         McRae et al. (5.2)
+//
 //   equidistribution = standard deviation of the M_i / mean of the M_i
-//   Jacobian = det dx/dxi of the map from computational to physical cell, at sampled points, corners included
-//   A cell is tangled if its Jacobian is <= 0, or not a number, at any sampled point.
+//
+//   Jacobian = det dx/dxi of the map from computational to physical cell, at sample points, corners included
+//
+// A cell is tangled if its Jacobian is <= 0 or NaN at any sample point.
 #pragma once
 
+#include "core/base/series.hpp"
 #include "core/diagnostics/flat_squares.hpp"
 #include "core/diagnostics/sphere_cells.hpp"
-#include "core/mesh/mesh.hpp"
+#include "core/mesh/cell_measure.hpp"
 #include "core/monitor/monitor.hpp"
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,42 +28,46 @@ struct MeshQuality {
     double max_jacobian = 0;
     std::size_t tangled_cells = 0;
     std::vector<double> cell_mass;     ///< M_i
-    std::vector<double> cell_jacobian; ///< smallest Jacobian over the sampled points, per cell
+    std::vector<double> cell_jacobian; ///< minimum Jacobian over the sample points of each cell
 };
 
-/// Measures a mesh; holds the reference quadrature and the computational measures, and room to work in.
-/// Of a line or surface in space the Jacobian is negative where the physical cell faces away from the
-/// computational one; on a sphere, where cells travel far, it is negative where the cell faces inward. What
-/// is turned over counts negative in M_i, so that their sum remains.
+/// The series of a run that describe its quality, and their values in the same order.
+std::vector<SeriesInfo> quality_series();
+SeriesValues values_of(const MeshQuality& quality);
+
+/// Measures a mesh. Holds the reference quadrature, the measures of the computational cells and a workspace.
+///
+/// Sign of the Jacobian on lines and surfaces in space: negative where the physical cell faces away from the
+/// computational cell; on a sphere, where cells move far, negative where the cell faces inward. Reversed
+/// parts contribute negatively to M_i, so that the sum of the M_i is conserved.
 class QualityMeter {
   public:
-    /// `points` Gauss points per direction for the integral of m: with 6 the equidistribution of
-    /// the ring is right to 3e-7 of its value at n = 30 and to 1e-8 from n = 60 on.
-    /// `threads` share the cells; the result does not depend on how many.
+    /// `points`: Gauss points per direction for the integral of m. With 6, the relative error of the ring's
+    /// equidistribution is 3e-7 at n = 30 and 1e-8 from n = 60 on.
+    /// `threads` share the cells; the result does not depend on their number.
     explicit QualityMeter(std::shared_ptr<const Mesh> mesh, int threads = 1, int points = 6,
                           const Space& space = {});
-    /// The reference is valid until the next call.
+    /// The returned reference is valid until the next call.
     const MeshQuality& measure(const Points& x, const Monitor& monitor);
-    /// What was measured last.
+    /// The result of the last measurement.
     const MeshQuality& quality() const { return quality_; }
     /// CPU time of the last measurement on threads other than the caller's.
     double other_cpu_seconds() const { return other_cpu_seconds_; }
 
   private:
-    struct Sample { ///< a point of the reference cell, with the shape functions there
+    struct Sample { ///< a point of the reference cell with the shape functions there
         std::vector<double> values;
         std::vector<Vec3> gradients;
-        double weight = 0; ///< of the quadrature; 0 at points that only look at the sign of the Jacobian
+        double weight = 0; ///< quadrature weight; 0 at points where only the Jacobian is checked
     };
-    using Tangents = std::array<Vec3, 3>;
 
     void add_sample(Vec3 point, double weight);
     void gather(std::size_t cell, const Points& x, std::span<Vec3> nodes) const;
     Tangents tangents(std::span<const Vec3> nodes, const Sample& sample) const;
     double signed_measure(const Tangents& of, const Tangents& reference) const;
-    /// What one thread works in, and what it finds.
+    /// The workspace and the results of one thread.
     struct Worker {
-        std::vector<Vec3> nodes, reference_nodes; ///< of one cell: x and xi
+        std::vector<Vec3> nodes, reference_nodes; ///< x and xi of one cell
         Points points;                            ///< quadrature points of a batch of cells
         std::vector<double> factor, monitor;
         FlatSquares::Workspace flat;
@@ -70,7 +77,7 @@ class QualityMeter {
     };
     void measure_cells(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
                        Worker& worker);
-    /// By a meter that takes many cells at once, of one kind.
+    /// Measures the cells in batches with a FlatSquares or SphereCellMeter.
     template <class Meter>
     void measure_many(const Meter& meter, typename Meter::Workspace& workspace, std::size_t begin,
                       std::size_t end, const Points& x, const Monitor& monitor, Worker& worker);
@@ -80,10 +87,10 @@ class QualityMeter {
 
     std::shared_ptr<const Mesh> mesh_;
     int dimension_;
-    std::optional<FlatSquares> flat_; ///< where all cells are such
+    std::optional<FlatSquares> flat_; ///< if all cells are such
     std::optional<SphereCellMeter> sphere_;
     std::vector<Sample> samples_;
-    std::size_t quadrature_points_ = 0; ///< the first samples are those of the quadrature
+    std::size_t quadrature_points_ = 0; ///< number of quadrature points, the first samples
     std::vector<double> cell_measure_;  ///< of the computational cells
     std::vector<Worker> workers_;
     MeshQuality quality_;

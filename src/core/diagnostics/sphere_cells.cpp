@@ -11,17 +11,17 @@ namespace gaspard {
 namespace {
 
 constexpr std::size_t batch = SphereCellMeter::batch;
-constexpr std::size_t most_nodes = 9; // of a cell
+constexpr std::size_t most_nodes = 9; // per cell
 using Lane = SphereCellMeter::Lane;
 
-struct Node { ///< of every cell: a place before and after
+struct Node { ///< xi and x of one node in every cell
     Lane xi[3], x[3];
 };
 
 void gather(const Mesh& mesh, std::size_t begin, std::size_t end, const Points& x, std::size_t count,
             std::array<Node, most_nodes>& nodes) {
     for (std::size_t l = 0; l < batch; ++l) {
-        const auto cell = mesh.cell(std::min(begin + l, end - 1)); // the last one fills what is left
+        const auto cell = mesh.cell(std::min(begin + l, end - 1)); // pad with the last cell
         for (std::size_t n = 0; n < count; ++n) {
             const auto number = static_cast<std::size_t>(cell[n]);
             nodes[n].xi[0][l] = mesh.nodes.x[number], nodes[n].x[0][l] = x.x[number];
@@ -31,7 +31,7 @@ void gather(const Mesh& mesh, std::size_t begin, std::size_t end, const Points& 
     }
 }
 
-/// Adds a node's part to a place and to the two tangents there.
+/// Adds a node's contribution to a point and to the two tangents.
 void add(Lane (&p)[3], Lane (&s)[3], Lane (&t)[3], const Lane (&node)[3], double value, double ds,
          double dt) {
     for (std::size_t c = 0; c < 3; ++c)
@@ -42,7 +42,7 @@ void add(Lane (&p)[3], Lane (&s)[3], Lane (&t)[3], const Lane (&node)[3], double
         }
 }
 
-/// The element of area, with the sign of the normal's outward part.
+/// The area element, with the sign of the radial component of the normal.
 void signed_area(const Lane (&p)[3], const Lane (&s)[3], const Lane (&t)[3], Lane& area) {
     for (std::size_t l = 0; l < batch; ++l) {
         const double x = s[1][l] * t[2][l] - s[2][l] * t[1][l], y = s[2][l] * t[0][l] - s[0][l] * t[2][l],
@@ -95,7 +95,7 @@ SphereCellMeter::Measured SphereCellMeter::measure(const Mesh& mesh, std::size_t
         }
         signed_area(p, s, t, area);
         signed_area(from_p, from_s, from_t, from_area);
-        for (std::size_t l = 0; l < batch; ++l) { // what is not a number wins, so that it does not get lost
+        for (std::size_t l = 0; l < batch; ++l) { // a NaN is kept
             const double jacobian = area[l] / from_area[l];
             measured.smallest[l] =
                 jacobian < measured.smallest[l] || jacobian != jacobian ? jacobian : measured.smallest[l];

@@ -16,7 +16,7 @@ std::vector<CellPoint> cell_quadrature(CellShape shape, int points_per_direction
                 CellPoint p{{line.points[i], 0, 0}, line.weights[i]};
                 if (ny > 1) p.point.y = line.points[j], p.weight *= line.weights[j];
                 if (nz > 1) p.point.z = line.points[k], p.weight *= line.weights[k];
-                if (shape == CellShape::triangle) { // (s, t) -> (s (1 - t), t), with Jacobian 1 - t
+                if (shape == CellShape::triangle) { // Duffy map (s, t) -> (s (1 - t), t), Jacobian 1 - t
                     p.weight *= 1 - p.point.y;
                     p.point.x *= 1 - p.point.y;
                 }
@@ -28,7 +28,7 @@ std::vector<CellPoint> cell_quadrature(CellShape shape, int points_per_direction
 std::vector<CellPoint> quadrature_of_degree_8(CellShape shape) {
     if (shape == CellShape::quadrilateral) return cell_quadrature(shape, 5);
     GASPARD_CHECK(shape == CellShape::triangle);
-    // Barycentric coordinates, each with all its permutations, and weights that add up to 1.
+    // Barycentric coordinates with all permutations; the weights sum to 1.
     struct Orbit {
         double a, b, weight;
     };

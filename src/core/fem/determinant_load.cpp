@@ -10,7 +10,7 @@ namespace gaspard {
 
 struct DeterminantLoad::Fields {
     std::array<const double*, 2> density{}; ///< m, dm
-    std::array<const double*, 6> sigma{};   ///< xx, yy, xy, then those of dsigma
+    std::array<const double*, 6> sigma{};   ///< components xx, yy, xy of sigma, then of dsigma
 };
 
 DeterminantLoad::DeterminantLoad(LineGrid grid) : grid_(grid) {
@@ -22,7 +22,8 @@ DeterminantLoad::DeterminantLoad(LineGrid grid) : grid_(grid) {
     }
 }
 
-// Layouts: values [row of nodes][component][p][cell], density [row][p][cell], tested [b][p][cell].
+// Layouts: values [row of nodes][component][p][cell], density [row][p][cell], tested [b][p][cell]; p is the
+// Gauss point along x and b the basis function along y.
 DeterminantLoad::Workspace DeterminantLoad::make_workspace() const {
     const std::size_t n = grid_.cells, size = grid_.size(2);
     return {std::vector<double>(2 * 3 * 3 * gauss * n), std::vector<double>(2 * 2 * gauss * n),
@@ -61,7 +62,7 @@ void DeterminantLoad::integrate_all(const Fields& from, std::span<double> r, std
     team.share(n, [&](std::size_t worker, std::size_t begin, std::size_t end) {
         if (begin < end) integrate_rows<fields>(begin, end, from, r, workspaces[worker]);
     });
-    // Where two workers meet, each has integrated its side of a row of nodes.
+    // Add the two contributions to each row of nodes at the boundary between two workers.
     for (std::size_t worker = 0; worker < workers; ++worker) {
         const std::size_t begin = n * worker / workers, end = n * (worker + 1) / workers;
         if (begin == end) continue;
@@ -75,7 +76,7 @@ template <std::size_t fields>
 void DeterminantLoad::integrate_rows(std::size_t begin, std::size_t end, const Fields& from,
                                      std::span<double> r, Workspace& workspace) const {
     const std::size_t n = grid_.cells, size = grid_.size(2), slot = gauss * n;
-    std::array<double*, 3> rows; // of nodes: the cells' bottom, middle and top
+    std::array<double*, 3> rows; // nodal rows of the cells: bottom, middle, top
     for (std::size_t b = 0; b < 3; ++b) rows[b] = workspace.values.data() + b * 3 * fields * slot;
     std::array<double*, 2> density{workspace.density.data(), workspace.density.data() + fields * slot};
     const auto load = [&](std::size_t row, double* values) {
@@ -97,7 +98,7 @@ void DeterminantLoad::integrate_rows(std::size_t begin, std::size_t end, const F
         for (std::size_t b = 0; b < 3; ++b) {
             test_along_x(workspace.tested.data() + b * slot, workspace.row.data());
             double* to = b == 2 && j + 1 == end ? workspace.top.data() : r.data() + (2 * j + b) * size;
-            const bool begun = b == 0 && j > begin; // by the cells below
+            const bool begun = b == 0 && j > begin; // has contributions from the cells below
             for (std::size_t i = 0; i < size; ++i) to[i] = (begun ? to[i] : 0.0) + workspace.row[i];
         }
         std::swap(rows[0], rows[2]);
@@ -108,12 +109,12 @@ void DeterminantLoad::integrate_rows(std::size_t begin, std::size_t end, const F
 void DeterminantLoad::along_x(const double* nodes, double* values) const {
     const std::size_t n = grid_.cells;
     interpolate_cells(nodes, values, values + n, values + 2 * n, values + 3 * n);
-    for (std::size_t p = 0; p < gauss; ++p) // of the last cell, which a ring closes
+    for (std::size_t p = 0; p < gauss; ++p) // the last cell, which wraps around if periodic
         values[p * n + n - 1] = points_[p].left * nodes[2 * n - 2] + points_[p].middle * nodes[2 * n - 1] +
                                 points_[p].right * nodes[2 * n % grid_.size(2)];
 }
 
-// All cells but the last, at the four points: every node is read once.
+// All cells except the last, at the four points; each node is read once.
 void DeterminantLoad::interpolate_cells(const double* nodes, double* __restrict v0, double* __restrict v1,
                                         double* __restrict v2, double* __restrict v3) const {
     const double l0 = points_[0].left, m0 = points_[0].middle, r0 = points_[0].right;
@@ -138,8 +139,8 @@ void DeterminantLoad::density_along_x(const double* monitor, double* density) co
     }
 }
 
-// Of one Gauss point along y: the values there from those on three rows of nodes (two of the density), then
-// m det(I + sigma), then its part of three integrals.
+// At one Gauss point along y: interpolates from three rows of nodes (two for the density), evaluates
+// m det(I + sigma) and adds its contribution to the three integrals.
 void DeterminantLoad::add_point(const Point& at, const Rows<1>& rows, double* __restrict t0,
                                 double* __restrict t1, double* __restrict t2) const {
     const auto [left, middle, right, q1_left, q1_right, test_left, test_middle, test_right] = at;
@@ -185,7 +186,7 @@ void DeterminantLoad::add_point(const Point& at, const Rows<2>& rows, double* __
     }
 }
 
-// At the p-th points along x.
+// For the p-th Gauss points along x.
 template <std::size_t fields>
 void DeterminantLoad::test_along_y(std::size_t p, const std::array<double*, 3>& rows,
                                    const std::array<double*, 2>& density, double* tested) const {
@@ -219,7 +220,7 @@ void DeterminantLoad::test_along_x(const double* tested, double* row) const {
     for (std::size_t c = 0; c < n; ++c) to[2 * c + 1] = middle(c);
     const double first = left(0), last = right(n - 1);
     to[0] = grid_.periodic ? first + last : first;
-    to[2 * n] = last; // of the wall; the ring has no such node, the room has
+    to[2 * n] = last; // walls only; workspace rows always have this entry
 }
 
 } // namespace gaspard

@@ -1,9 +1,12 @@
-// The integrals <v, m det(I + sigma)> for all v in Q2, m in Q1 and sigma in Q2, on n x n squares, and their
-// derivative in a direction (dm, dsigma),
+// Load vectors of the Monge-Ampere residual on n x n squares, with v and sigma in Q2 and m in Q1,
 //
-//   <v, dm det(I + sigma) + m cof(I + sigma) : dsigma>
+//   <v, m det(I + sigma)>   for all v,
 //
-// exact, by 4 x 4 Gauss points, one direction after the other, whole rows of cells at a time.
+// and their derivative in the direction (dm, dsigma),
+//
+//   <v, dm det(I + sigma) + m cof(I + sigma) : dsigma>.
+//
+// The 4 x 4 Gauss quadrature is exact. It is factorised by direction and works on whole rows of cells.
 #pragma once
 
 #include "core/base/team.hpp"
@@ -15,7 +18,7 @@
 
 namespace gaspard {
 
-/// sigma, the weak Hessian of phi: three Q2 functions.
+/// sigma, the weak Hessian of phi; three Q2 functions.
 struct WeakHessian {
     std::vector<double> xx, yy, xy;
 };
@@ -24,20 +27,20 @@ class DeterminantLoad {
   public:
     explicit DeterminantLoad(LineGrid grid);
 
-    struct Workspace { ///< of one worker; all of it belongs to one row of cells
-        std::vector<double>
-            values; ///< sigma (and dsigma) at the Gauss points along x, of three rows of nodes
-        std::vector<double> density;  ///< m (and dm) likewise, of two
-        std::vector<double> tested;   ///< integrated along y
-        std::vector<double> row, top; ///< what the cells give to a row of nodes; to the one above the last
+    struct Workspace {               ///< of one worker, for one row of cells
+        std::vector<double> values;  ///< sigma (and dsigma) at the Gauss points along x, three rows of nodes
+        std::vector<double> density; ///< m (and dm) likewise, two rows
+        std::vector<double> tested;  ///< integrals along y
+        std::vector<double> row,
+            top; ///< contributions to a row of nodes, and to the row above the last cells
     };
     Workspace make_workspace() const;
 
-    /// Fills r (Q2 values, x running fastest) from m at the mesh's (n+1)^2 nodes. As many rooms as workers; r
-    /// does not depend on how many.
+    /// Fills r (Q2 values, x fastest) from m at the mesh's (n+1)^2 nodes. Needs one workspace per worker; r
+    /// does not depend on the number of workers.
     void integrate(std::span<const double> monitor, const WeakHessian& sigma, std::span<double> r,
                    std::span<Workspace> workspaces, Team& team) const;
-    /// The derivative, with dm and dsigma of the same shapes.
+    /// The derivative; d_monitor and d_sigma have the shapes of monitor and sigma.
     void differentiate(std::span<const double> monitor, const WeakHessian& sigma,
                        std::span<const double> d_monitor, const WeakHessian& d_sigma, std::span<double> r,
                        std::span<Workspace> workspaces, Team& team) const;
@@ -45,11 +48,11 @@ class DeterminantLoad {
   private:
     static constexpr std::size_t gauss = 4;
     struct Fields;
-    struct Point { ///< the local functions at a Gauss point: Q2, Q1, and Q2 with the weight
+    struct Point { ///< values of the basis functions at a Gauss point: Q2, Q1, and Q2 times the weight
         double left, middle, right, q1_left, q1_right, test_left, test_middle, test_right;
     };
-    /// Of nodes, at one of the Gauss points along x, a value for every cell: of m and sigma, then perhaps of
-    /// dm and dsigma.
+    /// Pointers to rows of nodes at one Gauss point along x, with one value per cell: sigma and m, and with
+    /// fields = 2 also dsigma and dm.
     template <std::size_t fields>
     struct Rows {
         std::array<std::array<const double*, 3>, 3 * fields> sigma; ///< xx, yy, xy

@@ -11,7 +11,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t lanes = 8; // extremes are sought in so many places at once
+constexpr std::size_t lanes = 8; // independent minima and maxima, so that the loop vectorises
 
 struct Extremes {
     std::array<double, lanes> convexity, slowest, fastest;

@@ -1,9 +1,10 @@
-// How convex the map is, and how far the linearised Monge-Ampere operator is from the Laplacian.
+// Convexity of the map and ellipticity of the linearised Monge-Ampere operator,
 //
-//   d/dphi  m det(I + sigma)  =  -div( m cof(I + sigma) grad . )        (cof is free of divergence)
+//   d/dphi  m det(I + sigma)  =  -div( m cof(I + sigma) grad . )        (cof is divergence-free)
 //
-// Relative to the Laplacian its spectrum lies between the smallest and the largest eigenvalue of m cof, which
-// in two dimensions are those of I + sigma times m. They are taken at the vertices.
+// Relative to the Laplacian its spectrum lies in [lambda_min, lambda_max], the extreme eigenvalues of
+// m cof(I + sigma). In two dimensions these are m times the eigenvalues of I + sigma. They are evaluated at
+// the vertices.
 #pragma once
 
 #include "core/fem/determinant_load.hpp"
@@ -14,10 +15,10 @@ namespace gaspard {
 
 struct Ellipticity {
     double convexity = 0;            ///< smallest eigenvalue of I + sigma
-    double slowest = 0, fastest = 0; ///< smallest and largest eigenvalue of m cof(I + sigma)
+    double slowest = 0, fastest = 0; ///< lambda_min and lambda_max of m cof(I + sigma)
 };
 
-/// `monitor` at the mesh's nodes.
+/// `monitor`: values at the nodes of the mesh.
 Ellipticity ellipticity(const LineGrid& grid, std::span<const double> monitor, const WeakHessian& sigma);
 
 } // namespace gaspard

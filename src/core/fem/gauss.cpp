@@ -12,9 +12,9 @@ LineQuadrature gauss_legendre(int points) {
     const auto n = static_cast<std::size_t>(points);
     LineQuadrature rule{std::vector<double>(n), std::vector<double>(n)};
     for (std::size_t i = 0; i < n; ++i) {
-        // Newton's method for the i-th root of the Legendre polynomial, from Tricomi's estimate.
+        // Newton's method for the i-th root of the Legendre polynomial, starting from Tricomi's estimate.
         double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (points + 0.5)), slope = 0;
-        for (int iteration = 0; iteration < 8; ++iteration) { // three or four reach rounding
+        for (int iteration = 0; iteration < 8; ++iteration) { // converges to rounding in three or four steps
             double p = 1, previous = 0;
             for (int k = 1; k <= points; ++k) {
                 const double next = ((2 * k - 1) * x * p - (k - 1) * previous) / k;

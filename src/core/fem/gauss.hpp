@@ -6,10 +6,10 @@
 namespace gaspard {
 
 struct LineQuadrature {
-    std::vector<double> points, weights; ///< the weights add up to 1
+    std::vector<double> points, weights; ///< the weights sum to 1
 };
 
-/// `points` points, exact for polynomials of degree 2 points - 1.
+/// The rule with the given number of points; exact for polynomials of degree 2 points - 1.
 LineQuadrature gauss_legendre(int points);
 
 } // namespace gaspard

@@ -9,7 +9,7 @@ namespace gaspard {
 
 namespace {
 
-// Local functions of a cell: left vertex, middle, right vertex (degree 2); left, right (degree 1). On [0,1].
+// Basis functions on [0, 1]: left vertex, midpoint, right vertex (degree 2); left, right (degree 1).
 double local_value(int degree, int i, double s) {
     if (degree == 1) return i == 0 ? 1 - s : s;
     return i == 0 ? (1 - s) * (1 - 2 * s) : i == 1 ? 4 * s * (1 - s) : s * (2 * s - 1);
@@ -20,7 +20,7 @@ double local_slope(int degree, int i, double s) {
     return i == 0 ? 4 * s - 3 : i == 1 ? 4 - 8 * s : 4 * s - 1;
 }
 
-// Integral over one cell of width h, exact.
+// Integral over one cell of width h; exact.
 double local_entry(int test_degree, int test, int trial, LineForm form, double h) {
     static const LineQuadrature rule = gauss_legendre(3);
     double sum = 0;
@@ -53,8 +53,8 @@ LineMap::LineMap(LineGrid grid, int target_degree, Symmetry target_symmetry, Lin
             for (int j = 0; j < 3; ++j)
                 rows_[global(degree_, cell, i)].add(global(2, cell, j), local_entry(degree_, i, j, form, h));
 
-    // Mass of the vertices. Degree 2: per cell (h/30) [4 2 -1; 2 16 2; -1 2 4], the middle eliminated
-    // exactly.
+    // Mass matrix of the vertices. For degree 2, cell matrix (h/30) [4 2 -1; 2 16 2; -1 2 4] with the
+    // midpoint eliminated (Schur complement).
     const double self = degree_ == 1 ? h / 3 : h / 30 * (4 - 4.0 / 16);
     const double neighbour = degree_ == 1 ? h / 6 : h / 30 * (-1 - 4.0 / 16);
     std::vector<double> diagonal(vertices, 2 * self), off(grid.periodic ? vertices : vertices - 1, neighbour);
@@ -62,7 +62,7 @@ LineMap::LineMap(LineGrid grid, int target_degree, Symmetry target_symmetry, Lin
     if (clamped) {
         diagonal.front() = diagonal.back() = 1;
         off.front() = off.back() = 0;
-        rows_.front() = rows_.back() = {}; // the equations of the ends read: value = 0
+        rows_.front() = rows_.back() = {}; // end equations: value = 0
     }
     if (degree_ == 2) eliminate_middles(h, clamped);
     mass_ = TridiagonalSolver(std::move(diagonal), std::move(off), grid.periodic);
@@ -79,8 +79,8 @@ void LineMap::Row::add(std::size_t column, double by) {
     weight[static_cast<std::size_t>(count++)] = by;
 }
 
-// A middle's equation: own m + coupling (left + right) = b. Vertices get the equations without middles,
-// middles what their own equation makes of b.
+// Static condensation. Midpoint equation: own m + coupling (left + right) = b. The midpoints are eliminated
+// from the vertex equations; midpoint rows are divided by `own`.
 void LineMap::eliminate_middles(double h, bool clamped) {
     const double own = 16 * h / 30, coupling = 2 * h / 30;
     neighbours_ = coupling / own;

@@ -1,14 +1,15 @@
-// One-dimensional pieces of the tensor-product operators: maps between function spaces on [0,1], cut into n
-// cells.
+// One-dimensional factors of the tensor-product operators: maps between function spaces on [0, 1] with n
+// equal cells,
 //
-//   y = M^-1 B x,   M the mass matrix of the target space, B_ij = <test_i (or its derivative), trial_j (or
-//   its derivative)>
+//   y = M^-1 B x,   M: mass matrix of the target space,   B_ij = factor <test_i, trial_j>,
 //
-// Spaces: continuous, of degree 2 (unknown 2 c is vertex c, 2 c + 1 the middle of cell c) or degree 1
-// (vertices). Periodic: the last vertex is the first. Walls: `even` functions have natural ends, `odd` ones
-// vanish there; they are the symmetric and antisymmetric functions about the walls, so that a domain with
-// walls is a quarter of a periodic one of twice the size. Odd functions keep their (zero) end values in the
-// arrays, so that both kinds have equal length.
+// where the test function, the trial function or both may be differentiated.
+//
+// Spaces: continuous piecewise polynomials of degree 2 (unknown 2 c is vertex c, 2 c + 1 the midpoint of cell
+// c) or degree 1 (vertices). Periodic: the last vertex is identified with the first. Walls: `even` functions
+// have natural boundary conditions, `odd` functions vanish at the walls. These are the symmetric and
+// antisymmetric functions about the walls: a domain with walls is a quarter of a periodic domain of twice the
+// size. Arrays of odd functions include the zero end values, so that both kinds have equal length.
 #pragma once
 
 #include "core/linear/tridiagonal.hpp"
@@ -31,7 +32,7 @@ struct LineGrid {
 
 enum class Symmetry { even, odd };
 
-/// What is integrated: trial function or its derivative against test function or its derivative.
+/// The bilinear form of B.
 struct LineForm {
     bool derive_test = false;
     bool derive_trial = false;
@@ -40,18 +41,17 @@ struct LineForm {
 
 class LineMap {
   public:
-    /// From degree-2 functions (even) to functions of `target_degree` and `target_symmetry` (which only walls
-    /// see).
+    /// From even functions of degree 2 to functions of `target_degree` and, with walls, `target_symmetry`.
     LineMap(LineGrid grid, int target_degree, Symmetry target_symmetry, LineForm form);
 
     std::size_t rows() const { return rows_.size(); }
-    /// Along the first index of row-major arrays: in is (degree-2 size) x columns, out is rows() x columns,
-    /// with rows `in_stride` and `out_stride` apart.
+    /// Applies the map along the first index of row-major arrays. in: (degree-2 size) x columns, out: rows()
+    /// x columns, with strides `in_stride` and `out_stride` between rows.
     void apply(const double* in, std::size_t in_stride, double* out, std::size_t out_stride,
                std::size_t columns) const;
 
   private:
-    struct Row { ///< a combination of the input's rows; terms without weight fill it up
+    struct Row { ///< a linear combination of input rows, padded with zero weights
         int count = 0;
         std::array<std::size_t, 5> index{};
         std::array<double, 5> weight{};
@@ -61,9 +61,9 @@ class LineMap {
 
     LineGrid grid_;
     int degree_;
-    std::vector<Row> rows_;  ///< M^-1 B but for what follows: of vertices, the right-hand side of mass_
-    double neighbours_ = 0;  ///< of degree 2: what a middle gets from the vertices beside it
-    TridiagonalSolver mass_; ///< of the vertices; for degree 2 with the middles eliminated
+    std::vector<Row> rows_;  ///< sparse part of M^-1 B; for vertices, the right-hand side of mass_
+    double neighbours_ = 0;  ///< degree 2: weight of the two vertices in the back substitution of a midpoint
+    TridiagonalSolver mass_; ///< vertices; for degree 2 after elimination of the midpoints
 };
 
 } // namespace gaspard

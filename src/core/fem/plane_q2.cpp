@@ -11,7 +11,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t strip = 32; ///< lines that an operator takes at once: they stay in cache
+constexpr std::size_t strip = 32; ///< number of lines that an operator processes at once, to stay in cache
 
 } // namespace
 
@@ -32,7 +32,7 @@ std::vector<double> PlaneQ2::line_weights() const {
 }
 
 PlaneQ2::Workspace PlaneQ2::make_workspace(int threads) const {
-    // A thread that is woken for less than this many rows of cells costs more than it brings.
+    // Below this many rows of cells per thread, waking the thread costs more than it saves.
     constexpr std::size_t rows_per_thread = 120;
     const std::size_t most = std::max<std::size_t>(1, grid_.cells / rows_per_thread);
     const std::size_t workers =
@@ -120,8 +120,8 @@ void PlaneQ2::residual_derivative(std::span<const double> monitor, const WeakHes
     take_mean(dr, workspace);
 }
 
-// From integrals <v, f>, theta the integral of f: what remains is <v, f - theta>. Sums in an order that does
-// not depend on the workers.
+// Turns r_v = <v, f> into <v, f - theta> with theta the mean of f. The order of summation does not depend on
+// the number of workers.
 PlaneQ2::Residual PlaneQ2::take_mean(std::span<double> r, Workspace& workspace) const {
     const auto row = [&](std::size_t j) { return r.subspan(j * size(), size()); };
     const auto sum_rows = [&](const auto& sum_row) {
@@ -130,7 +130,7 @@ PlaneQ2::Residual PlaneQ2::take_mean(std::span<double> r, Workspace& workspace) 
         });
         return sum(workspace.rows);
     };
-    // The functions v add up to 1, and the area is 1.
+    // The functions v sum to 1, and the area is 1.
     const double theta = sum_rows([&](std::size_t j) { return sum(row(j)); });
     const double norm = sum_rows([&](std::size_t j) {
         double* __restrict values = row(j).data();
@@ -176,10 +176,10 @@ std::vector<double> PlaneQ2::transfer(const PlaneQ2& coarse, std::span<const dou
     WeakHessian sigma;
     coarse.hessian(phi, sigma, coarse_workspace);
 
-    // The Laplacian of phi, interpolated to this grid's Q2 nodes; its integrals against v are a load.
+    // Interpolate the Laplacian of phi to the Q2 nodes of this grid, integrate it against v, solve (3.7).
     const std::size_t n = size(), other = coarse.size();
     std::vector<double> values(unknowns()), load(unknowns());
-    const auto locate = [&](std::size_t i) { // node i of this grid in the other's cells
+    const auto locate = [&](std::size_t i) { // cell and local coordinate of node i in the other grid
         const double position = static_cast<double>(i) / (2.0 * static_cast<double>(grid_.cells)) *
                                 static_cast<double>(from.cells);
         const double cell = std::min(std::floor(position), static_cast<double>(from.cells) - 1);

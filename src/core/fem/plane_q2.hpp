@@ -1,18 +1,20 @@
-// The mixed finite elements of McRae, Cotter, Budd on the unit square, n x n squares, doubly periodic or with
-// walls:
+// The mixed finite elements of McRae, Cotter, Budd on the unit square with n x n square cells, doubly
+// periodic or with walls:
 //
-//   V = Q2, Sigma = (Q2)^{2x2} symmetric;  physical vertices and monitor in Q1
+//   V = Q2,   Sigma = (Q2)^{2x2} symmetric,   vertices x and monitor m in Q1
+//
 //   x = xi + Pi_Q1 grad phi                                                               (3.5)
-//   <tau, sigma> = -<div tau, grad phi>              for all tau                          (3.8)
+//   <tau, sigma> = -<div tau, grad phi>              for all tau in Sigma                 (3.8)
 //   theta = integral of m det(I + sigma) / area                                           (3.6)
-//   r_v = <v, m det(I + sigma) - theta>              for all v                            (3.3), (5.1)
-//   <grad v, grad u> = r_v                           for all v, mean of u = 0             (3.7)
+//   r_v = <v, m det(I + sigma) - theta>              for all v in V                       (3.3), (5.1)
+//   <grad v, grad u> = r_v                           for all v in V, mean of u = 0        (3.7)
 //
-// All integrals are exact: m in Q1, sigma in Q2, v in Q2 make degree 7 in each direction, 4 Gauss points.
-// Walls: phi is even, the normal derivative and sigma_12 vanish there, so nodes slide along straight sides.
+// All integrals are exact: with m in Q1, sigma and v in Q2 the integrand has degree 7 in each direction,
+// which takes 4 Gauss points. Walls: phi is even about them, so that its normal derivative and sigma_12
+// vanish there and nodes slide along the sides.
 //
-// Shapes: a Q2 function is size() x size() values, x running fastest; line unknown 2 c is vertex c, 2 c + 1
-// the middle of cell c. Nodes are those of unit_square_mesh(n), also where the domain is periodic.
+// A Q2 function is an array of size() x size() values, x fastest; along a line, unknown 2 c is vertex c and
+// 2 c + 1 the midpoint of cell c. Mesh nodes are those of unit_square_mesh(n), also for periodic domains.
 #pragma once
 
 #include "core/base/team.hpp"
@@ -36,10 +38,10 @@ class PlaneQ2 final : public Discretisation {
     const LineGrid& grid() const { return grid_; }
     std::size_t size() const { return grid_.size(2); } ///< unknowns per direction
 
-    /// Threads and buffers for one caller; with one thread, operators allocate nothing.
+    /// Threads and buffers of one caller; with one thread, operators do not allocate.
     struct Workspace {
         struct Worker {
-            std::vector<double> in, out; ///< a strip of the plane, turned
+            std::vector<double> in, out; ///< a strip of lines, transposed
         };
         std::shared_ptr<Team> team;
         std::vector<Worker> workers;
@@ -48,57 +50,58 @@ class PlaneQ2 final : public Discretisation {
         std::vector<double> a, b;
         std::vector<double> rows; ///< one number per row of nodes
     };
-    /// At most so many threads; fewer where there is not enough to do. Results do not depend on it.
+    /// `threads` is a maximum; small grids use fewer. Results do not depend on it.
     Workspace make_workspace(int threads = 1) const;
 
-    /// (3.5): x at the mesh's nodes.
+    /// (3.5): x at the mesh nodes.
     void positions(std::span<const double> phi, Points& x, Workspace& workspace) const;
-    /// x - xi at the mesh's nodes, linear in phi.
+    /// x - xi at the mesh nodes; linear in phi.
     void displacement(std::span<const double> phi, Points& d, Workspace& workspace) const;
-    /// (3.8), sigma eliminated exactly.
+    /// (3.8) with sigma eliminated exactly.
     void hessian(std::span<const double> phi, WeakHessian& sigma, Workspace& workspace) const;
 
     struct Residual {
         double theta = 0;
-        double normalised = 0; ///< l2 norm of r / l2 norm of <v, theta>
+        double normalised = 0; ///< l2 norm of r / l2 norm of <v, theta>, (5.1)
     };
-    /// (3.6) and (5.1) for the monitor's values at the mesh's nodes; fills r.
+    /// (3.6) and (5.1) for the monitor's values at the mesh nodes; fills r.
     Residual residual(std::span<const double> monitor, const WeakHessian& sigma, std::span<double> r,
                       Workspace& workspace) const;
-    /// The derivative of r in a direction: dm at the nodes, dsigma; fills dr.
+    /// The derivative of r in the direction (dm, dsigma), dm at the mesh nodes; fills dr.
     void residual_derivative(std::span<const double> monitor, const WeakHessian& sigma,
                              std::span<const double> d_monitor, const WeakHessian& d_sigma,
                              std::span<double> dr, Workspace& workspace) const;
-    /// (3.7): u = (stiffness)^-1 r with mean 0. May be in place.
+    /// (3.7): u = K^-1 r with mean 0, K the stiffness matrix. u may be r.
     void poisson(std::span<const double> r, std::span<double> u, Workspace& workspace) const;
 
-    /// A potential for this grid whose Laplacian is that of `phi` of another grid with the same boundary: the
-    /// start on a finer or coarser mesh. (Interpolating phi itself would leave kinks that the Hessian sees.)
-    std::vector<double> transfer(const PlaneQ2& from, std::span<const double> phi, Workspace& from_room,
+    /// The potential on this grid whose Laplacian is that of `phi` on another grid with the same boundary;
+    /// the initial guess after a change of resolution. (Interpolating phi itself creates kinks in the
+    /// Hessian.)
+    std::vector<double> transfer(const PlaneQ2& from, std::span<const double> phi, Workspace& from_workspace,
                                  Workspace& workspace) const;
     std::vector<double> transfer(const LineGrid& from, std::span<const double> phi,
                                  Workspace& workspace) const;
 
   private:
-    /// A map along y or along x, of `lines` lines.
+    /// Applies a map along y or along x to `lines` lines.
     void along_y(const LineMap& map, const double* in, double* out, std::size_t lines,
                  Workspace& workspace) const;
     void along_x(const LineMap& map, const double* in, double* out, std::size_t lines,
                  Workspace& workspace) const;
     std::vector<double> line_weights() const;
     Residual take_mean(std::span<double> r, Workspace& workspace) const;
-    /// <v, f> along the first index.
+    /// b = <v, f> along the first index.
     void apply_mass(const double* f, double* b) const;
 
     LineGrid grid_;
     std::shared_ptr<const Mesh> mesh_;
-    LineMap second_;   ///< -M^-1 <v', u'>: the second derivative
-    LineMap first_;    ///< M^-1 <v, u'>, into odd functions
-    LineMap slope_q1_; ///< projection of u' to degree 1, odd
-    LineMap value_q1_; ///< projection of u to degree 1, even
+    LineMap second_;   ///< -M^-1 <v', u'>: weak second derivative
+    LineMap first_;    ///< M^-1 <v, u'>: first derivative, an odd function
+    LineMap slope_q1_; ///< L2 projection of u' to degree 1, odd
+    LineMap value_q1_; ///< L2 projection of u to degree 1, even
     DeterminantLoad load_;
     TensorPoisson poisson_;
-    std::vector<double> weights_; ///< <v, 1> per line
+    std::vector<double> weights_; ///< <v, 1> along a line
 };
 
 } // namespace gaspard

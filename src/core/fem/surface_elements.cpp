@@ -24,7 +24,7 @@ Number product(const Vector<Number>& a, const Vector<Number>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// Shape functions at the points of the quadrature: of point q, node n at [q * nodes + n].
+/// Basis functions at the quadrature points: point q, node n at index q * nodes + n.
 struct Table {
     std::size_t nodes = 0;
     std::vector<double> value, ds, dt;
@@ -45,21 +45,21 @@ struct Table {
 };
 
 double root(double a) { return std::sqrt(a); }
-Lanes root(const Lanes& a) { // Eigen's own is no square root rounded to nearest everywhere
+Lanes root(const Lanes& a) { // Eigen's sqrt is not correctly rounded on every machine
     Lanes result;
     for (Eigen::Index l = 0; l < Lanes::SizeAtCompileTime; ++l) result[l] = std::sqrt(a[l]);
     return result;
 }
 
-/// A facet at a point of the quadrature: where it is, the surface gradients of the reference coordinates s
-/// and t, and the element of area with the weight.
+/// A quadrature point of a facet: position, surface gradients of the reference coordinates s and t, and the
+/// area element times the weight.
 template <class Number>
 struct Place {
     Vector<Number> xi, grad_s, grad_t;
     Number area;
 };
 
-/// `nodes`: the facet's nodes, x, y, z of the first, of the second, ...
+/// `nodes`: coordinates of the facet's nodes, x, y, z of the first, then of the second, ...
 template <int count, class Number>
 Place<Number> place_on_facet(const Number* nodes, const double* value, const double* ds, const double* dt,
                              double weight) {
@@ -84,7 +84,7 @@ Place<Number> place_on_facet(const Number* nodes, const double* value, const dou
     return place;
 }
 
-/// `phi_nodes` functions of phi in a cell, `facet_nodes` of its facet.
+/// `phi_nodes` basis functions of phi per cell, `facet_nodes` of the facet.
 template <SurfaceShape shape, int phi_nodes, int facet_nodes>
 class Elements final : public SurfaceElements {
   public:
@@ -169,14 +169,14 @@ class Elements final : public SurfaceElements {
   private:
     static constexpr std::size_t max_points = 25;
 
-    struct AtNodes { ///< of a batch's cells
+    struct AtNodes { ///< of the cells of a batch
         Lanes phi[phi_nodes], sigma[phi_nodes * 9], monitor[facet_nodes];
     };
     struct Tensor {
-        Lanes a[9]; ///< row by row
+        Lanes a[9]; ///< by rows
     };
 
-    /// The cell in a lane of a batch; the last batch repeats the last cell.
+    /// The cell in a lane of batch b; the last batch repeats the last cell.
     std::size_t cell_of(std::size_t b, std::size_t lane) const {
         return std::min(b * batch + lane, cells_ - 1);
     }
@@ -227,7 +227,7 @@ class Elements final : public SurfaceElements {
         test_values<phi_nodes>(phi_, density, sums, 1, 1);
         scatter<1, phi_nodes>(b, sums, cells_of_.phi, r);
     }
-    /// Of the map, or of its derivative where there is a direction.
+    /// The map loads, or their derivative if d_phi is given.
     void add_loads(std::size_t begin, std::size_t end, const double* phi, const double* d_phi, double* loads,
                    double* gradient_loads) const {
         for (std::size_t b = begin; b < end; ++b) {
@@ -275,7 +275,7 @@ class Elements final : public SurfaceElements {
                 cosine * place.xi.z + sinc * g.z};
     }
 
-    /// How e changes with g.
+    /// The derivative of e in direction d of the gradient g.
     static Vector<Lanes> moved_derivative(const Place<Lanes>& place, const Vector<Lanes>& g,
                                           const Vector<Lanes>& d) {
         if constexpr (shape == SurfaceShape::flat) return d;
@@ -288,8 +288,8 @@ class Elements final : public SurfaceElements {
                 d_cosine * place.xi.z + d_sinc * g.z + sinc * d.z};
     }
 
-    /// What the gradients of test functions are multiplied by: -e_i grad_j s, -e_i grad_j t; and the
-    /// gradient. With a direction, their derivatives.
+    /// The factors of the derivatives of the test functions in the map loads, -e_i grad_j s and -e_i grad_j
+    /// t, and the gradient; or, if d_phi is given, their derivatives.
     void map_at(std::size_t b, std::size_t q, const Lanes* phi, const Lanes* d_phi, Lanes* flux,
                 Lanes* gradients) const {
         const Place<Lanes> place = place_at(b, q);
@@ -313,7 +313,7 @@ class Elements final : public SurfaceElements {
         gradients[0] = g.x * place.area, gradients[1] = g.y * place.area, gradients[2] = g.z * place.area;
     }
 
-    /// sigma P + e (x) k = sigma + (e - sigma k) (x) k; sigma alone on a flat surface.
+    /// sigma P + e (x) k = sigma + (e - sigma k) (x) k on the sphere; sigma on a flat surface.
     Tensor tensor_at(const Place<Lanes>& place, std::size_t q, const Lanes* sigma,
                      const Vector<Lanes>& e_of_map) const {
         const double* value = &phi_.value[q * phi_nodes];
@@ -335,7 +335,7 @@ class Elements final : public SurfaceElements {
         }
         return tensor;
     }
-    /// A.
+    /// The tensor A.
     Tensor map_tensor_at(const Place<Lanes>& place, std::size_t q, const AtNodes& nodes,
                          const Vector<Lanes>& g) const {
         Tensor tensor = tensor_at(place, q, nodes.sigma, moved(place, g));
@@ -349,7 +349,7 @@ class Elements final : public SurfaceElements {
         return monitor;
     }
 
-    /// m det A with the element of area.
+    /// m det A times the area element.
     Lanes density_at(std::size_t b, std::size_t q, const AtNodes& nodes) const {
         const Place<Lanes> place = place_at(b, q);
         const auto [a] = map_tensor_at(place, q, nodes, gradient(place, q, nodes.phi));
@@ -357,7 +357,7 @@ class Elements final : public SurfaceElements {
                (a[0] * (a[4] * a[8] - a[5] * a[7]) - a[1] * (a[3] * a[8] - a[5] * a[6]) +
                 a[2] * (a[3] * a[7] - a[4] * a[6]));
     }
-    /// dm det A + m cof A : dA with the element of area.
+    /// dm det A + m cof A : dA, times the area element.
     Lanes density_derivative_at(std::size_t b, std::size_t q, const AtNodes& nodes,
                                 const AtNodes& d_nodes) const {
         const Place<Lanes> place = place_at(b, q);
@@ -376,7 +376,7 @@ class Elements final : public SurfaceElements {
         return place.area * (monitor_at(q, d_nodes) * determinant + monitor_at(q, nodes) * change);
     }
 
-    /// sums[12 n] = minus the integral of (d_s v_n flux_0 + d_t v_n flux_1); 18 fluxes per point.
+    /// sums[12 n] = - integral of (d_s v_n flux_0 + d_t v_n flux_1); 18 fluxes per point.
     void test_gradients(const Lanes* flux, Lanes* sums) const {
         Lanes sum[phi_nodes];
         for (auto& one : sum) one.setZero();
@@ -387,7 +387,7 @@ class Elements final : public SurfaceElements {
         }
         for (std::size_t n = 0; n < phi_nodes; ++n) sums[12 * n] = sum[n];
     }
-    /// sums[columns n] = the integral of v_n f; `per_point` numbers per point.
+    /// sums[columns n] = integral of v_n f; `per_point` numbers per point.
     template <int nodes>
     void test_values(const Table& table, const Lanes* f, Lanes* sums, std::size_t columns,
                      std::size_t per_point = 3) const {
@@ -429,7 +429,7 @@ class Elements final : public SurfaceElements {
     SurfaceCells cells_of_;
     std::vector<CellPoint> rule_;
     Table phi_, facet_, monitor_;
-    std::vector<Lanes> facets_; ///< of every batch: its facets' nodes
+    std::vector<Lanes> facets_; ///< nodes of the facets of each batch
 };
 
 template <SurfaceShape shape>

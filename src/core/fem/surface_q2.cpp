@@ -18,7 +18,7 @@ std::shared_ptr<const Mesh> scaled(Mesh mesh, double factor) {
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 
-/// Unknowns of every cell of a mesh whose nodes have these unknowns.
+/// The unknowns of every cell of a mesh, given the unknown of every node.
 CellUnknowns cell_unknowns(const Mesh& mesh, const std::vector<std::int32_t>& of_node) {
     CellUnknowns unknowns{
         .count = 0, .per_cell = static_cast<std::size_t>(nodes_per_cell(mesh.kind)), .numbers = mesh.cells};
@@ -29,7 +29,7 @@ CellUnknowns cell_unknowns(const Mesh& mesh, const std::vector<std::int32_t>& of
     return unknowns;
 }
 
-/// Rows of the cells in another order, with other numbers.
+/// The cells' rows of indices in the order `order`, each index mapped by the permutation `place`.
 std::vector<std::int32_t> rearranged(const std::vector<std::int32_t>& numbers, std::size_t per_cell,
                                      const std::vector<std::int32_t>& order,
                                      const std::vector<std::int32_t>& place) {
@@ -63,18 +63,18 @@ SurfaceQ2::SurfaceQ2(SurfaceSetup setup, const Progress& progress, std::stop_tok
     if (progress) progress(0, "dissecting the mesh");
     dissection_ = std::make_shared<Dissection>(dissect(phi_cells_, middles()));
     if (!curved_) facet_dissection_ = std::make_shared<Dissection>(dissect(facet_cells_, middles()));
-    SurfaceCells cells{
-        .shape = shape_,
-        .quadratic = quadratic_.kind,
-        .geometry = mesh_->kind,
-        .phi = rearranged(phi_cells_.numbers, phi_cells_.per_cell, dissection_->cells, dissection_->place),
-        .gradient = {},
-        .nodes = rearranged(mesh_->cells, facet_cells_.per_cell, dissection_->cells, {}),
-        .places = places_,
-        .monitor_at_corners = setup.monitor_at_vertices};
+    SurfaceCells cells{.shape = shape_,
+                       .quadratic = quadratic_.kind,
+                       .geometry = mesh_->kind,
+                       .phi = rearranged(phi_cells_.numbers, phi_cells_.per_cell, dissection_->cells,
+                                         dissection_->permutation),
+                       .gradient = {},
+                       .nodes = rearranged(mesh_->cells, facet_cells_.per_cell, dissection_->cells, {}),
+                       .places = places_,
+                       .monitor_at_corners = setup.monitor_at_vertices};
     if (!curved_)
         cells.gradient = rearranged(facet_cells_.numbers, facet_cells_.per_cell, dissection_->cells,
-                                    facet_dissection_->place);
+                                    facet_dissection_->permutation);
     elements_ = make_surface_elements(std::move(cells));
     factorise(progress, stop);
 }
@@ -108,7 +108,7 @@ Points SurfaceQ2::middles() const {
 }
 
 void SurfaceQ2::factorise(const Progress& progress, std::stop_token stop) {
-    // The elements count cells in the order of the dissection.
+    // The elements number the cells in the order of the dissection.
     std::vector<std::size_t> position(dissection_->cells.size());
     for (std::size_t i = 0; i < position.size(); ++i)
         position[static_cast<std::size_t>(dissection_->cells[i])] = i;
@@ -131,8 +131,8 @@ void SurfaceQ2::factorise(const Progress& progress, std::stop_token stop) {
         phi_cells_, dissection_,
         [&](std::size_t cell, std::span<double> matrix) { elements_->mass(position[cell], matrix); },
         advance(0.1, "factorising the mass matrix"), stop);
-    // The constant is the kernel of the stiffness matrix. A positive number added to one place of the
-    // diagonal makes it definite; the solution for a load of sum 0 is then the one that vanishes there.
+    // The kernel of the stiffness matrix consists of the constants. Adding a positive number to one diagonal
+    // entry makes the matrix definite; for a load of sum 0 the solution then vanishes at that unknown.
     stiffness_ = std::make_unique<CellCholesky>(
         phi_cells_, dissection_,
         [&](std::size_t cell, std::span<double> matrix) {
@@ -159,7 +159,7 @@ SurfaceQ2::Workspace SurfaceQ2::make_workspace() const {
 void SurfaceQ2::map(std::span<const double> phi, Workspace& workspace) const {
     GASPARD_CHECK(phi.size() == unknowns());
     for (std::size_t i = 0; i < phi.size(); ++i)
-        workspace.phi[static_cast<std::size_t>(dissection_->place[i])] = phi[i];
+        workspace.phi[static_cast<std::size_t>(dissection_->permutation[i])] = phi[i];
     std::fill(workspace.rows.begin(), workspace.rows.end(), 0.0);
     std::fill(workspace.gradient.begin(), workspace.gradient.end(), 0.0);
     elements_->add_map_loads(0, elements_->batches(), workspace.phi.data(), workspace.rows.data(),
@@ -172,8 +172,8 @@ void SurfaceQ2::map(std::span<const double> phi, Workspace& workspace) const {
 Vec3 SurfaceQ2::projected_gradient(const Workspace& workspace, std::size_t node) const {
     const auto unknown = static_cast<std::size_t>(node_unknown_[node]);
     const double* w =
-        curved_ ? &workspace.rows[12 * static_cast<std::size_t>(dissection_->place[unknown]) + 9]
-                : &workspace.gradient[4 * static_cast<std::size_t>(facet_dissection_->place[unknown])];
+        curved_ ? &workspace.rows[12 * static_cast<std::size_t>(dissection_->permutation[unknown]) + 9]
+                : &workspace.gradient[4 * static_cast<std::size_t>(facet_dissection_->permutation[unknown])];
     return {w[0], w[1], w[2]};
 }
 
@@ -198,7 +198,7 @@ void SurfaceQ2::map_derivative(const Workspace& workspace, std::span<const doubl
                                Workspace& d_workspace) const {
     GASPARD_CHECK(w.size() == unknowns());
     for (std::size_t i = 0; i < w.size(); ++i)
-        d_workspace.phi[static_cast<std::size_t>(dissection_->place[i])] = w[i];
+        d_workspace.phi[static_cast<std::size_t>(dissection_->permutation[i])] = w[i];
     std::fill(d_workspace.rows.begin(), d_workspace.rows.end(), 0.0);
     std::fill(d_workspace.gradient.begin(), d_workspace.gradient.end(), 0.0);
     elements_->add_map_derivative(0, elements_->batches(), workspace.phi.data(), d_workspace.phi.data(),
@@ -224,7 +224,7 @@ void SurfaceQ2::positions_derivative(const Points& gradient, const Workspace& d_
 
 std::span<const double> SurfaceQ2::sigma(const Workspace& workspace, std::size_t node) const {
     const auto unknown = static_cast<std::size_t>(node_unknown_[node]);
-    return {&workspace.rows[12 * static_cast<std::size_t>(dissection_->place[unknown])], 9};
+    return {&workspace.rows[12 * static_cast<std::size_t>(dissection_->permutation[unknown])], 9};
 }
 
 SurfaceQ2::Residual SurfaceQ2::residual(std::span<const double> monitor, std::span<double> r,
@@ -237,11 +237,11 @@ SurfaceQ2::Residual SurfaceQ2::residual(std::span<const double> monitor, std::sp
     return {theta, std::sqrt(dot(r, r) / dot(weights_, weights_)) / std::abs(theta)};
 }
 
-/// From integrals <v, f>, theta the mean of f: what remains is <v, f - theta>. Returns theta.
+/// Turns r_v = <v, f> into <v, f - theta> with theta the mean of f; returns theta.
 double SurfaceQ2::take_mean(const Workspace& workspace, std::span<double> r) const {
     for (std::size_t i = 0; i < r.size(); ++i)
-        r[i] = workspace.r[static_cast<std::size_t>(dissection_->place[i])];
-    const double theta = sum(r) / area_; // the functions v add up to 1
+        r[i] = workspace.r[static_cast<std::size_t>(dissection_->permutation[i])];
+    const double theta = sum(r) / area_; // the functions v sum to 1
     for (std::size_t i = 0; i < r.size(); ++i) r[i] -= theta * weights_[i];
     return theta;
 }
@@ -276,10 +276,10 @@ std::vector<double> SurfaceQ2::at_unknowns(std::span<const double> nodal) const 
 void SurfaceQ2::poisson(std::span<const double> r, std::span<double> u, Workspace& workspace) const {
     GASPARD_CHECK(r.size() == unknowns() && u.size() == unknowns());
     for (std::size_t i = 0; i < r.size(); ++i)
-        workspace.r[static_cast<std::size_t>(dissection_->place[i])] = r[i];
+        workspace.r[static_cast<std::size_t>(dissection_->permutation[i])] = r[i];
     stiffness_->solve<1>(workspace.r);
     for (std::size_t i = 0; i < u.size(); ++i)
-        u[i] = workspace.r[static_cast<std::size_t>(dissection_->place[i])];
+        u[i] = workspace.r[static_cast<std::size_t>(dissection_->permutation[i])];
     const double mean = dot(weights_, u) / area_;
     for (double& value : u) value -= mean;
 }
@@ -301,11 +301,11 @@ std::vector<double> SurfaceQ2::laplacian(std::span<const double> phi) const {
     const std::vector<double> load = apply(&SurfaceElements::stiffness, phi);
     std::vector<double> result(load.size());
     for (std::size_t i = 0; i < load.size(); ++i)
-        result[static_cast<std::size_t>(dissection_->place[i])] = -load[i];
+        result[static_cast<std::size_t>(dissection_->permutation[i])] = -load[i];
     mass_->solve<1>(result);
     std::vector<double> numbered(result.size());
     for (std::size_t i = 0; i < result.size(); ++i)
-        numbered[i] = result[static_cast<std::size_t>(dissection_->place[i])];
+        numbered[i] = result[static_cast<std::size_t>(dissection_->permutation[i])];
     return numbered;
 }
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A file of a name nobody else has, removed at the end unless it was moved to its place. Its functions
+/// A file with a unique name, removed at the end unless it was moved to its destination. Member functions
 /// return errno.
 class TemporaryFile {
   public:
@@ -31,8 +31,7 @@ class TemporaryFile {
 
     int create_in(const fs::path& folder) {
         const std::string stem = ".gaspard-" + std::to_string(::getpid()) + "-";
-        // O_EXCL makes the name ours: threads of this process and leftovers of a dead one take another
-        // number.
+        // O_EXCL makes the name unique: other threads and leftovers of a dead process take another number.
         for (int number = 0; descriptor_ < 0; ++number) {
             name_ = folder / (stem + std::to_string(number) + ".tmp");
             descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -52,8 +51,8 @@ class TemporaryFile {
     }
 
     int move_to(const fs::path& file) {
-        // Without this, a crash soon after the rename may leave an empty file. EINVAL: the file system has no
-        // such call.
+        // Without fsync, a crash soon after the rename may leave an empty file. EINVAL: not supported by the
+        // file system.
         if (::fsync(descriptor_) != 0 && errno != EINVAL) return errno;
         const int closed = ::close(descriptor_);
         descriptor_ = -1;
@@ -80,10 +79,10 @@ int try_to_write(const fs::path& folder) {
     return trial.create_in(folder);
 }
 
-/// `folder` and those above it that are not there, innermost first.
+/// `folder` and its parents that do not exist, innermost first.
 std::vector<fs::path> missing_folders(const fs::path& folder) {
     std::vector<fs::path> missing;
-    std::error_code ignored; // what cannot be looked at cannot be made either, and that error will be told
+    std::error_code ignored; // a folder without access fails to be created below, with the cause
     for (fs::path p = folder; !p.empty() && !fs::exists(fs::symlink_status(p, ignored)); p = p.parent_path())
         missing.push_back(p);
     return missing;
@@ -100,8 +99,8 @@ void write_atomically(const fs::path& file, std::string_view bytes) {
 }
 
 void write_atomically(const fs::path& file, const std::function<void(std::ostream&)>& write) {
-    // Gathered in memory first: a writer that throws has then touched nothing, and the system's own error is
-    // at hand.
+    // Write to memory first: if `write` throws, no file has been touched, and errno is at hand for file
+    // errors.
     std::ostringstream stream(std::ios::binary);
     stream.imbue(std::locale::classic());
     stream.exceptions(std::ios::badbit | std::ios::failbit);
@@ -115,11 +114,11 @@ void check_writable(const fs::path& folder) {
     fs::create_directories(folder, error);
     if (!error) error = std::error_code(try_to_write(folder), std::generic_category());
     if (!error) return;
-    std::error_code ignored; // of a folder that was not made after all
+    std::error_code ignored; // for folders that were not created
     for (const auto& p : made) fs::remove(p, ignored);
-    const std::string sentence = "cannot write into the folder " + folder.string() + ": " + error.message();
+    const std::string sentence = "cannot write to the folder " + folder.string() + ": " + error.message();
     for (const int trouble : {ENOSPC, EDQUOT, EIO, EMFILE, ENFILE})
-        if (error.value() == trouble) throw MachineError(sentence); // another folder may be no better
+        if (error.value() == trouble) throw MachineError(sentence); // not specific to the folder
     throw InputError(sentence);
 }
 

@@ -1,6 +1,7 @@
 #include "core/io/facets.hpp"
 
 #include "core/base/check.hpp"
+#include "core/mesh/surface_topology.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +11,7 @@ namespace gaspard {
 
 namespace {
 
-/// The facets of one cell as local node numbers.
+/// The facets of one cell as lists of local node numbers.
 using LocalFacets = std::vector<std::vector<int>>;
 
 Vec3 mean_of(CellKind kind, std::span<const int> local) {
@@ -26,7 +27,7 @@ int node_at(CellKind kind, Vec3 where) {
     return static_cast<int>(found - nodes.begin());
 }
 
-/// The faces of a solid with the nodes on their edges and in their middle.
+/// The faces of a solid cell with the nodes on their edges and in their interior.
 LocalFacets whole_faces(CellKind kind) {
     LocalFacets faces;
     for (const auto& corners : cell_faces(kind)) {
@@ -58,7 +59,7 @@ Facets no_facets(CellKind cell) {
 }
 
 struct Candidate {
-    std::array<std::int32_t, 4> corners{-1, -1, -1, -1}; ///< sorted: the same for both cells beside it
+    std::array<std::int32_t, 4> corners{-1, -1, -1, -1}; ///< sorted: equal for both cells of the facet
     std::uint32_t cell = 0, local = 0;
 };
 
@@ -78,8 +79,9 @@ std::vector<Candidate> candidates(const Mesh& mesh, const LocalFacets& local, st
     return all;
 }
 
-/// Keeps what is there once only, in the order of cells.
-void keep_single(std::vector<Candidate>& all) {
+/// The candidates that occur exactly once, in the order of cells.
+std::vector<Candidate> single_candidates(const Mesh& mesh, const LocalFacets& local, std::size_t corners) {
+    std::vector<Candidate> all = candidates(mesh, local, corners);
     std::sort(all.begin(), all.end(),
               [](const Candidate& a, const Candidate& b) { return a.corners < b.corners; });
     std::size_t kept = 0;
@@ -91,6 +93,7 @@ void keep_single(std::vector<Candidate>& all) {
     std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
         return std::pair(a.cell, a.local) < std::pair(b.cell, b.local);
     });
+    return all;
 }
 
 using Coordinate = std::vector<double> Points::*;
@@ -112,7 +115,7 @@ std::vector<BoxSide> box_sides(int dimension) {
     return sides;
 }
 
-/// Whether all these nodes lie on a side of the box around the mesh.
+/// Whether all nodes lie on the given side of the bounding box.
 bool lies_on(const Mesh& mesh, std::span<const std::int32_t> nodes, const BoxSide& side, double place,
              double slack) {
     return std::all_of(nodes.begin(), nodes.end(), [&](std::int32_t node) {
@@ -120,13 +123,32 @@ bool lies_on(const Mesh& mesh, std::span<const std::int32_t> nodes, const BoxSid
     });
 }
 
+/// The sides of surface cells that one cell alone has, in the cells' order.
+std::vector<Candidate> surface_border(const Mesh& mesh) {
+    const auto corners = static_cast<std::size_t>(corners_per_cell(mesh.kind));
+    const SurfaceEdges edges = surface_edges(mesh.node_count(), corners_of_cells(mesh), corners);
+    std::vector<std::uint32_t> sides;
+    for (const SurfaceEdge& edge : edges.edges)
+        if (edge.count == 1) sides.push_back(edges.sides[edge.first]);
+    std::sort(sides.begin(), sides.end());
+    std::vector<Candidate> all;
+    for (const std::uint32_t side : sides) {
+        Candidate candidate;
+        candidate.cell = static_cast<std::uint32_t>(side / corners);
+        candidate.local = static_cast<std::uint32_t>(side % corners);
+        all.push_back(candidate);
+    }
+    return all;
+}
+
 } // namespace
 
 Facets border(const Mesh& mesh) {
     Facets facets = no_facets(mesh.kind);
     const LocalFacets local = local_facets(mesh.kind);
-    auto all = candidates(mesh, local, static_cast<std::size_t>(facets.corners));
-    keep_single(all);
+    const auto all = cell_dimension(mesh.kind) == 2
+                         ? surface_border(mesh)
+                         : single_candidates(mesh, local, static_cast<std::size_t>(facets.corners));
     for (const auto& candidate : all) {
         facets.cells.push_back(candidate.cell);
         for (const int node : local[candidate.local])

@@ -1,8 +1,8 @@
-// The faces that show and the facets at the border of a mesh, with names for the sides of a box.
+// Visible faces and boundary facets of a mesh, and names for the sides of a box.
 //
-// A facet is what two neighbouring cells share: a point of lines, an edge of surfaces, a face of solids. Its
-// nodes are numbered as those of a cell of its own kind (corners, edges, interior), the domain lying to the
-// left of an edge and behind a face.
+// A facet is shared by two neighbouring cells: a point between line cells, an edge between surface cells, a
+// face between solid cells. Its nodes are ordered like those of a cell of its own kind (corners, edges,
+// interior) and oriented so that the domain lies to the left of an edge and behind a face.
 #pragma once
 
 #include "core/mesh/mesh.hpp"
@@ -15,11 +15,11 @@
 namespace gaspard {
 
 struct Facets {
-    CellKind kind;      ///< of the facets; for the end points of lines it says nothing
-    int corners = 1;    ///< of each
-    int nodes_each = 1; ///< 1: points
+    CellKind kind;      ///< of the facets; meaningless for the end points of lines
+    int corners = 1;    ///< corners per facet
+    int nodes_each = 1; ///< nodes per facet; 1 for points
     std::vector<std::int32_t> nodes;
-    std::vector<std::uint32_t> cells; ///< the cell that each belongs to
+    std::vector<std::uint32_t> cells; ///< the cell of each facet
 
     std::size_t size() const { return cells.size(); }
     std::span<const std::int32_t> operator[](std::size_t i) const {
@@ -28,16 +28,17 @@ struct Facets {
     }
 };
 
-/// The facets that one cell alone has, in the cells' order. None of a sphere.
+/// The facets that belong to exactly one cell, in the order of cells. Empty for a sphere.
 Facets border(const Mesh& mesh);
 
-/// What is seen of a mesh: the cells of a surface, the border of solids; nothing of lines.
+/// The visible faces: the cells of a surface, the boundary of solids; empty for lines.
 Facets shown_faces(const Mesh& mesh);
 
-/// The corners of all cells, cell by cell.
+/// The corners of all cells.
 std::vector<std::int32_t> corners_of_cells(const Mesh& mesh);
 
-/// The nodes that are named, each once and in their order; the names become places among them.
+/// Renumbers the nodes in `names` consecutively: returns the distinct nodes in ascending order and replaces
+/// each entry of `names` by its position among them.
 std::vector<std::size_t> number_anew(std::vector<std::int32_t>& names, std::size_t node_count);
 
 struct BorderGroup {
@@ -45,9 +46,9 @@ struct BorderGroup {
     std::vector<std::size_t> facets;
 };
 
-/// Where every facet lies on a side of the box around the computational mesh (the square, the cube, the
-/// interval): left and right (lowest and highest x), bottom and top (y in the plane, z in space), front and
-/// back (y in space), those that there are. Elsewhere one group, "boundary". Empty without a border.
+/// Groups of boundary facets. If every facet lies on a side of the bounding box of the computational mesh
+/// (square, cube, interval), one group per side: left, right (min and max x), bottom, top (y in the plane, z
+/// in space), front, back (y in space). Otherwise one group "boundary". Empty if there is no boundary.
 std::vector<BorderGroup> border_groups(const Mesh& mesh, const Facets& facets);
 
 } // namespace gaspard

@@ -2,9 +2,11 @@
 
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/base/join.hpp"
 #include "core/base/parameter.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/svg.hpp"
+#include "core/scenario/catalogue.hpp"
 #include "core/spline/patch_file.hpp"
 #include "core/spline/patch_xml.hpp"
 #include "core/tessellate/colouring.hpp"
@@ -68,30 +70,26 @@ Plot against_iteration(std::string title, const std::string& y) {
     return {.title = std::move(title), .x = {"iteration", false}, .y = {y, true}, .curves = {{}}};
 }
 
-Plot residual_plot(const std::vector<StepReport>& history) {
-    Plot plot = against_iteration("Residual", "normalised residual");
-    for (const auto& report : history) {
-        plot.curves[0].x.push_back(report.iteration);
-        plot.curves[0].y.push_back(report.residual);
-    }
-    return plot;
-}
-
-Plot equidistribution_plot(const std::vector<StepReport>& history) {
-    Plot plot = against_iteration("Equidistribution", "coefficient of variation of M");
-    for (const auto& report : history) {
-        if (!report.equidistribution) continue; // not measured; the curve goes on to the next that was
-        plot.curves[0].x.push_back(report.iteration);
-        plot.curves[0].y.push_back(*report.equidistribution);
-    }
+/// Where the series was not measured the curve goes on to the next report that was.
+Plot history_plot(const std::vector<StepReport>& history, std::string_view name) {
+    const SeriesTable& table = history.empty() ? *common_series() : *history.back().series;
+    const auto place = table.find(name);
+    GASPARD_CHECK(place);
+    const SeriesInfo& info = table.all()[*place];
+    Plot plot = against_iteration(info.label, info.help);
+    for (const auto& report : history)
+        if (const auto value = report.value(name)) {
+            plot.curves[0].x.push_back(report.iteration);
+            plot.curves[0].y.push_back(*value);
+        }
     return plot;
 }
 
 void write_svg_files(const std::filesystem::path& folder, const RunResult& result) {
     write_svg(folder / "adapted.svg", result.snapshot, make_colouring(result.snapshot, result.colours),
               {.camera = result.camera, .aspect = result.aspect});
-    write_svg(folder / "residual.svg", residual_plot(result.history));
-    write_svg(folder / "equidistribution.svg", equidistribution_plot(result.history));
+    write_svg(folder / "residual.svg", history_plot(result.history, "residual"));
+    write_svg(folder / "equidistribution.svg", history_plot(result.history, "equidistribution"));
 }
 
 const Format& find_format(std::string_view name) {
@@ -100,10 +98,8 @@ const Format& find_format(std::string_view name) {
         if (format.name == name) return format;
         names.push_back(format.name);
     }
-    std::string allowed;
-    for (const auto& known : names) allowed += (allowed.empty() ? "" : ", ") + known;
     throw InputError("unknown format '" + std::string(name) + "'" + did_you_mean(name, names) +
-                     "; there are: " + allowed);
+                     "; allowed: " + join(names, ", "));
 }
 
 } // namespace
@@ -111,47 +107,46 @@ const Format& find_format(std::string_view name) {
 const std::vector<Format>& formats() {
     static const std::vector<Format> table = {
         {"obj",
-         "Wavefront OBJ: corner vertices and straight-edged faces, before and after",
+         "Wavefront OBJ with straight-edged cells: the computational and the adapted mesh",
          {"computational.obj", "adapted.obj"},
          &write_obj_files},
         {"glb",
-         "binary glTF 2.0: the adapted mesh coloured by the monitor, with an animation from the "
-         "computational mesh",
+         "binary glTF 2.0: the adapted mesh coloured by the monitor, animated from the computational "
+         "mesh",
          {"adapted.glb"},
          &write_glb_file},
         {"obj-curved",
-         "Wavefront OBJ of curved cells: triangles within output.curve_tolerance, the cells' edges as lines",
+         "Wavefront OBJ with curved cells: triangles within output.curve_tolerance, and cell edges as lines",
          {"computational-curved.obj", "adapted-curved.obj"},
          &write_curved_obj_files},
         {"glb-curved",
-         "as glb, with curved cells cut until they are within output.curve_tolerance",
+         "binary glTF 2.0 with curved cells, tessellated within output.curve_tolerance",
          {"adapted-curved.glb"},
          &write_curved_glb_file},
         {"vtu",
-         "VTK's unstructured grid, exact, with all fields: for ParaView, VTK, meshio",
+         "VTK unstructured grid with curved cells and all fields, for ParaView, VTK and meshio",
          {"adapted.vtu"},
          &write_vtu_file},
         {"msh",
-         "Gmsh 2.2, exact, with named borders and the fields of nodes: for finite element codes",
+         "Gmsh 2.2 with curved cells, named boundaries and nodal fields, for finite element codes",
          {"adapted.msh"},
          &write_msh_file},
         {"ply",
-         "binary PLY: corner vertices with the monitor and its colour, straight-edged faces",
+         "binary PLY with straight-edged cells: vertices with the monitor and its colour",
          {"adapted.ply"},
          &write_ply_file},
         {"ugrid",
-         "UGRID 1.0 in NetCDF: straight-edged cells with their fields, on spheres by longitude and latitude",
+         "UGRID 1.0 in NetCDF with straight-edged cells and all fields; longitude and latitude on spheres",
          {"computational.ugrid.nc", "adapted.ugrid.nc"},
          &write_ugrid_files},
         {"patch",
-         "of spline patches: the adapted mesh as control points, in JSON and as G+Smo's XML: for "
-         "isogeometric codes, "
-         "and for domain.file",
+         "spline patches only: control points of the adapted mesh as JSON and G+Smo XML, for "
+         "isogeometric codes and domain.file",
          {"adapted-patch.json", "adapted-patch.xml"},
          &write_patch_files,
          true},
         {"svg",
-         "vector graphics for papers: the adapted mesh, residual and equidistribution",
+         "vector graphics: the adapted mesh, and plots of residual and equidistribution",
          {"adapted.svg", "residual.svg", "equidistribution.svg"},
          &write_svg_files},
     };
@@ -174,7 +169,7 @@ std::vector<const Format*> parse_formats(std::string_view list) {
         const auto comma = list.find(',');
         const std::string_view name = list.substr(0, comma);
         if (name.empty() && !(list.empty() && chosen.empty()))
-            throw InputError("a list of formats wants names between its commas, as in 'obj,glb'");
+            throw InputError("a list of formats must have a name between commas, as in 'obj,glb'");
         const Format* format = &find_format(name);
         if (std::find(chosen.begin(), chosen.end(), format) == chosen.end()) chosen.push_back(format);
         if (comma == std::string_view::npos) return chosen;
@@ -182,12 +177,13 @@ std::vector<const Format*> parse_formats(std::string_view list) {
     }
 }
 
-std::vector<const Format*> formats_of(const Scenario& scenario) {
+std::vector<const Format*> formats_of(const Catalogue& catalogue, const Scenario& scenario) {
+    const bool is_spline = catalogue.domain(scenario.domain.type).spline_patch;
     auto chosen = parse_formats(scenario.output.text("formats"));
     for (const Format* format : chosen)
-        if (format->splines_only && !scenario.domain.values.has("degree"))
-            throw InputError("format '" + format->name + "' is for spline patches, which domain '" +
-                             scenario.domain.type + "' is not");
+        if (format->splines_only && !is_spline)
+            throw InputError("format '" + format->name + "' requires a spline patch; domain '" +
+                             scenario.domain.type + "' is not one");
     return chosen;
 }
 

@@ -1,5 +1,5 @@
-// The table of mesh formats, and each format's writer. Existing files are replaced when the new one is whole;
-// what cannot be written is a MachineError.
+// The table of mesh formats and their writers. Existing files are replaced only when the new file is
+// complete. All writers throw MachineError if the file cannot be written.
 #pragma once
 
 #include "core/mesh/space.hpp"
@@ -15,70 +15,70 @@
 
 namespace gaspard {
 
+struct Catalogue;
+
 struct SplinePatch;
 struct Tessellation;
 
-/// Corner vertices and straight-edged faces in the cells' order, at the given positions. Coordinates read
-/// back to the same doubles. Surfaces: "f" records. Lines: "l". Solids: every face of every cell, as "f" in
-/// the cells' order.
+/// Wavefront OBJ: corner vertices and straight-edged cells at the given positions, in the order of cells.
+/// Numbers read back to the same doubles. Surfaces are written as "f" records, lines as "l", solids as all
+/// faces of every cell.
 void write_obj(const std::filesystem::path& file, const Mesh& mesh, const Points& positions);
 
-/// The triangles of a tessellation as "f" records and the cells' edges as "l" records, for nodes at the given
-/// positions; exact.
+/// The triangles of a tessellation as "f" records and the edges of cells as "l" records, for nodes at the
+/// given positions; numbers read back to the same doubles.
 void write_obj(const std::filesystem::path& file, const Tessellation& shape, const Points& positions);
 
-/// Binary glTF 2.0: triangles coloured by the monitor and the cells' edges as lines; POSITION is x, the morph
-/// target is xi - x with default weight 0, and an animation plays from xi to x. Single precision.
+/// Binary glTF 2.0, single precision: triangles coloured by the monitor and edges as lines. POSITION is x;
+/// the morph target is xi - x with default weight 0, and an animation moves from xi to x.
 void write_glb(const std::filesystem::path& file, const Snapshot& snapshot);
-/// The same with cells cut in another way.
+/// The same with another tessellation.
 void write_glb(const std::filesystem::path& file, const Snapshot& snapshot, const Tessellation& shape);
 
-/// VTK's XML file of an unstructured grid at x, exact doubles, cells of every kind and order as they are.
-/// Point data: the fields of nodes, displacement (x - xi) and xi; cell data: the fields of cells; field data:
-/// the numbers of the report.
+/// VTK XML unstructured grid at x, exact doubles, with cells of their own kind and order. Point data: nodal
+/// fields, displacement (x - xi) and xi. Cell data: cell fields. Field data: the numbers of the report.
 void write_vtu(const std::filesystem::path& file, const Snapshot& snapshot);
 
-/// Gmsh's file, version 2.2 as text, at x, exact doubles. Physical groups: "domain" and those of
-/// border_groups(); for a periodic square the sides are paired. Node data: the fields of nodes, displacement
-/// and xi.
+/// Gmsh 2.2 text file at x, exact doubles. Physical groups: "domain" and those of border_groups(); a periodic
+/// square pairs its sides. Node data: nodal fields, displacement and xi.
 void write_msh(const std::filesystem::path& file, const Snapshot& snapshot, const Space& space);
 
-/// Binary PLY: corners in double precision with the monitor and its colour, straight-edged faces. Lines:
-/// edges. Solids: the border.
+/// Binary PLY: corners in double precision with the monitor and its colour, and straight-edged faces; edges
+/// for lines, the boundary for solids.
 void write_ply(const std::filesystem::path& file, const Snapshot& snapshot);
 
-/// UGRID 1.0 in NetCDF: corners and straight edges at the given positions (xi or x), exact doubles; longitude
-/// and latitude beside x, y, z where all nodes xi are as far from the origin. With the fields of nodes (at
-/// corners) and of cells, and each cell's measure.
+/// UGRID 1.0 in NetCDF: corners and straight edges at the given positions (xi or x), exact doubles, with the
+/// nodal fields at corners, the cell fields and the measure of each cell. If all nodes xi have the same
+/// distance from the origin, also longitude and latitude.
 void write_ugrid(const std::filesystem::path& file, const Snapshot& snapshot, const Points& positions,
                  const std::string& title);
 
-/// What there is to write of a run.
+/// The results of a run that writers use.
 struct RunResult {
     const Snapshot& snapshot;
     const std::vector<StepReport>& history;
-    Space space;                                      ///< of the domain: whether its sides are the same
-    ColourChoice colours{};                           ///< of the view
-    double curve_tolerance = default_curve_tolerance; ///< of tessellated files, relative to the mesh's size
-    std::shared_ptr<const SplinePatch> patch{}; ///< the mesh as splines; null where it is not made of any
-    std::string camera{};                       ///< of the view
-    double aspect = 0.75;                       ///< of the view: height over width
+    Space space;            ///< of the domain; tells whether opposite sides are identified
+    ColourChoice colours{}; ///< from the view
+    double curve_tolerance = default_curve_tolerance; ///< relative to the size of the mesh
+    std::shared_ptr<const SplinePatch> patch{}; ///< the mesh as splines; null if it is not a spline mesh
+    std::string camera{};                       ///< from the view; may be empty
+    double aspect = 0.75;                       ///< height over width of the view
 };
 
 struct Format {
     std::string name;               ///< as in --formats: "obj"
     std::string help;               ///< one line
-    std::vector<std::string> files; ///< the names it writes into the output folder
+    std::vector<std::string> files; ///< names of its files in the output folder
     void (*write)(const std::filesystem::path& folder, const RunResult& result);
-    bool splines_only = false; ///< for domains of splines
+    bool splines_only = false; ///< requires a spline domain
 };
 
 const std::vector<Format>& formats();
-/// Whether a scenario's output section names a format.
+/// Whether the output section of a scenario lists the format.
 bool exports(const Scenario& scenario, std::string_view format);
-/// Parses "obj,glb". Throws InputError for an unknown name, with the nearest.
+/// Parses a list such as "obj,glb". Throws InputError for an unknown name; the message names the nearest.
 std::vector<const Format*> parse_formats(std::string_view list);
-/// Those of a scenario. Throws InputError too where one has nothing to write of its domain.
-std::vector<const Format*> formats_of(const Scenario& scenario);
+/// The formats of a scenario. Throws InputError also if a format does not support the domain.
+std::vector<const Format*> formats_of(const Catalogue& catalogue, const Scenario& scenario);
 
 } // namespace gaspard

@@ -1,4 +1,4 @@
-// adapted.glb: one node with one mesh; its faces and its edges are two primitives that share their vertices.
+// adapted.glb: one node with one mesh; faces and edges are two primitives with shared vertices.
 #include "core/base/check.hpp"
 #include "core/base/version.hpp"
 #include "core/io/atomic_file.hpp"
@@ -17,7 +17,7 @@ namespace gaspard {
 
 namespace {
 
-/// Three numbers per vertex, as the file has them.
+/// Three numbers per vertex.
 using Triples = std::vector<float>;
 
 Triples single_precision(const Points& points) {
@@ -32,7 +32,7 @@ Triples single_precision(const Points& points) {
     return triples;
 }
 
-/// The colour maps are in sRGB; vertex colours of glTF are linear light.
+/// Colour maps are in sRGB; glTF vertex colours are linear.
 float linear_light(unsigned char srgb) {
     const double s = srgb / 255.0;
     return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
@@ -49,9 +49,9 @@ Triples colours_of(const std::vector<double>& values) {
     return triples;
 }
 
-constexpr float dark_ink = 0.01f, light_ink = 0.5f; // linear light
+constexpr float dark_ink = 0.01f, light_ink = 0.5f; // linear
 
-/// Lines that are seen on faces of these colours: against either ink the contrast ratio is at least 3.
+/// Line colours with a contrast ratio of at least 3 to the given face colours.
 Triples ink_on(const Triples& faces) {
     Triples triples;
     triples.reserve(faces.size());
@@ -62,8 +62,7 @@ Triples ink_on(const Triples& faces) {
     return triples;
 }
 
-/// Puts arrays into the model's one buffer; each function returns the number of the accessor that describes
-/// the array.
+/// Appends arrays to the model's only buffer; each function returns the index of the new accessor.
 class Packer {
   public:
     explicit Packer(tinygltf::Model& model) : model_(model) { model_.buffers.resize(1); }
@@ -85,7 +84,7 @@ class Packer {
         return add(triples, TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
     }
 
-    /// 16 bits where they do; the largest number of either type is not a vertex in glTF.
+    /// 16-bit indices if possible; glTF reserves the largest value of either type.
     int indices(const std::vector<std::uint32_t>& numbers, std::size_t vertex_count) {
         const int target = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
         if (vertex_count > std::numeric_limits<std::uint16_t>::max())
@@ -116,8 +115,7 @@ class Packer {
         view.byteOffset = bytes.size();
         view.byteLength = values.size() * sizeof(T);
         view.target = target;
-        bytes.resize((view.byteOffset + view.byteLength + 3) / 4 *
-                     4); // every array begins at a multiple of 4
+        bytes.resize((view.byteOffset + view.byteLength + 3) / 4 * 4); // align arrays to 4 bytes
         std::memcpy(bytes.data() + view.byteOffset, values.data(), view.byteLength);
         model_.bufferViews.push_back(view);
 
@@ -148,7 +146,7 @@ int add_material(tinygltf::Model& model, const std::string& name, std::vector<do
     return static_cast<int>(model.materials.size()) - 1;
 }
 
-/// Stands at xi, moves to x, stands there: in a viewer that repeats, both ends are seen.
+/// Stays at xi, moves to x and stays there, so that a looping viewer shows both ends.
 void add_animation(tinygltf::Model& model, Packer& packer) {
     tinygltf::AnimationSampler sampler;
     sampler.input = packer.times({0.0f, 0.5f, 3.5f, 4.5f});
@@ -206,7 +204,7 @@ tinygltf::Model build_model(const Snapshot& snapshot, const Tessellation& shape)
 
     tinygltf::Mesh mesh;
     if (has_faces) {
-        // Light shows the form of what is bent; on a flat sheet it would only change the colours.
+        // Lighting shows the shape of curved surfaces; on a flat mesh it would only distort the colours.
         const int material = add_material(model, "faces", white, snapshot.mesh->space_dimension == 3);
         mesh.primitives.push_back(primitive(TINYGLTF_MODE_TRIANGLES,
                                             packer.indices(shape.triangles, x.size()), material, position,
@@ -217,7 +215,7 @@ tinygltf::Model build_model(const Snapshot& snapshot, const Tessellation& shape)
                                         displacement));
     if (monitor) {
         GASPARD_CHECK(monitor->place == FieldPlace::node);
-        // Of a mesh of lines, the edges are the cells, and carry the colours.
+        // On a mesh of lines, the edges are the cells and carry the colours.
         const Triples colours = colours_of(shown_values(shape, monitor->values));
         mesh.primitives.front().attributes["COLOR_0"] = packer.vertices(colours);
         if (has_faces) mesh.primitives.back().attributes["COLOR_0"] = packer.vertices(ink_on(colours));
@@ -232,7 +230,7 @@ tinygltf::Model build_model(const Snapshot& snapshot, const Tessellation& shape)
 void write_glb(const std::filesystem::path& file, const Snapshot& snapshot) {
     const Mesh& mesh = *snapshot.mesh;
     const int cuts =
-        std::max(cuts_for(mesh, snapshot.x), cuts_for(mesh, mesh.nodes)); // it plays between the two
+        std::max(cuts_for(mesh, snapshot.x), cuts_for(mesh, mesh.nodes)); // the animation shows both
     write_glb(file, snapshot, tessellate(mesh, cuts));
 }
 

@@ -1,4 +1,4 @@
-// A picture in memory and its PNG file.
+// An image in memory, and PNG files.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ struct Image {
     std::vector<std::uint8_t> rgba;
 };
 
-/// Throws MachineError if it cannot be written whole.
+/// Throws MachineError if the file cannot be written.
 void write_png(const std::filesystem::path& file, const Image& image);
-/// Throws InputError if it is not a readable picture.
+/// Throws InputError if the file cannot be read or decoded.
 Image read_image(const std::filesystem::path& file);
 
 } // namespace gaspard

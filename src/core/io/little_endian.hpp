@@ -1,4 +1,4 @@
-// Numbers as bytes, the lowest first, whatever the machine.
+// Numbers as little-endian bytes on every machine.
 #pragma once
 
 #include <bit>

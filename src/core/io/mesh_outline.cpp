@@ -1,6 +1,7 @@
 #include "core/io/mesh_outline.hpp"
 
 #include "core/base/check.hpp"
+#include "core/mesh/surface_topology.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -31,6 +32,12 @@ struct EdgesAtNodes {
         return std::span(edges).subspan(starts[index(node)], starts[index(node) + 1] - starts[index(node)]);
     }
 };
+
+Side side_of_face(const Facets& faces, std::size_t face, std::size_t i) {
+    const auto nodes = faces[face];
+    const auto corners = static_cast<std::size_t>(faces.corners);
+    return {nodes[i], nodes[(i + 1) % corners], faces.kind.order == 2 ? nodes[corners + i] : -1};
+}
 
 class Chainer {
   public:
@@ -86,33 +93,33 @@ class Chainer {
 } // namespace
 
 std::vector<Side> sides_of_face(const Facets& faces, std::size_t face) {
-    const auto nodes = faces[face];
-    const auto corners = static_cast<std::size_t>(faces.corners);
     std::vector<Side> sides;
-    for (std::size_t i = 0; i < corners; ++i)
-        sides.push_back(
-            {nodes[i], nodes[(i + 1) % corners], faces.kind.order == 2 ? nodes[corners + i] : -1});
+    for (std::size_t i = 0; i < static_cast<std::size_t>(faces.corners); ++i)
+        sides.push_back(side_of_face(faces, face, i));
     return sides;
 }
 
 std::vector<DrawnEdge> edges_of(const Facets& faces) {
-    std::vector<DrawnEdge> all;
+    const auto corners = static_cast<std::size_t>(faces.corners);
+    std::vector<std::int32_t> cycle; // the corners of all faces
+    cycle.reserve(faces.size() * corners);
+    std::int32_t last_node = -1;
     for (std::size_t f = 0; f < faces.size(); ++f)
-        for (const Side& side : sides_of_face(faces, f)) {
-            const auto face = static_cast<std::uint32_t>(f);
-            all.push_back({side, {face, face}});
+        for (const std::int32_t node : faces[f].first(corners)) {
+            cycle.push_back(node);
+            last_node = std::max(last_node, node);
         }
-    std::stable_sort(all.begin(), all.end(),
-                     [](const DrawnEdge& a, const DrawnEdge& b) { return key_of(a.side) < key_of(b.side); });
-    std::size_t kept = 0;
-    for (const DrawnEdge& edge : all) {
-        if (kept > 0 && key_of(all[kept - 1].side) == key_of(edge.side))
-            all[kept - 1].faces[1] = edge.faces[0];
-        else
-            all[kept++] = edge;
+    const SurfaceEdges found = surface_edges(index(last_node) + 1, cycle, corners);
+    std::vector<DrawnEdge> edges;
+    edges.reserve(found.edges.size());
+    for (const SurfaceEdge& edge : found.edges) {
+        const auto sides = found.sides_of(edge);
+        const auto face = static_cast<std::size_t>(sides.front()) / corners;
+        edges.push_back(
+            {side_of_face(faces, face, sides.front() % corners),
+             {static_cast<std::uint32_t>(face), static_cast<std::uint32_t>(sides.back() / corners)}});
     }
-    all.resize(kept);
-    return all;
+    return edges;
 }
 
 std::vector<std::vector<Side>> chain(const std::vector<Side>& edges, const Points& positions) {
@@ -127,7 +134,8 @@ std::vector<std::vector<Side>> outline(const Facets& faces, std::span<const std:
     std::vector<Side> sides;
     for (const auto face : chosen)
         for (const Side& side : sides_of_face(faces, face)) sides.push_back(side);
-    // Where two of the faces meet, their sides run in opposite directions and cancel.
+    // Where two of the faces meet, their sides run in opposite directions and cancel. No half-edge structure is
+    // built for each set of faces: it would cost more than these sides.
     std::stable_sort(sides.begin(), sides.end(),
                      [](const Side& a, const Side& b) { return key_of(a) < key_of(b); });
     std::size_t kept = 0;

@@ -1,5 +1,5 @@
-// The lines of a mesh for a drawing program: few long ones instead of one per edge, and outlines of regions
-// instead of single cells. Numbers only, no positions on paper.
+// Lines of a mesh for vector graphics: few long lines instead of one per edge, and outlines of regions
+// instead of single cells. Node numbers only, no positions on the page.
 #pragma once
 
 #include "core/io/facets.hpp"
@@ -11,14 +11,14 @@
 
 namespace gaspard {
 
-/// From a node to a node, through a middle one where the edge is curved (-1: straight).
+/// A directed edge from node to node, through a middle node if it is curved (-1: straight).
 struct Side {
     std::int32_t from = 0, to = 0, middle = -1;
     Side reversed() const { return {to, from, middle}; }
     friend bool operator==(const Side&, const Side&) = default;
 };
 
-/// An edge of the mesh with the faces beside it; the same face twice at the border.
+/// An edge of the mesh with its two faces; at the boundary the same face twice.
 struct DrawnEdge {
     Side side;
     std::array<std::uint32_t, 2> faces{};
@@ -27,14 +27,14 @@ struct DrawnEdge {
 /// The sides of one face in order, around it.
 std::vector<Side> sides_of_face(const Facets& faces, std::size_t face);
 
-/// Every edge once.
+/// Every edge once, sorted by its end nodes (smaller first), directed as in its first face.
 std::vector<DrawnEdge> edges_of(const Facets& faces);
 
-/// Strings edges together, each into one line only, going straight on where lines cross. `positions` tell
-/// what is straight: best those of the computational mesh.
+/// Joins edges to lines, each edge to one line only; where lines cross, the straightest continuation is taken.
+/// `positions` decide what is straight; those of the computational mesh work best.
 std::vector<std::vector<Side>> chain(const std::vector<Side>& edges, const Points& positions);
 
-/// Closed lines around the union of these faces; what lies between two of them is left out.
+/// Closed lines around the union of these faces; edges between two of them are left out.
 std::vector<std::vector<Side>> outline(const Facets& faces, std::span<const std::uint32_t> chosen);
 
 } // namespace gaspard

@@ -5,6 +5,7 @@
 #include "core/base/check.hpp"
 #include "core/base/parameter.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/cell_types.hpp"
 #include "core/io/facets.hpp"
 #include "core/io/formats.hpp"
 
@@ -16,22 +17,6 @@ namespace gaspard {
 namespace {
 
 constexpr int point_type = 15;
-
-/// Gmsh's number for a kind of cell.
-int gmsh_type(CellKind kind) {
-    const bool straight = kind.order == 1;
-    switch (kind.shape) {
-    case CellShape::line:
-        return straight ? 1 : 8;
-    case CellShape::triangle:
-        return straight ? 2 : 9;
-    case CellShape::quadrilateral:
-        return straight ? 3 : 10;
-    case CellShape::hexahedron:
-        return straight ? 5 : 12;
-    }
-    check_failed("the shape has a number in Gmsh");
-}
 
 /// Which of our nodes Gmsh wants at each place. It differs from VTK in the edges and faces of curved solids.
 std::vector<int> gmsh_order(CellKind kind) {
@@ -85,8 +70,8 @@ std::string elements(const Mesh& mesh, const Facets& facets, const std::vector<B
     const auto order = gmsh_order(mesh.kind);
     std::size_t number = 0;
     for (std::size_t c = 0; c < mesh.cell_count(); ++c)
-        append_element(text, ++number, gmsh_type(mesh.kind), 1, mesh.cell(c), order);
-    const int type = facets.nodes_each == 1 ? point_type : gmsh_type(facets.kind);
+        append_element(text, ++number, cell_type_numbers(mesh.kind).gmsh, 1, mesh.cell(c), order);
+    const int type = facets.nodes_each == 1 ? point_type : cell_type_numbers(facets.kind).gmsh;
     for (std::size_t g = 0; g < groups.size(); ++g)
         for (const std::size_t f : groups[g].facets)
             append_element(text, ++number, type, 2 + g, facets[f], {});

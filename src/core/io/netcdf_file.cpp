@@ -16,10 +16,10 @@ namespace {
 
 void demand(int status) {
     if (status != NC_NOERR)
-        throw MachineError(std::string("cannot make a NetCDF file: ") + nc_strerror(status));
+        throw MachineError(std::string("cannot create a NetCDF file: ") + nc_strerror(status));
 }
 
-/// A file of the library's, in memory; given up unless its bytes were taken.
+/// A NetCDF file in memory, discarded unless its bytes are taken.
 class OpenFile {
   public:
     OpenFile() { demand(nc_create_mem("gaspard", NC_64BIT_OFFSET, 0, &id_)); }
@@ -84,12 +84,12 @@ void put_values(int file, int id, const NetcdfVariable& variable, std::size_t si
 } // namespace
 
 std::string netcdf_bytes(const NetcdfFile& file) {
-    static std::mutex one_at_a_time; // the library keeps a list of its open files and knows no threads
+    static std::mutex one_at_a_time; // the library is not thread-safe
     const std::lock_guard lock(one_at_a_time);
     OpenFile open;
     std::map<std::string, int> dimensions;
     for (const auto& [name, size] : file.dimensions) {
-        GASPARD_CHECK(size > 0); // 0 would be the dimension without limit
+        GASPARD_CHECK(size > 0); // 0 would mean an unlimited dimension
         demand(nc_def_dim(open.id(), name.c_str(), size, &dimensions[name]));
     }
     for (const auto& attribute : file.attributes) put(open.id(), NC_GLOBAL, attribute);

@@ -1,5 +1,5 @@
-// A NetCDF file as a value, and its bytes by the NetCDF library (classic format with 64-bit offsets, which
-// every reader knows and which is the same bytes for the same content).
+// A NetCDF file as plain data, encoded by the NetCDF library (classic format with 64-bit offsets, which all
+// readers support and which is deterministic).
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct NetcdfAttribute {
 
 struct NetcdfVariable {
     std::string name;
-    std::vector<std::string> dimensions; ///< by name; the last runs fastest; none: one value
+    std::vector<std::string> dimensions; ///< names, the last runs fastest; none for a scalar
     std::variant<std::vector<double>, std::vector<std::int32_t>> values;
     std::vector<NetcdfAttribute> attributes{};
 };
@@ -25,11 +25,10 @@ struct NetcdfVariable {
 struct NetcdfFile {
     std::vector<std::pair<std::string, std::size_t>> dimensions;
     std::vector<NetcdfVariable> variables{};
-    std::vector<NetcdfAttribute> attributes{}; ///< of the file
+    std::vector<NetcdfAttribute> attributes{}; ///< global attributes
 };
 
-/// Made in memory, so that it can be written like every other file. From any thread. Throws MachineError with
-/// the library's own words.
+/// The bytes of the file. Thread-safe. Throws MachineError with the library's message on failure.
 std::string netcdf_bytes(const NetcdfFile& file);
 
 } // namespace gaspard

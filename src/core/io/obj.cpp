@@ -16,7 +16,7 @@ void append_vertex(std::string& text, Vec3 p) {
     text += "v " + format_number(p.x) + ' ' + format_number(p.y) + ' ' + format_number(p.z) + '\n';
 }
 
-/// The records of one cell, each as local corner numbers: a line, a face, or the faces of a solid.
+/// The OBJ records of one cell as local corner numbers: a line, a face, or the faces of a solid.
 std::vector<std::vector<int>> records_of_cell(CellKind kind) {
     if (cell_dimension(kind) == 3) {
         const auto faces = cell_faces(kind);

@@ -1,5 +1,5 @@
-// adapted.ply: corner vertices in double precision with the monitor and its colour, straight-edged faces.
-// Lines are "edge" elements; of solids the border is written.
+// adapted.ply: corner vertices in double precision with the monitor and its colour, and straight-edged faces.
+// Lines are "edge" elements; for solids the boundary is written.
 #include "core/base/check.hpp"
 #include "core/base/version.hpp"
 #include "core/io/atomic_file.hpp"
@@ -15,7 +15,7 @@ namespace gaspard {
 
 namespace {
 
-/// What PLY calls faces or edges: some corners each.
+/// The faces or edges of the file, all with the same number of corners.
 struct Polygons {
     std::size_t corners = 2; ///< 2: edges
     std::vector<std::int32_t> nodes;

@@ -1,15 +1,16 @@
 #include "core/io/run_files.hpp"
 
-#include "core/base/csv.hpp"
 #include "core/base/error.hpp"
 #include "core/base/version.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/spline_map_file.hpp"
 #include "core/io/state_file.hpp"
 #include "core/method/spline_map.hpp"
+#include "core/session/report_columns.hpp"
 #include "core/spline/spline_domain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -53,19 +54,27 @@ std::shared_ptr<const SplinePatch> patch_of(const Run& run) {
 } // namespace
 
 std::string history_csv(const std::vector<StepReport>& history) {
-    std::string text =
-        "iteration,residual,equidistribution,exact_rms,min_jacobian,tangled_cells,step_size,seconds,"
-        "inner_iterations,note\n";
-    for (const auto& row : history) {
-        text += std::to_string(row.iteration) + ',' + format_number(row.residual) + ',';
-        text += format_number(row.equidistribution) + ',' + format_number(row.exact_rms) + ',' +
-                format_number(row.min_jacobian) + ',';
-        text += row.tangled_cells ? std::to_string(*row.tangled_cells) : "";
-        text += ',' + format_number(row.step_size) + ',' + format_number(row.seconds) + ',' +
-                std::to_string(row.inner_iterations) + ',' + csv_text(row.note) + '\n';
-    }
+    static constexpr std::array<std::string_view, 9> always = {
+        "iteration",     "residual",  "equidistribution", "exact_rms",       "min_jacobian",
+        "tangled_cells", "step_size", "seconds",          "inner_iterations"};
+    std::vector<std::string> columns = report_columns(always, history);
+    columns.emplace_back("note");
+    std::string text = csv_head(columns) + '\n';
+    for (const auto& row : history) text += csv_row(row, columns) + '\n';
     return text;
 }
+
+namespace {
+
+/// The method's further series, under "measures".
+void add_measures(Json& json, const StepReport& report) {
+    const SeriesTable& table = *report.series;
+    for (std::size_t i = table.first_of_method(); i < table.all().size(); ++i)
+        if (const std::string& name = table.all()[i].name; !json.contains(name))
+            json["measures"][name] = or_null(report.value(i));
+}
+
+} // namespace
 
 std::string summary_json(Run& run) {
     const Scenario& scenario = run.scenario();
@@ -80,14 +89,11 @@ std::string summary_json(Run& run) {
     json["status"] = status_name(last.status);
     json["iterations"] = last.iteration;
     json["residual"] = last.residual;
-    json["equidistribution"] = or_null(last.equidistribution);
-    json["theta"] = last.theta;
+    for (const char* name : {"equidistribution", "theta"}) json[name] = or_null(last.value(name));
     json["tangled_cells"] = or_null(last.tangled_cells);
-    json["min_jacobian"] = or_null(last.min_jacobian);
-    json["max_jacobian"] = or_null(last.max_jacobian);
-    json["exact_rms"] = or_null(last.exact_rms);
-    json["exact_rms_nodes"] = or_null(last.exact_rms_nodes);
-    for (const auto& measure : last.measures) json["measures"][measure.name] = measure.value;
+    for (const char* name : {"min_jacobian", "max_jacobian", "exact_rms", "exact_rms_nodes"})
+        json[name] = or_null(last.value(name));
+    add_measures(json, last);
     json["setup_seconds"] = run.setup_seconds();
     json["solve_seconds"] = last.seconds;
     json["cpu_seconds"] = last.cpu_seconds;

@@ -10,9 +10,11 @@
 
 namespace gaspard {
 
-/// One row per iterate; what was not measured is empty.
+/// One row per iterate; what was not measured is empty. The method's further series follow the columns that
+/// every history has, before the note.
 std::string history_csv(const std::vector<StepReport>& history);
-/// Scenario, status, numbers, times, memory; what was not measured is null.
+/// Scenario, status, numbers, times, memory; what was not measured is null. "measures" are the method's
+/// further series.
 std::string summary_json(Run& run);
 /// Writes all of them into a folder that is there or can be made, each under a temporary name that is then
 /// renamed; what fails does not keep the others from being tried. Throws the first MachineError;

@@ -1,4 +1,4 @@
-// map.json: the adapted map of a spline patch, its components each with degrees, knots and coefficients.
+// map.json: the adapted map of a spline patch; degrees, knots and coefficients of each component.
 #pragma once
 
 #include "core/method/method.hpp"
@@ -8,7 +8,7 @@
 
 namespace gaspard {
 
-/// Nothing for states that are not of a patch. Numbers read back to the same doubles.
+/// nullopt for states of other domains. Numbers read back to the same doubles.
 std::optional<std::string> spline_map_json(const State& state);
 
 } // namespace gaspard

@@ -26,7 +26,7 @@ void append_text(std::string& bytes, std::string_view text) {
     bytes += text;
 }
 
-/// Takes bytes off the front; throws where there are too few.
+/// Reads from the front of the bytes; throws InputError if there are too few.
 class Reader {
   public:
     Reader(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {}
@@ -52,13 +52,13 @@ class Reader {
         std::vector<double> values(count);
         for (double& value : values) {
             value = std::bit_cast<double>(number<std::uint64_t>());
-            if (!std::isfinite(value)) fail("holds numbers that are not finite, from which no run can go on");
+            if (!std::isfinite(value)) fail("contains numbers that are not finite");
         }
         return values;
     }
     std::size_t left() const { return bytes_.size(); }
     [[noreturn]] void fail(const std::string& what) const {
-        throw InputError("the state " + file_ + " " + what);
+        throw InputError("the state file " + file_ + " " + what);
     }
 
   private:
@@ -67,12 +67,11 @@ class Reader {
 };
 
 void check_whole(Reader& reader, std::string_view bytes) {
-    if (bytes.substr(0, mark.size()) != mark)
-        reader.fail("is not one of Gaspard's (a run writes them as state.bin)");
-    if (bytes.size() < mark.size() + sizeof(std::uint64_t)) reader.fail("is damaged");
+    if (bytes.substr(0, mark.size()) != mark) reader.fail("is not a Gaspard state file (state.bin of a run)");
+    if (bytes.size() < mark.size() + sizeof(std::uint64_t)) reader.fail("is truncated");
     const auto body = bytes.substr(0, bytes.size() - sizeof(std::uint64_t));
     if (Reader(bytes.substr(body.size()), {}).number<std::uint64_t>() != fnv1a(body))
-        reader.fail("is damaged: its checksum is not that of its content");
+        reader.fail("is damaged: the checksum does not match");
 }
 
 } // namespace
@@ -98,7 +97,7 @@ State read_state(const std::filesystem::path& file) {
     reader.take(mark.size());
     const auto version = reader.number<std::uint32_t>();
     if (version != newest_version)
-        reader.fail("has version " + std::to_string(version) + "; this program reads version " +
+        reader.fail("has version " + std::to_string(version) + "; this program supports version " +
                     std::to_string(newest_version));
     const auto count = reader.number<std::uint32_t>();
     State state;

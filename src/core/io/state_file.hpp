@@ -1,8 +1,8 @@
-// state.bin: the unknowns of a run, versioned and checked, which --start reads to go on.
+// state.bin: the unknowns of a run with version and checksum, read by --start to continue the run.
 //
-// Little-endian: "GASPARD STATE\n\0\0" (16 bytes with padding), u32 version, u32 number of arrays, layout
-// (u32 length, bytes), then per array: name (u32 length, bytes), u64 count, doubles; at the end a 64-bit
-// FNV-1a of all before it.
+// Little-endian layout: "GASPARD STATE\n\0\0" (16 bytes with padding); u32 version; u32 number of arrays;
+// layout (u32 length, bytes); then for each array name (u32 length, bytes), u64 count, doubles; finally the
+// 64-bit FNV-1a hash of all preceding bytes.
 #pragma once
 
 #include "core/method/method.hpp"
@@ -11,9 +11,9 @@
 
 namespace gaspard {
 
-/// Throws MachineError where the file cannot be written.
+/// Throws MachineError if the file cannot be written.
 void write_state(const std::filesystem::path& file, const State& state);
-/// Throws InputError: no such file, not a state, damaged, of a newer version.
+/// Throws InputError if the file does not exist, is not a state file, is damaged or has another version.
 State read_state(const std::filesystem::path& file);
 
 } // namespace gaspard

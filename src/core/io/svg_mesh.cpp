@@ -193,8 +193,10 @@ std::string flat_tangled(const Drawing& drawing) {
         cells += path_element(path);
     }
     if (cells.empty()) return "";
-    return "<g id=\"tangled\" fill=\"" + std::string(tangled_colour) + "\" stroke=\"" + tangled_colour +
-           "\" stroke-width=\".8\" stroke-linejoin=\"round\">\n" + cells + "</g>\n";
+    const std::string colour = tangled_colour;
+    std::string group = "<g id=\"tangled\" fill=\"";
+    group += colour + "\" stroke=\"" + colour + "\" stroke-width=\".8\" stroke-linejoin=\"round\">\n";
+    return group + cells + "</g>\n";
 }
 
 /// Face by face, the nearer over the farther; neighbours of one class in one group.

@@ -115,17 +115,15 @@ static SvgView view_of_camera(const Camera& camera, PagePoint corner, Size size)
 }
 
 SvgView svg_view(const SvgScene& scene, const MeshSvgOptions& options, PagePoint corner, double width) {
-    const std::string& camera = options.camera;
     const Size size{width, options.aspect * width};
-    if (!camera.empty() && !shows_all(camera))
-        return view_of_camera(parse_camera(camera, size), corner, size);
+    std::optional<Camera> camera;
+    if (!options.camera.empty()) camera = parse_camera(options.camera, size);
+    if (camera && !shows_all(options.camera)) return view_of_camera(*camera, corner, size);
     SvgView view{.corner = corner};
-    if (scene.spatial && camera.empty()) {
+    if (scene.spatial) {
         const ViewDirection& home = view_direction("home");
-        view.right = home.right, view.up = home.up;
-    } else if (scene.spatial) {
-        const Camera axes = parse_camera(camera, size);
-        view.right = axes.right, view.up = axes.up;
+        view.right = camera ? camera->right : home.right;
+        view.up = camera ? camera->up : home.up;
     }
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double left = infinity, right = -infinity, bottom = infinity, top = -infinity;

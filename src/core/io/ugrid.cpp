@@ -1,9 +1,10 @@
-// *.ugrid.nc: a mesh as UGRID 1.0 (ugrid-conventions.github.io) and CF have it, in NetCDF: the cells' corners
-// and straight edges, as climate and ocean codes read them. On a sphere longitude and latitude are the
-// coordinates,
-//   longitude = atan2(y, x), latitude = atan2(z, sqrt(x^2 + y^2)), in degrees,
-// with x, y, z beside them; elsewhere the coordinates are x, y and, in space, z (y = 0 on an interval:
-// readers want two).
+// *.ugrid.nc: corners and straight edges of a mesh in NetCDF by the UGRID 1.0 (ugrid-conventions.github.io)
+// and CF conventions, as climate and ocean codes read them. On a sphere the coordinates are
+//
+//   longitude = atan2(y, x),   latitude = atan2(z, sqrt(x^2 + y^2)),   in degrees,
+//
+// with x, y, z as additional fields; otherwise x, y and, in space, z (y = 0 on an interval, since readers
+// expect two coordinates).
 #include "core/base/check.hpp"
 #include "core/base/version.hpp"
 #include "core/io/atomic_file.hpp"
@@ -20,7 +21,7 @@ namespace gaspard {
 
 namespace {
 
-/// What UGRID calls cells of a dimension.
+/// UGRID's word for cells of a dimension.
 std::string cell_word(int dimension) { return dimension == 1 ? "edge" : dimension == 2 ? "face" : "volume"; }
 
 struct Coordinate {
@@ -59,7 +60,7 @@ Points chosen(const Points& points, const std::vector<std::size_t>& nodes) {
     return found;
 }
 
-/// The means of the cells' corners.
+/// The mean of each cell's corners.
 Points centres(const Points& corners, const std::vector<std::int32_t>& cells, std::size_t each) {
     Points found(cells.size() / each);
     for (std::size_t c = 0; c < found.size(); ++c) {
@@ -121,7 +122,7 @@ class UgridMaker {
         return attributes;
     }
 
-    /// Returns their names, as an attribute lists them.
+    /// Returns their names, separated by spaces.
     std::string add_coordinates(const std::string& place, const Points& points) {
         std::string names;
         for (auto& coordinate :
@@ -175,10 +176,10 @@ class UgridMaker {
     const Snapshot& snapshot_;
     const Mesh& mesh_;
     const Points& x_;
-    std::string word_; ///< for the cells: also the name of their dimension
+    std::string word_; ///< UGRID's word for the cells; also the name of their dimension
     bool sphere_;
-    std::vector<std::int32_t> cells_; ///< corners, numbered as in nodes_
-    std::vector<std::size_t> nodes_;  ///< those that are corners
+    std::vector<std::int32_t> cells_; ///< corners as indices into nodes_
+    std::vector<std::size_t> nodes_;  ///< the nodes that are corners
     NetcdfFile file_;
 };
 

@@ -3,33 +3,20 @@
 #include "core/base/check.hpp"
 #include "core/base/version.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/cell_types.hpp"
 #include "core/io/formats.hpp"
 #include "core/io/little_endian.hpp"
 #include "core/io/xml.hpp"
+#include "core/session/report_columns.hpp"
 #include "core/tessellate/colouring.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace gaspard {
 
 namespace {
-
-/// VTK's number for a kind of cell; its nodes are numbered as ours.
-std::uint8_t vtk_cell_type(CellKind kind) {
-    const bool straight = kind.order == 1;
-    switch (kind.shape) {
-    case CellShape::line:
-        return straight ? 3 : 21;
-    case CellShape::triangle:
-        return straight ? 5 : 22;
-    case CellShape::quadrilateral:
-        return straight ? 9 : 28;
-    case CellShape::hexahedron:
-        return straight ? 12 : 29;
-    }
-    check_failed("the shape has a number in VTK");
-}
 
 std::string base64(std::string_view bytes) {
     static constexpr std::string_view digits =
@@ -105,12 +92,12 @@ std::string field_data(const StepReport& report) {
         arrays.integers(name, std::span(&narrow, 1), one);
     };
     integer("iteration", static_cast<std::size_t>(report.iteration));
-    real("residual", report.residual);
-    real("theta", report.theta);
-    real("equidistribution", report.equidistribution);
-    real("min_jacobian", report.min_jacobian);
-    real("max_jacobian", report.max_jacobian);
+    static constexpr std::array<std::string_view, 5> always = {"residual", "theta", "equidistribution",
+                                                               "min_jacobian", "max_jacobian"};
+    const auto columns = report_columns(always, std::span(&report, 1));
+    for (std::size_t i = 0; i < always.size(); ++i) real(columns[i], report.value(columns[i]));
     if (report.tangled_cells) integer("tangled_cells", *report.tangled_cells);
+    for (std::size_t i = always.size(); i < columns.size(); ++i) real(columns[i], report.value(columns[i]));
     return arrays.text();
 }
 
@@ -139,7 +126,8 @@ std::string cells(const Mesh& mesh) {
     for (std::size_t c = 1; c <= mesh.cell_count(); ++c)
         ends.push_back(static_cast<std::int32_t>(c) * nodes_per_cell(mesh.kind));
     arrays.integers("offsets", ends);
-    arrays.bytes("types", std::string(mesh.cell_count(), static_cast<char>(vtk_cell_type(mesh.kind))));
+    arrays.bytes("types",
+                 std::string(mesh.cell_count(), static_cast<char>(cell_type_numbers(mesh.kind).vtk)));
     return arrays.text();
 }
 

@@ -6,7 +6,7 @@ namespace gaspard {
 
 namespace {
 
-/// The bytes of the UTF-8 character at the front, 0 if there is none that XML allows.
+/// The length in bytes of the first UTF-8 character; 0 if it is invalid or not allowed in XML.
 std::size_t character_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);

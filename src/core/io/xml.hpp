@@ -1,4 +1,4 @@
-// Text that is safe between XML's tags and in its attributes.
+// Escaping of text for XML content and attributes.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace gaspard {
 
-/// `text` is UTF-8; what XML cannot hold at all (control characters, broken UTF-8) becomes U+FFFD.
+/// `text` is UTF-8; characters that XML cannot represent (control characters, invalid UTF-8) become U+FFFD.
 std::string xml_escape(std::string_view text);
 
 } // namespace gaspard

@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::size_t lanes = BatchFft::lanes;
 
-/// Where the elements of one butterfly stand: real parts here, imaginary ones in the same way elsewhere.
-/// A backward transform is a forward one with real and imaginary parts exchanged.
+/// Input and output of one butterfly; real and imaginary parts have the same layout. The backward transform
+/// is the forward one with real and imaginary parts exchanged.
 struct Place {
     const double* in_re;
     const double* in_im;
     double* out_re;
     double* out_im;
-    std::size_t in_step, out_step; ///< between the elements of one butterfly
+    std::size_t in_step, out_step; ///< between consecutive elements of the butterfly
 };
 
 void butterfly2(const Place& at, const double* w) {
@@ -113,7 +113,7 @@ void butterfly5(const Place& at, const double* w) {
     }
 }
 
-// Of any length, straight from the definition. `roots`: cosine and sine of the radix-th roots of 1.
+// Any radix, directly from the definition. `roots`: cosine and sine of the radix-th roots of unity.
 void butterfly(const Place& at, const double* w, std::size_t radix, const double* roots) {
     for (std::size_t k = 0; k < radix; ++k) {
         double sum_re[lanes] = {}, sum_im[lanes] = {};

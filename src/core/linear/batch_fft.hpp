@@ -1,10 +1,10 @@
-// Fourier transforms of many sequences at once: eight of equal length stand side by side, so that one
-// instruction works on all of them whatever their length.
+// Fourier transforms of batches of eight sequences of equal length, interleaved so that one vector
+// instruction handles all eight, whatever their length.
 //
-//   out_k = sum over j of in_j exp(-2 pi i j k / n)          (backward: with +, not divided by n)
+//   out_k = sum over j of in_j exp(-2 pi i j k / n)          (backward: exp(+2 pi i j k / n), unscaled)
 //
-// A batch is 2 n rows of eight numbers: row 2 j holds the real parts of element j, row 2 j + 1 the imaginary
-// ones.
+// Layout of a batch: 2 n rows of eight numbers; row 2 j holds the real parts of element j, row 2 j + 1 the
+// imaginary parts.
 #pragma once
 
 #include <cstddef>
@@ -19,21 +19,21 @@ class BatchFft {
     explicit BatchFft(std::size_t n);
 
     std::size_t length() const { return n_; }
-    /// Transforms `data` and says where the result stands: in `data` or in `scratch`, which is as large.
+    /// Transforms `data` and returns a pointer to the result, which is either `data` or `scratch`. Both have
+    /// 2 n lanes numbers; both are overwritten.
     double* forward(double* data, double* scratch) const { return transform(data, scratch, 0, lanes); }
     double* backward(double* data, double* scratch) const { return transform(data, scratch, lanes, 0); }
 
   private:
-    struct Pass { ///< one factor of n (Stockham): `groups` twiddles, each for `stride` elements
+    struct Pass { ///< one factor of n (Stockham): `groups` twiddle factors, each for `stride` elements
         std::size_t radix, groups, stride, first_twiddle;
     };
     double* transform(double* data, double* scratch, std::size_t real, std::size_t imaginary) const;
 
     std::size_t n_;
     std::vector<Pass> passes_;
-    std::vector<double>
-        twiddles_;              ///< cosine and sine in turn: of a pass's groups, of each the powers 1, 2, ...
-    std::vector<double> roots_; ///< of the passes without a butterfly of their own
+    std::vector<double> twiddles_; ///< cosine, sine; for each pass and group the powers 1, 2, ...
+    std::vector<double> roots_;    ///< roots of unity of the passes with radix > 5
 };
 
 } // namespace gaspard

@@ -2,14 +2,7 @@
 
 #include "core/base/check.hpp"
 
-// With -march=native GCC 12 takes the registers that its own AVX-512 header leaves undefined on purpose for
-// mistakes of ours, wherever Eigen is inlined (GCC bug 105593).
-#pragma GCC diagnostic push
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
 #include <Eigen/Dense>
-#pragma GCC diagnostic pop
 
 namespace gaspard {
 
@@ -113,7 +106,7 @@ CellCholesky::CellCholesky(const CellUnknowns& unknowns, std::shared_ptr<const D
         for (auto i = part.cells_begin; i < part.cells_end; ++i) {
             const auto cell = static_cast<std::size_t>(dissection->cells[static_cast<std::size_t>(i)]);
             cell_matrix(cell, small);
-            front.add_cell(unknowns.of(cell), dissection->place, small);
+            front.add_cell(unknowns.of(cell), dissection->permutation, small);
         }
         for (const auto child : part.children) {
             if (child < 0) continue;

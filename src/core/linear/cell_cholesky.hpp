@@ -1,11 +1,12 @@
-// The Cholesky factor of a finite element matrix, and solutions for one or many right-hand sides at once.
+// Sparse Cholesky factorisation of a finite element matrix, for one or many right-hand sides:
 //
-//   A = sum over the cells of their matrices = L L^T,      A u = b
+//   A = sum over cells of the cell matrices = L L^T,      A u = b
 //
-// A is never formed: every part of a nested dissection adds the matrices of its cells, or what its two halves
-// leave, eliminates its own unknowns in a small dense matrix, and leaves the rest (the multifrontal method of
-// Duff and Reid, 1983). The factor is stored part by part as dense rows, so a solution reads it twice from
-// end to end, once forward and once backward, for all right-hand sides together.
+// Multifrontal method (Duff and Reid, 1983): A is never assembled. Each part of a nested dissection assembles
+// a dense frontal matrix from its cell matrices, or from the Schur complements of its two children,
+// eliminates its own unknowns and passes the Schur complement of the border on to its parent. L is stored
+// part by part in dense rows, so that a solve reads it once forward and once backward for all right-hand
+// sides together.
 #pragma once
 
 #include "core/linear/dissection.hpp"
@@ -18,35 +19,35 @@ namespace gaspard {
 
 class CellCholesky {
   public:
-    /// Fills a cell's symmetric matrix, per_cell x per_cell, row by row.
+    /// Fills a cell's symmetric matrix, per_cell x per_cell, by rows.
     using CellMatrix = std::function<void(std::size_t cell, std::span<double> matrix)>;
-    /// Called now and then with the part of the work that is done.
+    /// Progress callback; the argument is the fraction done, from 0 to 1.
     using Advance = std::function<void(double)>;
 
-    /// `unknowns` as it was dissected. The sum must be positive definite (InternalError). Throws Interrupted
-    /// when asked to stop.
+    /// `unknowns` must be those that were dissected, and the sum of the cell matrices positive definite (else
+    /// InternalError). Throws Interrupted when a stop is requested.
     CellCholesky(const CellUnknowns& unknowns, std::shared_ptr<const Dissection> dissection,
                  const CellMatrix& matrix, const Advance& advance = {}, std::stop_token stop = {});
 
-    /// Solves in place for `columns` (1, 4 or 12) right-hand sides: b holds a row of so many numbers for
-    /// every unknown, in the order of elimination (Dissection::place). Allocates nothing.
+    /// Solves in place for `columns` (1, 4 or 12) right-hand sides. b has one row of `columns` numbers per
+    /// unknown, rows in elimination order (Dissection::permutation). Does not allocate.
     template <int columns>
     void solve(std::span<double> b) const;
 
     std::size_t size() const { return size_; }
-    /// Numbers in the factor.
+    /// Number of entries of the factor.
     std::size_t entries() const { return values_.size(); }
 
   private:
     struct Part {
-        std::int32_t begin, own, border; ///< first unknown, how many it eliminates, how many it meets
-        std::size_t values, indices;     ///< where its rows and its border's places begin
+        std::int32_t begin, own, border; ///< first unknown, number eliminated, number in the border
+        std::size_t values, indices;     ///< offsets into values_ and indices_
     };
 
     std::size_t size_;
     std::vector<Part> parts_;
-    /// Of every part: the lower triangle row by row, then a row of `own` numbers for every unknown of the
-    /// border. The diagonal holds reciprocals.
+    /// For each part: the lower triangle by rows, with reciprocals on the diagonal, then one row of `own`
+    /// numbers per unknown of the border.
     std::vector<double> values_;
     std::vector<std::int32_t> indices_;
 };

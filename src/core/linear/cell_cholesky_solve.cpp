@@ -1,5 +1,5 @@
-// The triangular solutions, which is where an iteration on a surface spends its time. Rows of the border are
-// taken four at a time, so that what is read of the own unknowns serves all four.
+// Triangular solves, which dominate the cost of an iteration on a surface. Border rows are processed four at
+// a time, so that each load of the part's own unknowns serves four rows.
 #include "core/base/check.hpp"
 #include "core/linear/cell_cholesky.hpp"
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t rows_at_once = 4;
 
-/// A few numbers that stay in registers.
+/// One row of the right-hand sides, kept in registers.
 template <int columns>
 struct Row {
     double of[columns];
@@ -28,7 +28,7 @@ struct Row {
     }
 };
 
-/// What one part does to the right-hand sides b; `x` are those of its own unknowns.
+/// Forward and backward substitution with one part's block; `x` are the rows of its own unknowns in b.
 template <int columns>
 struct Block {
     std::size_t own, border;
@@ -68,7 +68,7 @@ struct Block {
         std::size_t i = 0;
         for (; i + rows_at_once <= border; i += rows_at_once) backward_rows<rows_at_once>(i);
         for (; i < border; ++i) backward_rows<1>(i);
-        for (std::size_t j = own; j-- > 0;) { // column by column, which is a row of the transposed
+        for (std::size_t j = own; j-- > 0;) { // by columns of L, the rows of its transpose
             const double* l = values + j * (j + 1) / 2;
             Row<columns> sum;
             sum.load(x + j * columns);

@@ -9,14 +9,14 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t smallest = 3; // cells that are not cut any further
+constexpr std::size_t cells_per_leaf = 3; // parts of at most this many cells are not divided
 
 class Dissector {
   public:
     Dissector(const CellUnknowns& unknowns, const Points& middles)
         : unknowns_(unknowns), middles_(middles), side_(unknowns.count, 0) {
         GASPARD_CHECK(middles.size() == unknowns.cells());
-        result_.place.assign(unknowns.count, -1);
+        result_.permutation.assign(unknowns.count, -1);
         result_.cells.resize(unknowns.cells());
         std::iota(result_.cells.begin(), result_.cells.end(), 0);
     }
@@ -27,7 +27,8 @@ class Dissector {
         cut(0, result_.cells.size(), std::move(all));
         GASPARD_CHECK(static_cast<std::size_t>(next_) == unknowns_.count);
         for (auto& part : result_.parts) {
-            for (auto& unknown : part.border) unknown = result_.place[static_cast<std::size_t>(unknown)];
+            for (auto& unknown : part.border)
+                unknown = result_.permutation[static_cast<std::size_t>(unknown)];
             std::sort(part.border.begin(), part.border.end());
         }
         return std::move(result_);
@@ -45,7 +46,7 @@ class Dissector {
         return axis == 0 ? middles_.x[c] : axis == 1 ? middles_.y[c] : middles_.z[c];
     }
 
-    /// Puts the cells begin .. end in order along an axis, so that the halves can be told apart.
+    /// Partitions the cells begin .. end at the median of their coordinate along an axis.
     void halve(std::size_t begin, std::size_t end, int axis) {
         const auto first = result_.cells.begin() + static_cast<std::ptrdiff_t>(begin);
         std::nth_element(first, first + static_cast<std::ptrdiff_t>((end - begin) / 2),
@@ -55,7 +56,7 @@ class Dissector {
                          });
     }
 
-    /// Notes for every unknown of cells begin .. end in which half it occurs: 1, 2, or 3 for both.
+    /// Records for each unknown of cells begin .. end the halves it occurs in: 1, 2, or 3 for both.
     void mark(std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             for (const auto unknown : of(i))
@@ -75,11 +76,12 @@ class Dissector {
         return static_cast<std::size_t>(both);
     }
 
-    /// Cuts the cells begin .. end, whose unknowns `own` belong to no cut above; returns the part's number.
+    /// Divides the cells begin .. end. `own`: their unknowns that no separator above contains. Returns the
+    /// index of the new part.
     std::int32_t cut(std::size_t begin, std::size_t end, Numbers own) {
         Dissection::Part part;
         Numbers separator;
-        if (end - begin <= smallest) {
+        if (end - begin <= cells_per_leaf) {
             part.cells_begin = static_cast<std::int32_t>(begin);
             part.cells_end = static_cast<std::int32_t>(end);
             separator = own;
@@ -104,20 +106,20 @@ class Dissector {
             part.children[1] = cut(half, end, std::move(right));
         }
         part.begin = next_;
-        for (const auto unknown : separator) result_.place[static_cast<std::size_t>(unknown)] = next_++;
+        for (const auto unknown : separator) result_.permutation[static_cast<std::size_t>(unknown)] = next_++;
         part.end = next_;
         part.border = border(begin, end);
         result_.parts.push_back(std::move(part));
         return static_cast<std::int32_t>(result_.parts.size()) - 1;
     }
 
-    /// The unknowns of cells begin .. end that have no place yet.
+    /// The unknowns of cells begin .. end that are eliminated later, in other parts.
     Numbers border(std::size_t begin, std::size_t end) {
         Numbers list;
         for (std::size_t i = begin; i < end; ++i)
             for (const auto unknown : of(i)) {
                 const auto u = static_cast<std::size_t>(unknown);
-                if (result_.place[u] >= 0 || side_[u]) continue;
+                if (result_.permutation[u] >= 0 || side_[u]) continue;
                 side_[u] = 1;
                 list.push_back(unknown);
             }

@@ -1,9 +1,9 @@
-// Nested dissection of finite elements by the places of their cells: an order of elimination with little
-// fill.
+// Geometric nested dissection of finite element unknowns (George, 1973): an elimination order with little
+// fill-in.
 //
-// The cells are cut in halves of equal size, again and again. The unknowns on a cut are eliminated after all
-// others of both halves; George (1973). A tree follows: every part of it eliminates some unknowns, which are
-// then coupled with the part's `border`, unknowns of the parts above it.
+// The cells are bisected recursively into halves of equal size. The unknowns shared by both halves form the
+// separator and are eliminated after all others of the two halves. This gives a binary tree of parts; each
+// eliminates its own unknowns, which are then coupled with its `border`: unknowns of separators above it.
 #pragma once
 
 #include "core/base/points.hpp"
@@ -14,9 +14,9 @@
 
 namespace gaspard {
 
-/// Which unknowns belong to which cell: `per_cell` numbers for every cell.
+/// The unknowns of each cell: `per_cell` indices per cell.
 struct CellUnknowns {
-    std::size_t count = 0; ///< of all unknowns
+    std::size_t count = 0; ///< number of unknowns
     std::size_t per_cell = 0;
     std::vector<std::int32_t> numbers;
 
@@ -28,17 +28,17 @@ struct CellUnknowns {
 
 struct Dissection {
     struct Part {
-        std::int32_t begin = 0, end = 0;     ///< the unknowns that it eliminates, in order of elimination
-        std::int32_t children[2] = {-1, -1}; ///< parts; -1 where there is none
-        std::int32_t cells_begin = 0, cells_end = 0; ///< of `cells`; of parts without children
-        std::vector<std::int32_t> border;            ///< in order of elimination, ascending
+        std::int32_t begin = 0, end = 0;             ///< its unknowns, as a range of the elimination order
+        std::int32_t children[2] = {-1, -1};         ///< indices of parts; -1 if none
+        std::int32_t cells_begin = 0, cells_end = 0; ///< range of `cells`; leaves only
+        std::vector<std::int32_t> border;            ///< positions in the elimination order, ascending
     };
-    std::vector<std::int32_t> place; ///< of every unknown: when it is eliminated
-    std::vector<std::int32_t> cells; ///< an order of the cells in which neighbours stand together
-    std::vector<Part> parts;         ///< children before parents
+    std::vector<std::int32_t> permutation; ///< position of each unknown in the elimination order
+    std::vector<std::int32_t> cells;       ///< the cells, ordered so that those of a part are contiguous
+    std::vector<Part> parts;               ///< children before parents
 };
 
-/// `middles`: a place for every cell. Deterministic.
+/// `middles`: a point in each cell. Deterministic.
 Dissection dissect(const CellUnknowns& unknowns, const Points& middles);
 
 } // namespace gaspard

@@ -29,7 +29,7 @@ FastDiagonalisation::FastDiagonalisation(LineOperator stiffness, LineOperator ma
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(matrix(stiffness_), m);
     GASPARD_CHECK(solver.info() == Eigen::Success);
     MatrixXd u = solver.eigenvectors();
-    // The first vector is the constant, to rounding: make it that exactly, and the others orthogonal to it.
+    // The first eigenvector is constant up to rounding: make it exact, and the others M-orthogonal to it.
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(static_cast<Index>(n));
     const Eigen::VectorXd weights = m * ones;
     u.col(0) = ones / std::sqrt(weights.dot(ones));

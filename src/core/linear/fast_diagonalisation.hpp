@@ -1,11 +1,13 @@
-// Systems of two directions alike, by the eigenvectors of one (Lynch, Rice, Thomas, 1964; Sangalli and Tani,
-// 2016; algorithms 1 and 2 of Bahari et al., 2024, with U and its transpose in their right places):
+// Fast diagonalisation of two-dimensional tensor-product systems with the same matrices in both directions
+// (Lynch, Rice, Thomas, 1964; Sangalli and Tani, 2016; Algorithms 1 and 2 of Bahari et al., 2024, with U and
+// U^T exchanged where the paper misprints them):
 //
-//   (K (x) M + M (x) K + shift M (x) M) x = b,   K U = M U Lambda,  U^T M U = I
-//   x = U ( (U^T b U) / (lambda_i + lambda_j + shift) ) U^T
+//   (K (x) M + M (x) K + shift M (x) M) x = b,     K U = M U Lambda,   U^T M U = I
 //
-// K is semidefinite with the kernel of the constants, 1. Without a shift the system is solved on what is
-// orthogonal to it: what b has of the constant is left out, and x has the mean zero.
+//   x = U ( (U^T b U)_ij / (lambda_i + lambda_j + shift) ) U^T
+//
+// K is positive semidefinite and its kernel consists of the constants. With shift = 0, the component of b
+// along the constants is dropped and x has mean zero.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +16,7 @@
 
 namespace gaspard {
 
-/// A symmetric matrix of one direction, size x size.
+/// A symmetric matrix in one direction, size x size.
 struct LineOperator {
     std::size_t size = 0;
     std::vector<double> entries;
@@ -22,23 +24,23 @@ struct LineOperator {
 
 class FastDiagonalisation {
   public:
-    /// M positive definite, K 1 = 0.
+    /// M must be positive definite and K 1 = 0.
     FastDiagonalisation(LineOperator stiffness, LineOperator mass);
 
     std::size_t size() const { return stiffness_.size; }
-    /// The same K and M as they were given.
+    /// K and M as given to the constructor.
     const LineOperator& stiffness() const { return stiffness_; }
     const LineOperator& mass() const { return mass_; }
-    std::span<const double> eigenvalues() const { return eigenvalues_; } ///< the first is 0, exactly
+    std::span<const double> eigenvalues() const { return eigenvalues_; } ///< the first is exactly 0
 
-    /// size^2 numbers each.
+    /// Arrays of size^2 numbers.
     struct Workspace {
         std::vector<double> first, second;
     };
     Workspace make_workspace() const {
         return {std::vector<double>(size() * size()), std::vector<double>(size() * size())};
     }
-    /// b and x: size x size numbers; may be the same array.
+    /// Solves the system above. b and x: size x size numbers; they may be the same array.
     void solve(std::span<const double> b, std::span<double> x, double shift, Workspace& workspace) const;
     /// y = (K (x) M + M (x) K) x.
     void multiply(std::span<const double> x, std::span<double> y, Workspace& workspace) const;
@@ -46,7 +48,7 @@ class FastDiagonalisation {
   private:
     LineOperator stiffness_, mass_;
     std::vector<double> eigenvalues_;
-    std::vector<double> vectors_; ///< U, column by column
+    std::vector<double> vectors_; ///< U by columns
 };
 
 } // namespace gaspard

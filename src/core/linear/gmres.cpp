@@ -19,7 +19,7 @@ void Gmres::begin(double norm) {
     g_[0] = norm;
 }
 
-// Modified Gram-Schmidt of the newest vector against those before it; returns what is left of its norm.
+// Orthogonalises the newest vector against all others by modified Gram-Schmidt; returns its remaining norm.
 double Gmres::orthogonalise(std::size_t k) {
     double* column = hessenberg_.data() + k * (memory_ + 1);
     double* __restrict newest = basis(k + 1).data();
@@ -32,9 +32,9 @@ double Gmres::orthogonalise(std::size_t k) {
     return std::sqrt(dot(basis(k + 1), basis(k + 1)));
 }
 
-// One more column. False where the space holds the solution, so that nothing is left for another vector.
+// Adds a column to the Hessenberg matrix. False if the Krylov space is exhausted (breakdown).
 bool Gmres::advance(std::size_t k) {
-    constexpr double nothing = 1e-14; // of the vector before it was made orthogonal
+    constexpr double breakdown = 1e-14; // breakdown threshold, relative to the norm before orthogonalisation
     const double before = std::sqrt(dot(basis(k + 1), basis(k + 1)));
     const double left = orthogonalise(k);
     double* column = hessenberg_.data() + k * (memory_ + 1);
@@ -44,18 +44,18 @@ bool Gmres::advance(std::size_t k) {
         column[j + 1] = -sine_[j] * upper + cosine_[j] * lower;
     }
     const double diagonal = std::hypot(column[k], left);
-    cosine_[k] = diagonal == 0 ? 0 : column[k] / diagonal; // without a column, the residual stays
+    cosine_[k] = diagonal == 0 ? 0 : column[k] / diagonal; // zero column: the residual stays
     sine_[k] = diagonal == 0 ? 1 : left / diagonal;
     column[k] = diagonal;
     g_[k + 1] = -sine_[k] * g_[k];
     g_[k] *= cosine_[k];
-    if (!(left > nothing * before)) return false;
+    if (!(left > breakdown * before)) return false;
     for (double& value : basis(k + 1)) value /= left;
     return true;
 }
 
-// The combination of the first basis vectors with the smallest residual. A column without a diagonal is of no
-// use: the operator is singular there.
+// Adds the combination of the first basis vectors that minimises the residual. A column with zero diagonal,
+// where the operator is singular, does not contribute.
 void Gmres::combine(std::size_t columns) {
     std::fill(sum_.begin(), sum_.end(), 0.0);
     for (std::size_t k = columns; k-- > 0;) {

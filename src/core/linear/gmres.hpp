@@ -1,8 +1,8 @@
-// GMRES(m) with a preconditioner on the right (Saad, Schultz, 1986):
+// GMRES(m) with right preconditioning (Saad, Schultz, 1986):
 //
-//   minimise | b - A P^-1 y | over Krylov spaces of dimension up to m, then begin anew;   x = P^-1 y
+//   minimise |b - A P^-1 y|_2 over Krylov spaces of dimension <= m, then restart;     x = P^-1 y
 //
-// The norm is l2 of the true residual, whatever the preconditioner.
+// The residual norm is that of the unpreconditioned residual.
 #pragma once
 
 #include "core/linear/reduce.hpp"
@@ -18,20 +18,21 @@ namespace gaspard {
 
 class Gmres {
   public:
-    /// For `size` unknowns, with spaces of dimension `memory` at most.
+    /// `size` unknowns; restarts after `memory` iterations.
     Gmres(std::size_t size, std::size_t memory);
 
     struct Limits {
-        double tolerance = 1e-6; ///< of the residual's norm, relative to that of b
-        int iterations = 200;    ///< at most so many applications of A
+        double tolerance = 1e-6; ///< of the residual norm, relative to |b|
+        int iterations = 200;    ///< maximum number of applications of A
     };
     struct Result {
         int iterations = 0;
-        double residual = 0; ///< norm, relative to b, as the recurrence has it
+        double residual = 0; ///< norm from the recurrence, relative to |b|
         bool converged = false;
     };
-    /// Fills x, starting from 0. apply(v, out): out = A v; precondition(v, out): out = P^-1 v, linear, the
-    /// same in every call. Allocates nothing. Ends early when stopped, or when a number is not finite.
+    /// Solves A x = b from x = 0 and overwrites x. apply(v, out) computes out = A v; precondition(v, out)
+    /// computes out = P^-1 v and must be a fixed linear map. Does not allocate. Ends early when a stop is
+    /// requested or a number is not finite.
     template <class Apply, class Precondition>
     Result solve(const Apply& apply, const Precondition& precondition, std::span<const double> b,
                  std::span<double> x, Limits limits, std::stop_token stop = {});
@@ -45,7 +46,7 @@ class Gmres {
 
     std::size_t size_, memory_;
     std::vector<double> basis_;      ///< memory + 1 vectors
-    std::vector<double> hessenberg_; ///< made triangular by rotations; columns of length memory + 1
+    std::vector<double> hessenberg_; ///< triangular after Givens rotations; columns of memory + 1
     std::vector<double> cosine_, sine_, g_, y_;
     std::vector<double> preconditioned_, sum_;
 };
@@ -68,7 +69,7 @@ Gmres::Result Gmres::solve(const Apply& apply, const Precondition& precondition,
             exhausted = !advance(k);
             ++k, ++result.iterations;
             norm = std::abs(g_[k]);
-            if (!(norm > limits.tolerance * all)) break; // also when it is not a number
+            if (!(norm > limits.tolerance * all)) break; // also if NaN
         }
         combine(k);
         precondition(std::span<const double>(sum_), std::span<double>(preconditioned_));

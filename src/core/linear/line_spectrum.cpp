@@ -11,7 +11,7 @@ namespace gaspard {
 
 namespace {
 
-struct Pencil { ///< symbols of the stiffness and mass matrices at one frequency: vertex, coupling, middle
+struct Pencil { ///< stiffness and mass symbols at one frequency; 1: vertices, 2: midpoints
     double k11, k12, k22, m11, m12, m22;
 };
 
@@ -22,10 +22,10 @@ Pencil symbols(double h, double phase) {
 }
 
 struct Branch {
-    double eigenvalue, vertex, middle; ///< of unit mass per cell
+    double eigenvalue, vertex, middle; ///< normalised to unit mass per cell
 };
 
-// Both solutions of (K - lambda M)(a, b) = 0, the smaller eigenvalue first.
+// Both solutions of (K - lambda M)(a, b) = 0, smaller eigenvalue first.
 std::array<Branch, 2> solve(const Pencil& p) {
     const double a = p.m11 * p.m22 - p.m12 * p.m12;
     const double b = p.k11 * p.m22 + p.k22 * p.m11 - 2 * p.k12 * p.m12;
@@ -35,7 +35,7 @@ std::array<Branch, 2> solve(const Pencil& p) {
     for (const int i : {0, 1}) {
         const double lambda =
             i == 0 ? c / (a * larger) : larger; // the product of the roots is c / a: no cancellation
-        // The second row is never zero for the smaller root, the first never for the larger.
+        // The second row is never zero for the smaller root, nor the first for the larger.
         double vertex = i == 0 ? p.k22 - lambda * p.m22 : p.k12 - lambda * p.m12;
         double middle = i == 0 ? lambda * p.m12 - p.k12 : lambda * p.m11 - p.k11;
         const double mass = vertex * vertex * p.m11 + 2 * vertex * middle * p.m12 + middle * middle * p.m22;
@@ -53,12 +53,11 @@ LineSpectrum::LineSpectrum(std::size_t cells, bool periodic)
     const double count = static_cast<double>(ring_);
     for (std::size_t k = 0; 2 * k <= ring_; ++k) {
         const double phase = 2 * std::numbers::pi * static_cast<double>(k) / count;
-        const bool alone =
-            k == 0 || 2 * k == ring_; // no sine partner: the mode fills the ring with mass P, not P/2
-        // The even functions live on half of the ring, with half of its mass.
+        const bool alone = k == 0 || 2 * k == ring_; // no sine partner: mass P over the ring, not P / 2
+        // Even functions are integrated over half of the ring, which halves their mass.
         const double scale = std::sqrt((alone ? 1.0 : 2.0) / count * (periodic ? 1.0 : 2.0));
         Mode mode{};
-        if (2 * k == ring_) { // vertices and middles part: (-1)^c on the ones, zero on the others
+        if (2 * k == ring_) { // decoupled: (-1)^c at the vertices or at the midpoints, 0 at the others
             const Pencil p = symbols(h, phase);
             mode.vertex[0] = scale / std::sqrt(p.m11);
             mode.middle_cosine[1] = scale / std::sqrt(p.m22);
@@ -67,7 +66,7 @@ LineSpectrum::LineSpectrum(std::size_t cells, bool periodic)
         } else {
             const auto branches = solve(symbols(h, phase));
             for (std::size_t j = 0; j < 2; ++j) {
-                // The two frequencies k and P - k share what is not alone.
+                // Unless self-paired, the mode is shared by the frequencies k and P - k.
                 const double share = alone ? scale : 0.5 * scale;
                 mode.vertex[j] = share * branches[j].vertex;
                 mode.middle_cosine[j] = share * branches[j].middle * std::cos(phase / 2);
@@ -92,7 +91,7 @@ void LineSpectrum::analyse(const double* b, std::size_t stride, double* c, Works
         for (std::size_t l = 0; l < lanes; ++l) time[to * lanes + l] = factor * b[from * stride + l];
     };
     for (std::size_t i = 0; i < 2 * cells_; ++i) take(i, i, 1);
-    if (!periodic_) { // even continuation; the ends stand once in the line and count twice in half a ring
+    if (!periodic_) { // even extension; end points count once in the line but twice in half a ring
         for (std::size_t i = 0; i < cells_; ++i) {
             take(2 * (ring_ - 1 - i), 2 * (i + 1), 1);
             take(2 * (ring_ - 1 - i) + 1, 2 * i + 1, 1);
@@ -103,14 +102,14 @@ void LineSpectrum::analyse(const double* b, std::size_t stride, double* c, Works
     split(fft_.forward(time, workspace.frequency.data()), c, periodic_ ? 1.0 : 0.5);
 }
 
-// The coefficients of what came out of the transform, z: z_k and the conjugate of z_(P-k) are sum and
-// difference of the vertices' and (times i) the middles' transforms.
+// Coefficients from the transform z of (vertices + i midpoints): z_k and conj z_(P-k) are the sum and
+// difference of the transform of the vertices and i times that of the midpoints.
 void LineSpectrum::split(const double* frequency, double* __restrict c, double half) const {
     for (std::size_t k = 0; 2 * k <= ring_; ++k) {
         const bool alone = k == 0 || 2 * k == ring_;
         const double* z = frequency + 2 * lanes * k;
         const double* mirror = frequency + 2 * lanes * (ring_ - k);
-        const auto weigh = [&](double vertex, double middle) { // of a frequency that is alone
+        const auto weigh = [&](double vertex, double middle) { // a frequency without partner
             for (std::size_t l = 0; l < lanes; ++l) c[l] = half * (vertex * z[l] + middle * z[lanes + l]);
             c += lanes;
         };
@@ -160,7 +159,7 @@ void LineSpectrum::merge(const double* c, double* frequency) const {
             c += 2 * lanes;
         } else {
             const double *cosine0 = c, *cosine1 = c + (periodic_ ? 2 : 1) * lanes;
-            const double *sine0 = c + lanes, *sine1 = c + 3 * lanes; // of rings only
+            const double *sine0 = c + lanes, *sine1 = c + 3 * lanes; // periodic only
             for (std::size_t l = 0; l < lanes; ++l) {
                 const double a = cosine0[l], b = cosine1[l];
                 const double s = periodic_ ? sine0[l] : 0.0, t = periodic_ ? sine1[l] : 0.0;

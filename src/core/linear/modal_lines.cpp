@@ -7,7 +7,7 @@
 
 namespace gaspard {
 
-/// Some columns of the right-hand side, with room.
+/// A range of columns of the right-hand side, with its workspace.
 struct ModalLines::Block {
     double* b; ///< first row, first column
     std::size_t stride, begin, columns;
@@ -23,12 +23,12 @@ ModalLines::ModalLines(std::size_t cells, bool periodic, const std::vector<doubl
     const double h = 1.0 / static_cast<double>(cells);
     const double ring = static_cast<double>(periodic ? cells : 2 * cells);
     for (const double lambda : lambdas) {
-        // One cell: stiffness [7 -8 1; -8 16 -8; 1 -8 7] / 3h, mass [4 2 -1; 2 16 2; -1 2 4] h / 30.
+        // Cell matrices: stiffness [7 -8 1; -8 16 -8; 1 -8 7] / (3 h), mass [4 2 -1; 2 16 2; -1 2 4] h / 30.
         const double k = 1 / (3 * h), m = lambda * h / 30;
         const double vertex = 7 * k + 4 * m, other = k - m, between = -8 * k + 2 * m, middle = 16 * (k + m);
         const double off = other - between * between / middle;
         const double diagonal = 2 * (vertex - between * between / middle);
-        // diagonal + 2 off, where the stiffness cancels.
+        // diagonal + 2 off, without the cancellation of the stiffness terms.
         const double sum = 2 * m * (8 * k * 30 + m * (3 * 16 - 2 * 4)) / middle;
         const double root = std::sqrt(sum * (diagonal - 2 * off));
         const double g = (diagonal + root) / 2;
@@ -42,7 +42,7 @@ ModalLines::ModalLines(std::size_t cells, bool periodic, const std::vector<doubl
     }
 }
 
-// What remains for the vertices, in units of g.
+// Right-hand side of the Schur complement for the vertices, divided by g.
 void ModalLines::eliminate_middles(const Block& block) const {
     const double* coupling = coupling_.data() + block.begin;
     const double* scale = scale_.data() + block.begin;
@@ -51,7 +51,7 @@ void ModalLines::eliminate_middles(const Block& block) const {
         const double* left = block.middle(last || c > 0 ? c - 1 : cells_ - 1);
         const double* right = block.middle(last ? c - 1 : c);
         if (first) left = right;
-        // At an end, the line's own half is continued evenly.
+        // At an end, the even extension doubles the vertex and mirrors the midpoint.
         const double whole = first || last ? 2.0 : 1.0;
         double* __restrict v = block.vertex(c);
         for (std::size_t l = 0; l < block.columns; ++l)
@@ -77,7 +77,7 @@ void ModalLines::solve_ring(const Block& block) const {
     double* __restrict sum = block.sum;
     double* __restrict power = block.power;
     const std::size_t columns = block.columns;
-    // y_(n-1), from all that a ring carries round to it.
+    // y_(n-1): geometric sum over the whole ring.
     std::fill(sum, sum + columns, 0.0);
     for (std::size_t c = 0; c < cells_; ++c) {
         const double* v = block.vertex(c);
@@ -102,7 +102,7 @@ void ModalLines::solve_ring(const Block& block) const {
             power[l] *= rho[l];
         }
     }
-    // u_0 likewise, then u_c = y_c + rho u_(c+1)
+    // u_(n-1) in the same manner, then u_c = y_c + rho u_(c+1)
     double* __restrict last = block.vertex(cells_ - 1);
     for (std::size_t l = 0; l < columns; ++l) last[l] += rho[l] * sum[l] * closure[l];
     for (std::size_t c = cells_ - 1; c-- > 0;) {
@@ -118,7 +118,7 @@ void ModalLines::solve_line(const Block& block) const {
     const double* end = end_.data() + block.begin;
     double* __restrict sum = block.sum;
     const std::size_t columns = block.columns;
-    // y_0, from the ring of which this line is the even half: down from its far side.
+    // y_0: geometric sum over the ring of 2 n cells of which this line is half, from the far end backward.
     std::fill(sum, sum + columns, 0.0);
     for (std::size_t k = 1; k < 2 * cells_; ++k) {
         const double* v = block.vertex(k <= cells_ ? k : 2 * cells_ - k);
@@ -133,7 +133,7 @@ void ModalLines::solve_line(const Block& block) const {
         double* __restrict v = block.vertex(c);
         for (std::size_t l = 0; l < columns; ++l) v[l] += rho[l] * before[l];
     }
-    // u_n, where u is even: (1 - rho^2) u_n = y_n + rho y_(n-1)
+    // u is even about vertex n: (1 - rho^2) u_n = y_n + rho y_(n-1)
     {
         const double* before = block.vertex(cells_ - 1);
         double* __restrict v = block.vertex(cells_);

@@ -1,4 +1,5 @@
-// Sums over long arrays, eight partial sums at once: quick, and the same on every machine that rounds alike.
+// Sums over long arrays with eight partial sums: fast, and with an order of summation that does not depend on
+// the machine.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +7,7 @@
 
 namespace gaspard {
 
-/// The sum of term(i) for i = 0 .. count.
+/// The sum of term(i) for 0 <= i < count.
 template <class Term>
 double sum_of(std::size_t count, const Term& term) {
     constexpr std::size_t lanes = 8;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t lanes = LineSpectrum::lanes;
 
-/// Calls work(worker, line) for the first of every eight of `lines` lines. The last eight may overlap those
-/// before them; the same worker takes both.
+/// Calls work(worker, line) for the first line of every batch of eight. The last batch may overlap the one
+/// before it; one worker handles both.
 template <class Work>
 void for_each_batch(Team& team, std::size_t lines, const Work& work) {
     const std::size_t whole = lines / lanes;
@@ -36,7 +36,7 @@ TensorPoisson::Workspace TensorPoisson::make_workspace(std::size_t workers) cons
             std::vector<double>(line_.size() * line_.size())};
 }
 
-// The mode that does not change along y: (K + 0 M) u = b along x, mean of u = 0. It ends as the first column.
+// The mode that is constant in y: K u = b along x with mean of u = 0. It is the first column.
 void TensorPoisson::solve_constant_mode(Workspace& workspace) const {
     const std::size_t n = line_.size();
     auto& [line, modal, batch] = workspace.workers.front();

@@ -1,10 +1,11 @@
-// The Poisson problem of tensor-product quadratic elements on the unit square, by fast diagonalisation in one
-// direction and elimination in the other:
+// Poisson problem of tensor-product quadratic elements on the unit square, by fast diagonalisation in y and
+// tridiagonal elimination in x:
 //
-//   (K (x) M + M (x) K) u = b,   b^ = S^T b along y:   (K + lambda M) u^ = b^ along x, for every lambda,
-//   u = S u^,   mean of u = 0
+//   (K (x) M + M (x) K) u = b,     mean of u = 0
 //
-// The constant is the kernel: the mean of b (against the function 1) is left out.
+//   b^ = S^T b along y,     (K + lambda M) u^ = b^ along x for every lambda,     u = S u^
+//
+// The kernel consists of the constants; the mean of b is dropped.
 #pragma once
 
 #include "core/base/team.hpp"
@@ -24,15 +25,15 @@ class TensorPoisson {
         struct Worker {
             LineSpectrum::Workspace line;
             ModalLines::Workspace modal;
-            std::vector<double> batch; ///< of eight lines
+            std::vector<double> batch; ///< eight lines
         };
         std::vector<Worker> workers;
-        std::vector<double> modes; ///< b^, then u^: lines along x as rows, modes as columns
+        std::vector<double> modes; ///< b^, then u^: rows are lines along x, columns are modes
     };
     Workspace make_workspace(std::size_t workers = 1) const;
 
-    /// b and u: size x size values, x running fastest. May be the same array. The room is for as many workers
-    /// as the team has, or more; the result does not depend on how many.
+    /// b and u: size x size values, x fastest; they may be the same array. The workspace must have at least
+    /// as many workers as the team. The result does not depend on the number of workers.
     void solve(const double* b, double* u, Workspace& workspace, Team& team) const;
 
   private:

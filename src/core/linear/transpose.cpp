@@ -6,7 +6,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t tile = 8; // a cache line of doubles on either side
+constexpr std::size_t tile = 8; // a cache line of doubles
 
 void transpose_tile(const double* __restrict in, std::size_t in_stride, double* __restrict out,
                     std::size_t out_stride) {

@@ -29,17 +29,17 @@ TridiagonalSolver::TridiagonalSolver(std::vector<double> diagonal, std::vector<d
     first_ = off_[n_ - 1];
     last_ = off_[n_ - 2];
     const std::size_t open = open_;
-    n_ = open; // solve the open part for the border's column
+    n_ = open; // solve the open part for the border column
     border_.assign(open, 0.0);
     border_.front() += first_;
     border_.back() += last_;
     std::vector<double> column = border_;
     solve(column.data(), 1, 1);
     border_ = column;
-    // Far from the border its answer is nothing beside the rounding of what it would be added to.
-    constexpr double nothing = 1e-19;
-    while (front_ < open && std::abs(border_[front_]) > nothing) ++front_;
-    for (back_ = open; back_ > front_ && std::abs(border_[back_ - 1]) > nothing;) --back_;
+    // The solution decays away from the border; entries below rounding error are skipped.
+    constexpr double negligible = 1e-19;
+    while (front_ < open && std::abs(border_[front_]) > negligible) ++front_;
+    for (back_ = open; back_ > front_ && std::abs(border_[back_ - 1]) > negligible;) --back_;
     n_ = open + 1;
     const double pivot = diagonal.back() - first_ * border_.front() - last_ * border_.back();
     GASPARD_CHECK(pivot > 0);

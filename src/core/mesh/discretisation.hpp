@@ -1,6 +1,6 @@
-// The immutable operators of one domain at one resolution: spaces, quadrature, factorisations.
-// Made once by `prepare`, shared by all runs that use it. What a method needs beyond this, it asks of the
-// derived class that the capability table promises.
+// The immutable operators of one domain at one resolution: spaces, quadrature, factorisations. Made once by
+// `prepare` and shared by all runs that use them. Methods use the derived class, which the capability table
+// determines.
 #pragma once
 
 #include "core/mesh/mesh.hpp"
@@ -12,17 +12,18 @@
 
 namespace gaspard {
 
-/// Called during long work, on the thread that works: a fraction from 0 to 1 and what is being done.
+/// Reports the progress of long work: the fraction done, from 0 to 1, and a description of the current step.
+/// Called on the thread that does the work.
 using Progress = std::function<void(double, std::string_view)>;
 
 class Discretisation {
   public:
     virtual ~Discretisation() = default;
-    /// The computational mesh, whose nodes a method moves.
+    /// The computational mesh.
     virtual std::shared_ptr<const Mesh> mesh() const = 0;
-    /// Of a patch in the plane whose control points a user may move; null for others.
+    /// The control points of a planar patch if the user may move them; otherwise null.
     virtual std::shared_ptr<const Points> control_points() const { return nullptr; }
-    /// How many numbers an iteration determines.
+    /// Number of unknowns.
     virtual std::size_t unknowns() const = 0;
 };
 

@@ -1,4 +1,4 @@
-// A kind of domain as the user sees it: a name, its parameter rows, and what its points know of distance.
+// A type of domain as the user sees it: its name, its parameter rows, and how distances are measured on it.
 #pragma once
 
 #include "core/base/parameter.hpp"
@@ -17,15 +17,18 @@ struct DomainType {
     std::string help;
     std::vector<ParameterRow> rows;
     std::function<Space(const Values&)> space;
+    /// True if its meshes are images of a spline patch, so that spline formats can be written.
+    bool spline_patch = false;
 };
 
-/// The unit square: doubly periodic, or with walls along which nodes slide.
+/// The unit square: doubly periodic, or with straight sides along which boundary nodes slide.
 DomainType plane_domain();
 
-/// The sphere, of quadrilaterals or of triangles.
+/// The sphere, divided into quadrilaterals or into triangles.
 DomainType cubed_sphere_domain();
 DomainType icosahedral_sphere_domain();
-/// Which mesh of the sphere the values of one of these mean.
-SphereGrid sphere_grid(const Values& values);
+/// The mesh for the parameter values of these domains.
+SphereGrid cubed_sphere_grid(const Values& values);
+SphereGrid icosahedral_sphere_grid(const Values& values);
 
 } // namespace gaspard

@@ -13,7 +13,7 @@ std::string_view name_of(SpaceKind kind) {
     case SpaceKind::euclidean:
         break;
     }
-    return "a space without a period";
+    return "Euclidean space";
 }
 
 Vec3 displacement(const Space& space, Vec3 from, Vec3 to) {

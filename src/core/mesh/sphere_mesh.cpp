@@ -13,18 +13,18 @@ namespace gaspard {
 namespace {
 
 using Triangle = std::array<Vec3, 3>;
-using Corners = std::vector<std::array<std::int32_t, 4>>; // of triangles, the last is not used
+using Corners = std::vector<std::array<std::int32_t, 4>>; // triangles do not use the last entry
 
 Vec3 onto_sphere(Vec3 p) { return (1 / norm(p)) * p; }
 Vec3 middle(Vec3 a, Vec3 b) { return onto_sphere(a + b); }
 
 double& component(Vec3& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-/// A number for every unordered pair of numbers.
+/// Numbers unordered pairs consecutively, in the order in which they first occur.
 class PairNumbers {
   public:
     explicit PairNumbers(std::int32_t next) : next_(next) {}
-    /// The pair's number, and whether it is new.
+    /// The number of the pair, and whether the pair is new.
     std::pair<std::int32_t, bool> number(std::int32_t a, std::int32_t b) {
         const auto [low, high] = std::minmax(a, b);
         const auto key = static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
@@ -44,7 +44,7 @@ Points to_points(const std::vector<Vec3>& list) {
     return points;
 }
 
-/// The quadratic mesh on given corners, with the nodes between them halfway.
+/// The quadratic mesh for given corners, with nodes at the normalised midpoints.
 SurfaceMesh complete(CellShape shape, std::vector<Vec3> nodes, const Corners& corners) {
     const std::size_t vertices = nodes.size(), sides = shape == CellShape::triangle ? 3 : 4;
     PairNumbers edges(static_cast<std::int32_t>(vertices));
@@ -60,7 +60,7 @@ SurfaceMesh complete(CellShape shape, std::vector<Vec3> nodes, const Corners& co
                     middle(nodes[static_cast<std::size_t>(a)], nodes[static_cast<std::size_t>(b)]));
             cells.push_back(number);
         }
-        if (sides == 4) cells.push_back(0); // its middle follows when all edges are numbered
+        if (sides == 4) cells.push_back(0); // the middle node follows after all edges are numbered
     }
     if (sides == 4)
         for (std::size_t c = 0; c < corners.size(); ++c) {
@@ -73,8 +73,8 @@ SurfaceMesh complete(CellShape shape, std::vector<Vec3> nodes, const Corners& co
     return surface;
 }
 
-// The faces of the cube: two for each axis, with the directions of columns and rows such that their cross
-// product points outward.
+// The faces of the cube, two for each axis. The cross product of the column and row directions points
+// outward.
 struct Face {
     int axis, column, row;
     bool front;
@@ -85,13 +85,13 @@ Face face(int number) {
     return {axis, (axis + (front ? 1 : 2)) % 3, (axis + (front ? 2 : 1)) % 3, front};
 }
 
-/// From -1 to 1 across a face, evenly in the angle.
+/// Gnomonic coordinate on a face; `at` in [-1, 1] is proportional to the angle.
 double gnomonic(double at) { return std::tan(std::numbers::pi / 4 * at); }
 
 SurfaceMesh cubed_sphere(int k, MidNodes mid_nodes) {
-    std::unordered_map<std::int64_t, std::int32_t> numbers; // of lattice points, which faces share
+    std::unordered_map<std::int64_t, std::int32_t> numbers; // node numbers by lattice point; faces share them
     std::vector<Vec3> nodes;
-    const auto at_lattice = [&](const Face& f, int column, int row) { // in halves of cells
+    const auto at_lattice = [&](const Face& f, int column, int row) { // in units of half cells
         std::array<int, 3> at{};
         at[static_cast<std::size_t>(f.axis)] = f.front ? k : -k;
         at[static_cast<std::size_t>(f.column)] = column - k;
@@ -141,7 +141,7 @@ CellPlace locate_in_cube(int k, Vec3 p) {
         if (std::abs(component(p, other)) > std::abs(component(p, axis))) axis = other;
     const int number = 2 * axis + (component(p, axis) < 0 ? 1 : 0);
     const Face f = face(number);
-    const auto along = [&](int direction) { // in cells
+    const auto along = [&](int direction) { // in units of cells
         const double angle = std::atan(component(p, direction) / std::abs(component(p, axis)));
         return (1 + angle / (std::numbers::pi / 4)) / 2 * k;
     };
@@ -172,7 +172,7 @@ const std::vector<Vec3>& icosahedron_vertices() {
 
 double determinant(Vec3 a, Vec3 b, Vec3 c) { return dot(cross(a, b), c); }
 
-/// The faces: three vertices that are neighbours of one another, seen counter-clockwise from outside.
+/// The faces: triples of mutually adjacent vertices, counter-clockwise as seen from outside.
 const Corners& icosahedron_faces() {
     static const Corners faces = [] {
         const auto& v = icosahedron_vertices();
@@ -194,7 +194,7 @@ const Corners& icosahedron_faces() {
     return faces;
 }
 
-// Of a triangle's four parts the first three keep a corner each, the last is the middle one.
+// Each triangle is divided into four; the first three keep one corner each, the last is the middle one.
 SurfaceMesh icosahedral_sphere(int refinements) {
     std::vector<Vec3> nodes = icosahedron_vertices();
     Corners corners = icosahedron_faces();
@@ -218,7 +218,7 @@ SurfaceMesh icosahedral_sphere(int refinements) {
     return complete(CellShape::triangle, std::move(nodes), corners);
 }
 
-/// How far inside each of its sides a point is; all are positive in the triangle.
+/// Barycentric coordinates of a direction, up to a factor; all are positive inside the triangle.
 Vec3 inside(const Triangle& t, Vec3 p) {
     return {determinant(t[1], t[2], p), determinant(t[2], t[0], p), determinant(t[0], t[1], p)};
 }
@@ -241,7 +241,7 @@ CellPlace locate_in_icosahedron(int refinements, Vec3 p) {
         const auto [a, b, c] = triangle;
         const Vec3 ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
         const Triangle parts[4] = {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}};
-        // The middle part lies inside of all three cuts.
+        // p is in the middle part unless one of the three edges separates it.
         std::size_t part = 3;
         if (determinant(ca, ab, p) < 0) part = 0;
         if (determinant(ab, bc, p) < 0) part = 1;

@@ -1,8 +1,8 @@
-// Meshes of the unit sphere by quadratic cells, oriented outward: the cubed sphere (equiangular gnomonic,
-// 6 k^2 quadrilaterals) and the refined icosahedron (20 4^r triangles).
+// Meshes of the unit sphere with quadratic cells, oriented outward: the equiangular gnomonic cubed sphere
+// (6 k^2 quadrilaterals) and the refined icosahedron (20 4^r triangles).
 //
-// Nodes: vertices first, then one per edge, then one per quadrilateral; so the cells' corners alone are a
-// mesh of order 1 on the first of them.
+// Node numbering: vertices, then one node per edge, then one per quadrilateral. The first nodes alone are
+// thus the nodes of a mesh of order 1.
 #pragma once
 
 #include "core/mesh/mesh.hpp"
@@ -11,13 +11,14 @@ namespace gaspard {
 
 enum class SphereCells { cubed, icosahedral };
 
-/// Where the nodes on edges and in cells stand: halfway between the corners (the mean of all four for a
-/// cell), pushed out to the sphere; or, on the cubed sphere, halfway in both gnomonic angles.
+/// Placement of the nodes on edges and in cells. normalised: the mean of the two end points (of the four
+/// corners in a cell), projected onto the sphere. equiangular (cubed sphere only): the midpoint in both
+/// gnomonic angles.
 enum class MidNodes { normalised, equiangular };
 
 struct SphereGrid {
     SphereCells cells = SphereCells::cubed;
-    int resolution = 16; ///< k, or how often the icosahedron is refined
+    int resolution = 16; ///< k, or the number r of refinements of the icosahedron
     MidNodes mid_nodes = MidNodes::normalised;
 
     friend bool operator==(const SphereGrid&, const SphereGrid&) = default;
@@ -31,16 +32,16 @@ struct SurfaceMesh {
 
 SurfaceMesh sphere_mesh(const SphereGrid& grid);
 
-/// The same cells with straight edges, on the vertices alone.
+/// The same cells with order 1: straight edges between the vertices.
 Mesh straightened(const SurfaceMesh& surface);
 
-/// In which cell a point stands, and where in the reference cell (to a part of the cell's size that is of
-/// second order in it: as if the cells' lines were great circles, evenly divided).
+/// The cell that contains a point, and the point's reference coordinates in it. The coordinates are those of
+/// cells with great circles as edges, uniformly divided; their error is of second order in the cell size.
 struct CellPlace {
     std::size_t cell = 0;
     Vec3 at;
 };
-/// `direction` need not be of length 1.
+/// `direction` is a nonzero vector of any length.
 CellPlace locate(const SphereGrid& grid, Vec3 direction);
 
 } // namespace gaspard

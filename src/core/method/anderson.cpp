@@ -15,8 +15,10 @@ Anderson::Anderson(std::size_t size, std::size_t memory)
     GASPARD_CHECK(memory >= 1);
 }
 
-// One more difference. Its products with the others are what their projections change by:
-// (du_j, u - u_before) = (du_j, u) - (du_j, u_before).
+// Stores the difference to the previous iterate. The new entries of the Gram matrix are the changes of the
+// projections:
+//
+//   (du_j, u - u_before) = (du_j, u) - (du_j, u_before)
 void Anderson::remember(std::span<const double> phi, std::span<const double> u, std::span<const double> r) {
     std::size_t newest = memory_;
     if (begun_) {
@@ -42,10 +44,11 @@ void Anderson::remember(std::span<const double> phi, std::span<const double> u, 
     begun_ = true;
 }
 
-// Gram gamma = projection, by Cholesky from the newest difference to the oldest. What adds next to nothing to
-// those before it is left out, because it is mostly rounding.
+// Solves gram gamma = projection by Cholesky factorisation, from the newest difference to the oldest.
+// Differences that are nearly linearly dependent on newer ones (relative pivot at most 1e-13) are dropped,
+// because their pivots are mostly rounding errors.
 void Anderson::solve() {
-    constexpr double next_to_nothing = 1e-13;
+    constexpr double least_pivot = 1e-13; // relative to the diagonal entry
     const std::size_t n = count_;
     const auto slot = [&](std::size_t k) { return (oldest_ + n - 1 - k) % memory_; };
     const auto factor = [&](std::size_t i, std::size_t j) -> double& { return factor_[i * memory_ + j]; };
@@ -53,7 +56,7 @@ void Anderson::solve() {
         const double own = gram_[slot(j) * memory_ + slot(j)];
         double pivot = own;
         for (std::size_t k = 0; k < j; ++k) pivot -= factor(j, k) * factor(j, k);
-        const bool useful = own > 0 && pivot > next_to_nothing * own;
+        const bool useful = own > 0 && pivot > least_pivot * own;
         factor(j, j) = useful ? std::sqrt(pivot) : 0.0;
         for (std::size_t i = j + 1; i < n; ++i) {
             double entry = gram_[slot(i) * memory_ + slot(j)];
@@ -78,7 +81,7 @@ void Anderson::propose(std::span<const double> phi, std::span<const double> u, s
     GASPARD_CHECK(phi.size() == size_ && u.size() == size_ && r.size() == size_ && next.size() == size_);
     remember(phi, u, r);
     solve();
-    constexpr std::size_t chunk = 512; // of unknowns, so that `next` stays in the nearest cache
+    constexpr std::size_t chunk = 512; // unknowns per block, so that `next` stays in the L1 cache
     for (std::size_t begin = 0; begin < size_; begin += chunk) {
         const std::size_t end = std::min(size_, begin + chunk);
         double* __restrict to = next.data();

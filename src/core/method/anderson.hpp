@@ -1,10 +1,11 @@
-// Anderson acceleration: from the last iterates of phi -> phi + beta u(phi), the next one that the
-// differences between them make most promising.
+// Anderson acceleration of the fixed-point iteration phi -> phi + beta u(phi), with the differences dphi_j
+// and du_j of successive iterates:
 //
-//   minimise | u - sum of gamma_j du_j |,   next = phi + beta u - sum of gamma_j (dphi_j + beta du_j)
+//   gamma = argmin | u - sum_j gamma_j du_j |
+//   next  = phi + beta u - sum_j gamma_j (dphi_j + beta du_j)
 //
-// The norm is that of an inner product in which u is the representative of r: (u, w) = r . w. With u from
-// <grad v, grad u> = r_v it is the H1 product, and costs one sum.
+// The norm belongs to the inner product in which u is the Riesz representative of r: (u, w) = r . w. For u
+// given by <grad v, grad u> = r_v, it is the H1 inner product; evaluating it takes one dot product.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +16,14 @@ namespace gaspard {
 
 class Anderson {
   public:
-    /// For `size` unknowns, remembering `memory` differences.
+    /// `size`: number of unknowns; `memory`: number of differences stored.
     Anderson(std::size_t size, std::size_t memory);
 
-    /// All but the last iterate, which the next one may differ from.
+    /// Discards the differences, but keeps the last iterate.
     void forget_differences() { count_ = 0; }
-    /// How many differences it knows of.
+    /// Number of stored differences.
     std::size_t count() const { return count_; }
-    /// Takes note of an iterate with its u and r, and fills next. Allocates nothing.
+    /// Stores the iterate phi with its u and r, and computes `next`. Allocates nothing.
     void propose(std::span<const double> phi, std::span<const double> u, std::span<const double> r,
                  double beta, std::span<double> next);
 
@@ -33,10 +34,10 @@ class Anderson {
     std::size_t size_, memory_;
     std::size_t count_ = 0, oldest_ = 0;
     bool begun_ = false;
-    std::vector<std::vector<double>> dphi_, du_; ///< slots, used in turn
+    std::vector<std::vector<double>> dphi_, du_; ///< ring buffers of differences
     std::vector<double> phi_, u_, r_;            ///< the last iterate
     std::vector<double> gram_;                   ///< (du_i, du_j), memory x memory
-    std::vector<double> projection_;             ///< (du_j, u) of the last iterate
+    std::vector<double> projection_;             ///< (du_j, u) for the last iterate
     std::vector<double> factor_, gamma_;
 };
 

@@ -1,9 +1,11 @@
-// Chooses between Anderson's steps and Newton's by what the iterations show, never by clocks, so that runs
-// repeat. Anderson's are tried first, as they cost least. After some of them, what is still ahead is
-// predicted from the rate at which the residual has decreased; where Newton's method is expected to be done
-// with less work, it takes over and stays until the mesh is done. Near a solution its work follows from the
-// condition of the linearised equation. Far from one it has to go along its path, which begins at the uniform
-// mesh; so it takes over only after Anderson's method has had as many iterations as that path is worth.
+// Chooses between Anderson's and Newton's method from the observed convergence, not from timings, so that
+// runs are reproducible. Anderson's method is tried first, because its iterations are cheapest. Then the
+// remaining number of iterations is predicted from the rate at which the residual has decreased. The stepper
+// changes to Newton's method, for the rest of the iterations on this mesh, if it is expected to need less
+// work. Near a solution, the work of Newton's method follows from the condition number of the linearised
+// equation. Far from a solution, it needs a continuation that starts at the uniform mesh; the stepper
+// therefore changes only after Anderson's method has used as many iterations as the continuation is expected
+// to cost.
 #include "core/method/stepper.hpp"
 
 #include <algorithm>
@@ -16,46 +18,50 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t window = 8; ///< iterations over which the rate is taken
-constexpr double far = 0.3;       ///< a residual from which Newton's method has to go along its path
-// Measured, in Anderson's iterations: Newton's path for a monitor of contrast c is worth path_work log c; an
-// inner iteration inner_work, a step of Newton's step_work on top of those. For each decade of the residual
-// it takes condition^inner_growth inner iterations, roughly.
+constexpr std::size_t window = 8; ///< number of iterations used to estimate the rate
+constexpr double far = 0.3;       ///< residual above which Newton's method needs its continuation
+// Measured costs, in iterations of Anderson's method. c: contrast of the monitor; condition: condition number
+// of the linearised equation.
+//
+//   continuation                        path_work log c
+//   inner (GMRES) iteration             inner_work
+//   Newton step, without its inner ones step_work
+//   inner iterations per decade         condition^inner_growth
 constexpr double path_work = 30, inner_work = 1.4, inner_growth = 0.4, step_work = 2.5;
 
 class AutomaticStepper final : public Stepper {
   public:
     AutomaticStepper() : anderson_(make_anderson_stepper()), newton_(make_newton_stepper()) {}
 
-    void begin(Equation& equation, double target) override {
-        equation_ = &equation;
+    void begin(NonlinearProblem& problem, double target) override {
+        problem_ = &problem;
         target_ = target;
         iterations_ = 0, near_ = 0;
         choose(false);
     }
 
-    Iterate step(const Monitor& monitor, std::vector<double>& phi, const Iterate& now,
+    Iterate step(const ProblemData& data, std::vector<double>& u, const Iterate& now,
                  std::stop_token stop) override {
         std::string note;
         Iterate from = now;
         if (iterations_ == 0) {
-            note = "accelerated relaxation first";
-            condition_ = condition(now);
-            may_start_anew_ = std::all_of(phi.begin(), phi.end(), [](double value) { return value == 0; });
+            note = "starting with accelerated relaxation";
+            condition_ = now.shape.condition;
+            may_start_anew_ = u == problem_->start();
         }
         if (!use_newton_ && newton_is_worth_it(now)) {
             choose(true);
             note = "Newton's method takes over";
             if (now.evaluation.residual > far && may_start_anew_) {
-                note += " from the uniform mesh on";
-                from = start_anew(monitor, phi);
+                note += ", restarting at the uniform mesh";
+                from = start_anew(data, u);
             }
         }
-        Iterate next = (use_newton_ ? newton_ : anderson_)->step(monitor, phi, from, stop);
+        Iterate next = (use_newton_ ? newton_ : anderson_)->step(data, u, from, stop);
         if (next.lost && may_start_anew_) {
-            next.evaluation.note += "; Newton's method from the uniform mesh on";
+            next.evaluation.note += "; restarting with Newton's method at the uniform mesh";
             const Evaluation lost = next.evaluation;
-            next = start_anew(monitor, phi);
+            next = start_anew(data, u);
             next.evaluation.step_size = lost.step_size;
             next.evaluation.inner_iterations = lost.inner_iterations;
             next.evaluation.note = lost.note;
@@ -70,24 +76,18 @@ class AutomaticStepper final : public Stepper {
     }
 
   private:
-    /// Newton's path begins at the uniform mesh.
-    Iterate start_anew(const Monitor& monitor, std::vector<double>& phi) {
+    /// Changes to Newton's method, whose continuation starts at the uniform mesh.
+    Iterate start_anew(const ProblemData& data, std::vector<double>& u) {
         may_start_anew_ = false;
         choose(true);
-        std::fill(phi.begin(), phi.end(), 0.0);
-        return look(*equation_, monitor, phi);
+        u = problem_->start();
+        return evaluate(*problem_, data, u);
     }
 
     void choose(bool newton) {
         use_newton_ = newton;
         residuals_.clear();
-        (newton ? newton_ : anderson_)->begin(*equation_, target_);
-    }
-
-    /// Of the linearised equation relative to the Laplacian; of the monitor, for the uniform mesh.
-    static double condition(const Iterate& now) {
-        constexpr double not_convex = 1e4; // where it is not defined
-        return now.shape.slowest > 0 ? now.shape.fastest / now.shape.slowest : not_convex;
+        (newton ? newton_ : anderson_)->begin(*problem_, target_);
     }
 
     bool newton_is_worth_it(const Iterate& now) const {
@@ -103,22 +103,22 @@ class AutomaticStepper final : public Stepper {
             const double path = path_work * std::log(condition_);
             return iterations_ > path && anderson(far) > path / 2;
         }
-        if (near_ <= window) return false; // the rate is still that of the way there
+        if (near_ <= window) return false; // the rate still includes iterations far from a solution
         const double inner =
-            inner_work * std::pow(condition(now), inner_growth) * std::log10(residual / target_);
+            inner_work * std::pow(now.shape.condition, inner_growth) * std::log10(residual / target_);
         const double steps = 1 + std::log2(std::max(1.0, std::log(target_ / residual) / std::log(residual)));
         return anderson(target_) > inner + step_work * steps;
     }
 
-    Equation* equation_ = nullptr;
+    NonlinearProblem* problem_ = nullptr;
     double target_ = 0;
     std::unique_ptr<Stepper> anderson_, newton_;
     bool use_newton_ = false;
-    int iterations_ = 0;           ///< on this mesh
-    std::size_t near_ = 0;         ///< how many of the last iterates are not far from a solution
-    bool may_start_anew_ = false;  ///< the way has begun at the uniform mesh, and not gone back there
-    double condition_ = 0;         ///< before it
-    std::deque<double> residuals_; ///< of the last iterates, on this mesh
+    int iterations_ = 0;           ///< number of iterations on this mesh
+    std::size_t near_ = 0;         ///< number of consecutive last iterates near a solution
+    bool may_start_anew_ = false;  ///< started at the uniform mesh and has not restarted
+    double condition_ = 0;         ///< condition number at the first iterate
+    std::deque<double> residuals_; ///< residuals of the last iterates on this mesh
 };
 
 } // namespace

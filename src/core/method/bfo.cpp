@@ -11,7 +11,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr double delta = 2; // of (5.5), which is d! in two dimensions
+constexpr double delta = 2; // the factor in (5.5): d! for d = 2
 
 /// Smallest and largest eigenvalue of a symmetric matrix.
 struct Eigenvalues {
@@ -23,7 +23,7 @@ inline Eigenvalues eigenvalues(double xx, double xy, double yy) {
     return {mean - radius, mean + radius};
 }
 
-// In eight sums side by side, so that none waits for the one before.
+// Dot product with eight independent partial sums, which the compiler can vectorise.
 double weighted_sum(std::span<const double> weights, const double* values) {
     std::array<double, 8> sums{};
     std::size_t i = 0;
@@ -66,7 +66,7 @@ void Bfo::fill_g(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         const double trace = xx[i] + yy[i], determinant = xx[i] * yy[i] - xy[i] * xy[i];
         const double square = trace * trace + delta * (f[i] - determinant);
-        g[i] = std::sqrt(square > 0 ? square : 0.0 * square); // what is not a number stays so
+        g[i] = std::sqrt(square > 0 ? square : 0.0 * square); // cut off at 0; NaN remains NaN
     }
 }
 
@@ -78,7 +78,7 @@ void Bfo::iterate(const JacobianSource& source, std::span<const double> phi, std
         form_->expand(phi, SplineForm::Border::given, form_->quadrature(), map_fields, workspace_);
     form_->begin_load(workspace_);
     double integral = 0;
-    // Extremes of the eigenvalues, and of eigenvalue / G.
+    // Smallest eigenvalue of grad Psi; extremes of eigenvalue / G.
     double convexity = std::numeric_limits<double>::infinity(), least = convexity, most = -convexity;
     for (std::size_t y = 0; y < points; y += band()) {
         const std::size_t rows = std::min(band(), points - y), count = rows * points;
@@ -116,8 +116,10 @@ void Bfo::poisson(std::span<const double> r, std::span<double> u) {
     form_->poisson().solve(r, u, shift_, workspace_.poisson);
 }
 
-// G^2 = t^2 + delta (f - det):  2 G dG = 2 t dt + delta (df - ddet),
-// ddet = xx dyy + yy dxx - 2 xy dxy.
+// With t = xx + yy the trace and det = xx yy - xy^2 the determinant of grad Psi:
+//
+//   G^2    = t^2 + delta (f - det)
+//   2 G dG = 2 t dt + delta (df - ddet),   ddet = xx dyy + yy dxx - 2 xy dxy
 void Bfo::linearise(const JacobianSource& source, std::span<const double> phi, bool moving) {
     const SplineLine& line = form_->line();
     const std::size_t points = line.points.size();
@@ -135,7 +137,7 @@ void Bfo::linearise(const JacobianSource& source, std::span<const double> phi, b
         fill_g(count);
         for (std::size_t i = 0; i < count; ++i) {
             const double xx = xx_[i], xy = xy_[i], yy = yy_[i], trace = xx + yy;
-            const double inverse = g_[i] > 0 ? 1 / g_[i] : 0; // where G is cut off, it does not change
+            const double inverse = g_[i] > 0 ? 1 / g_[i] : 0; // G cut off at 0 has derivative 0
             const std::size_t at = y * points + i;
             parts_[0][at] = moving ? delta / 2 * slope_.x[i] * inverse : 0;
             parts_[1][at] = moving ? delta / 2 * slope_.y[i] * inverse : 0;
@@ -151,7 +153,7 @@ void Bfo::linearise(const JacobianSource& source, std::span<const double> phi, b
     form_->end_load(g_load_, workspace_);
 }
 
-// d(s G) = s (dG - G (integral of dG) / (integral of G)).
+// d(s G) = s (dG - G (integral of dG) / (integral of G))
 void Bfo::derivative(std::span<const double> w, std::span<double> out) {
     const SplineLine& line = form_->line();
     const std::size_t points = line.points.size();

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t coarsest = 8;
 constexpr double tolerance = 1e-10, coarse_tolerance = 1e-4;
-constexpr int most = 200, least_between = 2; ///< iterations; on meshes between the coarsest and the finest
+constexpr int most = 200, least_between = 2; ///< max. iterations; min. iterations on intermediate meshes
 
 NormalTrace trace(const SplineLine& line) {
     NormalTrace trace = identity_trace(line);
@@ -59,14 +59,15 @@ double error(const SplineForm& form, std::span<const double> phi) {
     return std::sqrt(sum);
 }
 
-/// Iterates phi; how often.
+/// Iterates phi until the increment is below `enough`, at least `least` times. Returns the number of
+/// iterations.
 int iterate(Bfo& bfo, std::vector<double>& phi, double enough, int least) {
     const Source source(bfo.form().line());
     std::vector<double> next(bfo.form().unknowns()), increment(next.size());
     int iterations = 0;
     for (double residual = 1; iterations < most && (residual >= enough || iterations < least);) {
         bfo.iterate(source, phi, next);
-        phi.resize(next.size()); // from Psi = 0: phi is 0
+        phi.resize(next.size()); // the start Psi = 0 is the empty phi; here it becomes phi = 0
         for (std::size_t i = 0; i < next.size(); ++i) increment[i] = next[i] - phi[i];
         residual = bfo.form().norm_without_mean(increment);
         phi.swap(next);

@@ -9,24 +9,23 @@ namespace gaspard {
 
 namespace {
 
-constexpr double far = 0.3;            ///< a residual from which coarser meshes are worth the way
-constexpr double good_enough = 3e-2;   ///< a residual with which a coarser mesh has done its work
-constexpr int coarse_iterations = 150; ///< more are not spent on a coarser mesh
-constexpr double hopeless = 100;       ///< a residual from which a coarser mesh leads nowhere
+constexpr double far = 0.3;            ///< residual above which the iteration starts on the coarsest mesh
+constexpr double good_enough = 3e-2;   ///< residual below which a coarser mesh is solved
+constexpr int coarse_iterations = 150; ///< maximum number of iterations on a coarser mesh
+constexpr double hopeless = 100;       ///< residual above which a coarser mesh is given up
 
 } // namespace
 
-Nested::Nested(std::unique_ptr<Equation> equation, std::unique_ptr<Stepper> stepper, const Values& values,
-               const Progress& progress, std::stop_token stop)
+Nested::Nested(std::unique_ptr<NonlinearProblem> problem, std::unique_ptr<Stepper> stepper,
+               const Values& values, const Progress& progress, std::stop_token stop)
     : stepper_(std::move(stepper)) {
-    for (; equation; equation = levels_.back()->coarser(progress, stop))
-        levels_.push_back(std::move(equation));
+    for (; problem; problem = levels_.back()->coarser(progress, stop)) levels_.push_back(std::move(problem));
     configure(values);
     select(0);
 }
 
 void Nested::configure(const Values& values) {
-    tolerance_ = values.has("tolerance") ? values.real("tolerance") : 1e-8;
+    tolerance_ = values.real("tolerance");
     enough_ = std::max(good_enough, tolerance_);
 }
 
@@ -41,42 +40,42 @@ double Nested::other_cpu_seconds() const {
 }
 
 std::optional<State> Nested::adopt(const State& other, const Discretisation* of) {
-    for (const auto& level : levels_) // the way up goes on from there
+    for (const auto& level : levels_) // continue from that level
         if (other.layout == level->layout()) return level->adopt(other, of);
     return levels_[0]->adopt(other, of);
 }
 
-Evaluation Nested::evaluate(const Monitor& monitor, const State& state, std::stop_token) {
+Evaluation Nested::evaluate(const ProblemData& data, const State& state, std::stop_token) {
     const auto of_state = std::find_if(levels_.begin(), levels_.end(),
                                        [&](const auto& level) { return level->layout() == state.layout; });
     GASPARD_CHECK(of_state != levels_.end());
     select(static_cast<std::size_t>(of_state - levels_.begin()));
     may_go_down_ = true;
-    look_at(monitor, here().potential(state));
+    look_at(data, here().unknowns(state));
     if (level_ == 0) return now_.evaluation;
-    // What is said of a map is said of the mesh that was asked for, or a coarse one might end a run.
-    const State fine = levels_[0]->adopt(here(), here().potential(state));
+    // Report the residual on the finest mesh; a small residual on a coarser one must not end the run.
+    const State fine = levels_[0]->adopt(here(), here().unknowns(state));
     prolonged_ = true;
-    return levels_[0]->evaluate(monitor, fine.arrays[0].values);
+    return levels_[0]->evaluate(data, fine.arrays[0].values);
 }
 
-Evaluation Nested::step(const Monitor& monitor, State& state, std::stop_token stop) {
-    here().potential(state); // checks that it is of this layout before anything is written
+Evaluation Nested::step(const ProblemData& data, State& state, std::stop_token stop) {
+    here().unknowns(state); // checks the layout before anything is changed
     if (std::exchange(may_go_down_, false) && level_ == 0 && now_.evaluation.residual > far &&
         levels_.size() > 1) {
-        start_ = here().potential(state);
-        go_to(levels_.size() - 1, start_, monitor, state);
+        start_ = here().unknowns(state);
+        go_to(levels_.size() - 1, start_, data, state);
     }
-    auto& phi = here().potential(state);
-    now_ = stepper_->step(monitor, phi, now_, stop);
+    auto& u = here().unknowns(state);
+    now_ = stepper_->step(data, u, now_, stop);
     prolonged_ = false;
-    if (level_ > 0) phi_of_positions_ = phi;
+    if (level_ > 0) u_of_positions_ = u;
     ++iterations_here_;
     const Evaluation update = now_.evaluation;
     const bool late = iterations_here_ >= coarse_iterations;
     const bool lost = now_.lost || !(update.residual < hopeless);
     const bool arrived = update.residual < enough_ || ((late || lost) && update.residual < far);
-    if (level_ > 0 && (arrived || late || lost) && !stop.stop_requested()) go_up(arrived, monitor, state);
+    if (level_ > 0 && (arrived || late || lost) && !stop.stop_requested()) go_up(arrived, data, state);
     Evaluation evaluation = now_.evaluation;
     evaluation.step_size = update.step_size;
     evaluation.inner_iterations = update.inner_iterations;
@@ -87,15 +86,15 @@ Evaluation Nested::step(const Monitor& monitor, State& state, std::stop_token st
 const Points& Nested::positions() {
     if (level_ == 0) return levels_[0]->positions();
     if (!std::exchange(prolonged_, true)) {
-        const State fine = levels_[0]->adopt(here(), phi_of_positions_);
+        const State fine = levels_[0]->adopt(here(), u_of_positions_);
         levels_[0]->move(fine.arrays[0].values);
     }
     return levels_[0]->positions();
 }
 
-std::vector<Measure> Nested::measures(const Monitor& monitor) {
-    positions(); // of which the finest mesh's are measured
-    return levels_[0]->measures(monitor);
+std::vector<double> Nested::measures(const ProblemData& data) {
+    positions(); // prolongs to the finest mesh, where measures are taken
+    return levels_[0]->measures(data);
 }
 
 void Nested::select(std::size_t level) {
@@ -104,32 +103,32 @@ void Nested::select(std::size_t level) {
     iterations_here_ = 0;
 }
 
-void Nested::look_at(const Monitor& monitor, const std::vector<double>& phi) {
-    now_ = look(here(), monitor, phi);
+void Nested::look_at(const ProblemData& data, const std::vector<double>& u) {
+    now_ = gaspard::evaluate(here(), data, u);
     prolonged_ = false;
-    if (level_ > 0) phi_of_positions_ = phi;
+    if (level_ > 0) u_of_positions_ = u;
 }
 
-/// To a level, with the map of a potential of the present one.
-void Nested::go_to(std::size_t level, const std::vector<double>& phi, const Monitor& monitor, State& state) {
-    State there = levels_[level]->adopt(here(), phi);
-    state = std::move(there); // phi may have been part of it
+/// Changes to another level; u: unknowns on the current level, which are transferred.
+void Nested::go_to(std::size_t level, const std::vector<double>& u, const ProblemData& data, State& state) {
+    State there = levels_[level]->adopt(here(), u);
+    state = std::move(there); // u may refer to an array of state
     select(level);
-    look_at(monitor, here().potential(state));
+    look_at(data, here().unknowns(state));
 }
 
-/// To the next finer mesh; from the very start where this one is too coarse to have been of use.
-void Nested::go_up(bool arrived, const Monitor& monitor, State& state) {
+/// Continues on the next finer level; if the result of this level is no use there, restarts from start_ on
+/// that level.
+void Nested::go_up(bool arrived, const ProblemData& data, State& state) {
     const std::size_t next = level_ - 1;
-    if (arrived) go_to(next, here().potential(state), monitor, state);
-    if (arrived && (now_.shape.convexity > 0 || now_.evaluation.residual < far)) {
-        if (level_ > 0 && now_.evaluation.residual < enough_)
-            go_up(true, monitor, state); // nothing to do here
+    if (arrived) go_to(next, here().unknowns(state), data, state);
+    if (arrived && (now_.shape.admissibility > 0 || now_.evaluation.residual < far)) {
+        if (level_ > 0 && now_.evaluation.residual < enough_) go_up(true, data, state); // already solved
         return;
     }
-    if (start_.empty()) start_ = levels_[0]->initial_state().arrays[0].values; // began in the middle
+    if (start_.empty()) start_ = levels_[0]->start(); // the run started on a coarser level
     select(0);
-    go_to(next, start_, monitor, state);
+    go_to(next, start_, data, state);
 }
 
 MethodType nested_method(std::string name, std::string label, std::string help,
@@ -138,11 +137,10 @@ MethodType nested_method(std::string name, std::string label, std::string help,
             .label = std::move(label),
             .help = std::move(help),
             .rows = {},
-            .make = [stepper = std::move(stepper)](std::shared_ptr<const Discretisation> discretisation,
-                                                   const Values& values, const Progress& progress,
-                                                   std::stop_token stop) -> std::unique_ptr<Method> {
-                return std::make_unique<Nested>(make_equation(std::move(discretisation)), stepper(), values,
-                                                progress, stop);
+            .make = [stepper = std::move(stepper)](const MethodContext& context,
+                                                   const Values& values) -> std::unique_ptr<Method> {
+                return std::make_unique<Nested>(context.problem(), stepper(), values, context.progress,
+                                                context.stop);
             }};
 }
 

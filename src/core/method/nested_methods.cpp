@@ -1,25 +1,26 @@
-// The methods that differ in nothing but their stepper.
+// Method types of nested iteration, which differ only in their stepper.
 #include "core/method/nested.hpp"
 
 namespace gaspard {
 
 MethodType accelerated_method() {
     return nested_method("accelerated", "Accelerated",
-                         "Anderson acceleration of the relaxation, from coarser meshes on: no step to choose",
+                         "relaxation with Anderson acceleration and nested iteration; needs no step size",
                          make_anderson_stepper);
 }
 
 MethodType newton_method() {
-    return nested_method("newton", "Newton",
-                         "the full linearisation, over powers of the monitor and from coarser meshes on: "
-                         "quadratic convergence, also where the others fail",
-                         make_newton_stepper);
+    return nested_method(
+        "newton", "Newton",
+        "Newton's method with the full linearisation, continuation in powers of the monitor and "
+        "nested iteration; converges quadratically, also if other methods fail",
+        make_newton_stepper);
 }
 
 MethodType automatic_method() {
     return nested_method(
         "auto", "Automatic",
-        "chooses between accelerated and newton by what the iterations show, from coarser meshes on",
+        "chooses between accelerated and newton from the observed convergence; nested iteration",
         make_automatic_stepper);
 }
 

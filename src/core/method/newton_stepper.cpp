@@ -1,69 +1,61 @@
-// Newton's method with the full linearisation of the discrete equation (method/equation.hpp), sigma
+// Newton's method with the full linearisation of the discrete equation (nonlinear_problem.hpp), sigma
 // eliminated exactly:
 //
 //   -(dr/dphi) dphi = r,   phi -> phi + s dphi
 //
-// Near a solution s = 1 is taken and convergence is quadratic. Far from it, McRae et al. found that the full
-// linearisation loses convexity; so the way goes over powers of the monitor, m^t from t = 0, where the
-// uniform mesh is the solution: one step for m^t, then on to a larger t, as far as steps remain good. A step
-// is good if the map stays convex and solves the equation of m^t to `close`; else it is taken back, and t
-// grows less.
+// Near a solution, s = 1 is accepted and convergence is quadratic. Far from a solution, the full
+// linearisation loses convexity, as McRae et al. found; therefore a continuation in powers of the monitor is
+// used: m^t, from t = 0, for which the uniform mesh is the solution, to t = 1. For each t one Newton step is
+// made. It is accepted if the map stays convex and the residual for m^t is below `close`; then t increases
+// further. Otherwise the step is discarded and the increment of t halved.
 #include "core/linear/gmres.hpp"
-#include "core/method/power_monitor.hpp"
 #include "core/method/stepper.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace gaspard {
 
 namespace {
 
-constexpr double least_convexity = 0.1; ///< of that before a step; less is not taken
-constexpr double close = 0.3;           ///< residual of m^t up to which a step has led to a solution for m^t
-constexpr double aim = 0.1;             ///< residual of m^t that the next t is chosen for
-constexpr double shortest = 1.0 / 64;   ///< part of a step that is tried
-constexpr double least_advance = 1e-3;  ///< of t
-constexpr double loosest = 0.1;         ///< tolerance of the linear solver
-constexpr std::size_t memory = 30;      ///< of GMRES
-constexpr int most_inner = 300, most_inner_far = 100; ///< near a solution, else
-constexpr int shortest_rest = 8, longest_rest = 128;  ///< relaxations between two attempts
-
-std::string power(double t) {
-    char text[32];
-    std::snprintf(text, sizeof text, "m^%.3g", t);
-    return text;
-}
+constexpr double least_convexity = 0.1; ///< accepted convexity after a step, relative to that before it
+constexpr double close = 0.3;           ///< residual for m^t below which a step is accepted
+constexpr double aim = 0.1;             ///< residual for m^t at which the increment of t aims
+constexpr double shortest = 1.0 / 64;   ///< smallest s in the line search
+constexpr double least_advance = 1e-3;  ///< smallest increment of t
+constexpr double loosest = 0.1;         ///< largest tolerance of the linear solver
+constexpr std::size_t memory = 30;      ///< restart length of GMRES
+constexpr int most_inner = 300, most_inner_far = 100; ///< max. GMRES iterations near a solution; else
+constexpr int shortest_rest = 8, longest_rest = 128;  ///< relaxation steps after a failed Newton step
 
 class NewtonStepper final : public Stepper {
   public:
-    void begin(Equation& equation, double target) override {
-        equation_ = &equation;
+    void begin(NonlinearProblem& problem, double target) override {
+        problem_ = &problem;
         target_ = target;
-        gmres_.reset(); // made when needed
+        gmres_.reset(); // made at the first step
         on_path_ = begun_ = false;
         resting_ = 0, rest_ = shortest_rest;
     }
 
-    Iterate step(const Monitor& monitor, std::vector<double>& phi, const Iterate& now,
+    Iterate step(const ProblemData& data, std::vector<double>& u, const Iterate& now,
                  std::stop_token stop) override {
         if (!gmres_) {
-            gmres_.emplace(phi.size(), memory);
-            update_.resize(phi.size());
-            before_.resize(phi.size());
+            gmres_.emplace(u.size(), memory);
+            update_.resize(u.size());
+            before_.resize(u.size());
         }
         inner_ = 0;
         note_.clear();
-        const bool identity = std::all_of(phi.begin(), phi.end(), [](double value) { return value == 0; });
-        if (!std::exchange(begun_, true) && identity && now.evaluation.residual > close) set_out(now);
-        before_ = phi;
+        if (!std::exchange(begun_, true) && u == problem_->start() && now.evaluation.residual > close)
+            set_out(now);
+        before_ = u;
         if (resting_ > 0) {
             --resting_;
-            return relax(monitor, phi, now);
+            return relax(data, u, now);
         }
-        Iterate next = on_path_ ? along_path(monitor, phi, stop) : directly(monitor, phi, now, stop);
+        Iterate next = on_path_ ? along_path(data, u, stop) : directly(data, u, now, stop);
         next.evaluation.inner_iterations = inner_;
         next.evaluation.note = std::move(note_);
         return next;
@@ -74,109 +66,110 @@ class NewtonStepper final : public Stepper {
         on_path_ = true;
         t_ = 0;
         advance_ = std::min(1.0, close / now.evaluation.residual);
-        tell("over powers of the monitor, " + power(advance_) + " first");
+        tell("continuation in powers of the monitor, starting with " + problem_->name_of_continued(advance_));
     }
     void tell(const std::string& sentence) { note_ += (note_.empty() ? "" : "; ") + sentence; }
 
-    /// The update for the monitor for which the equation was last evaluated.
-    bool solve(const Monitor& monitor, double residual, std::stop_token stop) {
-        equation_->linearise(monitor, Equation::Linearised::fully);
-        // As exact as convergence can make use of, and as the last step needs.
+    /// Computes update_ for the data with which the problem was last evaluated. Returns whether it is usable.
+    bool solve(const ProblemData& data, double residual, std::stop_token stop) {
+        problem_->linearise(data, NonlinearProblem::Linearised::fully);
+        // Tolerance proportional to the residual, for quadratic convergence; not smaller than the target
+        // needs.
         const double tolerance = std::clamp(residual, std::min(loosest, 0.1 * target_ / residual), loosest);
-        const bool far = residual > close; // where many iterations mean that there is a better way
+        const bool far = residual > close; // then the step must be solved within most_inner_far
         const auto result =
-            gmres_->solve([&](auto v, auto out) { equation_->derivative(v, out); },
-                          [&](auto v, auto out) { equation_->precondition(v, out); }, equation_->residual(),
+            gmres_->solve([&](auto v, auto out) { problem_->derivative(v, out); },
+                          [&](auto v, auto out) { problem_->precondition(v, out); }, problem_->residual(),
                           update_, {tolerance, far ? most_inner_far : most_inner}, stop);
         inner_ += result.iterations;
         return std::isfinite(result.residual) && (result.converged || !far);
     }
-    void go(std::vector<double>& phi, double length) {
-        for (std::size_t i = 0; i < phi.size(); ++i) phi[i] = before_[i] + length * update_[i];
+    void go(std::vector<double>& u, double length) {
+        for (std::size_t i = 0; i < u.size(); ++i) u[i] = before_[i] + length * update_[i];
     }
 
-    /// For m itself, with a step that is shortened until the residual decreases.
-    Iterate directly(const Monitor& monitor, std::vector<double>& phi, const Iterate& now,
+    /// Newton step for m itself, with a line search: s is halved until the residual decreases.
+    Iterate directly(const ProblemData& data, std::vector<double>& u, const Iterate& now,
                      std::stop_token stop) {
-        const bool solved = solve(monitor, now.evaluation.residual, stop);
+        const bool solved = solve(data, now.evaluation.residual, stop);
         for (double s = 1; solved && !stop.stop_requested() && s >= shortest; s /= 2) {
-            go(phi, s);
-            Iterate next = look(*equation_, monitor, phi);
+            go(u, s);
+            Iterate next = evaluate(*problem_, data, u);
             next.evaluation.step_size = s;
-            if (next.shape.convexity > least_convexity * now.shape.convexity &&
+            if (next.shape.admissibility > least_convexity * now.shape.admissibility &&
                 next.evaluation.residual < (1 - s / 10) * now.evaluation.residual)
                 return next;
         }
-        phi = before_;
-        Iterate same = look(*equation_, monitor, phi);
+        u = before_;
+        Iterate same = evaluate(*problem_, data, u);
         if (stop.stop_requested()) return same;
-        return give_way(monitor, phi, same);
+        return give_way(data, u, same);
     }
 
-    /// One step for m^t, with a larger t than before.
-    Iterate along_path(const Monitor& monitor, std::vector<double>& phi, std::stop_token stop) {
+    /// One Newton step of the continuation, for m^t with an increased t.
+    Iterate along_path(const ProblemData& data, std::vector<double>& u, std::stop_token stop) {
         while (!stop.stop_requested()) {
             const double t = std::min(1.0, t_ + advance_);
-            const PowerMonitor part(monitor, t);
-            const Monitor& of_step = t < 1 ? static_cast<const Monitor&>(part) : monitor;
-            const Iterate before = look(*equation_, of_step, phi);
+            const ProblemData of_step = t < 1 ? problem_->continued(data, t) : data;
+            const Iterate before = evaluate(*problem_, of_step, u);
             const bool solved = solve(of_step, before.evaluation.residual, stop);
             if (stop.stop_requested()) break;
-            go(phi, 1);
-            Iterate next = look(*equation_, of_step, phi);
+            go(u, 1);
+            Iterate next = evaluate(*problem_, of_step, u);
             const double residual = next.evaluation.residual;
             if (solved && residual < close &&
-                next.shape.convexity > least_convexity * before.shape.convexity) {
+                next.shape.admissibility > least_convexity * before.shape.admissibility) {
                 t_ = t;
                 advance_ *= std::clamp(std::sqrt(aim / residual), 0.5, 3.0);
                 if (t == 1) {
                     on_path_ = false;
-                    tell("the monitor itself from here");
+                    tell("continuation finished, solving for the monitor itself");
                 } else {
-                    next = look(*equation_, monitor, phi);
+                    next = evaluate(*problem_, data, u);
                 }
                 next.evaluation.step_size = 1;
                 return next;
             }
-            phi = before_;
+            u = before_;
             advance_ = (t - t_) / 2;
             if (advance_ < least_advance) {
-                tell("the path ends at " + power(t_));
-                return give_way(monitor, phi, look(*equation_, monitor, phi));
+                tell("continuation stopped at " + problem_->name_of_continued(t_));
+                return give_way(data, u, evaluate(*problem_, data, u));
             }
-            tell(power(t) + " is too far, " + power(t_ + advance_) + " instead");
+            tell("the step to " + problem_->name_of_continued(t) + " failed, trying " +
+                 problem_->name_of_continued(t_ + advance_));
         }
-        phi = before_;
-        return look(*equation_, monitor, phi);
+        u = before_;
+        return evaluate(*problem_, data, u);
     }
 
-    /// Where no step of Newton's is any good: some of the relaxation, which are made with the Laplacian in
-    /// place of the linearisation, and directly from there.
-    Iterate give_way(const Monitor& monitor, std::vector<double>& phi, const Iterate& now) {
+    /// If no Newton step is accepted: some relaxation steps, which use the Laplacian instead of the
+    /// linearisation; then Newton steps for m itself.
+    Iterate give_way(const ProblemData& data, std::vector<double>& u, const Iterate& now) {
         on_path_ = false;
         resting_ = rest_ - 1;
-        tell("no step is any good here: " + std::to_string(rest_) + " of the relaxation");
+        tell("no Newton step was accepted: " + std::to_string(rest_) + " relaxation steps");
         rest_ = std::min(2 * rest_, longest_rest);
-        Iterate next = relax(monitor, phi, now);
+        Iterate next = relax(data, u, now);
         next.lost = true;
         return next;
     }
-    Iterate relax(const Monitor& monitor, std::vector<double>& phi, const Iterate& now) {
-        const double length = stable_step(now.shape);
-        equation_->direction(update_);
-        go(phi, length);
-        Iterate next = look(*equation_, monitor, phi);
+    Iterate relax(const ProblemData& data, std::vector<double>& u, const Iterate& now) {
+        const double length = now.shape.stable_step;
+        problem_->direction(update_);
+        go(u, length);
+        Iterate next = evaluate(*problem_, data, u);
         next.evaluation.step_size = length;
         return next;
     }
 
-    Equation* equation_ = nullptr;
+    NonlinearProblem* problem_ = nullptr;
     double target_ = 0;
     std::optional<Gmres> gmres_;
     std::vector<double> update_, before_;
     bool begun_ = false, on_path_ = false;
-    double t_ = 0, advance_ = 0; ///< the map solves the equation of m^t roughly; how much t is to grow
-    int resting_ = 0, rest_ = shortest_rest; ///< relaxations to make now; at the next failure
+    double t_ = 0, advance_ = 0;             ///< t of the continuation; next increment of t
+    int resting_ = 0, rest_ = shortest_rest; ///< relaxation steps left; number after the next failure
     int inner_ = 0;
     std::string note_;
 };

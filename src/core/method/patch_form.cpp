@@ -10,9 +10,9 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t shown = 100; // points per direction for extremes of the Jacobian, as in the paper
+constexpr std::size_t shown = 100; // points per direction for the extremes of the Jacobian, as in the paper
 
-/// phi in the space of `to`, both directions.
+/// The spline phi, transferred from the space `from` to the space `to` in both directions.
 std::vector<double> transferred(const KnotVector& from, const KnotVector& to, std::span<const double> phi) {
     const LineMatrix along = transfer(from, to);
     std::vector<double> half(from.size() * to.size(), 0.0), all(to.size() * to.size(), 0.0);
@@ -42,7 +42,7 @@ std::optional<SplineLayout> parse_spline_layout(const std::string& text) {
     if (degree < 2 || degree > highest_degree || cells < 1 || cells > most_cells) return std::nullopt;
     const SplineLayout layout{std::string(kind) == "mixed" ? Formulation::mixed : Formulation::standard,
                               degree, static_cast<std::size_t>(cells)};
-    if (spline_layout(layout) != text) return std::nullopt; // another kind, or more behind it
+    if (spline_layout(layout) != text) return std::nullopt; // unknown formulation or trailing text
     return layout;
 }
 
@@ -53,14 +53,55 @@ std::unique_ptr<SplineForm> make_form(const SplineLayout& layout) {
                                                        : make_mixed_form(line, trace);
 }
 
-std::vector<Measure> named(const PatchMeasures& m) {
-    return {{"err", m.err_printed},
-            {"err_absolute", m.err_defined},
-            {"qual", m.qual_det},
-            {"qual_f", m.qual_f},
-            {"min_jacobian_psi", m.min_jacobian},
-            {"max_jacobian_psi", m.max_jacobian},
-            {"border_error", m.border_error}};
+namespace {
+
+struct PatchMeasure {
+    std::string name, label, symbol;
+    ParameterScale scale;
+    std::string help;
+    double PatchMeasures::*value;
+};
+
+const std::vector<PatchMeasure>& patch_measures() {
+    using enum ParameterScale;
+    static const std::vector<PatchMeasure> table = {
+        {"err", "Density error", "‖det/f − 1‖", logarithmic,
+         "L² norm of det/f − 1, the error in the tables of Bahari et al.", &PatchMeasures::err_printed},
+        {"err_absolute", "Density error, absolute", "‖det − f‖", logarithmic, "L² norm of det − f",
+         &PatchMeasures::err_defined},
+        {"qual", "Displacement cost", "", linear, "root of the integral of |Ψ − ξ|² / |det|",
+         &PatchMeasures::qual_det},
+        {"qual_f", "Displacement cost over f", "", linear, "root of the integral of |Ψ − ξ|² / f",
+         &PatchMeasures::qual_f},
+        {"min_jacobian_psi", "Min. Jacobian of Ψ", "min det", linear,
+         "smallest Jacobian of Ψ on a grid of 100 × 100 points", &PatchMeasures::min_jacobian},
+        {"max_jacobian_psi", "Max. Jacobian of Ψ", "max det", linear,
+         "largest Jacobian of Ψ on a grid of 100 × 100 points", &PatchMeasures::max_jacobian},
+        {"border_error", "Border error", "|(Ψ − ξ) · n|", logarithmic,
+         "largest distance of Ψ from the border on a grid of 100 × 100 points",
+         &PatchMeasures::border_error}};
+    return table;
+}
+
+} // namespace
+
+std::vector<SeriesInfo> patch_series() {
+    std::vector<SeriesInfo> all;
+    for (const PatchMeasure& one : patch_measures())
+        all.push_back({.name = one.name,
+                       .label = one.label,
+                       .symbol = one.symbol,
+                       .scale = one.scale,
+                       .help = one.help,
+                       .measured = true,
+                       .column = false});
+    return all;
+}
+
+std::vector<double> values_of(const PatchMeasures& measures) {
+    std::vector<double> values;
+    for (const PatchMeasure& one : patch_measures()) values.push_back(measures.*one.value);
+    return values;
 }
 
 PatchForm::PatchForm(std::shared_ptr<const SplineDomain> domain, Formulation formulation, std::size_t cells)
@@ -95,7 +136,7 @@ void PatchForm::positions(std::span<const double> whole, Points& x) {
     for (std::size_t j = 0; j < side; ++j)
         form_->row(nodes_, j, 2, {&psi_.x[j * side], &psi_.y[j * side], nullptr, nullptr, nullptr},
                    workspace_);
-    if (formulation_ == Formulation::mixed) // but for the rounding of a sum
+    if (formulation_ == Formulation::mixed) // removes rounding errors
         for (std::size_t k = 0; k < side; ++k) {
             psi_.x[k * side] = psi_.y[k] = 0;
             psi_.x[k * side + side - 1] = psi_.y[(side - 1) * side + k] = 1;
@@ -127,7 +168,7 @@ PatchMeasures PatchForm::measure(const Monitor& monitor, std::span<const double>
         }
     }
     for (double* square : {&result.err_printed, &result.err_defined, &result.qual_det, &result.qual_f})
-        *square = std::sqrt(*square); // not a number where a Jacobian is negative
+        *square = std::sqrt(*square);
 
     std::vector<double> at(shown);
     for (std::size_t i = 0; i < shown; ++i) at[i] = static_cast<double>(i) / (shown - 1);

@@ -1,5 +1,5 @@
-// A form on a patch: where its map puts the nodes of the mesh, and how good it is by the measures of Bahari
-// et al.
+// A spline form (standard or mixed) on a patch: node positions of its map, and the quality measures of Bahari
+// et al. (2024).
 #pragma once
 
 #include "core/method/method.hpp"
@@ -13,31 +13,33 @@ namespace gaspard {
 
 enum class Formulation { standard, mixed };
 
-/// What the layout of a patch's State says: "spline standard p=3 n=32".
+/// The layout of a State on a patch: "spline standard p=3 n=32".
 struct SplineLayout {
     Formulation formulation = Formulation::standard;
     int degree = 3;
     std::size_t cells = 0;
 };
 std::string spline_layout(const SplineLayout& layout);
+/// nullopt if the text is not such a layout.
 std::optional<SplineLayout> parse_spline_layout(const std::string& text);
-/// On equal cells, with the identity at the border.
+/// The form on uniform cells, with the normal trace of the identity as boundary data.
 std::unique_ptr<SplineForm> make_form(const SplineLayout& layout);
 
-/// How good a map is, as Bahari et al. print and define it.
+/// Quality measures of a map as Bahari et al. print and define them; det = det grad Psi.
 struct PatchMeasures {
-    double err_printed = 0;  ///< L2 norm of det / f - 1, which the paper's tables show
+    double err_printed = 0;  ///< L2 norm of det / f - 1, as printed in the paper's tables
     double err_defined = 0;  ///< L2 norm of det - f, (5.6)
-    double qual_det = 0;     ///< root of the integral of |Psi - xi|^2 / |det|
-    double qual_f = 0;       ///< the same over f, (5.6)
-    double min_jacobian = 0; ///< of Psi, on a grid of 100 x 100 points without the outermost
+    double qual_det = 0;     ///< sqrt( integral of |Psi - xi|^2 / |det| )
+    double qual_f = 0;       ///< sqrt( integral of |Psi - xi|^2 / f ), (5.6)
+    double min_jacobian = 0; ///< min det on the inner points of a 100 x 100 grid
     double max_jacobian = 0;
-    double border_error = 0; ///< largest |(Psi - xi) . n| on that grid's border
+    double border_error = 0; ///< max |(Psi - xi) . n| on the boundary of that grid
 };
-/// As reports name them.
-std::vector<Measure> named(const PatchMeasures& measures);
+/// As reports name them, and their values in the same order.
+std::vector<SeriesInfo> patch_series();
+std::vector<double> values_of(const PatchMeasures& measures);
 
-/// One form on a patch, with n cells or fewer than its mesh has.
+/// A form on a patch with `cells` cells per direction, possibly fewer than the mesh of the domain.
 class PatchForm {
   public:
     PatchForm(std::shared_ptr<const SplineDomain> domain, Formulation formulation, std::size_t cells);
@@ -49,13 +51,14 @@ class PatchForm {
     std::string layout() const { return spline_layout({formulation_, domain_->degree(), cells_}); }
     PatchSource source(const Monitor& monitor) const { return {monitor, *domain_->map(), form_->line()}; }
 
-    /// Phi = phi + the potential of the identity; states hold phi, which is 0 where no node has moved.
+    /// whole = Phi = phi + (potential of the identity map). States hold phi, which is 0 for the identity map.
     void add_identity(std::span<const double> phi, std::span<double> whole) const;
     std::vector<double> without_identity(std::span<const double> whole) const;
-    /// phi on this mesh, from one of another (exact where this one is a refinement of it); empty where a
-    /// layout means no such thing.
+    /// phi transferred from another mesh; exact if this mesh is a refinement of it. Empty if `layout` is not
+    /// that of a patch or does not match the size of phi.
     std::vector<double> adopt(const std::string& layout, std::span<const double> phi) const;
-    /// F(Psi) at the nodes of the domain's mesh. In the mixed form those at the border stand there exactly.
+    /// x = F(Psi) at the nodes of the domain's mesh. In the mixed form, boundary nodes lie exactly on the
+    /// boundary.
     void positions(std::span<const double> whole, Points& x);
 
     PatchMeasures measure(const Monitor& monitor, std::span<const double> whole);

@@ -1,5 +1,8 @@
-// f = sigma / rho(F(Psi)), (3.15): a monitor rho on a patch F, seen from the parameter square. Sigma is the
-// mean of rho o F there, by the quadrature of the iteration.
+// The prescribed Jacobian for a monitor rho on a patch F, in the parameter square; Bahari et al. (3.15):
+//
+//   f = sigma / rho(F(Psi)),   sigma = integral of rho(F(xi)) over the parameter square
+//
+// sigma is computed with the quadrature of the iteration.
 #pragma once
 
 #include "core/method/bfo.hpp"
@@ -10,7 +13,7 @@ namespace gaspard {
 
 class PatchSource final : public JacobianSource {
   public:
-    /// All three outlive it.
+    /// `monitor` and `map` must outlive this object.
     PatchSource(const Monitor& monitor, const PatchMap& map, const SplineLine& line);
 
     double sigma() const { return sigma_; }
@@ -18,13 +21,13 @@ class PatchSource final : public JacobianSource {
     void gradients(std::size_t y, const Points& psi, std::span<double> f, Points& gradient) const override;
 
   private:
-    /// Where the points of psi are.
+    /// F(psi).
     const Points& place(const Points& psi) const;
 
     const Monitor& monitor_;
     const PatchMap& map_;
     double sigma_ = 0;
-    mutable Points x_, slope_, first_, second_; ///< room for a band of points
+    mutable Points x_, slope_, first_, second_; ///< workspace for a band of points
 };
 
 } // namespace gaspard

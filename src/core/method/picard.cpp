@@ -1,9 +1,9 @@
-// The methods of Bahari, Habbal, Ratnani, Sonnendruecker (2024): the iteration phi <- T(phi) of
-// method/bfo.hpp in the standard form, (4.2) to (4.5), and in the mixed one, (6.1) to (6.9).
+// The methods of Bahari, Habbal, Ratnani, Sonnendruecker (2024): the fixed-point iteration phi <- T(phi) of
+// method/bfo.hpp in the standard form, (4.2) to (4.5), and in the mixed form, (6.1) to (6.9).
 //
-// The residual is the L2 norm of the last increment of phi, without its mean; of a start, of the increment
-// that comes next. From the identity, the way begins on 16 cells and goes up by knot insertion, mesh by mesh
-// (remark 4.1). An iteration is one update, on whatever mesh.
+// The residual is the L2 norm of the mean-free last increment of phi; at the start, that of the next
+// increment. From the identity map, the iteration starts on 16 cells (multilevel start) and continues on
+// finer meshes by knot insertion (remark 4.1). One iteration is one update on any level.
 #include "core/base/check.hpp"
 #include "core/method/method.hpp"
 #include "core/method/patch_form.hpp"
@@ -17,8 +17,18 @@ namespace gaspard {
 namespace {
 
 constexpr std::size_t coarsest = 16;      // cells
-constexpr double coarse_tolerance = 1e-5; // of the increment, on all meshes but the finest
-constexpr int coarse_iterations = 100;    // more are not spent on one of them
+constexpr double coarse_tolerance = 1e-5; // for the increment, on all levels except the finest
+constexpr int coarse_iterations = 100;    // maximum on each of these levels
+
+/// Its column has the name that the other methods give to the same constant.
+SeriesInfo sigma_series() {
+    return {.name = "theta",
+            .label = "Constant σ",
+            .symbol = "σ",
+            .help = "the factor that gives f the integral of the Jacobian",
+            .column = false,
+            .bounded = true};
+}
 
 class Picard final : public Method {
   public:
@@ -29,9 +39,9 @@ class Picard final : public Method {
     }
 
     void configure(const Values& values) override {
-        tolerance_ = values.has("tolerance") ? values.real("tolerance") : 1e-8;
+        tolerance_ = values.real("tolerance");
         multilevel_ = values.text("start") == "multilevel";
-        const double shift = values.has("penalty") ? values.real("penalty") : 0;
+        const double shift = formulation_ == Formulation::standard ? values.real("penalty") : 0;
         if (shift == shift_) return;
         shift_ = shift;
         for (Level& level : levels_) level.bfo = Bfo(level.form->form(), shift_);
@@ -50,21 +60,21 @@ class Picard final : public Method {
         return State{levels_[0].form->layout(), {{"phi", std::move(phi)}}};
     }
 
-    Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token) override {
+    Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token) override {
         level_ = level_of(state);
         const auto& phi = state.arrays[0].values;
-        at_start_ = level_ == 0 && std::all_of(phi.begin(), phi.end(), [](double v) { return v == 0; });
+        at_start_ = level_ == 0 && state == initial_state();
         whole_.resize(phi.size());
         levels_[level_].form->add_identity(phi, whole_);
         if (level_ == 0) {
-            iterate(monitor);
+            iterate(*data.monitor);
             return report();
         }
-        // What is said of a map is said of the mesh that was asked for, or a coarse one might end a run.
+        // Report the residual on the finest mesh; a small residual on a coarser one must not end the run.
         const std::size_t coarse = level_;
         const std::vector<double> of_state = whole_;
         go_to(0);
-        iterate(monitor);
+        iterate(*data.monitor);
         const Evaluation evaluation = report();
         level_ = coarse;
         whole_ = of_state;
@@ -72,21 +82,21 @@ class Picard final : public Method {
         return evaluation;
     }
 
-    Evaluation step(const Monitor& monitor, State& state, std::stop_token) override {
+    Evaluation step(const ProblemData& data, State& state, std::stop_token) override {
         GASPARD_CHECK(level_of(state) == level_);
-        if (std::exchange(at_start_, false) && multilevel_) go_to_coarsest(monitor);
-        if (next_.empty()) iterate(monitor);
+        if (std::exchange(at_start_, false) && multilevel_) go_to_coarsest(*data.monitor);
+        if (next_.empty()) iterate(*data.monitor);
         whole_.swap(next_);
         next_.clear();
         Evaluation evaluation = report();
         bool late = ++iterations_here_ >= coarse_iterations;
-        // Also over a mesh on which there is nothing to do: no coarse one may end a run.
+        // Skips levels that are already solved: a coarser level must not end the run.
         while (level_ > 0 && (late || residual_ < std::max(coarse_tolerance, tolerance_))) {
             go_to(level_ - 1);
-            iterate(monitor);
+            iterate(*data.monitor);
             late = false;
             evaluation = report();
-            evaluation.note = "on " + std::to_string(levels_[level_].form->cells()) + " cells from here";
+            evaluation.note = "continuing on " + std::to_string(levels_[level_].form->cells()) + " cells";
         }
         const PatchForm& here = *levels_[level_].form;
         state = {here.layout(), {{"phi", here.without_identity(whole_)}}};
@@ -99,8 +109,13 @@ class Picard final : public Method {
         return positions_;
     }
 
-    std::vector<Measure> measures(const Monitor& monitor) override {
-        return named(levels_[level_].form->measure(monitor, whole_));
+    std::vector<SeriesInfo> series() const override {
+        std::vector<SeriesInfo> all = patch_series();
+        all.insert(all.begin(), sigma_series());
+        return all;
+    }
+    std::vector<double> measures(const ProblemData& data) override {
+        return values_of(levels_[level_].form->measure(*data.monitor, whole_));
     }
 
   private:
@@ -122,7 +137,7 @@ class Picard final : public Method {
             }
         check_failed("the state is of this method");
     }
-    /// Fills next_ and measures the increment.
+    /// Computes next_, increment_ and residual_.
     void iterate(const Monitor& monitor) {
         Level& here = levels_[level_];
         const PatchSource source = here.form->source(monitor);
@@ -133,7 +148,7 @@ class Picard final : public Method {
         for (std::size_t i = 0; i < whole_.size(); ++i) increment_[i] = next_[i] - whole_[i];
         residual_ = here.form->form()->norm_without_mean(increment_);
     }
-    /// The same map on another mesh.
+    /// Transfers the map to another level.
     void go_to(std::size_t level) {
         const PatchForm &from = *levels_[level_].form, &to = *levels_[level].form;
         const auto phi = to.adopt(from.layout(), from.without_identity(whole_));
@@ -142,7 +157,7 @@ class Picard final : public Method {
         level_ = level;
         iterations_here_ = 0;
     }
-    Evaluation report() const { return {.residual = residual_, .theta = sigma_}; }
+    Evaluation report() const { return {.residual = residual_, .series = {sigma_}}; }
 
     void go_to_coarsest(const Monitor& monitor) {
         while (levels_.back().form->cells() % 2 == 0 && levels_.back().form->cells() / 2 >= coarsest)
@@ -156,14 +171,14 @@ class Picard final : public Method {
 
     std::shared_ptr<const SplineDomain> domain_;
     Formulation formulation_;
-    std::vector<Level> levels_; ///< the first is the one that is asked for; others when they are needed
+    std::vector<Level> levels_; ///< the first is the finest; the others are made when needed
     double shift_ = 0, tolerance_ = 0;
     bool multilevel_ = true;
-    // Of the state last looked at:
+    // Results for the state last evaluated:
     std::size_t level_ = 0;
     int iterations_here_ = 0;
     bool at_start_ = false;
-    std::vector<double> whole_, next_, increment_; ///< Phi, T(Phi) or empty, their difference
+    std::vector<double> whole_, next_, increment_; ///< Phi; T(Phi), or empty; T(Phi) - Phi
     double residual_ = 0, sigma_ = 0;
     Points positions_;
 };
@@ -175,25 +190,32 @@ MethodType picard_type(Formulation formulation, std::string name, std::string la
          .kind = ParameterKind::choice,
          .default_value = std::string("multilevel"),
          .choices = {"multilevel", "identity"},
-         .help = "multilevel: from coarser meshes up; identity: on the mesh itself from the beginning"}};
+         .help = "multilevel: start on the coarsest mesh and refine; identity: start on the finest mesh"}};
     if (formulation == Formulation::standard)
-        rows.push_back({.key = "penalty",
-                        .label = "Penalty",
-                        .symbol = "eps",
-                        .minimum = 0,
-                        .maximum = 1e-2,
-                        .default_value = 0.0,
-                        .help = "of phi's mean, 1e-8 in the paper; 0 leaves the mean out exactly"});
-    return {.name = std::move(name),
-            .label = std::move(label),
-            .help = std::move(help),
-            .rows = std::move(rows),
-            .make = [formulation](std::shared_ptr<const Discretisation> discretisation, const Values& values,
-                                  const Progress&, std::stop_token) -> std::unique_ptr<Method> {
-                auto domain = std::dynamic_pointer_cast<const SplineDomain>(std::move(discretisation));
-                GASPARD_CHECK(domain != nullptr);
-                return std::make_unique<Picard>(std::move(domain), formulation, values);
-            }};
+        rows.push_back(
+            {.key = "penalty",
+             .label = "Penalty",
+             .symbol = "ε",
+             .minimum = 0,
+             .maximum = 1e-2,
+             .default_value = 0.0,
+             .help = "penalty of the mean of φ, 1e-8 in the paper; 0 eliminates the mean exactly"});
+    return {
+        .name = std::move(name),
+        .label = std::move(label),
+        .help = std::move(help),
+        .rows = std::move(rows),
+        .residual = {.name = "residual",
+                     .label = "Increment",
+                     .symbol = "‖Δφ‖",
+                     .scale = ParameterScale::logarithmic,
+                     .help = "L² norm of the last increment of φ"},
+        .make = [formulation](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
+            // guaranteed by the rows of the capability table
+            auto domain = std::dynamic_pointer_cast<const SplineDomain>(context.discretisation);
+            GASPARD_CHECK(domain != nullptr);
+            return std::make_unique<Picard>(std::move(domain), formulation, values);
+        }};
 }
 
 } // namespace
@@ -201,12 +223,13 @@ MethodType picard_type(Formulation formulation, std::string name, std::string la
 MethodType picard_method() {
     return picard_type(
         Formulation::standard, "picard", "Picard",
-        "the fixed-point iteration of Benamou, Froese and Oberman: each step a Poisson problem");
+        "the fixed-point iteration of Benamou, Froese and Oberman: one Poisson problem per step");
 }
 
 MethodType picard_mixed_method() {
-    return picard_type(Formulation::mixed, "picard-mixed", "Picard, mixed",
-                       "the same with the map as an unknown of its own: borders are kept exactly");
+    return picard_type(
+        Formulation::mixed, "picard-mixed", "Picard, mixed",
+        "the same iteration in mixed form, with the map as unknown; boundaries are preserved exactly");
 }
 
 } // namespace gaspard

@@ -6,7 +6,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t coarsest = 24; // cells a side that a coarser plane has at least
+constexpr std::size_t coarsest = 24; // minimum number of cells per side of a coarser mesh
 
 std::string layout_of(const LineGrid& grid) {
     return std::string("plane ") + (grid.periodic ? "periodic" : "walls") +
@@ -16,7 +16,7 @@ std::string layout_of(const LineGrid& grid) {
 } // namespace
 
 PlaneEquation::PlaneEquation(std::shared_ptr<const PlaneQ2> plane)
-    : Equation(layout_of(plane->grid()), plane->unknowns()), plane_(std::move(plane)),
+    : MongeAmpereEquation(layout_of(plane->grid()), plane->unknowns()), plane_(std::move(plane)),
       workspace_(plane_->make_workspace()), monitor_(plane_->mesh()->node_count()),
       residual_(plane_->unknowns()) {}
 
@@ -32,40 +32,40 @@ std::optional<State> PlaneEquation::adopt(const State& other, const Discretisati
     return std::nullopt;
 }
 
-State PlaneEquation::adopt(Equation& other, std::span<const double> phi) {
+State PlaneEquation::adopt(NonlinearProblem& other, std::span<const double> phi) {
     auto& from = dynamic_cast<PlaneEquation&>(other);
     return state_of(plane_->transfer(*from.plane_, phi, from.workspace_, workspace_));
 }
 
-std::unique_ptr<Equation> PlaneEquation::coarser(const Progress&, std::stop_token) const {
+std::unique_ptr<NonlinearProblem> PlaneEquation::coarser(const Progress&, std::stop_token) const {
     const LineGrid half{(plane_->grid().cells + 1) / 2, plane_->grid().periodic};
     if (half.cells < coarsest) return nullptr;
     return std::make_unique<PlaneEquation>(std::make_shared<PlaneQ2>(half));
 }
 
-Evaluation PlaneEquation::evaluate(const Monitor& monitor, std::span<const double> phi) {
+Evaluation PlaneEquation::evaluate(const ProblemData& data, std::span<const double> phi) {
     plane_->positions(phi, positions_, workspace_);
-    monitor.values(positions_, monitor_);
+    data.monitor->values(positions_, monitor_);
     plane_->hessian(phi, sigma_, workspace_);
     const auto [theta, normalised] = plane_->residual(monitor_, sigma_, residual_, workspace_);
-    return {.residual = normalised, .theta = theta, .step_size = 0};
+    return {.residual = normalised, .series = {theta}, .step_size = 0};
 }
 
-void PlaneEquation::linearise(const Monitor& monitor, Linearised how) {
+void PlaneEquation::linearise(const ProblemData& data, Linearised how) {
     d_monitor_.assign(monitor_.size(), 0.0);
     slope_.resize(0);
-    if (how == Linearised::fully) monitor.gradients(positions_, slope_);
+    if (how == Linearised::fully) data.monitor->gradients(positions_, slope_);
 
-    // At the vertices m itself, between them the mean of two or four.
-    scale_.resize(unknowns());
-    scaled_.resize(unknowns());
-    const std::size_t size = plane_->size(), side = plane_->grid().cells + 1;
-    for (std::size_t j = 0; j < size; ++j)
-        for (std::size_t i = 0; i < size; ++i) {
+    // m at the unknowns: the nodal value at vertices, else the mean of the two or four nearest vertices.
+    scale_.resize(size());
+    scaled_.resize(size());
+    const std::size_t line = plane_->size(), side = plane_->grid().cells + 1;
+    for (std::size_t j = 0; j < line; ++j)
+        for (std::size_t i = 0; i < line; ++i) {
             const double* below = &monitor_[j / 2 * side + i / 2];
             const double* above = below + j % 2 * side;
             const double m = (below[0] + below[i % 2] + above[0] + above[i % 2]) / 4;
-            scale_[j * size + i] = preconditioner_scale(m);
+            scale_[j * line + i] = preconditioner_scale(m);
         }
 }
 

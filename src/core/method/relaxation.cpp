@@ -2,8 +2,8 @@
 //
 //   <grad v, grad phi^{k+1}> = <grad v, grad phi^k> + dt <v, m det(I + sigma^k) - theta^k>       (3.7)
 //
-// sigma, x and theta follow from phi; see method/equation.hpp.
-#include "core/method/equation.hpp"
+// with sigma, x and theta computed from phi; see method/monge_ampere.hpp.
+#include "core/method/nonlinear_problem.hpp"
 
 namespace gaspard {
 
@@ -11,63 +11,71 @@ namespace {
 
 class Relaxation final : public Method {
   public:
-    Relaxation(std::unique_ptr<Equation> equation, const Values& values)
-        : equation_(std::move(equation)), update_(equation_->unknowns()) {
+    Relaxation(std::unique_ptr<NonlinearProblem> problem, const Values& values)
+        : problem_(std::move(problem)), update_(problem_->size()) {
         configure(values);
     }
 
     void configure(const Values& values) override { step_size_ = values.real_or_auto("step_size"); }
-    void use_threads(int threads) override { equation_->use_threads(threads); }
-    double other_cpu_seconds() const override { return equation_->other_cpu_seconds(); }
+    void use_threads(int threads) override { problem_->use_threads(threads); }
+    double other_cpu_seconds() const override { return problem_->other_cpu_seconds(); }
 
-    State initial_state() const override { return equation_->initial_state(); }
+    State initial_state() const override { return problem_->state_of(problem_->start()); }
     std::optional<State> adopt(const State& other, const Discretisation* of) override {
-        return equation_->adopt(other, of);
+        return problem_->adopt(other, of);
     }
 
-    Evaluation evaluate(const Monitor& monitor, const State& state, std::stop_token) override {
-        return equation_->evaluate(monitor, equation_->potential(state));
+    Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token) override {
+        return problem_->evaluate(data, problem_->unknowns(state));
     }
 
-    Evaluation step(const Monitor& monitor, State& state, std::stop_token) override {
-        auto& phi = equation_->potential(state);
-        const double step_size = step_size_ ? *step_size_ : stable_step(equation_->ellipticity());
-        equation_->direction(update_);
-        for (std::size_t i = 0; i < phi.size(); ++i) phi[i] += step_size * update_[i];
-        Evaluation evaluation = equation_->evaluate(monitor, phi);
+    Evaluation step(const ProblemData& data, State& state, std::stop_token) override {
+        auto& u = problem_->unknowns(state);
+        const double step_size = step_size_ ? *step_size_ : problem_->shape().stable_step;
+        problem_->direction(update_);
+        for (std::size_t i = 0; i < u.size(); ++i) u[i] += step_size * update_[i];
+        Evaluation evaluation = problem_->evaluate(data, u);
         evaluation.step_size = step_size;
         return evaluation;
     }
 
-    const Points& positions() override { return equation_->positions(); }
-    std::vector<Measure> measures(const Monitor& monitor) override { return equation_->measures(monitor); }
+    const Points& positions() override { return problem_->positions(); }
+    std::vector<SeriesInfo> series() const override { return problem_->series(); }
+    std::vector<double> measures(const ProblemData& data) override { return problem_->measures(data); }
 
   private:
-    std::unique_ptr<Equation> equation_;
-    std::optional<double> step_size_; ///< none: as long as is stable, anew for every iterate
+    std::unique_ptr<NonlinearProblem> problem_;
+    std::optional<double> step_size_; ///< nullopt: the stable step of each iterate
     std::vector<double> update_;
 };
 
 } // namespace
 
 MethodType relaxation_method() {
-    return {.name = "relaxation",
-            .label = "Relaxation",
-            .help = "an explicit step of the parabolic equation: robust, linear convergence",
-            .rows = {{.key = "step_size",
-                      .label = "Step size",
-                      .symbol = "dt",
-                      .kind = ParameterKind::real_or_auto,
-                      .minimum = 1e-4,
-                      .maximum = 10,
-                      .scale = ParameterScale::logarithmic,
-                      .default_value = std::string("auto"),
-                      .help = "larger is faster until the iteration diverges; auto: as large as the present "
-                              "mesh allows"}},
-            .make = [](std::shared_ptr<const Discretisation> discretisation, const Values& values,
-                       const Progress&, std::stop_token) -> std::unique_ptr<Method> {
-                return std::make_unique<Relaxation>(make_equation(std::move(discretisation)), values);
-            }};
+    return {
+        .name = "relaxation",
+        .label = "Relaxation",
+        .help = "explicit time steps of a parabolic equation; robust, converges linearly",
+        .rows = {{.key = "step_size",
+                  .label = "Step size",
+                  .symbol = "Δt",
+                  .kind = ParameterKind::real_or_auto,
+                  .minimum = 1e-4,
+                  .maximum = 10,
+                  .scale = ParameterScale::logarithmic,
+                  .default_value = std::string("auto"),
+                  .help = "larger is faster until the iteration diverges; auto: the largest stable step for "
+                          "the current mesh",
+                  .remedy = std::string("auto")}},
+        .make = [](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
+            return std::make_unique<Relaxation>(context.problem(), values);
+        }};
+}
+
+Values default_values(const MethodType& type) {
+    auto rows = type.rows;
+    for (auto& row : common_method_rows()) rows.push_back(std::move(row));
+    return Values("method", std::move(rows));
 }
 
 std::vector<ParameterRow> common_method_rows() {
@@ -78,23 +86,25 @@ std::vector<ParameterRow> common_method_rows() {
          .maximum = 1,
          .scale = ParameterScale::logarithmic,
          .default_value = 1e-8,
-         .help = "converged when the normalised residual is below"},
+         .help = "the run converges when the normalised residual is below this value"},
         {.key = "max_iterations",
-         .label = "Iterations at most",
+         .label = "Max. iterations",
          .kind = ParameterKind::integer,
          .minimum = 0,
          .maximum = 1000000,
          .scale = ParameterScale::logarithmic,
          .default_value = std::int64_t{5000},
-         .help = "the run ends as iteration-limit after so many"},
+         .help = "the run ends with status iteration-limit after this number of iterations"},
         {.key = "diagnostics_every",
-         .label = "Diagnostics every",
+         .label = "Diagnostics interval",
          .kind = ParameterKind::integer,
          .minimum = 1,
          .maximum = 1000,
          .scale = ParameterScale::logarithmic,
          .default_value = std::int64_t{10},
-         .help = "iterations between two measurements of equidistribution and cells; always for the last"}};
+         .help =
+             "iterations between evaluations of equidistribution and Jacobians; the last iterate is always "
+             "evaluated"}};
 }
 
 } // namespace gaspard

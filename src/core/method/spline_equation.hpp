@@ -1,42 +1,40 @@
-// The standard form on a patch as an equation for phi = Phi - |xi|^2 / 2, Psi = grad Phi:
+// The standard form on a patch as a nonlinear problem for phi = Phi - |xi|^2 / 2, with Psi = grad Phi:
 //
-//   r_v = <Psi . n, v> at the border - <s G(Phi), v> - <grad Phi, grad v>
+//   r_v = <Psi . n, v>_boundary - <s G(Phi), v> - <grad Phi, grad v>
 //
-// Its solution is the fixed point of the method picard; direction() is Picard's increment, so that a
-// relaxation with the step 1 is that method. The residual is |r| / |<v, 2>|, 2 being the divergence of the
-// identity.
+// Its solution is the fixed point of the method picard; direction() is the Picard increment, so that
+// relaxation with step size 1 is Picard's method. The normalised residual is |r| / |<v, 2>|, where 2 is the
+// divergence of the identity map.
 #pragma once
 
-#include "core/method/equation.hpp"
+#include "core/method/monge_ampere.hpp"
 #include "core/method/patch_form.hpp"
 
 namespace gaspard {
 
-class SplineEquation final : public Equation {
+class SplineEquation final : public MongeAmpereEquation {
   public:
     explicit SplineEquation(std::shared_ptr<const SplineDomain> domain)
         : SplineEquation(domain, domain->cells()) {}
-    /// With fewer cells than the domain's mesh has.
+    /// On a coarser mesh than that of the domain.
     SplineEquation(std::shared_ptr<const SplineDomain> domain, std::size_t cells);
 
-    void use_threads(int) override {} // it works alone
-    double other_cpu_seconds() const override { return 0; }
-
     std::optional<State> adopt(const State& other, const Discretisation* of) override;
-    State adopt(Equation& other, std::span<const double> phi) override;
-    std::unique_ptr<Equation> coarser(const Progress& progress, std::stop_token stop) const override;
+    State adopt(NonlinearProblem& other, std::span<const double> phi) override;
+    std::unique_ptr<NonlinearProblem> coarser(const Progress& progress, std::stop_token stop) const override;
 
-    Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override;
+    Evaluation evaluate(const ProblemData& data, std::span<const double> phi) override;
     const Points& positions() const override { return positions_; }
-    std::vector<Measure> measures(const Monitor& monitor) override {
-        return named(patch_->measure(monitor, shown_));
+    std::vector<SeriesInfo> series() const override;
+    std::vector<double> measures(const ProblemData& data) override {
+        return values_of(patch_->measure(*data.monitor, shown_));
     }
     void move(std::span<const double> phi) override;
     std::span<const double> residual() const override { return residual_; }
     Ellipticity ellipticity() const override { return {shape_.convexity, shape_.slowest, shape_.fastest}; }
     void direction(std::span<double> u) override;
 
-    void linearise(const Monitor& monitor, Linearised how) override;
+    void linearise(const ProblemData& data, Linearised how) override;
     void derivative(std::span<const double> w, std::span<double> out) override { bfo_.derivative(w, out); }
     void precondition(std::span<const double> r, std::span<double> u) override { bfo_.poisson(r, u); }
 
@@ -50,7 +48,7 @@ class SplineEquation final : public Equation {
     Points positions_;
     Bfo::Shape shape_;
     std::vector<double> whole_, next_, residual_; ///< Phi, T(Phi), r
-    std::vector<double> shown_;                   ///< the Phi whose map positions() are
+    std::vector<double> shown_;                   ///< the Phi of positions()
 };
 
 } // namespace gaspard

@@ -8,7 +8,7 @@ namespace {
 
 using Map = std::array<SplineFunction, 2>;
 
-/// Both derivatives of a function of S^p (x) S^p.
+/// The gradient of a function in S^p (x) S^p.
 Map gradient(const KnotVector& line, std::span<const double> phi) {
     const std::size_t n = line.size();
     const KnotVector lower = derivative_space(line);

@@ -1,5 +1,5 @@
-// The adapted map of a patch as splines, for codes that compute with them: Psi, from the parameter square to
-// itself. The mesh is F(Psi).
+// The adapted map of a patch as splines, for export to other codes: Psi, from the parameter square to itself.
+// The mesh is F(Psi).
 #pragma once
 
 #include "core/method/method.hpp"
@@ -12,15 +12,17 @@ namespace gaspard {
 
 struct SplineFunction {
     TensorSpace space;
-    std::vector<double> coefficients; ///< fastest in the first direction
+    std::vector<double> coefficients; ///< the first direction varies fastest
 };
 
-/// psi1 and psi2, exactly: in S^p-1 (x) S^p and S^p (x) S^p-1 of the standard form, whose psi are
-/// derivatives; in S^p (x) S^p-1 and S^p-1 (x) S^p of the mixed one. Nothing for states that are not of a
-/// patch.
+/// The components of Psi, exactly; nullopt if the state is not that of a patch.
+///
+///   standard form   psi1 in S^{p-1} (x) S^p,       psi2 in S^p (x) S^{p-1}       (derivatives of Phi)
+///   mixed form      psi1 in S^p (x) S^{p-1},       psi2 in S^{p-1} (x) S^p
 std::optional<std::array<SplineFunction, 2>> spline_map(const State& state);
-/// The mesh itself, F(Psi), as splines of the state's degree p on its cells, twice at every inner knot, as
-/// Psi is: those that agree at the Greville points. Exact where F is affine, else to order p + 1.
+/// The mesh F(Psi) as a spline patch of the state's degree p on its cells, with double inner knots, because
+/// Psi has this smoothness: interpolation at the Greville points. Exact if F is affine, else of order p + 1.
+/// nullopt if the state is not that of a patch.
 std::optional<SplinePatch> adapted_patch(const State& state, const PatchMap& map);
 
 } // namespace gaspard

@@ -1,39 +1,38 @@
-// One way of making updates on one mesh: what the nested methods (method/nested.hpp) are made of.
+// A stepper makes the updates on one mesh; nested iteration (nested.hpp) uses one on every level.
 #pragma once
 
-#include "core/method/equation.hpp"
+#include "core/method/nonlinear_problem.hpp"
 
 namespace gaspard {
 
-/// An iterate as its equation sees it.
+/// An evaluated iterate.
 struct Iterate {
-    Evaluation evaluation; ///< of the monitor itself; with the update's step size, inner iterations and note
-    Ellipticity shape;
-    bool lost = false; ///< the update was made because one has to be: no way on is known
+    Evaluation evaluation; ///< for the original data; step size, inner iterations, note of the update
+    IterateShape shape;
+    bool lost = false; ///< no update was accepted; this one is a fallback
 };
 
 class Stepper {
   public:
     virtual ~Stepper() = default;
-    /// From here on, the updates are of this equation, down to a residual of `target`; nothing is remembered.
-    virtual void begin(Equation& equation, double target) = 0;
-    /// One update of phi, `now` the iterate that the equation has last evaluated; evaluates what came out.
-    /// Where it is stopped, phi may stay as it is.
-    virtual Iterate step(const Monitor& monitor, std::vector<double>& phi, const Iterate& now,
+    /// Restarts for this problem, with target residual `target`. Discards all previous information.
+    virtual void begin(NonlinearProblem& problem, double target) = 0;
+    /// Updates the unknowns u and evaluates the result; `now` is the evaluation of u before. If asked to
+    /// stop, it may leave u unchanged.
+    virtual Iterate step(const ProblemData& data, std::vector<double>& u, const Iterate& now,
                          std::stop_token stop) = 0;
 };
 
-/// The equation evaluated at phi.
-inline Iterate look(Equation& equation, const Monitor& monitor, const std::vector<double>& phi) {
+inline Iterate evaluate(NonlinearProblem& problem, const ProblemData& data, const std::vector<double>& u) {
     Iterate iterate;
-    iterate.evaluation = equation.evaluate(monitor, phi);
-    iterate.shape = equation.ellipticity();
+    iterate.evaluation = problem.evaluate(data, u);
+    iterate.shape = problem.shape();
     return iterate;
 }
 
 std::unique_ptr<Stepper> make_anderson_stepper();
 std::unique_ptr<Stepper> make_newton_stepper();
-/// Chooses between the two.
+/// Chooses between these two.
 std::unique_ptr<Stepper> make_automatic_stepper();
 
 } // namespace gaspard

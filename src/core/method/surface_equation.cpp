@@ -11,7 +11,7 @@ namespace gaspard {
 
 namespace {
 
-// Resolutions that a coarser sphere has at least: cells along a side of the cube, refinements.
+// Minimum resolution of a coarser sphere: cells per side of a cube face; refinements.
 constexpr int coarsest_cubed = 8, coarsest_icosahedral = 2;
 
 std::string layout_of(const SphereGrid& grid, int geometry_order) {
@@ -26,7 +26,7 @@ std::string layout_of(const SurfaceQ2& surface) {
     return "surface of " + std::to_string(surface.unknowns()) + " unknowns";
 }
 
-/// The sphere that a state of so many unknowns is of.
+/// The sphere to which a state with this layout and number of unknowns belongs; nullopt if there is none.
 std::optional<SurfaceSetup> sphere_of(const std::string& layout, std::size_t unknowns) {
     const auto fits = [&](const SphereGrid& grid, int order) { return layout == layout_of(grid, order); };
     for (const int order : {1, 2}) {
@@ -43,7 +43,7 @@ std::optional<SurfaceSetup> sphere_of(const std::string& layout, std::size_t unk
     return std::nullopt;
 }
 
-/// A function of another sphere's V at this one's nodes.
+/// The finite element function f on the mesh `from`, evaluated at the nodes of the mesh `to`.
 std::vector<double> interpolated(const SurfaceQ2& from, std::span<const double> f, const SurfaceQ2& to) {
     const Mesh& mesh = from.quadratic();
     const auto count = static_cast<std::size_t>(nodes_per_cell(mesh.kind));
@@ -66,15 +66,19 @@ Vec3 applied(Tensor a, Vec3 v) {
             a[6] * v.x + a[7] * v.y + a[8] * v.z};
 }
 
-/// A unit vector at right angles to `xi`, along g where that has a direction.
+/// A unit vector orthogonal to `xi`: g / |g|, or any if g is zero.
 Vec3 direction_of(Vec3 g, Vec3 xi) { return norm(g) < 1e-12 ? any_across(xi) : (1 / norm(g)) * g; }
 
 struct Eigenvalues {
     double low, high;
 };
 
-/// Of the symmetric part of adj(A) D between tangent planes: from xi, with the orthonormal (g/|g|, n), to x,
-/// with (u, n), n = xi x g/|g|. There D, the differential of the exponential map, is diag(1, sin|g| / |g|).
+/// Eigenvalues of the symmetric part of adj(A) D, with orthonormal bases of the tangent planes
+///
+///   at xi   (g/|g|, n),   n = xi x g/|g|
+///   at x    (u, n),       u = cos|g| g/|g| - sin|g| xi
+///
+/// D = diag(1, sin|g| / |g|) is the differential of the exponential map.
 Eigenvalues cofactor_eigenvalues(Tensor sigma, Vec3 xi, Vec3 g) {
     const double length = norm(g), sinc = length > 1e-8 ? std::sin(length) / length : 1;
     const Vec3 along = direction_of(g, xi), across = cross(xi, along);
@@ -87,7 +91,7 @@ Eigenvalues cofactor_eigenvalues(Tensor sigma, Vec3 xi, Vec3 g) {
     return {mean - away, mean + away};
 }
 
-/// The same on a flat surface: of the cofactors of I + sigma.
+/// The same on a flat surface: eigenvalues of the symmetric part of cof(I + sigma).
 Eigenvalues flat_cofactor_eigenvalues(Tensor sigma) {
     const double p = 1 + sigma[4], q = -(sigma[1] + sigma[3]) / 2, r = 1 + sigma[0];
     const double mean = (p + r) / 2, away = std::hypot((p - r) / 2, q);
@@ -97,14 +101,14 @@ Eigenvalues flat_cofactor_eigenvalues(Tensor sigma) {
 } // namespace
 
 SurfaceEquation::SurfaceEquation(std::shared_ptr<const SurfaceQ2> surface)
-    : Equation(layout_of(*surface), surface->unknowns()), surface_(std::move(surface)),
+    : MongeAmpereEquation(layout_of(*surface), surface->unknowns()), surface_(std::move(surface)),
       workspace_(surface_->make_workspace()), monitor_(surface_->mesh()->node_count()),
       residual_(surface_->unknowns()) {}
 
 std::optional<State> SurfaceEquation::adopt(const State& other, const Discretisation* of) {
     if (other.arrays.size() != 1 || other.arrays[0].name != "phi") return std::nullopt;
     const auto& phi = other.arrays[0].values;
-    if (other.layout == layout() && phi.size() == unknowns()) return other;
+    if (other.layout == layout() && phi.size() == size()) return other;
     if (!surface_->grid()) return std::nullopt;
     const auto* there = dynamic_cast<const SurfaceQ2*>(of);
     if (there && there->unknowns() == phi.size() && other.layout == layout_of(*there))
@@ -114,17 +118,19 @@ std::optional<State> SurfaceEquation::adopt(const State& other, const Discretisa
     return adopt(SurfaceQ2(std::move(*setup)), phi);
 }
 
-State SurfaceEquation::adopt(Equation& other, std::span<const double> phi) {
+State SurfaceEquation::adopt(NonlinearProblem& other, std::span<const double> phi) {
     return adopt(*dynamic_cast<SurfaceEquation&>(other).surface_, phi);
 }
 
-// By the Laplacian, as on the plane: interpolating phi itself would leave kinks that sigma sees.
+// Transfers the Laplacian of phi and solves for the potential, as on the plane. Interpolating phi itself
+// would leave kinks at cell edges, which spoil sigma.
 State SurfaceEquation::adopt(const SurfaceQ2& from, std::span<const double> phi) const {
     GASPARD_CHECK(from.grid() && surface_->grid());
     return state_of(surface_->potential(interpolated(from, from.laplacian(phi), *surface_)));
 }
 
-std::unique_ptr<Equation> SurfaceEquation::coarser(const Progress& progress, std::stop_token stop) const {
+std::unique_ptr<NonlinearProblem> SurfaceEquation::coarser(const Progress& progress,
+                                                           std::stop_token stop) const {
     if (!surface_->grid()) return nullptr;
     SphereGrid half = *surface_->grid();
     const bool cubed = half.cells == SphereCells::cubed;
@@ -135,11 +141,11 @@ std::unique_ptr<Equation> SurfaceEquation::coarser(const Progress& progress, std
         progress, stop));
 }
 
-Evaluation SurfaceEquation::evaluate(const Monitor& monitor, std::span<const double> phi) {
+Evaluation SurfaceEquation::evaluate(const ProblemData& data, std::span<const double> phi) {
     move(phi);
-    monitor.values(positions_, monitor_);
+    data.monitor->values(positions_, monitor_);
     const auto [theta, normalised] = surface_->residual(monitor_, residual_, workspace_);
-    return {.residual = normalised, .theta = theta, .step_size = 0};
+    return {.residual = normalised, .series = {theta}, .step_size = 0};
 }
 
 void SurfaceEquation::move(std::span<const double> phi) {
@@ -147,11 +153,11 @@ void SurfaceEquation::move(std::span<const double> phi) {
     surface_->positions(workspace_, positions_, gradient_);
 }
 
-void SurfaceEquation::linearise(const Monitor& monitor, Linearised how) {
+void SurfaceEquation::linearise(const ProblemData& data, Linearised how) {
     if (!d_workspace_) d_workspace_ = surface_->make_workspace();
     d_monitor_.assign(monitor_.size(), 0.0);
     slope_.resize(0);
-    if (how == Linearised::fully) monitor.gradients(positions_, slope_);
+    if (how == Linearised::fully) data.monitor->gradients(positions_, slope_);
     scale_ = surface_->at_unknowns(monitor_);
     for (double& value : scale_) value = preconditioner_scale(value);
 }

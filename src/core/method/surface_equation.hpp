@@ -1,32 +1,30 @@
-// The equation of the sphere, or of a flat surface by the same elements (fem/surface_q2.hpp).
+// The Monge-Ampère equation on the sphere, or on a flat surface with the same elements (fem/surface_q2.hpp).
 #pragma once
 
 #include "core/fem/surface_q2.hpp"
-#include "core/method/equation.hpp"
+#include "core/method/monge_ampere.hpp"
 
 namespace gaspard {
 
-class SurfaceEquation final : public Equation {
+class SurfaceEquation final : public MongeAmpereEquation {
   public:
     explicit SurfaceEquation(std::shared_ptr<const SurfaceQ2> surface);
 
-    void use_threads(int) override {}
-    double other_cpu_seconds() const override { return 0; }
-
-    /// From any mesh of the sphere, of whatever cells; of flat surfaces from the same alone.
+    /// Accepts states of any mesh of the sphere, with any cells; on flat surfaces only states of the same
+    /// mesh.
     std::optional<State> adopt(const State& other, const Discretisation* of) override;
-    State adopt(Equation& other, std::span<const double> phi) override;
-    std::unique_ptr<Equation> coarser(const Progress& progress, std::stop_token stop) const override;
+    State adopt(NonlinearProblem& other, std::span<const double> phi) override;
+    std::unique_ptr<NonlinearProblem> coarser(const Progress& progress, std::stop_token stop) const override;
 
-    Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override;
+    Evaluation evaluate(const ProblemData& data, std::span<const double> phi) override;
     const Points& positions() const override { return positions_; }
     void move(std::span<const double> phi) override;
     std::span<const double> residual() const override { return residual_; }
-    /// At the mesh's nodes.
+    /// Extremes over the mesh nodes.
     Ellipticity ellipticity() const override;
     void direction(std::span<double> u) override { surface_->poisson(residual_, u, workspace_); }
 
-    void linearise(const Monitor& monitor, Linearised how) override;
+    void linearise(const ProblemData& data, Linearised how) override;
     void derivative(std::span<const double> w, std::span<double> out) override;
     void precondition(std::span<const double> r, std::span<double> u) override;
 
@@ -35,15 +33,15 @@ class SurfaceEquation final : public Equation {
 
     std::shared_ptr<const SurfaceQ2> surface_;
     SurfaceQ2::Workspace workspace_;
-    Points gradient_; ///< w' (4.11)
+    Points gradient_; ///< w' of (4.11)
     Points positions_;
-    std::vector<double> monitor_; ///< m at the mesh's nodes
+    std::vector<double> monitor_; ///< m at the mesh nodes
     std::vector<double> residual_;
-    // Of the linearisation:
-    std::optional<SurfaceQ2::Workspace> d_workspace_; ///< none before the first
-    Points slope_, displacement_;                     ///< grad m at the nodes; how far they move with w
-    std::vector<double> d_monitor_;                   ///< how much m changes there
-    std::vector<double> scale_;                       ///< of the preconditioner
+    // The linearisation:
+    std::optional<SurfaceQ2::Workspace> d_workspace_; ///< nullopt before the first linearise()
+    Points slope_, displacement_;                     ///< at the nodes: grad m, displacement for w
+    std::vector<double> d_monitor_;                   ///< at the nodes: derivative of m for w
+    std::vector<double> scale_;                       ///< 1 / S of the preconditioner
 };
 
 } // namespace gaspard

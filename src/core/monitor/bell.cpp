@@ -18,7 +18,9 @@ MonitorType bell_monitor() {
                 for (auto& row : center_rows(space)) rows.push_back(std::move(row));
                 return rows;
             },
-        .make = [](const Values& values, const Space& space) { return make_sech_monitor(values, 0, space); }};
+        .make = [](const Values& values, const MonitorContext& context) {
+            return make_sech_monitor(values, 0, context.space);
+        }};
 }
 
 } // namespace gaspard

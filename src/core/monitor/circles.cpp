@@ -1,8 +1,10 @@
-// Circles with a crease, Bahari et al. (2024), examples 5.3, 5.5 and 7.5:
+// Creased circles, Bahari et al. (2024), examples 5.3, 5.5 and 7.5:
 //
-//   m(x) = 1 + sum of A_i exp( -B | |x - c_i|^2 - r_i^2 | )
+//   m(x) = 1 + sum_i A_i exp( -B | |x - c_i|^2 - r_i^2 | )
 //
-// and smooth ones, examples 5.6 and 7.9, where the paper prints 5 / sech for 5 sech^2.
+// Smooth circles, examples 5.6 and 7.9 (the paper prints 5 / sech instead of 5 sech^2):
+//
+//   m(x) = 1 + sum_i A sech^2( B (|x - c_i|^2 - r^2) )
 #include "core/base/exponential.hpp"
 #include "core/monitor/formula.hpp"
 #include "core/monitor/radial.hpp"
@@ -74,7 +76,7 @@ struct SmoothCircles {
 
 ParameterRow positive_amplitude(double value, const std::string& where) {
     ParameterRow row = amplitude_row(1000, value, where);
-    row.minimum = 0; // sums of them stay positive
+    row.minimum = 0; // keeps the sum positive
     return row;
 }
 
@@ -88,7 +90,7 @@ ParameterRow creased_sharpness(double value) {
 MonitorType circle_monitor() {
     return {.name = "circle",
             .label = "Circle",
-            .help = "small cells along a circle, smallest at a crease",
+            .help = "small cells along a circle, where m has a crease",
             .equation = "m(x) = 1 + A exp( -B | |x - c|^2 - r^2 | )",
             .rows =
                 [](const Space&) {
@@ -101,11 +103,11 @@ MonitorType circle_monitor() {
                                                        .minimum = 0,
                                                        .maximum = 10,
                                                        .default_value = 0.3,
-                                                       .help = "of the circle"}};
+                                                       .help = "radius of the circle"}};
                     for (auto& row : center_in_space_rows({0.5, 0.5, 0})) rows.push_back(std::move(row));
                     return rows;
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 const double r = v.real("radius");
                 return std::make_shared<FormulaMonitor<CreasedCircles<1>>>(CreasedCircles<1>{
                     {Circle{v.real("amplitude"), r * r, center_in_space(v)}}, v.real("sharpness")});
@@ -116,19 +118,19 @@ MonitorType three_circles_monitor() {
     return {
         .name = "three-circles",
         .label = "Three circles",
-        .help = "a face with two ears in the unit disk, with a mouth or without",
+        .help = "a large circle and two small ones in the unit disk, like a head with ears",
         .equation =
-            "m(x) = 1 + sum of A exp( -B | |x - c_i|^2 - r_i^2 | ) + A_m exp( -B | |x - c_m|^2 - r_m^2 | )",
+            "m(x) = 1 + sum_i A exp( -B | |x - c_i|^2 - r_i^2 | ) + A_m exp( -B | |x - c_m|^2 - r_m^2 | )",
         .rows =
             [](const Space&) {
                 ParameterRow mouth = positive_amplitude(0, "on the mouth");
                 mouth.key = "mouth";
                 mouth.label = "Mouth";
-                mouth.symbol = "A_m";
+                mouth.symbol = "Aₘ";
                 return std::vector<ParameterRow>{positive_amplitude(5, "on the circles"),
                                                  creased_sharpness(100), mouth};
             },
-        .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+        .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
             const double a = v.real("amplitude");
             return std::make_shared<FormulaMonitor<CreasedCircles<4>>>(CreasedCircles<4>{
                 {Circle{a, 0.1, {0.45, 0.4, 0}}, Circle{a, 0.2, {0, 0, 0}}, Circle{a, 0.1, {-0.45, 0.4, 0}},
@@ -141,31 +143,31 @@ MonitorType two_circles_monitor() {
     return {
         .name = "two-circles",
         .label = "Two circles",
-        .help = "small cells along two large circles (spheres, in space) that cross",
-        .equation = "m(x) = 1 + sum of A sech^2( B (|x - c_i|^2 - r^2) ), c_i = (+-sqrt(3)/2, 1/2, c3)",
+        .help = "small cells along two large circles (spheres in space) that intersect",
+        .equation = "m(x) = 1 + sum_i A sech^2( B (|x - c_i|^2 - r^2) ), c_i = (+-sqrt(3)/2, 1/2, c3)",
         .rows =
             [](const Space&) {
-                return std::vector<ParameterRow>{
-                    positive_amplitude(5, "on the circles"),
-                    sharpness_row(5, "0.44 / (B r)"),
-                    {.key = "radius",
-                     .label = "Radius",
-                     .symbol = "r",
-                     .unit = "length",
-                     .minimum = 0,
-                     .maximum = 10,
-                     .default_value = std::numbers::pi / 2,
-                     .help = "of both circles"},
-                    {.key = "center_z",
-                     .label = "Centre z",
-                     .symbol = "c3",
-                     .minimum = -10,
-                     .maximum = 10,
-                     .default_value = 0.0,
-                     .help =
-                         "of both spheres, for surfaces in space: 1/2 on the Moebius strip of the source"}};
+                return std::vector<ParameterRow>{positive_amplitude(5, "on the circles"),
+                                                 sharpness_row(5, "0.44 / (B r)"),
+                                                 {.key = "radius",
+                                                  .label = "Radius",
+                                                  .symbol = "r",
+                                                  .unit = "length",
+                                                  .minimum = 0,
+                                                  .maximum = 10,
+                                                  .default_value = std::numbers::pi / 2,
+                                                  .help = "radius of both circles"},
+                                                 {.key = "center_z",
+                                                  .label = "Centre z",
+                                                  .symbol = "c₃",
+                                                  .minimum = -10,
+                                                  .maximum = 10,
+                                                  .default_value = 0.0,
+                                                  .help = "z coordinate of both centres, for surfaces in "
+                                                          "space; 1/2 on the Möbius strip of the "
+                                                          "paper"}};
             },
-        .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+        .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
             const double a = v.real("amplitude"), r = v.real("radius"), z = v.real("center_z");
             const double x = std::sqrt(3.0) / 2;
             return std::make_shared<FormulaMonitor<SmoothCircles>>(SmoothCircles{

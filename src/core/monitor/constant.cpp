@@ -1,4 +1,4 @@
-// The monitor that asks for nothing: the mesh stays as it is.
+// The constant monitor, for which the uniform mesh is the solution.
 #include "core/base/check.hpp"
 #include "core/monitor/monitor.hpp"
 
@@ -17,7 +17,7 @@ class ConstantMonitor final : public Monitor {
         std::fill(values.begin(), values.end(), value_);
     }
     void gradients(const Points& x, Points& gradients) const override { gradients = Points(x.size()); }
-    void check() const override {} // the row's range keeps it positive
+    void check() const override {} // the range of the row ensures m > 0
     std::optional<Vec3> symmetry_axis() const override { return Vec3{0, 0, 1}; }
 
   private:
@@ -29,7 +29,7 @@ class ConstantMonitor final : public Monitor {
 MonitorType constant_monitor() {
     return {.name = "constant",
             .label = "Constant",
-            .help = "equal cells: no node moves",
+            .help = "uniform mesh: no node moves",
             .equation = "m(x) = v",
             .rows =
                 [](const Space&) {
@@ -40,9 +40,9 @@ MonitorType constant_monitor() {
                                                       .maximum = 1000,
                                                       .scale = ParameterScale::logarithmic,
                                                       .default_value = 1.0,
-                                                      .help = "any positive number gives the same mesh"}};
+                                                      .help = "every positive value gives the same mesh"}};
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 return std::make_shared<ConstantMonitor>(v.real("value"));
             }};
 }

@@ -1,4 +1,5 @@
-// Two bands on the sphere that cross, McRae, Cotter, Budd (5.11): each the great circle around its pole.
+// Two intersecting bands on the sphere, McRae, Cotter, Budd (5.11), each along the great circle at distance
+// pi/2 from its pole p1 or p2.
 #include "core/monitor/geodesic.hpp"
 #include "core/monitor/radial.hpp"
 
@@ -16,14 +17,14 @@ MonitorType cross_monitor() {
                 [](const Space&) {
                     std::vector<ParameterRow> rows = {amplitude_row(1000, 10.0, "on each band"),
                                                       sharpness_row(5.0, "0.28 / B", "1/radian^2")};
-                    rows.front().minimum = -0.49; // both together
+                    rows.front().minimum = -0.49; // m = 1 + 2 A at the intersections
                     rows.front().help =
-                        "how much denser the mesh is on each band; the monitor would vanish at -1/2";
+                        "m = 1 + A on each band and 1 + 2 A at the intersections; must exceed -1/2";
                     for (auto& row : place_rows("pole1", "Pole 1", 30, 0)) rows.push_back(std::move(row));
                     for (auto& row : place_rows("pole2", "Pole 2", 30, 180)) rows.push_back(std::move(row));
                     return rows;
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 const SechProfile band{v.real("amplitude"), v.real("sharpness"), std::numbers::pi / 2};
                 return std::make_shared<GeodesicMonitor<SechProfile>>(
                     1.0, band, std::vector{place_of(v, "pole1"), place_of(v, "pole2")});

@@ -1,5 +1,5 @@
-// A monitor from a formula: a value type with value(Vec3) and gradient(Vec3), which the compiler puts into
-// the loop over the points.
+// A monitor from a formula: a value type with the functions value(Vec3) and gradient(Vec3), which the
+// compiler inlines into the loop over the points.
 #pragma once
 
 #include "core/base/check.hpp"
@@ -7,7 +7,7 @@
 
 namespace gaspard {
 
-/// Formula::check() throws InputError where its numbers make no positive monitor.
+/// Formula::check() throws InputError if its parameters do not give a positive monitor.
 template <class Formula>
 class FormulaMonitor final : public Monitor {
   public:
@@ -30,7 +30,7 @@ class FormulaMonitor final : public Monitor {
     Formula formula_;
 };
 
-/// Of a feature's centre in space: center_x, center_y, center_z, each from -10 to 10.
+/// Rows for a centre in space: center_x, center_y, center_z, each in [-10, 10].
 std::vector<ParameterRow> center_in_space_rows(Vec3 centre);
 Vec3 center_in_space(const Values& values);
 

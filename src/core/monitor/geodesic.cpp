@@ -15,18 +15,22 @@ std::vector<ParameterRow> place_rows(const std::string& prefix, const std::strin
                                      double longitude) {
     return {{.key = prefix + "_latitude",
              .label = what + " latitude",
-             .unit = "degrees",
+             .unit = "°",
              .minimum = -90,
              .maximum = 90,
              .default_value = latitude,
-             .help = "north is positive"},
+             .help = "north is positive",
+             .role = ParameterRole::latitude,
+             .point = prefix},
             {.key = prefix + "_longitude",
              .label = what + " longitude",
-             .unit = "degrees",
+             .unit = "°",
              .minimum = -180,
              .maximum = 360,
              .default_value = longitude,
-             .help = "east is positive"}};
+             .help = "east is positive",
+             .role = ParameterRole::longitude,
+             .point = prefix}};
 }
 
 Vec3 place_of(const Values& values, const std::string& prefix) {

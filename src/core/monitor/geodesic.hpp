@@ -1,8 +1,8 @@
-// Monitors on the sphere that depend on angles from a few centres only, in radians:
+// Monitors on the sphere that depend only on the angles from a few centres:
 //
-//   m(x) = offset + sum over the centres of f(d),    d = angle between x and the centre
+//   m(x) = offset + sum over the centres c of f(d),    d = angle between x and c, in radians
 //
-// Points are taken as directions: their distance from the origin changes the gradient's length alone.
+// Only the direction of x matters; its length |x| (the radius) scales the gradient by 1 / |x|.
 #pragma once
 
 #include "core/base/angle.hpp"
@@ -15,7 +15,7 @@
 
 namespace gaspard {
 
-/// `Profile` has value(d), slope(d) = f'(d) and check(), which throws InputError.
+/// `Profile` has value(d) = f(d), slope(d) = f'(d) and check(), which throws InputError.
 template <class Profile>
 class GeodesicMonitor final : public Monitor {
   public:
@@ -25,7 +25,7 @@ class GeodesicMonitor final : public Monitor {
     void values(const Points& x, std::span<double> values) const override {
         GASPARD_CHECK(values.size() == x.size());
         std::fill(values.begin(), values.end(), offset_);
-        std::array<double, 256> angles; // so many at once, in loops without branches
+        std::array<double, 256> angles; // points are processed in blocks of this size, without branches
         for (std::size_t begin = 0; begin < values.size(); begin += angles.size()) {
             const std::size_t count = std::min(angles.size(), values.size() - begin);
             double* __restrict out = values.data() + begin;
@@ -38,7 +38,7 @@ class GeodesicMonitor final : public Monitor {
         }
     }
 
-    /// Tangent to the sphere; 0 at a centre and opposite to it, where it has no direction.
+    /// Tangent to the sphere. A centre contributes 0 at itself and at its antipode.
     void gradients(const Points& x, Points& gradients) const override {
         gradients.resize(x.size());
         for (std::size_t i = 0; i < x.size(); ++i) {
@@ -46,7 +46,7 @@ class GeodesicMonitor final : public Monitor {
             const Vec3 p = (1 / length) * x[i];
             Vec3 sum;
             for (const Vec3 centre : centres_) {
-                const Vec3 towards = centre - dot(centre, p) * p; // of length sin d
+                const Vec3 towards = centre - dot(centre, p) * p; // length: sin d
                 const double sine = norm(towards);
                 if (sine < 1e-12) continue;
                 sum = sum - (profile_.slope(angle_between(p, centre)) / (sine * length)) * towards;
@@ -66,7 +66,7 @@ class GeodesicMonitor final : public Monitor {
     std::vector<Vec3> centres_;
 };
 
-/// A sech^2( B (d^2 - r^2) ): the ring and the bell, and each band of the cross.
+/// f(d) = A sech^2( B (d^2 - r^2) ): ring, bell, and each band of the cross.
 struct SechProfile {
     double amplitude, sharpness, radius;
 
@@ -75,7 +75,8 @@ struct SechProfile {
     void check() const;
 };
 
-/// Rows of a place on the sphere: `prefix` is "center" or "pole1", `what` "Centre" or "Pole 1".
+/// Rows for a point of the sphere: latitude and longitude in degrees. `prefix` of the keys: "center" or
+/// "pole1"; `what` in the labels: "Centre" or "Pole 1".
 std::vector<ParameterRow> place_rows(const std::string& prefix, const std::string& what, double latitude,
                                      double longitude);
 Vec3 place_of(const Values& values, const std::string& prefix);

@@ -1,54 +1,74 @@
-// The monitor m(x) > 0: where it is large, the mesh is to be dense. Cells get the area theta / m; only ratios
-// of m count, not its unit.
+// The monitor m(x) > 0: the mesh is dense where m is large. Cells get an area proportional to 1 / m; only
+// ratios of m matter, not its unit.
 //
-// A simulation brings its own: as a function (monitor/function.hpp), or as a class derived from Monitor,
-// which looks up many points at once. On the periodic square points may lie outside of [0, 1]^2, and m has to
-// be periodic. What m does within less than a few cells, the mesh cannot follow.
+// A simulation supplies its own monitor as a function (monitor/function.hpp) or as a class derived from
+// Monitor, which evaluates many points per call. On the periodic square, points may lie outside [0, 1]^2, and
+// m must be periodic. The mesh cannot resolve features of m that are smaller than a few cells.
 #pragma once
 
 #include "core/base/parameter.hpp"
 #include "core/base/points.hpp"
+#include "core/mesh/discretisation.hpp"
 #include "core/mesh/space.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 namespace gaspard {
 
-/// Immutable once a run has it. Calls may come from several threads at once when a run has more than one.
-/// What it throws comes through (see Run::step).
+/// Immutable once a run has it. May be called from several threads at once if a run uses more than one.
+/// Exceptions propagate to the caller of the run (see Run::step).
 class Monitor {
   public:
     virtual ~Monitor() = default;
-    /// m at every point (physical coordinates), positive and finite. `values` has x.size() entries.
+    /// m at every point (physical coordinates), positive and finite. `values`: x.size() entries.
     virtual void values(const Points& x, std::span<double> values) const = 0;
-    /// grad m at every point, in the coordinates of space, on a sphere tangent to it; resizes `gradients` to
-    /// x.size().
+    /// grad m at every point, in Cartesian coordinates; on a sphere the tangential gradient. Resizes
+    /// `gradients` to x.size().
     virtual void gradients(const Points& x, Points& gradients) const = 0;
-    /// Throws InputError where m <= 0 or not finite for some point of space, naming the parameter to change.
+    /// Throws InputError if m <= 0 or not finite at some point; the message names the parameter to change.
     virtual void check() const = 0;
-    /// The only kind of space whose points the monitor can be asked for, where it is so bound.
+    /// The kind of space to which the monitor is restricted; nullopt if it has no restriction.
     virtual std::optional<SpaceKind> made_for() const { return std::nullopt; }
-    /// On a sphere: a direction around which m does not change when it turns, where there is one.
+    /// On a sphere: the axis of rotational symmetry of m; nullopt if there is none.
     virtual std::optional<Vec3> symmetry_axis() const { return std::nullopt; }
 };
 
-/// A kind of monitor as the user sees it. Adding one is a file with its rows and `make`, and a line in
-/// monitors.cpp.
+class TensorMonitor; // core/monitor/tensor.hpp
+
+/// What a monitor may use while it is made; the operators of the domain exist by then. Monitors that read
+/// files or compute on the mesh report progress, and throw Interrupted if asked to stop.
+struct MonitorContext {
+    Space space{};                                  ///< the space of the domain
+    const Discretisation* discretisation = nullptr; ///< null: the monitor is made without a run
+    std::filesystem::path folder{};                 ///< base of relative paths; empty: the working directory
+    Progress progress{};
+    std::stop_token stop{};
+};
+
+/// A type of monitor as the user sees it. To add one, write a file with its rows and `make`, and add a line
+/// to monitors.cpp.
 struct MonitorType {
     std::string name;
     std::string label;
     std::string help;
     std::string equation;                                        ///< as in the source, with the rows' symbols
-    std::function<std::vector<ParameterRow>(const Space&)> rows; ///< a place has other keys on a sphere
-    std::function<std::shared_ptr<const Monitor>(const Values&, const Space&)> make;
+    std::function<std::vector<ParameterRow>(const Space&)> rows; ///< points have different keys on a sphere
+    /// Exactly one of these two is set, for a scalar or a tensor monitor. They throw InputError.
+    std::function<std::shared_ptr<const Monitor>(const Values&, const MonitorContext&)> make{};
+    std::function<std::shared_ptr<const TensorMonitor>(const Values&, const MonitorContext&)> make_tensor{};
+    /// Further rows that depend on the values of `rows`, such as the constants of a formula; a row on which
+    /// they depend has the role defines_rows. Throws InputError if the values are invalid.
+    std::function<std::vector<ParameterRow>(const Values&, const Space&)> further_rows{};
 };
 
-/// All built-in monitors, in the order in which `list` shows them.
+/// All built-in monitors, in the order of `gaspard list`.
 std::vector<MonitorType> monitor_types();
 
 } // namespace gaspard

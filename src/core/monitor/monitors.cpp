@@ -2,7 +2,6 @@
 
 namespace gaspard {
 
-// Each stands in a file of its own, or with its like.
 MonitorType ring_monitor();
 MonitorType bell_monitor();
 MonitorType constant_monitor();

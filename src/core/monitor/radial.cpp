@@ -14,7 +14,7 @@ void SechMonitor::values(const Points& x, std::span<double> values) const {
     const double *px = x.x.data(), *py = x.y.data(), *pz = x.z.data();
     double* __restrict out = values.data();
     const double wrap = space_.kind == SpaceKind::periodic_square ? 1 : 0;
-    for (std::size_t i = 0; i < values.size(); ++i) { // displacement(), spelt out: this is a hot loop
+    for (std::size_t i = 0; i < values.size(); ++i) { // displacement(), inlined by hand for speed
         double dx = px[i] - cx, dy = py[i] - cy;
         const double dz = pz[i] - cz;
         dx -= wrap * nearest_whole(dx);
@@ -38,8 +38,7 @@ void SechMonitor::check() const { check_amplitude(p_.amplitude, -1); }
 void check_amplitude(double amplitude, double least) {
     if (!std::isfinite(amplitude))
         throw InputError("monitor.amplitude = " + format_number(amplitude) +
-                         " is not a number that a monitor can have; it must be finite and greater than " +
-                         format_number(least));
+                         " is invalid; it must be finite and greater than " + format_number(least));
     if (amplitude <= least)
         throw InputError("monitor.amplitude = " + format_number(amplitude) +
                          " makes the monitor zero or negative; it must be greater than " +
@@ -54,7 +53,7 @@ ParameterRow amplitude_row(double maximum, double value, const std::string& wher
             .maximum = maximum,
             .scale = ParameterScale::logarithmic,
             .default_value = value,
-            .help = "how much denser the mesh is " + where + "; the monitor would vanish at -1"};
+            .help = "m = 1 + A " + where + "; must exceed -1"};
 }
 
 ParameterRow sharpness_row(double value, const std::string& half_height, const std::string& unit) {
@@ -66,21 +65,26 @@ ParameterRow sharpness_row(double value, const std::string& half_height, const s
             .maximum = 2000,
             .scale = ParameterScale::logarithmic,
             .default_value = value,
-            .help = "larger is narrower: half the height at a distance of about " + half_height};
+            .help = "larger is narrower; the half-width at half maximum is about " + half_height};
 }
 
 std::vector<ParameterRow> center_rows(const Space& space) {
     if (space.kind == SpaceKind::sphere) return place_rows("center", "Centre", 30, 0);
-    const auto row = [](const char* key, const char* label, const char* symbol) {
+    const bool periodic = space.kind == SpaceKind::periodic_square;
+    const auto row = [&](const char* key, const char* label, const char* symbol, ParameterRole role) {
         return ParameterRow{.key = key,
                             .label = label,
                             .symbol = symbol,
                             .minimum = 0,
                             .maximum = 1,
                             .default_value = 0.5,
-                            .help = "where the feature stands; the square is [0, 1] x [0, 1]"};
+                            .help = "position of the centre in [0, 1] x [0, 1]",
+                            .role = role,
+                            .point = "center",
+                            .periodic = periodic};
     };
-    return {row("center_x", "Centre x", "c1"), row("center_y", "Centre y", "c2")};
+    return {row("center_x", "Centre x", "c₁", ParameterRole::x),
+            row("center_y", "Centre y", "c₂", ParameterRole::y)};
 }
 
 std::shared_ptr<const Monitor> make_sech_monitor(const Values& values, double radius, const Space& space) {

@@ -1,5 +1,8 @@
-// Monitors that depend on the distance from a centre only:  m(x) = f(|x - c|^2).
-// On the periodic square the distance is to the nearest image of the centre.
+// Monitors that depend only on the distance from a centre:
+//
+//   m(x) = f( |x - c|^2 )
+//
+// On the periodic square, the distance is that to the nearest periodic image of c.
 #pragma once
 
 #include "core/base/exponential.hpp"
@@ -9,7 +12,9 @@
 
 namespace gaspard {
 
-/// m = 1 + A sech^2( B (|x - c|^2 - r^2) ): the ring (5.3) with r > 0, the bell (5.4) with r = 0.
+/// McRae, Cotter, Budd: the ring (5.3) for r > 0, the bell (5.4) for r = 0.
+///
+///   m(x) = 1 + A sech^2( B (|x - c|^2 - r^2) )
 class SechMonitor final : public Monitor {
   public:
     struct Parameters {
@@ -29,23 +34,23 @@ class SechMonitor final : public Monitor {
     Space space_;
 };
 
-/// 1 / cosh^2 without overflow: for large |t| it is 0 to double precision.
+/// sech^2 t = 1 / cosh^2 t without overflow; underflows to 0 for large |t|.
 inline double sech_squared(double t) {
     const double e = exponential(-2 * std::abs(t));
     return 4 * e / ((1 + e) * (1 + e));
 }
-/// Throws InputError where the amplitude is not finite or not above `least`.
+/// Throws InputError if the amplitude is not finite or not greater than `least`.
 void check_amplitude(double amplitude, double least);
 
-/// The rows that ring, bell and cross share; `where` and `half_height` complete their help.
+/// Rows shared by several monitors; `where` and `half_height` complete their help texts.
 ParameterRow amplitude_row(double maximum, double value, const std::string& where);
 ParameterRow sharpness_row(double value, const std::string& half_height,
                            const std::string& unit = "1/length^2");
-/// Of the centre: in the square, or on the sphere.
+/// Rows for the centre: x and y in the square, latitude and longitude on the sphere.
 std::vector<ParameterRow> center_rows(const Space& space);
 
-/// The monitor for such values, on the sphere by angles in place of distances; `radius` as a number, as not
-/// all have the row.
+/// The monitor for the values of these rows; on the sphere, angles replace distances. `radius` is a separate
+/// argument because the bell has no such row.
 std::shared_ptr<const Monitor> make_sech_monitor(const Values& values, double radius, const Space& space);
 
 } // namespace gaspard

@@ -1,7 +1,10 @@
-// Bells at random places, of random height and width: the same ones for the same seed, everywhere.
+// Bells with random centres, heights and widths; the same seed gives the same bells on every platform.
 //
-//   m(x) = 1 + sum of A_i sech^2( B_i |x - c_i|^2 ),
-//   A_i = A a_i, 1/4 <= a_i <= 1;   B_i = B b_i, 1/2 <= b_i <= 2;   c_i uniform over the domain
+//   m(x) = 1 + sum_i A_i sech^2( B_i |x - c_i|^2 )
+//
+//   A_i = A a_i,   1/4 <= a_i <= 1
+//   B_i = B b_i,   1/2 <= b_i <= 2
+//   c_i uniformly distributed over the domain
 #include "core/monitor/geodesic.hpp"
 #include "core/monitor/radial.hpp"
 #include "core/monitor/random.hpp"
@@ -11,7 +14,8 @@ namespace gaspard {
 
 namespace {
 
-std::shared_ptr<const Monitor> make_random_bells(const Values& values, const Space& space) {
+std::shared_ptr<const Monitor> make_random_bells(const Values& values, const MonitorContext& context) {
+    const Space& space = context.space;
     std::mt19937_64 random(static_cast<std::uint64_t>(values.integer("seed")));
     std::vector<std::shared_ptr<const Monitor>> bells;
     for (std::int64_t i = 0; i < values.integer("count"); ++i) {
@@ -34,25 +38,25 @@ std::shared_ptr<const Monitor> make_random_bells(const Values& values, const Spa
 MonitorType random_bells_monitor() {
     return {.name = "random-bells",
             .label = "Random bells",
-            .help = "small cells around places that a seed chooses",
-            .equation = "m(x) = 1 + sum of A_i sech^2( B_i |x - c_i|^2 )",
+            .help = "small cells around random points, determined by a seed",
+            .equation = "m(x) = 1 + sum_i A_i sech^2( B_i |x - c_i|^2 )",
             .rows =
                 [](const Space& space) {
                     const bool sphere = space.kind == SpaceKind::sphere;
                     ParameterRow amplitude = amplitude_row(5000, 50, "at the centres");
                     amplitude.minimum = 0;
-                    amplitude.help = "of the highest bell possible; they have a quarter of it at least";
+                    amplitude.help = "upper bound of the heights Aᵢ; each is at least A/4";
                     ParameterRow sharpness = sharpness_row(sphere ? 10.0 : 100.0, "0.94 / sqrt(B)",
                                                            sphere ? "1/radian^2" : "1/length^2");
-                    sharpness.help = "larger is narrower; the bells have between half and twice of it";
-                    return std::vector<ParameterRow>{seed_row("places, heights and widths"),
+                    sharpness.help = "larger is narrower; each Bᵢ is between B/2 and 2 B";
+                    return std::vector<ParameterRow>{seed_row("centres, heights and widths"),
                                                      {.key = "count",
-                                                      .label = "Bells",
+                                                      .label = "Number of bells",
                                                       .kind = ParameterKind::integer,
                                                       .minimum = 1,
                                                       .maximum = 100,
                                                       .default_value = std::int64_t{8},
-                                                      .help = "how many there are"},
+                                                      .help = "number of bells"},
                                                      amplitude,
                                                      sharpness};
                 },

@@ -1,9 +1,9 @@
-// Hills and valleys without a pattern, from a seed: a sum of random waves, scaled to a given contrast.
+// A sum of random waves, determined by a seed and scaled to a given contrast C = max m / min m:
 //
-//   m(x) = C^g,   g = (f - least f) / (largest f - least f),   f(x) = sum of a_i cos( k_i . x + p_i )
+//   m(x) = C^g,   g = (f - min f) / (max f - min f),   f(x) = sum_i a_i cos( k_i . x + p_i )
 //
-// k_i is 2 pi times a pair of integers in the square, which is periodic; on the sphere any vector in space.
-// The extremes of f are those of 32 x 32 places, so that C is the contrast nearly.
+// In the square, which is periodic, k_i is 2 pi times a pair of integers; on the sphere, k_i is any vector in
+// R^3. min f and max f are taken over a 32 x 32 grid of points, so the contrast is only approximately C.
 #include "core/base/check.hpp"
 #include "core/monitor/monitor.hpp"
 #include "core/monitor/random.hpp"
@@ -67,10 +67,11 @@ class WavesMonitor final : public Monitor {
     std::vector<Wave> waves_;
     double contrast_;
     bool sphere_;
-    double slope_ = 0, least_ = 0; ///< log C over the range of f; where that begins
+    double slope_ = 0, least_ = 0; ///< log C / (max f - min f); min f
 };
 
-std::shared_ptr<const Monitor> make_random_waves(const Values& values, const Space& space) {
+std::shared_ptr<const Monitor> make_random_waves(const Values& values, const MonitorContext& context) {
+    const Space& space = context.space;
     std::mt19937_64 random(static_cast<std::uint64_t>(values.integer("seed")));
     constexpr double turn = 2 * std::numbers::pi;
     const double highest = values.real("wave_number");
@@ -81,7 +82,7 @@ std::shared_ptr<const Monitor> make_random_waves(const Values& values, const Spa
         Vec3 k;
         if (space.kind == SpaceKind::sphere) {
             k = (highest * (0.25 + 0.75 * w)) * direction_from(u, v);
-        } else { // whole waves, at least one
+        } else { // integer wave numbers, not both zero
             const double length = highest * std::sqrt(w);
             k = {std::round(length * std::cos(turn * u)), std::round(length * std::sin(turn * u)), 0};
             if (norm(k) == 0) k.x = 1;
@@ -97,36 +98,37 @@ std::shared_ptr<const Monitor> make_random_waves(const Values& values, const Spa
 MonitorType random_waves_monitor() {
     return {.name = "random-waves",
             .label = "Random waves",
-            .help = "hills and valleys without a pattern, which a seed chooses",
-            .equation = "m(x) = C^g, g from 0 to 1 with the sum of a_i cos( k_i . x + p_i )",
+            .help = "a random smooth field, determined by a seed",
+            .equation = "m(x) = C^g, g = sum_i a_i cos( k_i . x + p_i ) scaled to [0, 1]",
             .rows =
                 [](const Space& space) {
                     const bool sphere = space.kind == SpaceKind::sphere;
-                    return std::vector<ParameterRow>{seed_row("directions, lengths, heights and phases"),
-                                                     {.key = "count",
-                                                      .label = "Waves",
-                                                      .kind = ParameterKind::integer,
-                                                      .minimum = 1,
-                                                      .maximum = 20,
-                                                      .default_value = std::int64_t{6},
-                                                      .help = "how many there are"},
-                                                     {.key = "contrast",
-                                                      .label = "Contrast",
-                                                      .symbol = "C",
-                                                      .minimum = 1,
-                                                      .maximum = 1e5,
-                                                      .scale = ParameterScale::logarithmic,
-                                                      .default_value = 20.0,
-                                                      .help = "largest m over smallest m"},
-                                                     {.key = "wave_number",
-                                                      .label = "Wave number",
-                                                      .symbol = "k",
-                                                      .unit = sphere ? "1/radian" : "waves a side",
-                                                      .minimum = 1,
-                                                      .maximum = 8,
-                                                      .scale = ParameterScale::logarithmic,
-                                                      .default_value = sphere ? 5.0 : 2.0,
-                                                      .help = "of the shortest waves; larger is finer"}};
+                    return std::vector<ParameterRow>{
+                        seed_row("directions, wavelengths, amplitudes and phases"),
+                        {.key = "count",
+                         .label = "Number of waves",
+                         .kind = ParameterKind::integer,
+                         .minimum = 1,
+                         .maximum = 20,
+                         .default_value = std::int64_t{6},
+                         .help = "number of waves"},
+                        {.key = "contrast",
+                         .label = "Contrast",
+                         .symbol = "C",
+                         .minimum = 1,
+                         .maximum = 1e5,
+                         .scale = ParameterScale::logarithmic,
+                         .default_value = 20.0,
+                         .help = "max m / min m, approximately"},
+                        {.key = "wave_number",
+                         .label = "Wave number",
+                         .symbol = "k",
+                         .unit = sphere ? "1/radian" : "waves per side",
+                         .minimum = 1,
+                         .maximum = 8,
+                         .scale = ParameterScale::logarithmic,
+                         .default_value = sphere ? 5.0 : 2.0,
+                         .help = "wave number of the shortest waves; larger is finer"}};
                 },
             .make = make_random_waves};
 }

@@ -24,12 +24,13 @@ MonitorType ring_monitor() {
                                                    .minimum = 0,
                                                    .maximum = sphere ? std::numbers::pi : 0.5,
                                                    .default_value = sphere ? std::numbers::pi / 4 : 0.25,
-                                                   .help = "of the ring"}};
+                                                   .help = "radius of the ring"}};
                 for (auto& row : center_rows(space)) rows.push_back(std::move(row));
                 return rows;
             },
-        .make = [](const Values& values,
-                   const Space& space) { return make_sech_monitor(values, values.real("radius"), space); }};
+        .make = [](const Values& values, const MonitorContext& context) {
+            return make_sech_monitor(values, values.real("radius"), context.space);
+        }};
 }
 
 } // namespace gaspard

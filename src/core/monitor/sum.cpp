@@ -34,20 +34,22 @@ void SumMonitor::check() const {
 
 namespace {
 
-/// The rows of another type, each key with a prefix, each label with a word.
+/// Appends the rows of a type, with its name as prefix of the keys and its label as prefix of the labels.
 void add_rows(std::vector<ParameterRow>& rows, const MonitorType& type, const Space& space) {
     for (auto row : type.rows(space)) {
-        if (row.key == "amplitude") row.minimum = 0; // see SumMonitor
+        if (row.key == "amplitude") row.minimum = 0; // the parts of a SumMonitor must be at least 1
         row.key = type.name + "_" + row.key;
         row.label = type.label + ": " + row.label;
+        if (!row.point.empty()) row.point = type.name + "_" + row.point;
         rows.push_back(std::move(row));
     }
 }
 
-std::shared_ptr<const Monitor> make_part(const MonitorType& type, const Values& values, const Space& space) {
-    Values own("monitor", type.rows(space));
+std::shared_ptr<const Monitor> make_part(const MonitorType& type, const Values& values,
+                                         const MonitorContext& context) {
+    Values own("monitor", type.rows(context.space));
     for (const auto& row : own.rows()) own.set(row.key, values.at(type.name + "_" + row.key));
-    return type.make(own, space);
+    return type.make(own, context);
 }
 
 } // namespace
@@ -55,7 +57,7 @@ std::shared_ptr<const Monitor> make_part(const MonitorType& type, const Values& 
 MonitorType ring_and_bell_monitor() {
     return {.name = "ring-and-bell",
             .label = "Ring and bell",
-            .help = "the sum of a ring and a bell, each with its own place",
+            .help = "the sum of a ring and a bell, each with its own parameters",
             .equation = "m(x) = ring(x) + bell(x) - 1",
             .rows =
                 [](const Space& space) {
@@ -64,9 +66,10 @@ MonitorType ring_and_bell_monitor() {
                     add_rows(rows, bell_monitor(), space);
                     return rows;
                 },
-            .make = [](const Values& values, const Space& space) -> std::shared_ptr<const Monitor> {
-                return std::make_shared<SumMonitor>(std::vector{make_part(ring_monitor(), values, space),
-                                                                make_part(bell_monitor(), values, space)});
+            .make = [](const Values& values,
+                       const MonitorContext& context) -> std::shared_ptr<const Monitor> {
+                return std::make_shared<SumMonitor>(std::vector{make_part(ring_monitor(), values, context),
+                                                                make_part(bell_monitor(), values, context)});
             }};
 }
 

@@ -1,4 +1,6 @@
-// Several features in one monitor:  m(x) = 1 + sum of (m_i(x) - 1).
+// The sum of several monitors:
+//
+//   m(x) = 1 + sum_i (m_i(x) - 1)
 #pragma once
 
 #include "core/monitor/monitor.hpp"
@@ -7,7 +9,7 @@ namespace gaspard {
 
 class SumMonitor final : public Monitor {
   public:
-    /// None of the parts may be below 1 anywhere, so that the sum is not either.
+    /// Every part must satisfy m_i >= 1, so that m >= 1.
     explicit SumMonitor(std::vector<std::shared_ptr<const Monitor>> parts) : parts_(std::move(parts)) {}
 
     void values(const Points& x, std::span<double> values) const override;

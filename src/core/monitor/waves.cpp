@@ -1,5 +1,5 @@
-// A spiral and waves, Bahari et al. (2024): examples 5.4 (where the paper prints 20 r for 20 r^2), 7.3, 7.8
-// and 7.7 (where sin(2 pi/3) is a constant, as it is printed).
+// A spiral and waves, Bahari et al. (2024): examples 5.4 (the paper prints 20 r instead of 20 r^2), 7.3, 7.8
+// and 7.7 (sin(2 pi/3) is a constant, as printed).
 #include "core/base/exponential.hpp"
 #include "core/monitor/formula.hpp"
 #include "core/monitor/radial.hpp"
@@ -12,7 +12,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// r cos(angle - w), w = k r^2, is dx cos w + dy sin w.
+/// m = 1 + A / (1 + t^2),   t = B r cos(angle - w) = B (dx cos w + dy sin w),   w = k r^2,
+/// with (r, angle) the polar coordinates of (dx, dy) = x - c.
 struct Spiral {
     double amplitude, sharpness, winding;
     Vec3 centre;
@@ -34,7 +35,7 @@ struct Spiral {
 };
 
 struct CosineWaves {
-    double frequency; ///< waves per length
+    double frequency; ///< in 1 / length
     Vec3 centre;
 
     double value(Vec3 x) const { return 1 / (2 + std::cos(2 * pi * frequency * norm(x - centre))); }
@@ -79,24 +80,25 @@ MonitorType spiral_monitor() {
     return {.name = "spiral",
             .label = "Spiral",
             .help = "small cells along the arms of a spiral",
-            .equation = "m(x) = 1 + A / (1 + (B r cos(angle - k r^2))^2), r and angle seen from c",
+            .equation = "m(x) = 1 + A / (1 + (B r cos(angle - k r^2))^2), r, angle relative to c",
             .rows =
                 [](const Space&) {
-                    std::vector<ParameterRow> rows = {amplitude_row(1000, 9, "on the arms"),
-                                                      sharpness_row(10, "1/B", "1/length"),
-                                                      {.key = "winding",
-                                                       .label = "Winding",
-                                                       .symbol = "k",
-                                                       .unit = "1/length^2",
-                                                       .minimum = 0,
-                                                       .maximum = 200,
-                                                       .default_value = 20.0,
-                                                       .help = "how tight the arms are"}};
+                    std::vector<ParameterRow> rows = {
+                        amplitude_row(1000, 9, "on the arms"),
+                        sharpness_row(10, "1/B", "1/length"),
+                        {.key = "winding",
+                         .label = "Winding",
+                         .symbol = "k",
+                         .unit = "1/length^2",
+                         .minimum = 0,
+                         .maximum = 200,
+                         .default_value = 20.0,
+                         .help = "larger winds the arms more tightly; 0: straight"}};
                     for (auto& row : center_in_space_rows({0.7, 0.5, 0}))
                         if (row.key != "center_z") rows.push_back(std::move(row));
                     return rows;
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 return std::make_shared<FormulaMonitor<Spiral>>(
                     Spiral{v.real("amplitude"),
                            v.real("sharpness"),
@@ -108,7 +110,7 @@ MonitorType spiral_monitor() {
 MonitorType cosine_waves_monitor() {
     return {.name = "cosine-waves",
             .label = "Cosine waves",
-            .help = "rings around a point, three to one",
+            .help = "rings around a point; max m / min m = 3",
             .equation = "m(x) = 1 / (2 + cos(2 pi k |x - c|))",
             .rows =
                 [](const Space&) {
@@ -120,11 +122,11 @@ MonitorType cosine_waves_monitor() {
                                                        .maximum = 20,
                                                        .scale = ParameterScale::logarithmic,
                                                        .default_value = 4.0,
-                                                       .help = "rings per length"}};
+                                                       .help = "number of rings per unit length"}};
                     for (auto& row : center_in_space_rows({0.5, 0.5, 0})) rows.push_back(std::move(row));
                     return rows;
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 return std::make_shared<FormulaMonitor<CosineWaves>>(
                     CosineWaves{v.real("frequency"), center_in_space(v)});
             }};
@@ -133,7 +135,7 @@ MonitorType cosine_waves_monitor() {
 MonitorType sine_waves_monitor() {
     return {.name = "sine-waves",
             .label = "Sine waves",
-            .help = "small cells along two waves, smallest at a crease",
+            .help = "small cells along two sine curves, where m has a crease",
             .equation = "m(x) = 1 + A exp( -B |y - 1/2 - sin(2 pi x) sin(2 pi/3) / 4| ) "
                         "+ A exp( -B |y - 1/4 - sin(2 pi x) / 4| )",
             .rows =
@@ -142,7 +144,7 @@ MonitorType sine_waves_monitor() {
                     amplitude.minimum = 0;
                     return std::vector<ParameterRow>{amplitude, sharpness_row(50, "0.7 / B", "1/length")};
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 return std::make_shared<FormulaMonitor<SineWaves>>(
                     SineWaves{v.real("amplitude"), v.real("sharpness")});
             }};

@@ -1,6 +1,9 @@
 // The monitor of McRae, Cotter, Budd (5.10), after Ringler et al. (2011), for meshes whose cells are N times
-// larger outside of a disc than in it. gamma stands inside of the root, as the limit sqrt(gamma) in the text
-// says.
+// larger outside a disc than inside it:
+//
+//   m(x) = sqrt( (1 - gamma)/2 (tanh((beta - |x - c|)/alpha) + 1) + gamma ),   gamma = 1/N^4
+//
+// gamma is inside the root, in agreement with the limit sqrt(gamma) stated in the text of the paper.
 #include "core/monitor/geodesic.hpp"
 
 #include <cmath>
@@ -23,14 +26,14 @@ struct StepProfile {
         const double s = step(d);
         return -(1 - gamma) * s * (1 - s) / (alpha * value(d));
     }
-    void check() const {} // the rows' ranges keep it positive
+    void check() const {} // the ranges of the rows ensure m > 0
 };
 
 } // namespace
 
 MonitorType x_n_monitor() {
     return {.name = "x-n",
-            .label = "X-n",
+            .label = "Xₙ",
             .help = "small cells in a disc on the sphere, N times larger outside",
             .equation =
                 "m(x) = sqrt( (1 - gamma)/2 (tanh((beta - |x - c|)/alpha) + 1) + gamma ), gamma = 1/N^4",
@@ -44,29 +47,29 @@ MonitorType x_n_monitor() {
                          .maximum = 64,
                          .scale = ParameterScale::logarithmic,
                          .default_value = 2.0,
-                         .help = "of the cells' edges outside to those inside: 2, 4, "
-                                 "8, 16 in the paper"},
+                         .help = "ratio of the edge lengths outside to those inside; 2, 4, 8, 16 in the "
+                                 "paper"},
                         {.key = "alpha",
                          .label = "Width",
-                         .symbol = "alpha",
+                         .symbol = "α",
                          .unit = "radians",
                          .minimum = 0.01,
                          .maximum = 2,
                          .scale = ParameterScale::logarithmic,
                          .default_value = std::numbers::pi / 20,
-                         .help = "of the transition between inside and outside"},
+                         .help = "width of the transition between inside and outside"},
                         {.key = "beta",
                          .label = "Radius",
-                         .symbol = "beta",
+                         .symbol = "β",
                          .unit = "radians",
                          .minimum = 0,
                          .maximum = std::numbers::pi,
                          .default_value = std::numbers::pi / 6,
-                         .help = "of the inner disc"}};
+                         .help = "radius of the inner disc"}};
                     for (auto& row : place_rows("center", "Centre", 30, 0)) rows.push_back(std::move(row));
                     return rows;
                 },
-            .make = [](const Values& v, const Space&) -> std::shared_ptr<const Monitor> {
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 const StepProfile profile{std::pow(v.real("ratio"), -4), v.real("alpha"), v.real("beta")};
                 return std::make_shared<GeodesicMonitor<StepProfile>>(0.0, profile,
                                                                       std::vector{place_of(v, "center")});

@@ -1,6 +1,6 @@
 // Bahari, Habbal, Ratnani, Sonnendruecker, "Adaptive isogeometric analysis using optimal transport and their
-// fast solvers", Comput. Methods Appl. Mech. Engrg. 418 (2024): the tables of two dimensions. Where ours are
-// known to differ, and why, stands in docs/splines.md.
+// fast solvers", Comput. Methods Appl. Mech. Engrg. 418 (2024): the two-dimensional tables. docs/splines.md
+// explains known differences.
 #include "core/base/check.hpp"
 #include "core/method/manufactured.hpp"
 #include "core/published/bahari_tables.hpp"
@@ -18,7 +18,7 @@ std::string row_title(int degree, int cells) {
 struct Solves {
     int table;
     Formulation formulation;
-    double penalty; ///< the paper's, which its numbers show
+    double penalty; ///< as the published numbers imply
     std::string title, note;
 };
 
@@ -48,18 +48,18 @@ Reproduction reproduce(const Solves& solves, const Workshop& workshop) {
 struct Maps {
     int table;
     std::string scenario, method, title, note;
-    bool qual_over_f; ///< what the printed Qual divides by: f, or the Jacobian
+    bool qual_over_f; ///< the denominator of the printed Qual: f, or the Jacobian
 };
 
 double measure(const StepReport& report, const std::string& name) {
-    for (const Measure& one : report.measures)
-        if (one.name == name) return one.value;
-    check_failed("the method has this measure");
+    const auto value = report.value(name);
+    GASPARD_CHECK(value);
+    return *value;
 }
 
 std::string note_of(const Maps& maps, const PublishedMap& row) {
     if (maps.table == 4 && row.degree == 4 && row.cells == 128)
-        return "1.821e-3 is a misprint of 4.82e-3: the error of the degrees beside it";
+        return "misprint: the errors of the other degrees are 4.82e-3";
     return maps.note;
 }
 
@@ -85,7 +85,7 @@ Reproduction reproduce(const Maps& maps, const Workshop& workshop) {
         add("min Jac", measure(last, "min_jacobian_psi"), row.min_jacobian, maps.note);
         add("max Jac", measure(last, "max_jacobian_psi"), row.max_jacobian, maps.note);
         if (row.border > 0) add("border error", measure(last, "border_error"), row.border, maps.note);
-        add_ours("Err as (5.6)", measure(last, "err_absolute"), "the printed Err is that of det / f - 1");
+        add_ours("Err as (5.6)", measure(last, "err_absolute"), "the printed Err is the norm of det / f - 1");
         if (!maps.qual_over_f)
             add_ours("Qual as (5.6)", measure(last, "qual_f"), "the printed Qual divides by det, not by f");
         add_ours("iterations", last.iteration, "on all meshes");
@@ -94,12 +94,12 @@ Reproduction reproduce(const Maps& maps, const Workshop& workshop) {
     return result;
 }
 
-const std::string other_disk = "with the disk of tables 5 and 6; the paper's is not known";
+const std::string other_disk = "computed on the disk of tables 5 and 6; the paper does not define its own";
 
 std::vector<Solves> all_solves() {
     return {{1, Formulation::standard, 1e-8, "a known solution, standard form", ""},
             {7, Formulation::mixed, 0, "a known solution, mixed form",
-             "the paper's lift of the border's flux is not known; ours needs fewer iterations"}};
+             "the paper does not state its lifting of the boundary flux; ours needs fewer iterations"}};
 }
 
 std::vector<Maps> all_maps() {
@@ -115,7 +115,7 @@ std::vector<Maps> all_maps() {
         {12, "spline-two-circles", "picard-mixed", "two circles in the disk, mixed form", other_disk, false},
         {13, "spline-sine-waves", "picard-mixed", "sine waves in a quarter annulus, mixed form", "", false},
         {14, "spline-torus", "picard-mixed", "cosine waves on a part of a torus, mixed form", "", false},
-        {15, "spline-moebius", "picard-mixed", "two circles on a Moebius strip, mixed form", "", false}};
+        {15, "spline-moebius", "picard-mixed", "two circles on a Möbius strip, mixed form", "", false}};
 }
 
 } // namespace

@@ -1,5 +1,4 @@
-// What Bahari, Habbal, Ratnani, Sonnendruecker (2024) print in their tables of two dimensions, as it is
-// printed: degrees 3, 4, 5.
+// The two-dimensional tables of Bahari, Habbal, Ratnani, Sonnendruecker (2024) as printed; degrees 3, 4, 5.
 #include "core/published/bahari_tables.hpp"
 
 namespace gaspard {
@@ -32,7 +31,7 @@ std::span<const PublishedSolve> published_solves(int table) {
 }
 
 std::span<const PublishedMap> published_maps(int table) {
-    // degree, cells, Err, Qual, min and max Jac, largest error at the border (0: not printed)
+    // degree, cells, Err, Qual, min Jac, max Jac, maximum boundary error (0: not printed)
     static constexpr PublishedMap table3[] = {
         {3, 16, 4.195e-02, 6.030e-02, 2.784e-01, 1.796e+00, 0},
         {3, 32, 1.124e-02, 6.003e-02, 2.759e-01, 1.627e+00, 0},

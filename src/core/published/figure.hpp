@@ -1,4 +1,4 @@
-// A figure of a paper as plain data: meshes and plots side by side. Who draws it is not its business.
+// A figure of a paper as plain data: meshes and plots side by side. Independent of how it is drawn.
 #pragma once
 
 #include "core/session/snapshot.hpp"
@@ -14,7 +14,7 @@ namespace gaspard {
 struct FigurePanel {
     std::string title;
     std::variant<std::shared_ptr<const Snapshot>, Plot> content;
-    std::string camera{}; ///< of a mesh, as view.camera; empty: all of it
+    std::string camera{}; ///< for meshes: view.camera; empty shows the whole mesh
 };
 
 struct Figure {

@@ -1,4 +1,4 @@
-// McRae, Cotter, Budd (2018), section 5: the figures of the plane by relaxation.
+// McRae, Cotter, Budd (2018), section 5: the figures of the plane, solved by relaxation.
 #include "core/published/mcrae_runs.hpp"
 
 namespace gaspard {
@@ -20,11 +20,11 @@ Reproduction figure2(const Workshop& workshop) {
         const StepReport& last = run.history().back();
         result.rows.push_back({title, "iterations", static_cast<double>(last.iteration)});
         result.rows.push_back({title, "residual", last.residual});
-        result.rows.push_back({title, "equidistribution", *last.equidistribution});
-        result.rows.push_back({title, "smallest Jacobian", *last.min_jacobian});
-        result.rows.push_back({title, "largest Jacobian", *last.max_jacobian});
+        result.rows.push_back({title, "equidistribution", *last.value("equidistribution")});
+        result.rows.push_back({title, "smallest Jacobian", *last.value("min_jacobian")});
+        result.rows.push_back({title, "largest Jacobian", *last.value("max_jacobian")});
         result.rows.push_back({title, "tangled cells", static_cast<double>(*last.tangled_cells), std::nullopt,
-                               "the paper calls the meshes notably well-behaved"});
+                               "the paper: the meshes are notably well-behaved"});
         result.figure->panels.push_back({monitor == "ring" ? "Ring (5.3)" : "Bell (5.4)", run.snapshot()});
     }
     return result;
@@ -41,21 +41,20 @@ Reproduction figure3(const Workshop& workshop) {
         const std::string title = title_of(monitor, 60);
         const Run run = solve_plane(workshop, monitor, 60);
         const std::string label = monitor + ", relaxation";
-        residual.curves.push_back(history_curve(run, label, [](const auto& r) { return r.residual; }));
+        residual.curves.push_back(history_curve(run, label, "residual"));
         compared.curves.push_back(residual.curves.back());
         for (const std::string method : {"quasi-newton", "newton", "auto"}) {
             const Run other =
                 solve(workshop, "plane-" + monitor,
                       {"method.type=" + method, "method.diagnostics_every=1000"}, title + ", " + method);
-            compared.curves.push_back(
-                history_curve(other, monitor + ", " + method, [](const auto& r) { return r.residual; }));
+            compared.curves.push_back(history_curve(other, monitor + ", " + method, "residual"));
             result.rows.push_back({title + ", " + method, "iterations to 1e-8",
                                    static_cast<double>(other.history().back().iteration)});
         }
-        spread.curves.push_back(history_curve(run, label, [](const auto& r) { return r.equidistribution; }));
+        spread.curves.push_back(history_curve(run, label, "equidistribution"));
         iterations[which++] = run.history().back().iteration;
         result.rows.push_back({title, "iterations to 1e-8", iterations[which - 1]});
-        result.rows.push_back({title, "equidistribution", *run.history().back().equidistribution});
+        result.rows.push_back({title, "equidistribution", *run.history().back().value("equidistribution")});
     }
     result.rows.push_back({"bell / ring", "ratio of iterations", iterations[1] / iterations[0], 4.5,
                            "section 5.1.1: far more iterations (4.5x)"});

@@ -1,15 +1,15 @@
-// McRae, Cotter, Budd (2018), figures 10 and 11: the quasi-Newton method on the sphere, and what the full
-// linearisation, the paper's future work, makes of the same problems.
+// McRae, Cotter, Budd (2018), figures 10 and 11: the quasi-Newton method on the sphere, beside Newton's
+// method with the full linearisation, which the paper leaves as future work.
 #include "core/published/mcrae_runs.hpp"
 
 namespace gaspard {
 
 namespace {
 
-/// One method to its end, whatever that is: its curve and its numbers.
+/// Runs one method until it ends, converged or not; adds its rows and returns its residual curve.
 Curve attempt(const Workshop& workshop, const std::string& scenario, const std::string& method,
               std::vector<std::string> settings, const std::string& label, std::vector<PublishedRow>& rows) {
-    // The scenario's own is the relaxation, with the paper's step.
+    // The scenario itself is set to the relaxation with the paper's step.
     if (method != "relaxation") settings.push_back("method.type=" + method);
     settings.push_back("method.diagnostics_every=1000");
     Run run = begin_run(workshop, scenario, settings, label);
@@ -18,7 +18,7 @@ Curve attempt(const Workshop& workshop, const std::string& scenario, const std::
     const std::string status(status_name(last.status));
     rows.push_back({label, "iterations", static_cast<double>(last.iteration), std::nullopt, status});
     rows.push_back({label, "residual", last.residual, std::nullopt, status});
-    return history_curve(run, label, [](const auto& r) { return r.residual; });
+    return history_curve(run, label, "residual");
 }
 
 Plot residual_plot(const std::string& title) {
@@ -44,7 +44,7 @@ Reproduction figure11(const Workshop& workshop) {
     for (const std::string order : {"1", "2"}) {
         Plot plot = residual_plot(order == "1" ? "Bilinear" : "Biquadratic");
         for (const std::string ratio : {"2", "4", "8", "16"}) {
-            // Where it fails, an iteration costs more than a second.
+            // Iterations of a failing run take more than a second each, so their number is limited.
             const std::vector<std::string> settings = {"domain.geometry_order=" + order,
                                                        std::string("method.max_iterations=") +
                                                            (order == "1" ? "30" : "130")};

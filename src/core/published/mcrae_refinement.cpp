@@ -1,5 +1,5 @@
-// McRae, Cotter, Budd (2018), section 5.4: the relaxation under refinement, ring on the plane and cross on
-// the icosahedral sphere.
+// McRae, Cotter, Budd (2018), section 5.4: relaxation under mesh refinement; ring on the plane, cross on the
+// icosahedral sphere.
 #include "core/published/mcrae_runs.hpp"
 
 #include <array>
@@ -12,7 +12,7 @@ namespace {
 
 const std::string only_the_last = "method.diagnostics_every=1000";
 
-/// A sequence of meshes, each with cells half as wide as the one before.
+/// A sequence of meshes, each with half the cell width of the previous one.
 struct Sequence {
     std::string name, scenario, key;
     std::vector<int> sizes;
@@ -50,18 +50,18 @@ Plot refinement(const Workshop& workshop, const Sequence& sequence, const std::s
     Curve ours{sequence.name + ", relaxation", {}, {}, true};
     for (const int size : sequence.sizes) {
         const Run run = sequence.solved(workshop, size);
-        const double measure = *run.history().back().equidistribution;
+        const double measure = *run.history().back().value("equidistribution");
         rows.push_back({sequence.title(size), "equidistribution", measure});
         if (!ours.y.empty()) {
             const bool finest = size == sequence.sizes.back();
             rows.push_back({sequence.title(size), "order", std::log2(ours.y.back() / measure),
                             finest ? std::optional(sequence.paper_order) : std::nullopt,
-                            finest ? sequence.paper_says : "from the mesh before"});
+                            finest ? sequence.paper_says : "relative to the previous mesh"});
         }
         ours.x.push_back(width_of(run));
         ours.y.push_back(measure);
     }
-    // The slope stands below the two finest meshes, where the order is nearly reached.
+    // The reference slope is drawn below the two finest meshes, where the order is nearly reached.
     Curve slope{"order " + std::to_string(static_cast<int>(sequence.paper_order)), {}, {}};
     for (const double x : {ours.x[ours.x.size() - 2], ours.x.back()}) {
         slope.x.push_back(x);
@@ -73,7 +73,7 @@ Plot refinement(const Workshop& workshop, const Sequence& sequence, const std::s
 
 Reproduction figure12(const Workshop& workshop) {
     Reproduction result{{}, Figure{"The finest meshes: 57600 squares, 81920 triangles", {}}};
-    // All of a mesh, too fine for its cells to be seen, and where it is finest: on the ring, at the crossing.
+    // The whole mesh, whose cells are too small to see, and a detail where it is finest: ring and crossing.
     const std::pair<const Sequence*, std::array<std::string, 2>> looks[] = {
         {&plane, {"", "centre 0.75 0.5 height 0.12"}},
         {&sphere, {"right -1 0 0 up 0 0 1", "centre 0 1 0 height 0.24 right -1 0 0 up 0 0 1"}}};
@@ -83,12 +83,12 @@ Reproduction figure12(const Workshop& workshop) {
         const StepReport& last = run.history().back();
         const std::string title = sequence->title(finest);
         result.rows.push_back({title, "iterations", static_cast<double>(last.iteration)});
-        result.rows.push_back({title, "smallest Jacobian", *last.min_jacobian});
+        result.rows.push_back({title, "smallest Jacobian", *last.value("min_jacobian")});
         result.rows.push_back({title, "tangled cells", static_cast<double>(*last.tangled_cells), 0,
                                "the paper: no evidence whatsoever of mesh tangling"});
         const auto snapshot = run.snapshot();
         result.figure->panels.push_back({title, snapshot, cameras[0]});
-        result.figure->panels.push_back({title + ", from close by", snapshot, cameras[1]});
+        result.figure->panels.push_back({title + ", detail", snapshot, cameras[1]});
     }
     return result;
 }
@@ -115,14 +115,14 @@ Reproduction figure14(const Workshop& workshop) {
             if (first == 0) first = per_cell;
             result.rows.push_back({sequence->title(size), "CPU seconds", last.cpu_seconds});
             result.rows.push_back({sequence->title(size), "microseconds per cell and iteration", per_cell});
-            result.rows.push_back({sequence->title(size), "that, against the coarsest", per_cell / first,
-                                   std::nullopt, "the paper: O(N), which is 1"});
+            result.rows.push_back({sequence->title(size), "relative to the coarsest mesh", per_cell / first,
+                                   std::nullopt, "the paper: O(N), that is 1"});
             curve.x.push_back(cells);
             curve.y.push_back(last.cpu_seconds);
         }
         plot.curves.push_back(std::move(curve));
     }
-    result.figure = Figure{"Time against cells, relaxation", {{plot.title, std::move(plot)}}};
+    result.figure = Figure{"Time over number of cells, relaxation", {{plot.title, std::move(plot)}}};
     return result;
 }
 
@@ -134,7 +134,7 @@ std::vector<Recipe> mcrae_refinement_recipes() {
             make_recipe("mcrae-fig13",
                         "equidistribution under refinement, ring on the plane and cross on the sphere",
                         figure13),
-            make_recipe("mcrae-fig14", "time against cells, ring on the plane and cross on the sphere",
+            make_recipe("mcrae-fig14", "time over number of cells, ring on the plane and cross on the sphere",
                         figure14)};
 }
 

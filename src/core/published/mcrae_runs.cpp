@@ -29,11 +29,10 @@ Run solve(const Workshop& workshop, const std::string& scenario, const std::vect
     return run;
 }
 
-Curve history_curve(const Run& run, const std::string& label,
-                    const std::function<std::optional<double>(const StepReport&)>& of) {
+Curve history_curve(const Run& run, const std::string& label, std::string_view series) {
     Curve curve{label, {}, {}};
     for (const auto& report : run.history())
-        if (const auto value = of(report)) {
+        if (const auto value = report.value(series)) {
             curve.x.push_back(report.iteration);
             curve.y.push_back(*value);
         }

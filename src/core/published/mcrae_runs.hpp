@@ -1,4 +1,4 @@
-// What the figures of McRae, Cotter, Budd share: shipped scenarios, solved with other settings.
+// Common parts of the figures of McRae, Cotter, Budd: built-in scenarios, solved with other settings.
 #pragma once
 
 #include "core/published/published.hpp"
@@ -10,31 +10,30 @@
 
 namespace gaspard {
 
-/// Everything that a recipe is given.
+/// The arguments of a recipe.
 struct Workshop {
     const std::shared_ptr<const Catalogue>& catalogue;
     const Announce& announce;
     std::stop_token stop;
 };
 
-/// A built-in scenario with settings ("domain.cells=30"), not yet stepped.
+/// A run of a built-in scenario with settings such as "domain.cells=30", before its first step.
 Run begin_run(const Workshop& workshop, const std::string& scenario, const std::vector<std::string>& settings,
               const std::string& title);
-/// To the end; throws Interrupted.
+/// Steps until the run ends. Throws Interrupted.
 void finish(Run& run, const Workshop& workshop);
-/// Both, of a run that converges.
+/// begin_run and finish; the run must converge.
 Run solve(const Workshop& workshop, const std::string& scenario, const std::vector<std::string>& settings,
           const std::string& title);
 
-/// A curve through a run's history, of what a report holds; rows without it are left out.
-Curve history_curve(const Run& run, const std::string& label,
-                    const std::function<std::optional<double>(const StepReport&)>& of);
+/// One of the series of a run as a curve; rows without a value are left out.
+Curve history_curve(const Run& run, const std::string& label, std::string_view series);
 
-/// A recipe of a function of the workshop.
+/// A recipe from a function of the workshop.
 Recipe make_recipe(const std::string& id, const std::string& title,
                    std::function<Reproduction(const Workshop&)> make);
 
-// The figures of the sphere, and those about refinement.
+// Recipes for the sphere and for refinement.
 std::vector<Recipe> mcrae_sphere_recipes();
 std::vector<Recipe> mcrae_newton_recipes();
 std::vector<Recipe> mcrae_refinement_recipes();

@@ -1,4 +1,4 @@
-// McRae, Cotter, Budd (2018), section 5.2: the figures of the sphere by relaxation.
+// McRae, Cotter, Budd (2018), section 5.2: the figures of the sphere, solved by relaxation.
 #include "core/base/error.hpp"
 #include "core/published/mcrae_runs.hpp"
 
@@ -13,16 +13,17 @@ void add_numbers(const Run& run, const std::string& title, std::vector<Published
     const StepReport& last = run.history().back();
     rows.push_back({title, "iterations", static_cast<double>(last.iteration)});
     rows.push_back({title, "residual", last.residual});
-    rows.push_back({title, "equidistribution", *last.equidistribution});
-    if (last.exact_rms) rows.push_back({title, "rms to the exact mesh, vertices", *last.exact_rms});
-    if (last.exact_rms_nodes)
-        rows.push_back({title, "rms to the exact mesh, all nodes", *last.exact_rms_nodes});
-    rows.push_back({title, "smallest Jacobian", *last.min_jacobian});
-    rows.push_back({title, "largest Jacobian", *last.max_jacobian});
+    rows.push_back({title, "equidistribution", *last.value("equidistribution")});
+    if (last.value("exact_rms"))
+        rows.push_back({title, "rms to the exact mesh, vertices", *last.value("exact_rms")});
+    if (last.value("exact_rms_nodes"))
+        rows.push_back({title, "rms to the exact mesh, all nodes", *last.value("exact_rms_nodes")});
+    rows.push_back({title, "smallest Jacobian", *last.value("min_jacobian")});
+    rows.push_back({title, "largest Jacobian", *last.value("max_jacobian")});
     rows.push_back({title, "tangled cells", static_cast<double>(*last.tangled_cells)});
 }
 
-/// One mesh. Who draws it shows front and rear.
+/// A figure with one mesh, which is drawn from the front and from the rear.
 Reproduction one_mesh(const Workshop& workshop, const std::string& scenario, const std::string& title,
                       const std::string& caption) {
     Run run = solve(workshop, scenario, {only_the_last}, title);
@@ -43,14 +44,11 @@ Reproduction figure8(const Workshop& workshop) {
                                 {"domain.geometry_order=" + order, every_iteration}, title);
             finish(run, workshop);
             add_numbers(run, title, result.rows);
-            plot.curves.push_back(
-                history_curve(run, cells + ", residual", [](const auto& r) { return r.residual; }));
-            plot.curves.push_back(history_curve(run, cells + ", equidistribution",
-                                                [](const auto& r) { return r.equidistribution; }));
-            plot.curves.push_back(
-                history_curve(run, cells + ", rms to exact", [](const auto& r) { return r.exact_rms; }));
+            plot.curves.push_back(history_curve(run, cells + ", residual", "residual"));
+            plot.curves.push_back(history_curve(run, cells + ", equidistribution", "equidistribution"));
+            plot.curves.push_back(history_curve(run, cells + ", rms to exact", "exact_rms"));
             if (run.status() != RunStatus::converged)
-                result.rows.push_back({title, "iterations until it blows up",
+                result.rows.push_back({title, "iterations until divergence",
                                        static_cast<double>(run.history().back().iteration), 10,
                                        "the paper: wildly diverges after just some 10 iterations"});
         }
@@ -66,12 +64,12 @@ Reproduction figure9(const Workshop& workshop) {
         if (workshop.stop.stop_requested()) throw Interrupted();
         run.step(workshop.stop);
     }
-    Reproduction result{{}, Figure{"Failure of bilinear cells, X16, before the blow-up", {}}};
+    Reproduction result{{}, Figure{"Failure of bilinear cells, X16, before divergence", {}}};
     result.figure->panels.push_back({title, run.snapshot()});
     const StepReport& last = run.history().back();
     result.rows = {{title, "iteration", static_cast<double>(last.iteration)},
                    {title, "residual", last.residual},
-                   {title, "smallest Jacobian", *last.min_jacobian},
+                   {title, "smallest Jacobian", *last.value("min_jacobian")},
                    {title, "tangled cells", static_cast<double>(*last.tangled_cells), std::nullopt,
                     "the paper: in a tangled state, shortly before complete blow-up"}};
     return result;
@@ -84,14 +82,14 @@ std::vector<Recipe> mcrae_sphere_recipes() {
         return [=](const Workshop& workshop) { return one_mesh(workshop, scenario, title, caption); };
     };
     return {make_recipe("mcrae-fig5", "cubed-sphere X2 mesh, 6 x 16 x 16",
-                        mesh("sphere-x2", "X2", "Cubed-sphere X2 mesh (5.10), gamma = (1/2)^4")),
+                        mesh("sphere-x2", "X2", "Cubed-sphere X2 mesh (5.10), γ = (1/2)⁴")),
             make_recipe("mcrae-fig6", "cubed-sphere X16 mesh, 6 x 16 x 16",
-                        mesh("sphere-x16", "X16", "Cubed-sphere X16 mesh (5.10), gamma = (1/16)^4")),
+                        mesh("sphere-x16", "X16", "Cubed-sphere X16 mesh (5.10), γ = (1/16)⁴")),
             make_recipe("mcrae-fig7", "icosahedral mesh adapted to crossing bands, 5120 triangles",
                         mesh("sphere-cross", "Cross", "Icosahedral mesh adapted to crossing bands (5.11)")),
             make_recipe("mcrae-fig8", "convergence of the relaxation method on the cubed sphere, X2 and X16",
                         figure8),
-            make_recipe("mcrae-fig9", "failure of bilinear cells: X16 in a tangled state", figure9)};
+            make_recipe("mcrae-fig9", "failure of bilinear cells, X16, with tangled cells", figure9)};
 }
 
 } // namespace gaspard

@@ -19,7 +19,7 @@ Recipe find_recipe(std::string_view id) {
         if (recipe.id == id) return recipe;
         known.push_back(recipe.id);
     }
-    throw InputError("there is no recipe for '" + std::string(id) + "'" + did_you_mean(id, known) +
+    throw InputError("unknown table or figure '" + std::string(id) + "'" + did_you_mean(id, known) +
                      "; `gaspard reproduce` lists them");
 }
 

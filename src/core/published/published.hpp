@@ -1,4 +1,4 @@
-// Tables and figures of the papers as recipes: what to compute, and the published number beside ours.
+// Tables and figures of the papers as recipes: what to compute, with the published numbers for comparison.
 #pragma once
 
 #include "core/published/figure.hpp"
@@ -18,27 +18,27 @@ struct PublishedRow {
     std::string row;      ///< "ring, n = 60"
     std::string quantity; ///< "iterations"
     double ours = 0;
-    std::optional<double> published{}; ///< empty where the paper prints a curve without numbers
+    std::optional<double> published{}; ///< nullopt if the paper prints a curve without numbers
     std::string note{};
 };
 
 struct Reproduction {
     std::vector<PublishedRow> rows;
-    std::optional<Figure> figure; ///< empty for tables
+    std::optional<Figure> figure; ///< nullopt for tables
 };
 
-/// Says what is being computed; called before each run.
+/// Reports what is being computed; called before each run.
 using Announce = std::function<void(const std::string&)>;
 
 struct Recipe {
     std::string id;    ///< "mcrae-fig2"
-    std::string title; ///< what the paper shows there
+    std::string title; ///< content of the table or figure
     std::function<Reproduction(const std::shared_ptr<const Catalogue>&, const Announce&, std::stop_token)>
         make;
 };
 
 std::vector<Recipe> recipes();
-/// Throws InputError with the nearest known one.
+/// Throws InputError if the id is unknown; the message names the nearest.
 Recipe find_recipe(std::string_view id);
 
 std::string published_csv(const std::vector<PublishedRow>& rows);
@@ -46,8 +46,8 @@ std::string published_csv(const std::vector<PublishedRow>& rows);
 /// The recipes of McRae, Cotter, Budd, "Optimal-transport-based mesh adaptivity on the plane and sphere using
 /// finite elements", SIAM J. Sci. Comput. 40 (2018).
 std::vector<Recipe> mcrae_recipes();
-/// Those of Bahari, Habbal, Ratnani, Sonnendruecker, "Adaptive isogeometric analysis using optimal transport
-/// and their fast solvers", Comput. Methods Appl. Mech. Engrg. 418 (2024).
+/// The recipes of Bahari, Habbal, Ratnani, Sonnendruecker, "Adaptive isogeometric analysis using optimal
+/// transport and their fast solvers", Comput. Methods Appl. Mech. Engrg. 418 (2024).
 std::vector<Recipe> bahari_recipes();
 
 } // namespace gaspard

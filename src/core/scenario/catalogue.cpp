@@ -1,11 +1,12 @@
 #include "core/scenario/catalogue.hpp"
 
 #include "core/base/check.hpp"
-#include "core/fem/plane_q2.hpp"
-#include "core/fem/surface_q2.hpp"
+#include "core/method/plane_equation.hpp"
+#include "core/method/spline_equation.hpp"
+#include "core/method/surface_equation.hpp"
 #include "core/scenario/output_rows.hpp"
+#include "core/scenario/problem_on.hpp"
 #include "core/scenario/view_rows.hpp"
-#include "core/spline/spline_domain.hpp"
 
 #include <algorithm>
 
@@ -23,7 +24,7 @@ const Type& find(const std::vector<Type>& types, std::string_view name, const ch
     std::string list;
     for (const auto& one : known) list += (list.empty() ? "" : ", ") + one;
     throw InputError("unknown " + std::string(what) + " '" + std::string(name) + "'" +
-                     did_you_mean(name, known) + "; there are: " + list);
+                     did_you_mean(name, known) + "; available: " + list);
 }
 
 bool contains(const std::vector<std::string>& list, const std::string& word) {
@@ -36,36 +37,34 @@ std::string join(const std::vector<std::string>& words) {
     return list;
 }
 
-std::string boundary_of(const Scenario& scenario) {
-    return scenario.domain.values.has("boundary") ? scenario.domain.values.text("boundary") : std::string();
-}
-
 Capability plane_capability() {
     return {.domain = "plane",
             .boundaries = {"periodic", "walls"},
             .monitors = {"ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant"},
             .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
-            .prepare = [](const Values& domain, const Progress& progress,
-                          std::stop_token) -> std::shared_ptr<const Discretisation> {
-                if (progress) progress(0, "preparing the operators of the plane");
+            .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
+                const Values& domain = context.scenario.domain.values;
+                if (context.progress) context.progress(0, "preparing the operators of the plane");
                 return std::make_shared<PlaneQ2>(LineGrid{static_cast<std::size_t>(domain.integer("cells")),
                                                           domain.text("boundary") == "periodic"});
-            }};
+            },
+            .problem = problem_on<PlaneEquation, PlaneQ2>};
 }
 
-Capability sphere_capability(const std::string& domain_type) {
-    return {.domain = domain_type,
+Capability sphere_capability(const DomainType& type, SphereGrid (*grid)(const Values&)) {
+    return {.domain = type.name,
             .boundaries = {},
             .monitors = {"x-n", "cross", "ring", "bell", "ring-and-bell", "random-bells", "random-waves",
                          "constant"},
             .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
-            .prepare = [](const Values& domain, const Progress& progress,
-                          std::stop_token stop) -> std::shared_ptr<const Discretisation> {
+            .prepare = [grid](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
+                const Values& domain = context.scenario.domain.values;
                 return std::make_shared<SurfaceQ2>(
-                    sphere_setup(sphere_grid(domain), static_cast<int>(domain.integer("geometry_order")),
+                    sphere_setup(grid(domain), static_cast<int>(domain.integer("geometry_order")),
                                  domain.real("radius"), domain.text("monitor_nodes") == "vertices"),
-                    progress, stop);
-            }};
+                    context.progress, context.stop);
+            },
+            .problem = problem_on<SurfaceEquation, SurfaceQ2>};
 }
 
 Capability spline_capability(const std::string& domain_type) {
@@ -74,11 +73,11 @@ Capability spline_capability(const std::string& domain_type) {
             .monitors = {"circle", "spiral", "three-circles", "two-circles", "cosine-waves", "sine-waves",
                          "ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant"},
             .methods = {"picard", "picard-mixed", "newton", "accelerated", "auto"},
-            .prepare = [domain_type](const Values& domain, const Progress& progress,
-                                     std::stop_token) -> std::shared_ptr<const Discretisation> {
-                if (progress) progress(0, "preparing the patch");
-                return make_spline_domain(domain_type, domain);
-            }};
+            .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
+                if (context.progress) context.progress(0, "preparing the patch");
+                return make_spline_domain(context.scenario.domain.type, context.scenario.domain.values);
+            },
+            .problem = problem_on<SplineEquation, SplineDomain>};
 }
 
 } // namespace
@@ -92,17 +91,17 @@ const MonitorType& Catalogue::monitor(std::string_view name) const {
 const MethodType& Catalogue::method(std::string_view name) const {
     return find(methods, name, "method.type");
 }
+const PdeType& Catalogue::pde(std::string_view name) const { return find(pdes, name, "pde.type"); }
 
 Catalogue builtin_catalogue() {
-    Catalogue catalogue{.domains = {plane_domain(), cubed_sphere_domain(), icosahedral_sphere_domain()},
-                        .monitors = monitor_types(),
-                        .methods = {relaxation_method(), accelerated_method(), quasi_newton_method(),
-                                    newton_method(), automatic_method(), picard_method(),
-                                    picard_mixed_method()},
-                        .capabilities = {plane_capability(), sphere_capability("cubed-sphere"),
-                                         sphere_capability("icosahedral-sphere")},
-                        .view_rows = view_rows(),
-                        .output_rows = output_rows()};
+    Catalogue catalogue{
+        .domains = {plane_domain(), cubed_sphere_domain(), icosahedral_sphere_domain()},
+        .monitors = monitor_types(),
+        .methods = {relaxation_method(), accelerated_method(), quasi_newton_method(), newton_method(),
+                    automatic_method(), picard_method(), picard_mixed_method()},
+        .capabilities = {plane_capability(), sphere_capability(cubed_sphere_domain(), cubed_sphere_grid),
+                         sphere_capability(icosahedral_sphere_domain(), icosahedral_sphere_grid)},
+        .output_rows = output_rows()};
     for (auto& domain : spline_domains()) {
         catalogue.capabilities.push_back(spline_capability(domain.name));
         catalogue.domains.push_back(std::move(domain));
@@ -114,64 +113,97 @@ Section domain_section(const Catalogue& catalogue, std::string_view type) {
     return {std::string(type), Values("domain", catalogue.domain(type).rows)};
 }
 
-Section monitor_section(const Catalogue& catalogue, std::string_view type, const Space& space) {
-    return {std::string(type), Values("monitor", catalogue.monitor(type).rows(space))};
+Section monitor_section(const Catalogue& catalogue, std::string_view type, const Space& space,
+                        const std::string& section) {
+    const MonitorType& monitor = catalogue.monitor(type);
+    auto rows = monitor.rows(space);
+    if (monitor.further_rows)
+        for (auto& row : monitor.further_rows(Values(section, rows), space)) rows.push_back(std::move(row));
+    return {std::string(type), Values(section, std::move(rows))};
 }
 
 Section method_section(const Catalogue& catalogue, std::string_view type) {
-    auto rows = catalogue.method(type).rows;
-    for (auto& row : common_method_rows()) rows.push_back(std::move(row));
-    return {std::string(type), Values("method", std::move(rows))};
+    return {std::string(type), default_values(catalogue.method(type))};
+}
+
+Section pde_section(const Catalogue& catalogue, std::string_view type) {
+    return {std::string(type), Values("pde", catalogue.pde(type).rows)};
+}
+
+Values view_section(const Catalogue& catalogue, std::string_view method) {
+    return {"view", view_rows(catalogue.method(method).fields)};
 }
 
 Scenario default_scenario(const Catalogue& catalogue) {
-    return {.name = "untitled",
-            .title = {},
-            .description = {},
-            .domain = domain_section(catalogue, catalogue.domains.front().name),
-            .monitor = monitor_section(catalogue, catalogue.monitors.front().name),
-            .method = method_section(catalogue, catalogue.methods.front().name),
-            .view = Values("view", catalogue.view_rows),
-            .output = Values("output", catalogue.output_rows)};
+    Scenario scenario{.name = "untitled",
+                      .title = {},
+                      .description = {},
+                      .domain = domain_section(catalogue, catalogue.domains.front().name),
+                      .monitor = monitor_section(catalogue, catalogue.monitors.front().name),
+                      .method = method_section(catalogue, catalogue.methods.front().name),
+                      .view = view_section(catalogue, catalogue.methods.front().name),
+                      .output = Values("output", catalogue.output_rows)};
+    update_rows(catalogue, scenario);
+    return scenario;
+}
+
+/// Whether an optional section has one of the offered types, or is absent if none is offered.
+static bool fits(const std::vector<std::string>& offered, const Section& section) {
+    return offered.empty() ? section.type.empty() : contains(offered, section.type);
 }
 
 const Capability* find_capability(const Catalogue& catalogue, const Scenario& scenario) {
-    const std::string boundary = boundary_of(scenario);
     for (const auto& row : catalogue.capabilities)
         if (row.domain == scenario.domain.type &&
-            (row.boundaries.empty() || contains(row.boundaries, boundary)) &&
+            (row.boundaries.empty() || contains(row.boundaries, scenario.domain.values.text("boundary"))) &&
             (scenario.monitor.type == own_monitor || contains(row.monitors, scenario.monitor.type)) &&
-            contains(row.methods, scenario.method.type))
+            contains(row.methods, scenario.method.type) && fits(row.targets, scenario.target) &&
+            fits(row.pdes, scenario.pde))
             return &row;
     return nullptr;
 }
 
-Problem check(const Catalogue& catalogue, Scenario scenario, std::shared_ptr<const Monitor> own) {
+[[noreturn]] static void refuse(const Catalogue& catalogue, const Scenario& scenario) {
+    std::string possible, boundary;
+    for (const auto& row : catalogue.capabilities) {
+        if (row.domain != scenario.domain.type) continue;
+        possible += "; possible: monitors " + join(row.monitors) + " with methods " + join(row.methods);
+        if (!row.boundaries.empty())
+            boundary = " with boundary '" + scenario.domain.values.text("boundary") + "'";
+    }
+    throw InputError("monitor '" + scenario.monitor.type + "' and method '" + scenario.method.type +
+                     "' cannot be combined on domain '" + scenario.domain.type + "'" + boundary + possible);
+}
+
+Problem check(const Catalogue& catalogue, Scenario scenario, const Monitor* own) {
     if (own) {
         scenario.monitor = {std::string(own_monitor), Values("monitor", {})};
         const auto made_for = own->made_for();
         if (made_for && *made_for != space_of(catalogue, scenario).kind)
-            throw InputError("the monitor is a function of " + std::string(name_of(*made_for)) +
-                             ", which domain '" + scenario.domain.type + "' is not");
+            throw InputError("the monitor is a function on " + std::string(name_of(*made_for)) +
+                             ", but domain '" + scenario.domain.type + "' is not");
     }
     const Capability* capability = find_capability(catalogue, scenario);
-    if (!capability) {
-        std::string possible;
-        for (const auto& row : catalogue.capabilities)
-            if (row.domain == scenario.domain.type)
-                possible +=
-                    "; possible there: monitors " + join(row.monitors) + " with methods " + join(row.methods);
-        const std::string boundary = boundary_of(scenario);
-        throw InputError("monitor '" + scenario.monitor.type + "' and method '" + scenario.method.type +
-                         "' do not go together on domain '" + scenario.domain.type + "'" +
-                         (boundary.empty() ? "" : " with boundary '" + boundary + "'") + possible);
-    }
-    auto monitor = std::move(own);
-    if (!monitor)
-        monitor = catalogue.monitor(scenario.monitor.type)
-                      .make(scenario.monitor.values, space_of(catalogue, scenario));
-    monitor->check();
-    return {std::move(scenario), std::move(monitor), capability};
+    if (!capability) refuse(catalogue, scenario);
+    return {std::move(scenario), capability};
+}
+
+ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenario,
+                              std::shared_ptr<const Monitor> own, const MonitorContext& context) {
+    const auto make = [&](const Section& section) {
+        const MonitorType& type = catalogue.monitor(section.type);
+        return type.make_tensor ? tensor_problem(type.make_tensor(section.values, context))
+                                : scalar_problem(type.make(section.values, context));
+    };
+    ProblemData data = own ? scalar_problem(std::move(own)) : make(scenario.monitor);
+    if (!scenario.target.type.empty()) data.target = make(scenario.target).monitor;
+    if (!scenario.pde.type.empty()) data.pde = std::make_shared<const Values>(scenario.pde.values);
+    return data;
+}
+
+bool same_problem_data(const Scenario& a, const Scenario& b) {
+    return a.domain == b.domain && a.monitor == b.monitor && a.target == b.target && a.pde == b.pde &&
+           a.folder == b.folder;
 }
 
 } // namespace gaspard

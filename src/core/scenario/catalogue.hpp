@@ -1,12 +1,13 @@
-// All there is to choose from, and what goes with what: one table of capabilities (domain x boundary x
-// monitor x method). The window greys out from it, the command line validates against it. A catalogue is a
-// value: tests add fixtures to a copy.
+// The catalogue of domains, monitors, methods and PDEs, and the table of capabilities: which domains,
+// boundaries, monitors and methods can be combined. The window disables choices and the command line
+// validates settings by this table. A catalogue is a value: tests add fixtures to a copy.
 #pragma once
 
 #include "core/mesh/discretisation.hpp"
 #include "core/mesh/domain_type.hpp"
 #include "core/method/method.hpp"
 #include "core/monitor/monitor.hpp"
+#include "core/scenario/pde_type.hpp"
 #include "core/scenario/scenario.hpp"
 
 #include <functional>
@@ -18,70 +19,103 @@
 
 namespace gaspard {
 
-/// One row: these methods and monitors work on this domain with these boundaries.
+/// Arguments of Capability::prepare, which may take long: it reports progress, and throws Interrupted if
+/// asked to stop.
+struct PrepareContext {
+    const Scenario& scenario;
+    Progress progress{};
+    std::stop_token stop{};
+};
+
+/// One row of the table: these methods and monitors work on this domain with these boundaries.
 struct Capability {
     std::string domain;
-    std::vector<std::string> boundaries; ///< of domain.boundary; empty: the domain has no such key
+    std::vector<std::string> boundaries; ///< values of domain.boundary; empty: the domain has no such key
     std::vector<std::string> monitors;
     std::vector<std::string> methods;
-    std::function<std::shared_ptr<const Discretisation>(const Values& domain, const Progress&,
-                                                        std::stop_token)>
-        prepare;
+    /// Makes the discretisation of the domain.
+    std::function<std::shared_ptr<const Discretisation>(const PrepareContext&)> prepare;
+    /// Makes the nonlinear problem on that discretisation; empty if the methods do not use one.
+    std::function<std::unique_ptr<NonlinearProblem>(std::shared_ptr<const Discretisation>)> problem{};
+    std::vector<std::string> targets{}; ///< types of section monitor.target; empty: no such section
+    std::vector<std::string> pdes{};    ///< types of section pde; empty: no such section
 };
 
 struct Catalogue {
     std::vector<DomainType> domains;
     std::vector<MonitorType> monitors;
     std::vector<MethodType> methods;
+    std::vector<PdeType> pdes{};
     std::vector<Capability> capabilities;
-    std::vector<ParameterRow> view_rows, output_rows;
+    std::vector<ParameterRow> output_rows;
 
-    /// Throw InputError for a name that is not there, with the nearest that is.
+    /// Throw InputError if the name is unknown; the message names the nearest known name.
     const DomainType& domain(std::string_view name) const;
     const MonitorType& monitor(std::string_view name) const;
     const MethodType& method(std::string_view name) const;
+    const PdeType& pde(std::string_view name) const;
 };
 
-/// What Gaspard ships.
+/// The catalogue of the program.
 Catalogue builtin_catalogue();
 
-/// A section with the defaults of a type; a monitor's rows depend on the space.
+/// A section with the default values of a type. The rows of a monitor depend on the space; `section` is
+/// "monitor" or "monitor.target".
 Section domain_section(const Catalogue& catalogue, std::string_view type);
-Section monitor_section(const Catalogue& catalogue, std::string_view type, const Space& space = {});
+Section monitor_section(const Catalogue& catalogue, std::string_view type, const Space& space = {},
+                        const std::string& section = "monitor");
 Section method_section(const Catalogue& catalogue, std::string_view type);
+Section pde_section(const Catalogue& catalogue, std::string_view type);
 
-/// The first of every type, with its defaults.
+/// The values of the section "view" for a method: its fields are among the colours.
+Values view_section(const Catalogue& catalogue, std::string_view method);
+
+/// The first domain, monitor and method of the catalogue, with default values.
 Scenario default_scenario(const Catalogue& catalogue);
 
-/// What the points of a scenario's domain know of distance.
+/// The space of the scenario's domain.
 Space space_of(const Catalogue& catalogue, const Scenario& scenario);
-/// Gives the monitor the rows that it has on the scenario's domain. Values that were chosen stay where the
-/// key is still there and allows them.
-void follow_domain(const Catalogue& catalogue, Scenario& scenario);
+/// Updates the rows of every section: monitors depend on the space of the domain, further rows on values, and
+/// the sections monitor.target and pde on domain and method. Values set by the user are kept if the key still
+/// exists and allows them.
+void update_rows(const Catalogue& catalogue, Scenario& scenario);
 
-/// Throws InputError if a scenario has no such key, or a reserved one.
+/// Updates the rows of the view for a method. Values set by the user are kept if the method allows them.
+void update_view_rows(const Catalogue& catalogue, std::string_view method, Values& view);
+
+/// Throws InputError if the scenario has no such key, or if the key is reserved.
 void check_key(const Catalogue& catalogue, Scenario& scenario, std::string_view key);
-/// Sets one value by its full key ("monitor.amplitude", "monitor.type"). A new type takes that type's
-/// defaults; with a new domain, the monitor follows. Throws InputError: unknown or reserved key, wrong kind,
-/// out of range.
+/// Throws InputError if the key is, or belongs to, a reserved section that the scenario does not have.
+void check_section(Scenario& scenario, std::string_view key);
+bool has_key(Scenario& scenario, std::string_view key);
+/// Sets one value by its full key ("monitor.amplitude", "monitor.type"). Setting a type sets the defaults of
+/// that type; setting the domain also updates the rows of the monitor. Throws InputError if the key is
+/// unknown or reserved, or if the value has the wrong kind or is out of range.
 void set_value(const Catalogue& catalogue, Scenario& scenario, std::string_view key, const Value& value);
-/// The same for a list of "key=value" texts from a command line; types first, so that the order does not
-/// matter.
+/// Like set_value, for a list of "key=value" from the command line. Types are set first, so the order does
+/// not matter. Throws InputError; the settings before the invalid one may have been applied.
 void apply_settings(const Catalogue& catalogue, Scenario& scenario, const std::vector<std::string>& settings);
 
-/// A scenario that has passed: combination allowed, monitor positive. Everything a run needs to begin.
+/// A scenario whose combination of domain, boundary, monitor and method is allowed.
 struct Problem {
     Scenario scenario;
-    std::shared_ptr<const Monitor> monitor;
     const Capability* capability = nullptr; ///< in the catalogue that checked it
 };
 
-/// Throws InputError, naming what does not go together and what would. A monitor that the caller brings takes
-/// the place of the scenario's, whose section then is of type own_monitor and has no values.
-Problem check(const Catalogue& catalogue, Scenario scenario, std::shared_ptr<const Monitor> own = {});
+/// Throws InputError if the combination is not allowed; the message names possible ones. Makes nothing and
+/// reads no file. The caller's monitor `own`, if not null, replaces that of the scenario, whose section then
+/// has the type own_monitor and no values.
+Problem check(const Catalogue& catalogue, Scenario scenario, const Monitor* own = nullptr);
 inline constexpr std::string_view own_monitor = "own";
 
-/// The row for a scenario's domain, boundary, monitor and method, or null.
+/// Makes and checks the monitors of a scenario; reads their files. `own`: the caller's monitor, or null.
+/// Throws InputError, and Interrupted if asked to stop.
+ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenario,
+                              std::shared_ptr<const Monitor> own, const MonitorContext& context);
+/// Whether two scenarios have the same problem data on the same domain.
+bool same_problem_data(const Scenario& a, const Scenario& b);
+
+/// The row for the scenario's domain, boundary, monitor and method; null if there is none.
 const Capability* find_capability(const Catalogue& catalogue, const Scenario& scenario);
 
 } // namespace gaspard

@@ -1,4 +1,4 @@
-// The rows of the section "output": what a run writes, and what the window exports.
+// The rows of section "output": which files a run writes and the window exports.
 #pragma once
 
 #include "core/base/parameter.hpp"
@@ -7,7 +7,7 @@
 
 namespace gaspard {
 
-/// Relative to the mesh's size: of a sphere, a great circle becomes 200 to 400 pieces.
+/// Relative to the mesh size. On a sphere, a great circle is divided into 200 to 400 segments.
 inline constexpr double default_curve_tolerance = 1e-4;
 
 std::vector<ParameterRow> output_rows();

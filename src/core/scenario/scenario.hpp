@@ -1,27 +1,32 @@
-// A scenario: what to solve, as plain data. Every value is there, checked against its row. `gaspard list`
-// shows all keys with their ranges; a scenario is made by default_scenario() or find_scenario(), and changed
-// by set_value().
+// A scenario describes what to solve, as plain data. It is complete, and every value is checked against its
+// row; `gaspard list` shows all keys with their ranges. Scenarios are made by default_scenario() or
+// find_scenario() and changed by set_value().
 #pragma once
 
 #include "core/base/parameter.hpp"
 
+#include <filesystem>
 #include <string>
 
 namespace gaspard {
 
-/// A section whose rows depend on its type: domain, monitor, method.
+/// A section whose rows depend on its type: domain, monitor, monitor.target, method, pde.
 struct Section {
-    std::string type;
+    std::string type; ///< empty: the problem has no such section
     Values values;
     friend bool operator==(const Section&, const Section&) = default;
 };
 
 struct Scenario {
-    std::string name;        ///< "plane-ring"; of a file: its name without the ending
-    std::string title;       ///< for people
+    std::string name;        ///< "plane-ring"; for a file its name without extension
+    std::string title;       ///< one line, shown to the user
     std::string description; ///< one line
     Section domain, monitor, method;
+    Section target{}; ///< "monitor.target": the density on the target domain
+    Section pde{};    ///< "pde": the PDE that is solved on the mesh
     Values view, output;
+    /// Base of relative paths among the values; empty: the working directory.
+    std::filesystem::path folder{};
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 

@@ -1,15 +1,18 @@
-// Setting one value of a scenario by its full key, from TOML or from a command line.
+// Setting values of a scenario by their full keys, from TOML or the command line.
 #include "core/base/check.hpp"
 #include "core/scenario/catalogue.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <functional>
+#include <optional>
 
 namespace gaspard {
 
 namespace {
 
-// Names kept for what is to come: using one now is an error with a sentence of its own.
+// Sections that only some problems have, and names reserved for future sections. If a problem does not have
+// the section, keys in it produce a specific error.
 const std::vector<std::string> reserved = {"domain.target", "monitor.target", "pde", "time"};
 
 bool starts_with_key(std::string_view key, std::string_view prefix) {
@@ -17,18 +20,32 @@ bool starts_with_key(std::string_view key, std::string_view prefix) {
            (key.starts_with(prefix) && key.size() > prefix.size() && key[prefix.size()] == '.');
 }
 
-std::vector<std::string> all_keys(const Scenario& scenario) {
-    std::vector<std::string> keys = {"domain.type", "monitor.type", "method.type"};
-    for (const Values* values : {&scenario.domain.values, &scenario.monitor.values, &scenario.method.values,
-                                 &scenario.view, &scenario.output})
-        for (const auto& row : values->rows()) keys.push_back(values->section() + "." + row.key);
+/// The sections with a type in this scenario; monitor.target precedes monitor, which is a prefix of its name.
+std::vector<Section*> typed_sections(Scenario& scenario) {
+    std::vector<Section*> sections;
+    for (Section* section :
+         {&scenario.target, &scenario.domain, &scenario.monitor, &scenario.method, &scenario.pde})
+        if (!section->type.empty()) sections.push_back(section);
+    return sections;
+}
+
+std::vector<std::string> all_keys(Scenario& scenario) {
+    std::vector<std::string> keys;
+    const auto add = [&](const Values& values) {
+        for (const auto& row : values.rows()) keys.push_back(values.section() + "." + row.key);
+    };
+    for (const Section* section : typed_sections(scenario)) {
+        keys.push_back(section->values.section() + ".type");
+        add(section->values);
+    }
+    add(scenario.view), add(scenario.output);
     return keys;
 }
 
 struct Target {
     Values* values = nullptr;   ///< the section's values
-    Section* section = nullptr; ///< where the key is a type
-    std::string key;
+    Section* section = nullptr; ///< the section that the key belongs to; null for view and output
+    std::string key;            ///< "type", or the key of a row
 };
 
 bool has_row(const std::vector<ParameterRow>& rows, std::string_view key) {
@@ -38,7 +55,8 @@ bool has_row(const std::vector<ParameterRow>& rows, std::string_view key) {
 bool same_rows(const std::vector<ParameterRow>& a, const std::vector<ParameterRow>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
         return one.key == other.key && one.minimum == other.minimum && one.maximum == other.maximum &&
-               one.default_value == other.default_value && one.unit == other.unit;
+               one.default_value == other.default_value && one.unit == other.unit &&
+               one.choices == other.choices;
     });
 }
 
@@ -48,18 +66,18 @@ std::string list_keys(const Values& values) {
     return list;
 }
 
-/// A key that another domain has, or the monitor on another domain: it is known, but has no meaning here.
+/// Throws a specific InputError if the key belongs to another domain, or to this monitor on another domain.
 void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, std::string_view full_key,
                         std::string_view section, std::string_view key) {
     const auto refuse = [&](const Values& here, const std::string& where) {
-        throw InputError(std::string(full_key) + " has no meaning on domain '" + scenario.domain.type + "'" +
-                         where + "; there are: " + list_keys(here));
+        throw InputError(std::string(full_key) + " is not a key for domain '" + scenario.domain.type + "'" +
+                         where + "; available: " + list_keys(here));
     };
     if (section == "domain") {
         std::string owners;
         for (const auto& type : catalogue.domains)
             if (has_row(type.rows, key)) owners += (owners.empty() ? "'" : " and '") + type.name + "'";
-        if (!owners.empty()) refuse(scenario.domain.values, ", it belongs to " + owners);
+        if (!owners.empty()) refuse(scenario.domain.values, ", but for " + owners);
     }
     if (section == "monitor" && scenario.monitor.type != own_monitor)
         for (const auto kind : {SpaceKind::euclidean, SpaceKind::sphere})
@@ -67,33 +85,78 @@ void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, st
                 refuse(scenario.monitor.values, "");
 }
 
+std::optional<Target> find_target(Scenario& scenario, std::string_view full_key) {
+    const auto key_in = [&](const Values& values) {
+        const std::string& name = values.section();
+        if (!starts_with_key(full_key, name) || full_key.size() == name.size()) return std::string();
+        return std::string(full_key.substr(name.size() + 1));
+    };
+    for (Section* section : typed_sections(scenario)) {
+        const std::string key = key_in(section->values);
+        if (key == "type" || section->values.has(key)) return Target{&section->values, section, key};
+    }
+    for (Values* values : {&scenario.view, &scenario.output})
+        if (const std::string key = key_in(*values); values->has(key)) return Target{values, nullptr, key};
+    return std::nullopt;
+}
+
 Target locate(const Catalogue& catalogue, Scenario& scenario, std::string_view full_key) {
-    for (const auto& name : reserved)
-        if (starts_with_key(full_key, name))
-            throw InputError(std::string(full_key) + ": " + name +
-                             " is reserved and has no meaning for domain '" + scenario.domain.type + "'");
+    check_section(scenario, full_key);
+    if (auto target = find_target(scenario, full_key)) return *target;
     const auto dot = full_key.find('.');
     const std::string_view section = full_key.substr(0, dot);
     const std::string key(dot == std::string_view::npos ? std::string_view() : full_key.substr(dot + 1));
-    for (Section* typed : {&scenario.domain, &scenario.monitor, &scenario.method})
-        if (section == typed->values.section()) {
-            if (key == "type") return {nullptr, typed, key};
-            if (typed->values.has(key)) return {&typed->values, nullptr, key};
-        }
-    for (Values* values : {&scenario.view, &scenario.output})
-        if (section == values->section() && values->has(key)) return {values, nullptr, key};
     refuse_foreign_key(catalogue, scenario, full_key, section, key);
     throw InputError("unknown key " + std::string(full_key) + did_you_mean(full_key, all_keys(scenario)));
 }
 
 void set_type(const Catalogue& catalogue, Scenario& scenario, Section& section, const std::string& type) {
-    if (&section == &scenario.domain) {
+    const std::string name = section.values.section();
+    if (&section == &scenario.domain)
         section = domain_section(catalogue, type);
-        follow_domain(catalogue, scenario);
-    } else if (&section == &scenario.monitor)
-        section = monitor_section(catalogue, type, space_of(catalogue, scenario));
-    else
+    else if (&section == &scenario.method)
         section = method_section(catalogue, type);
+    else if (&section == &scenario.pde)
+        section = pde_section(catalogue, type);
+    else
+        section = monitor_section(catalogue, type, space_of(catalogue, scenario), name);
+    update_rows(catalogue, scenario);
+}
+
+/// Copies values that differ from the default, if the key still exists and allows them.
+void carry_over(const Values& before, Values& after) {
+    for (const auto& row : after.rows()) {
+        if (!before.has(row.key) || is_default(before, row.key)) continue;
+        try {
+            after.set(row.key, before.at(row.key));
+        } catch (const InputError&) { // out of the new range: keep the default
+        }
+    }
+}
+
+void update_monitor_rows(const Catalogue& catalogue, const Space& space, Section& section) {
+    if (section.type.empty() || section.type == own_monitor) return;
+    const MonitorType& type = catalogue.monitor(section.type);
+    const std::string name = section.values.section();
+    Values values(name, type.rows(space));
+    if (type.further_rows) {
+        carry_over(section.values, values);
+        auto rows = values.rows();
+        for (auto& row : type.further_rows(values, space)) rows.push_back(std::move(row));
+        values = Values(name, std::move(rows));
+    }
+    if (same_rows(values.rows(), section.values.rows())) return;
+    carry_over(section.values, values);
+    section.values = std::move(values);
+}
+
+/// Adds, keeps or removes a section that only some domains and methods have; `offered`: its possible types.
+template <class Make>
+void update_optional(Section& section, const std::vector<std::string>& offered, const Make& make) {
+    if (offered.empty())
+        section = {};
+    else if (std::find(offered.begin(), offered.end(), section.type) == offered.end())
+        section = make(offered.front());
 }
 
 } // namespace
@@ -102,50 +165,93 @@ Space space_of(const Catalogue& catalogue, const Scenario& scenario) {
     return catalogue.domain(scenario.domain.type).space(scenario.domain.values);
 }
 
-void follow_domain(const Catalogue& catalogue, Scenario& scenario) {
-    if (scenario.monitor.type == own_monitor) return; // its caller's business
-    const Values before = scenario.monitor.values;
-    Section section = monitor_section(catalogue, scenario.monitor.type, space_of(catalogue, scenario));
-    if (same_rows(section.values.rows(), before.rows())) return;
-    for (const auto& row : section.values.rows()) {
-        if (!before.has(row.key) || is_default(before, row.key)) continue;
-        try {
-            section.values.set(row.key, before.at(row.key));
-        } catch (const InputError&) { // out of the range that it has here: the default stands
-        }
+void update_rows(const Catalogue& catalogue, Scenario& scenario) {
+    const Space space = space_of(catalogue, scenario);
+    std::vector<std::string> targets, pdes;
+    for (const Capability& row : catalogue.capabilities) {
+        if (row.domain != scenario.domain.type) continue;
+        if (std::find(row.methods.begin(), row.methods.end(), scenario.method.type) == row.methods.end())
+            continue;
+        targets.insert(targets.end(), row.targets.begin(), row.targets.end());
+        pdes.insert(pdes.end(), row.pdes.begin(), row.pdes.end());
     }
-    scenario.monitor = std::move(section);
+    update_optional(scenario.target, targets, [&](const std::string& type) {
+        return monitor_section(catalogue, type, space, "monitor.target");
+    });
+    update_optional(scenario.pde, pdes,
+                    [&](const std::string& type) { return pde_section(catalogue, type); });
+    update_monitor_rows(catalogue, space, scenario.monitor);
+    update_monitor_rows(catalogue, space, scenario.target);
+    update_view_rows(catalogue, scenario.method.type, scenario.view);
+}
+
+void update_view_rows(const Catalogue& catalogue, std::string_view method, Values& view) {
+    Values now = view_section(catalogue, method);
+    if (same_rows(now.rows(), view.rows())) return;
+    carry_over(view, now);
+    view = std::move(now);
 }
 
 void check_key(const Catalogue& catalogue, Scenario& scenario, std::string_view key) {
     locate(catalogue, scenario, key);
 }
 
+void check_section(Scenario& scenario, std::string_view key) {
+    const auto sections = typed_sections(scenario);
+    const auto present = [&](const std::string& name) {
+        return std::any_of(sections.begin(), sections.end(),
+                           [&](const Section* section) { return section->values.section() == name; });
+    };
+    for (const auto& name : reserved)
+        if (starts_with_key(key, name) && !present(name))
+            throw InputError(std::string(key) + ": " + name + " is reserved and not available for domain '" +
+                             scenario.domain.type + "'");
+}
+
+bool has_key(Scenario& scenario, std::string_view key) { return find_target(scenario, key).has_value(); }
+
 void set_value(const Catalogue& catalogue, Scenario& scenario, std::string_view key, const Value& value) {
     const Target target = locate(catalogue, scenario, key);
-    if (target.values) return target.values->set(target.key, value);
-    const auto* type = std::get_if<std::string>(&value);
-    if (!type) throw InputError(std::string(key) + " wants a name, not '" + format_value(value) + "'");
-    set_type(catalogue, scenario, *target.section, *type);
+    if (target.section && target.key == "type") {
+        const auto* type = std::get_if<std::string>(&value);
+        if (!type) throw InputError(std::string(key) + " must be a name, not '" + format_value(value) + "'");
+        return set_type(catalogue, scenario, *target.section, *type);
+    }
+    Scenario changed = scenario; // update_rows may throw; then nothing changes
+    const Target there = *find_target(changed, key);
+    there.values->set(there.key, value);
+    if (there.section) update_rows(catalogue, changed);
+    scenario = std::move(changed);
 }
 
 void apply_settings(const Catalogue& catalogue, Scenario& scenario,
                     const std::vector<std::string>& settings) {
-    std::vector<std::pair<std::string, std::string>> pairs;
+    std::deque<std::pair<std::string, std::string>> pairs;
     for (const auto& setting : settings) {
         const auto equals = setting.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw InputError("--set wants key=value, not '" + setting + "'");
+            throw InputError("--set must be key=value, not '" + setting + "'");
         pairs.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
     }
     std::stable_partition(pairs.begin(), pairs.end(),
                           [](const auto& pair) { return pair.first.ends_with(".type"); });
-    for (const auto& [key, text] : pairs) {
+    // Some keys exist only after another one is set (the constants of a formula); they are postponed.
+    for (std::size_t waiting = 0; !pairs.empty();) {
+        auto [key, text] = std::move(pairs.front());
+        pairs.pop_front();
+        if (!has_key(scenario, key) && waiting < pairs.size()) {
+            ++waiting;
+            pairs.emplace_back(std::move(key), std::move(text));
+            continue;
+        }
+        waiting = 0;
         const Target target = locate(catalogue, scenario, key);
-        if (target.section)
+        if (target.section && target.key == "type") {
             set_type(catalogue, scenario, *target.section, text);
-        else
+        } else {
             target.values->parse(target.key, text);
+            if (target.section) update_rows(catalogue, scenario);
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 #include "core_assets.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <sstream>
 #include <toml++/toml.h>
 
@@ -21,19 +22,37 @@ Value to_value(const toml::node& node, const std::string& key) {
     if (const auto* whole = node.as_integer()) return whole->get();
     if (const auto* boolean = node.as_boolean()) return boolean->get();
     if (const auto* text = node.as_string()) return text->get();
-    throw InputError(key + " wants a single value, not a section or a list");
+    throw InputError(key + " must be a single value, not a section or a list");
 }
 
-// Sets every key of one table, its type first, and says where an error is.
+/// Sets every key of one table, its type first. Keys that do not exist yet are postponed, because they may
+/// depend on the values of others. Errors name file and line.
 void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::table& table,
                   const std::string& section, const std::string& origin) {
-    std::vector<std::pair<std::string, const toml::node*>> entries;
+    std::deque<std::pair<std::string, const toml::node*>> entries;
     for (const auto& [key, node] : table) entries.emplace_back(section + "." + std::string(key.str()), &node);
     std::stable_partition(entries.begin(), entries.end(),
                           [&](const auto& entry) { return entry.first == section + ".type"; });
-    for (const auto& [key, node] : entries) {
+    if (entries.empty()) {
         try {
-            check_key(catalogue, scenario, key); // reserved and unknown sections have a sentence of their own
+            check_section(scenario, section);
+        } catch (const InputError& error) {
+            throw InputError(place(origin, table.source()) + error.what());
+        }
+    }
+    for (std::size_t waiting = 0; !entries.empty();) {
+        const auto [key, node] = entries.front();
+        entries.pop_front();
+        const bool subsection = key == "monitor.target" && node->is_table();
+        if (subsection) continue; // parse_scenario reads it after this table
+        if (!has_key(scenario, key) && waiting < entries.size()) {
+            ++waiting;
+            entries.emplace_back(key, node);
+            continue;
+        }
+        waiting = 0;
+        try {
+            check_key(catalogue, scenario, key); // has specific messages for reserved and unknown sections
             set_value(catalogue, scenario, key, to_value(*node, key));
         } catch (const InputError& error) {
             throw InputError(place(origin, node->source()) + error.what());
@@ -47,7 +66,7 @@ std::string quoted(const std::string& text) {
     return out.str();
 }
 
-// A real keeps its point, so that it reads back as a real.
+// A real number keeps its decimal point, so that it is read back as a real number.
 std::string toml_value(const Value& value) {
     if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
     std::string number = format_value(value);
@@ -65,7 +84,7 @@ void write_section(std::ostream& out, const std::string& type, const Values& val
 } // namespace
 
 Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const std::string& origin) {
-    const std::vector<std::string> sections = {"domain", "monitor", "method", "view", "output"};
+    const std::vector<std::string> sections = {"domain", "method", "monitor", "pde", "view", "output"};
     toml::table document;
     try {
         document = toml::parse(text, origin);
@@ -78,29 +97,35 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
         const std::string name(key.str());
         try {
             if (name == "title" || name == "description") {
-                if (!node.is_string()) throw InputError(name + " wants a text");
+                if (!node.is_string()) throw InputError(name + " must be a string");
                 (name == "title" ? scenario.title : scenario.description) = node.as_string()->get();
             } else if (std::find(sections.begin(), sections.end(), name) != sections.end()) {
-                if (!node.is_table()) throw InputError(name + " is a section: write [" + name + "]");
+                if (!node.is_table()) throw InputError(name + " is a section; write [" + name + "]");
             } else {
                 auto known = sections;
                 known.insert(known.end(), {"title", "description"});
-                if (name == "pde" || name == "time") check_key(catalogue, scenario, name);
+                if (name == "time") check_key(catalogue, scenario, name);
                 throw InputError("unknown section or key '" + name + "'" + did_you_mean(name, known));
             }
         } catch (const InputError& error) {
             throw InputError(place(origin, node.source()) + error.what());
         }
     }
-    // Domain first: what is reserved depends on it.
-    for (const auto& name : sections)
+    // Domain and method first: the available sections and rows depend on them.
+    for (const auto& name : sections) {
         if (const auto* table = document[name].as_table())
             read_section(catalogue, scenario, *table, name, origin);
+        if (name != "monitor") continue;
+        if (const auto* table = document[name]["target"].as_table())
+            read_section(catalogue, scenario, *table, "monitor.target", origin);
+    }
     return scenario;
 }
 
 Scenario load_scenario(const Catalogue& catalogue, const std::filesystem::path& file) {
-    return parse_scenario(catalogue, read_file(file), file.string());
+    Scenario scenario = parse_scenario(catalogue, read_file(file), file.string());
+    scenario.folder = file.parent_path();
+    return scenario;
 }
 
 std::string to_toml(const Scenario& scenario) {
@@ -109,14 +134,14 @@ std::string to_toml(const Scenario& scenario) {
     out << "title = " << quoted(scenario.title) << "\n";
     out << "description = " << quoted(scenario.description) << "\n";
     write_section(out, scenario.domain.type, scenario.domain.values);
-    write_section(out, scenario.monitor.type, scenario.monitor.values);
-    write_section(out, scenario.method.type, scenario.method.values);
+    for (const Section* section : {&scenario.monitor, &scenario.target, &scenario.method, &scenario.pde})
+        if (!section->values.section().empty()) write_section(out, section->type, section->values);
     write_section(out, {}, scenario.view);
     write_section(out, {}, scenario.output);
     return out.str();
 }
 
-/// By letters, but numbers in them by their size: x8 before x16.
+/// Natural order: alphabetical, with numbers compared by value (x8 before x16).
 static bool comes_before(std::string_view a, std::string_view b) {
     const auto [at, bt] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
     std::size_t begin = static_cast<std::size_t>(at - a.begin());
@@ -155,8 +180,8 @@ Scenario find_scenario(const Catalogue& catalogue, const std::string& name_or_fi
         names.emplace_back(builtin.name);
     }
     if (name_or_file.ends_with(".toml")) return load_scenario(catalogue, name_or_file);
-    throw InputError("there is no scenario '" + name_or_file + "'" + did_you_mean(name_or_file, names) +
-                     "; `gaspard list scenarios` shows them, and a file's name ends in .toml");
+    throw InputError("unknown scenario '" + name_or_file + "'" + did_you_mean(name_or_file, names) +
+                     "; see `gaspard list scenarios`, or give a file whose name ends in .toml");
 }
 
 } // namespace gaspard

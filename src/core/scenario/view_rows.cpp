@@ -1,6 +1,9 @@
 #include "core/scenario/view_rows.hpp"
 
+#include "core/base/check.hpp"
 #include "core/scenario/view_directions.hpp"
+
+#include <algorithm>
 
 namespace gaspard {
 
@@ -45,7 +48,21 @@ ParameterRow pixels(const char* key, const char* label, std::int64_t value) {
             .minimum = 64,
             .maximum = 8192,
             .default_value = value,
-            .help = "size of the picture"};
+            .help = "size of the image"};
+}
+
+ParameterRow colour_row(std::span<const FieldInfo> further) {
+    ParameterRow row = choice("color", "Colour by", {"monitor"},
+                              "what the cells are filled with; equidistribution is Mᵢ / mean − 1");
+    row.choices.clear();
+    for (const FieldInfo& field : mesh_colours()) row.choices.push_back(field.name);
+    for (const FieldInfo& field : further) {
+        if (std::find(row.choices.begin(), row.choices.end(), field.name) != row.choices.end()) continue;
+        row.choices.push_back(field.name);
+        if (!field.help.empty()) row.help += "; " + field.name + ": " + field.help;
+    }
+    row.choices.emplace_back("none");
+    return row;
 }
 
 std::vector<std::string> direction_names() {
@@ -56,57 +73,85 @@ std::vector<std::string> direction_names() {
 
 } // namespace
 
-std::vector<ParameterRow> view_rows() {
+const std::vector<FieldInfo>& mesh_colours() {
+    static const std::vector<FieldInfo> table = {
+        {.name = "monitor", .label = "monitor", .symbol = "m", .help = "m at the nodes"},
+        {.name = "area",
+         .label = "cell area",
+         .place = FieldPlace::cell,
+         .help = "of the physical cell; length of a line, volume of a solid"},
+        {.name = "jacobian",
+         .label = "Jacobian",
+         .symbol = "det(∂x/∂ξ)",
+         .place = FieldPlace::cell,
+         .centre = 1,
+         .help = "smallest sampled in each cell"},
+        {.name = "equidistribution",
+         .label = "equidistribution",
+         .place = FieldPlace::cell,
+         .centre = 0,
+         .help = "Mᵢ / mean − 1 of each cell: 0 where the monitor is equidistributed"},
+        {.name = "displacement",
+         .label = "displacement",
+         .symbol = "|x − ξ|",
+         .help = "|x − ξ| of the nodes"}};
+    return table;
+}
+
+const FieldInfo& mesh_colour(std::string_view name) {
+    for (const FieldInfo& field : mesh_colours())
+        if (field.name == name) return field;
+    check_failed("the field is one of mesh_colours()");
+}
+
+std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further) {
     return {
-        choice("color", "Colour by",
-               {"monitor", "area", "jacobian", "equidistribution", "displacement", "none"},
-               "what the cells are filled with; equidistribution is M_i / mean - 1"),
+        colour_row(further),
         {.key = "blend",
          .label = "Blend",
          .symbol = "t",
          .minimum = 0,
          .maximum = 1,
          .default_value = 1.0,
-         .help = "nodes are shown at xi + t (x - xi): 0 is the computational, 1 the physical mesh"},
+         .help = "nodes are shown at ξ + t (x − ξ): 0 is the computational, 1 the physical mesh"},
         choice("map", "Colour map",
                {"automatic", "viridis", "plasma", "ember", "grey", "blue-yellow", "blue-red"},
                "automatic: viridis, or blue-red around zero; blue-yellow is safe for colour-blind people"),
-        boolean("log", "Log scale", false, "colours by the logarithm, where values are not negative"),
+        boolean("log", "Log scale", false, "logarithmic colour scale, for values that are not negative"),
         choice("range", "Range", {"automatic", "fixed"},
-               "which values the colours span: those of the mesh, or from low to high"),
+               "the values that the colours span: all values of the mesh, or low to high"),
         real("low", "Low", 0, "the lowest colour's value, where the range is fixed"),
         real("high", "High", 1, "the highest colour's value, where the range is fixed"),
-        boolean("histogram", "Histogram", true, "how often each colour occurs, beside the legend"),
+        boolean("histogram", "Histogram", true, "histogram of the values, beside the legend"),
         boolean("lines", "Lines", true, "the cells' edges"),
-        boolean("arrows", "Arrows", false, "from xi to x, as many as there is room for"),
+        boolean("arrows", "Arrows", false, "from ξ to x, as many as fit"),
         choice(
             "layout", "Layout", {"single", "side-by-side", "front-and-rear", "map", "runs"},
             "side-by-side: computational and physical mesh; front-and-rear: a mesh in space from both sides; "
             "map: a sphere on Hammer's equal-area map; runs: in the window, the meshes of all runs"),
         {.key = "map_longitude",
          .label = "Map centre",
-         .unit = "degrees",
+         .unit = "°",
          .minimum = -180,
          .maximum = 180,
          .default_value = 0.0,
-         .help = "the longitude in the middle of the map, east of 0"},
+         .help = "longitude of the middle of the map, degrees east"},
         choice("overlay", "Overlay", {"none", "exact"},
                "exact: the lines of the exact mesh over the computed one, where the exact map is known"),
         choice("direction", "Direction", direction_names(),
                "where a mesh in space is seen from; z points up"),
         text("camera", "Camera",
-             "where one looks from, as copied from the window; empty: all of the mesh; axes alone ('right 0 "
-             "1 0 up 0 0 "
-             "1'): all of it, seen so"),
-        text("map_camera", "Map camera", "where one looks at the map from; empty: all of it"),
+             "position of the camera, as copied from the window; empty: the whole mesh; axes alone "
+             "('right 0 1 0 up 0 0 1'): the whole mesh from that direction"),
+        text("map_camera", "Map camera", "position of the camera over the map; empty: the whole map"),
         {.key = "spin",
          .label = "Spin",
-         .unit = "degrees/s",
+         .unit = "°/s",
          .minimum = -90,
          .maximum = 90,
          .default_value = 0.0,
-         .help = "how fast a mesh in space turns eastward in the window; pictures in files show the start"},
-        text("pick", "Picked", "what the card describes: 'cell 12' or 'node 7'; may be empty"),
+         .help = "how fast a mesh in space turns eastward in the window; images in files show the start"},
+        text("pick", "Picked", "the cell or node that is described: 'cell 12' or 'node 7'; may be empty"),
         pixels("width", "Width", 1200),
         pixels("height", "Height", 900),
         choice("theme", "Theme", {"dark", "light"}, "light: dark on white, for paper")};

@@ -1,12 +1,21 @@
 // The rows of the section "view": how a viewport shows a run.
 #pragma once
 
+#include "core/base/field.hpp"
 #include "core/base/parameter.hpp"
 
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace gaspard {
 
-std::vector<ParameterRow> view_rows();
+/// What cells can be coloured by on every mesh; tessellate/colouring.hpp makes the values.
+const std::vector<FieldInfo>& mesh_colours();
+/// The one of that name, which must be there.
+const FieldInfo& mesh_colour(std::string_view name);
+
+/// `further`: other fields to colour by (MethodType::fields).
+std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further = {});
 
 } // namespace gaspard

@@ -33,6 +33,7 @@ Scenario with_method(const Catalogue& catalogue, const Scenario& scenario, const
     Scenario changed = scenario;
     if (method == scenario.method.type) return changed;
     changed.method = method_section(catalogue, method);
+    update_view_rows(catalogue, method, changed.view);
     for (const ParameterRow& row : common_method_rows())
         if (scenario.method.values.has(row.key))
             changed.method.values.set(row.key, scenario.method.values.at(row.key));
@@ -49,9 +50,10 @@ ComparisonRow comparison_row(const std::string& method, const std::vector<StepRe
     row.residual = last.residual;
     row.status = last.status;
     const auto measured = std::find_if(history.rbegin(), history.rend(),
-                                       [](const StepReport& report) { return report.equidistribution; });
+                                       [](const StepReport& report) { return report.measured(); });
     if (measured != history.rend())
-        row.equidistribution = measured->equidistribution, row.tangled_cells = measured->tangled_cells;
+        row.equidistribution = measured->value("equidistribution"),
+        row.tangled_cells = measured->tangled_cells;
     return row;
 }
 

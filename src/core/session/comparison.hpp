@@ -1,4 +1,4 @@
-// Several methods on one problem: which ones can be compared, and the table of what came out.
+// Comparison of several methods on one problem: the applicable methods, and the table of results.
 #pragma once
 
 #include "core/scenario/catalogue.hpp"
@@ -11,31 +11,31 @@
 
 namespace gaspard {
 
-/// The methods that go with a scenario's domain, boundary and monitor, in the catalogue's order.
+/// The methods that can be combined with the scenario's domain, boundary and monitor, in catalogue order.
 std::vector<std::string> methods_for(const Catalogue& catalogue, const Scenario& scenario);
 
-/// The same problem for another method, to the same tolerance and with as many iterations at most. Its own
-/// parameters are the scenario's where that has this very method, else their defaults.
+/// The same problem with another method and the same common_method_rows() values (tolerance, max_iterations,
+/// ...). The other parameters of the method have default values, unless it is the method of the scenario.
 Scenario with_method(const Catalogue& catalogue, const Scenario& scenario, const std::string& method);
 
-/// What one method made of the problem.
+/// The results of one method.
 struct ComparisonRow {
     std::string method;
     int iterations = 0;
-    int inner_iterations = 0; ///< of the linear solver, in all
-    double cpu_seconds = 0;   ///< of solving
+    int inner_iterations = 0; ///< total iterations of the linear solver
+    double cpu_seconds = 0;   ///< CPU time of the iteration
     double residual = 0;
     std::optional<double> equidistribution{};
     std::optional<std::size_t> tangled_cells{};
     RunStatus status = RunStatus::preparing;
 };
-/// Of a history; one without rows gives a row without numbers.
+/// The row for the history of a run; an empty history gives a row with status preparing.
 ComparisonRow comparison_row(const std::string& method, const std::vector<StepReport>& history);
 
-/// The table's columns: heads, and the cells of a row as texts for people.
+/// Column headings of the table, and the cells of a row as text.
 std::vector<std::string> comparison_heads();
 std::vector<std::string> comparison_cells(const ComparisonRow& row);
-/// The table with all digits; names as in `gaspard run`'s files.
+/// The table as CSV with all digits; column names as in the files of `gaspard run`.
 std::string comparison_csv(const std::vector<ComparisonRow>& rows);
 
 } // namespace gaspard

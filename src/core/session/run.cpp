@@ -4,6 +4,8 @@
 #include "core/base/stopwatch.hpp"
 #include "core/diagnostics/exact_map.hpp"
 #include "core/diagnostics/quality.hpp"
+#include "core/method/nonlinear_problem.hpp"
+#include "core/scenario/view_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,21 +16,41 @@ namespace gaspard {
 
 namespace {
 
-// Theta is the integral of m over the physical domain, which a map of the domain to itself keeps; the
-// residual is measured in units of theta.
-constexpr double divergence_factor =
-    1e3; // of the first theta; of the first residual, or of 1 where that is larger
-constexpr double worthwhile = 0.999; // a residual counts as better when it is below this part of the best
-constexpr int patience = 200;        // iterations without a better residual
+// A run has diverged if a bounded series (theta) exceeds divergence_factor times its first value, or the
+// residual exceeds divergence_factor times max(1, first residual).
+constexpr double divergence_factor = 1e3;
+constexpr double worthwhile = 0.999; // an improvement is a residual below this fraction of the best one
+constexpr int patience = 200;        // iterations without improvement after which a run has stalled
 
 } // namespace
 
 std::shared_ptr<const Discretisation> prepare(const Problem& problem, const Progress& progress,
                                               std::stop_token stop) {
-    auto discretisation = problem.capability->prepare(problem.scenario.domain.values, progress, stop);
+    auto discretisation = problem.capability->prepare({problem.scenario, progress, stop});
     if (stop.stop_requested()) throw Interrupted();
     GASPARD_CHECK(discretisation != nullptr);
     return discretisation;
+}
+
+MonitorContext Run::monitor_context(const Scenario& scenario, const Discretisation& discretisation,
+                                    const Progress& progress, std::stop_token stop) const {
+    return {.space = space_of(*catalogue_, scenario),
+            .discretisation = &discretisation,
+            .folder = scenario.folder,
+            .progress = progress,
+            .stop = std::move(stop)};
+}
+
+std::unique_ptr<Method> Run::make_method(const Problem& problem,
+                                         std::shared_ptr<const Discretisation> discretisation,
+                                         const Progress& progress, std::stop_token stop) const {
+    MethodContext context{.discretisation = discretisation, .progress = progress, .stop = std::move(stop)};
+    if (const auto& make = problem.capability->problem)
+        context.problem = [make, discretisation] { return make(discretisation); };
+    const Section& section = problem.scenario.method;
+    auto method = catalogue_->method(section.type).make(context, section.values);
+    method->use_threads(options_.threads);
+    return method;
 }
 
 Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptions options,
@@ -37,33 +59,34 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
       problem_(check(*catalogue_, std::move(scenario))) {
     const Stopwatch watch;
     discretisation_ = prepare(problem_, progress, stop);
-    method_ = catalogue_->method(problem_.scenario.method.type)
-                  .make(discretisation_, problem_.scenario.method.values, progress, stop);
-    method_->use_threads(options_.threads);
+    data_ = make_problem_data(*catalogue_, problem_.scenario, own_,
+                              monitor_context(problem_.scenario, *discretisation_, progress, stop));
+    method_ = make_method(problem_, discretisation_, progress, stop);
     make_meter();
     find_exact_map();
+    name_series();
     State state = method_->initial_state();
     if (options_.start) {
         auto adopted = method_->adopt(*options_.start, nullptr);
         if (!adopted)
-            throw InputError("the start state is of '" + options_.start->layout + "', which does not fit '" +
-                             state.layout + "'");
+            throw InputError("the start state has layout '" + options_.start->layout +
+                             "', which is not compatible with '" + state.layout + "'");
         state = std::move(*adopted);
     }
     setup_seconds_ = watch.seconds();
-    const Evaluation evaluation = first_look(problem_, state);
+    const Evaluation evaluation = first_look(data_, state);
     begin(std::move(state), evaluation);
 }
 
 Run::Run(Run&&) noexcept = default;
 Run::~Run() = default;
 
-// A state or a monitor of the caller's may be unfit; one of our own may not.
-Evaluation Run::first_look(const Problem& problem, const State& state) {
-    const Evaluation evaluation = method_->evaluate(*problem.monitor, state, {});
+// Only a state or monitor of the caller may have no finite residual.
+Evaluation Run::first_look(const ProblemData& data, const State& state) {
+    const Evaluation evaluation = method_->evaluate(data, state, {});
     if (std::isfinite(evaluation.residual)) return evaluation;
-    GASPARD_CHECK(options_.start || problem.scenario.monitor.type == own_monitor);
-    throw InputError("the start state has no finite residual for this monitor");
+    GASPARD_CHECK(options_.start || data.monitor != data_.monitor || own_);
+    throw InputError("the residual of the start state is not finite for this monitor");
 }
 
 void Run::make_meter() {
@@ -74,9 +97,21 @@ void Run::make_meter() {
 void Run::find_exact_map() {
     exact_.reset();
     if (space().kind != SpaceKind::sphere) return;
-    if (const auto map = ExactMap::of(*problem_.monitor))
+    if (const auto map = ExactMap::of(*data_.monitor))
         exact_ = std::make_shared<const Points>(map->apply(discretisation_->mesh()->nodes));
 }
+
+/// Once the method and the exact map are there.
+void Run::name_series() {
+    std::vector<SeriesInfo> diagnostics = quality_series();
+    if (exact_)
+        for (SeriesInfo& one : exact_series()) diagnostics.push_back(std::move(one));
+    auto table = std::make_shared<const SeriesTable>(method_type().residual, std::move(diagnostics),
+                                                     method_->series());
+    if (!series_ || series_->all() != table->all()) series_ = std::move(table);
+}
+
+const MethodType& Run::method_type() const { return catalogue_->method(problem_.scenario.method.type); }
 
 void Run::begin(State state, const Evaluation& evaluation) {
     state_ = last_untangled_ = std::move(state);
@@ -93,20 +128,25 @@ void Run::restart_judging() {
 
 void Run::reset() {
     State state = method_->initial_state();
-    const Evaluation evaluation = first_look(problem_, state);
+    const Evaluation evaluation = first_look(data_, state);
     ++epoch_;
     begin(std::move(state), evaluation);
 }
 
 void Run::follow(std::shared_ptr<const Monitor> monitor) {
-    if (!monitor) throw InputError("there is no monitor to follow");
-    Problem problem = check(*catalogue_, problem_.scenario, monitor);
+    if (!monitor) throw InputError("Run::follow: the monitor is null");
+    Problem problem = check(*catalogue_, problem_.scenario, monitor.get());
+    ProblemData data = data_;
+    data.monitor = scalar_problem(monitor).monitor;
+    data.tensor.reset();
     const bool back = status() == RunStatus::diverged || status() == RunStatus::tangled;
     State state = back ? last_untangled_ : state_;
-    const Evaluation evaluation = first_look(problem, state);
+    const Evaluation evaluation = first_look(data, state);
+    data_ = std::move(data);
     own_ = std::move(monitor);
     problem_ = std::move(problem);
     find_exact_map();
+    name_series();
     ++epoch_;
     begin(std::move(state), evaluation);
 }
@@ -128,8 +168,8 @@ const StepReport& Run::step(std::stop_token stop) {
     last_finite_ = state_;
     Evaluation evaluation;
     try {
-        evaluation = method_->step(*problem_.monitor, state_, stop);
-    } catch (...) { // half a step is none
+        evaluation = method_->step(data_, state_, stop);
+    } catch (...) { // undo the incomplete step
         state_ = last_finite_;
         throw;
     }
@@ -144,26 +184,27 @@ const StepReport& Run::step(std::stop_token stop) {
     return history_.back();
 }
 
-// Numbers that are not finite go no further than this: the run ends with the last iterate that was.
+// If an update is not finite, the run ends with the iterate before it.
 void Run::take_back(Evaluation& evaluation, std::string& note) {
     const Evaluation lost = evaluation;
     state_ = last_finite_;
-    evaluation = method_->evaluate(*problem_.monitor, state_, {});
+    evaluation = method_->evaluate(data_, state_, {});
     evaluation.step_size = lost.step_size;
     evaluation.inner_iterations = lost.inner_iterations;
     not_finite_ = true;
-    note = "the last update was not finite and was taken back";
+    note = "the last update was not finite and was discarded";
 }
 
 void Run::record(const Evaluation& evaluation, int iteration, std::string note) {
     StepReport report{.iteration = iteration,
                       .residual = evaluation.residual,
-                      .theta = evaluation.theta,
                       .step_size = evaluation.step_size,
                       .inner_iterations = evaluation.inner_iterations,
                       .seconds = seconds_,
                       .cpu_seconds = cpu_seconds_,
-                      .note = std::move(note)};
+                      .note = std::move(note),
+                      .series = series_};
+    take_series(evaluation.series, report);
     ++version_;
     measured_ = false;
     report.status = judge(report, report.note);
@@ -173,27 +214,48 @@ void Run::record(const Evaluation& evaluation, int iteration, std::string note) 
     history_.push_back(std::move(report));
 }
 
+/// The values that every iterate has; those that are measured stay empty.
+void Run::take_series(const SeriesValues& values, StepReport& report) const {
+    const auto& all = series_->all();
+    report.values.assign(series_->slots(), std::numeric_limits<double>::quiet_NaN());
+    const double* next = values.begin();
+    for (std::size_t i = series_->first_of_method(); i < all.size(); ++i) {
+        if (all[i].measured) continue;
+        GASPARD_CHECK(next != values.end());
+        report.values[series_->slot(i)] = *next++;
+    }
+    GASPARD_CHECK(next == values.end());
+}
+
+bool Run::out_of_bounds(const StepReport& report) const {
+    for (std::size_t i = series_->first_of_method(); i < series_->all().size(); ++i) {
+        if (!series_->all()[i].bounded) continue;
+        const std::size_t slot = series_->slot(i);
+        const double value = report.values[slot];
+        if (!(value > 0) || value > divergence_factor * first_values_[slot]) return true;
+    }
+    return false;
+}
+
 RunStatus Run::judge(const StepReport& report, std::string& note) {
     const Values& method = problem_.scenario.method.values;
     if (std::exchange(not_finite_, false)) return RunStatus::diverged;
-    if (std::isinf(first_residual_)) first_residual_ = report.residual, first_theta_ = report.theta;
+    if (std::isinf(first_residual_)) first_residual_ = report.residual, first_values_ = report.values;
     if (report.residual < worthwhile * best_residual_)
         best_residual_ = report.residual, best_iteration_ = report.iteration;
     if (report.residual < method.real("tolerance")) return RunStatus::converged;
-    if (report.residual > divergence_factor * std::max(1.0, first_residual_) || !(report.theta > 0) ||
-        report.theta > divergence_factor * first_theta_) {
+    if (report.residual > divergence_factor * std::max(1.0, first_residual_) || out_of_bounds(report)) {
         const Values& domain = problem_.scenario.domain.values;
-        const bool straight = domain.has("geometry_order") && domain.integer("geometry_order") == 1;
-        note = "the iteration has left all bounds; " +
-               std::string(straight ? "domain.geometry_order = 2 or " : "") + "a smaller step may help";
+        note = "the iteration diverged; ";
+        if (const auto remedy = find_remedy(domain)) note += describe(domain, *remedy) + " or ";
+        note += "a smaller step may help";
         return RunStatus::diverged;
     }
     if (report.iteration - judged_from_ >= method.integer("max_iterations"))
         return RunStatus::iteration_limit;
     if (report.iteration - best_iteration_ >= patience) {
         note = "the residual has not decreased for " + std::to_string(patience) + " iterations";
-        if (method.has("step_size") && method.real_or_auto("step_size"))
-            note += "; method.step_size = auto may help";
+        if (const auto remedy = find_remedy(method)) note += "; " + describe(method, *remedy) + " may help";
         return RunStatus::stalled;
     }
     return RunStatus::running;
@@ -201,18 +263,22 @@ RunStatus Run::judge(const StepReport& report, std::string& note) {
 
 void Run::measure(StepReport& report) {
     if (measured_) return;
-    const MeshQuality& quality = meter_->measure(method_->positions(), *problem_.monitor);
-    report.equidistribution = quality.equidistribution;
-    report.min_jacobian = quality.min_jacobian;
-    report.max_jacobian = quality.max_jacobian;
+    const MeshQuality& quality = meter_->measure(method_->positions(), *data_.monitor);
     report.tangled_cells = quality.tangled_cells;
-    report.measures = method_->measures(*problem_.monitor);
-    if (exact_) {
-        const auto [vertices, nodes] =
-            exact_deviation(*discretisation_->mesh(), method_->positions(), *exact_);
-        report.exact_rms = vertices;
-        report.exact_rms_nodes = nodes;
-    }
+    auto next = report.values.begin(); // as name_series() has them: the diagnostics, then the method's
+    for (const double value : values_of(quality)) *next++ = value;
+    if (exact_)
+        for (const double value :
+             values_of(exact_deviation(*discretisation_->mesh(), method_->positions(), *exact_)))
+            *next++ = value;
+    const std::vector<double> measures = method_->measures(data_);
+    auto measure = measures.begin();
+    for (std::size_t i = report.series->first_of_method(); i < report.series->all().size(); ++i, ++next)
+        if (report.series->all()[i].measured) {
+            GASPARD_CHECK(measure != measures.end());
+            *next = *measure++;
+        }
+    GASPARD_CHECK(measure == measures.end());
     measured_ = true;
     if (quality.tangled_cells == 0) last_untangled_ = state_;
 }
@@ -226,26 +292,27 @@ void Run::interrupt() {
 }
 
 std::string Run::change(const Scenario& scenario, const Progress& progress, std::stop_token stop) {
-    Problem problem = check(*catalogue_, scenario, own_);
+    Problem problem = check(*catalogue_, scenario, own_.get());
     const Scenario& old = problem_.scenario;
-    if (problem.scenario.domain == old.domain && problem.scenario.monitor == old.monitor &&
-        problem.scenario.method == old.method) {
+    const bool new_data = !same_problem_data(problem.scenario, old);
+    if (!new_data && problem.scenario.method == old.method) {
         problem_ = std::move(problem);
         return {};
     }
     const bool new_domain = !(problem.scenario.domain == old.domain);
-    const bool new_monitor = !(problem.scenario.monitor == old.monitor);
     const bool new_method = new_domain || problem.scenario.method.type != old.method.type;
-    // What has blown up is no start: a smaller step, say, goes on from the last mesh that was one.
+    // After divergence or tangling, restart from the last untangled mesh, for example with a smaller step.
     const bool back = status() == RunStatus::diverged || status() == RunStatus::tangled;
     std::optional<State> state = back ? last_untangled_ : state_;
     std::optional<State> untangled = last_untangled_;
+    const Stopwatch watch;
+    auto discretisation = new_domain ? prepare(problem, progress, stop) : discretisation_;
+    ProblemData data = data_;
+    if (new_data)
+        data = make_problem_data(*catalogue_, problem.scenario, own_,
+                                 monitor_context(problem.scenario, *discretisation, progress, stop));
     if (new_method) {
-        const Stopwatch watch;
-        auto discretisation = new_domain ? prepare(problem, progress, stop) : discretisation_;
-        auto method = catalogue_->method(problem.scenario.method.type)
-                          .make(discretisation, problem.scenario.method.values, progress, stop);
-        method->use_threads(options_.threads);
+        auto method = make_method(problem, discretisation, progress, stop);
         const bool same = *state == last_untangled_;
         state = method->adopt(*state, discretisation_.get());
         untangled = same ? state : method->adopt(last_untangled_, discretisation_.get());
@@ -255,20 +322,22 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     } else {
         method_->configure(problem.scenario.method.values);
     }
+    data_ = std::move(data);
     problem_ = std::move(problem);
     if (new_domain) make_meter();
-    if (new_domain || new_monitor) find_exact_map();
+    if (new_data) find_exact_map();
+    name_series();
     if (!state) {
         reset();
-        return "The map could not be kept: the mesh starts again from the beginning.";
+        return "The map could not be transferred; the run restarts from the uniform mesh.";
     }
     state_ = std::move(*state);
     last_untangled_ = untangled ? std::move(*untangled) : method_->initial_state();
-    const Evaluation evaluation = method_->evaluate(*problem_.monitor, state_, {});
+    const Evaluation evaluation = method_->evaluate(data_, state_, {});
     GASPARD_CHECK(std::isfinite(evaluation.residual));
     restart_judging();
     record(evaluation, history_.back().iteration,
-           back ? "values changed; back at the last mesh without tangled cells" : "values changed");
+           back ? "values changed; restarted from the last mesh without tangled cells" : "values changed");
     measure(history_.back());
     return {};
 }
@@ -280,15 +349,28 @@ std::shared_ptr<const Snapshot> Run::snapshot() {
     snapshot->x = method_->positions();
     snapshot->exact = exact_;
     snapshot->control = discretisation_->control_points();
-    Field monitor{"monitor", "", FieldPlace::node, std::vector<double>(snapshot->x.size())};
-    problem_.monitor->values(snapshot->x, monitor.values);
-    snapshot->fields.push_back(std::move(monitor));
-    const MeshQuality& quality = meter_->quality();
-    snapshot->fields.push_back({"mass", "", FieldPlace::cell, quality.cell_mass});
-    snapshot->fields.push_back({"jacobian", "", FieldPlace::cell, quality.cell_jacobian});
+    Field monitor{mesh_colour("monitor"), std::vector<double>(snapshot->x.size())};
+    data_.monitor->values(snapshot->x, monitor.values);
+    const FieldInfo mass{.name = "mass", .label = "cell mass", .symbol = "Mᵢ", .place = FieldPlace::cell};
+    snapshot->fields = {std::move(monitor),
+                        {mass, meter_->quality().cell_mass},
+                        {mesh_colour("jacobian"), meter_->quality().cell_jacobian}};
+    add_fields_of_method(*snapshot);
     snapshot->report = history_.back();
     snapshot->version = version_;
     return snapshot;
+}
+
+void Run::add_fields_of_method(Snapshot& snapshot) {
+    const std::vector<FieldInfo>& infos = method_type().fields;
+    auto values = method_->fields(data_);
+    GASPARD_CHECK(values.size() == infos.size());
+    for (std::size_t i = 0; i < infos.size(); ++i) {
+        const bool of_nodes = infos[i].place == FieldPlace::node;
+        GASPARD_CHECK(values[i].size() ==
+                      (of_nodes ? snapshot.mesh->node_count() : snapshot.mesh->cell_count()));
+        snapshot.fields.push_back({infos[i], std::move(values[i])});
+    }
 }
 
 } // namespace gaspard

@@ -1,17 +1,15 @@
-// What a run shows of itself: immutable values that the window, the files and the tests read.
+// The results of a run as immutable values, for the window, the output files and the tests.
 //
-//   theta             integral of m over the physical domain / measure of the computational one
-//   residual          norm of m det(dx/dxi) - theta, in units of theta: 0 when solved (method.hpp)
+//   residual          what the method makes small (MethodType::residual)
 //   equidistribution  standard deviation / mean over the cells of M_i, McRae et al. (5.2):
 //                     integral of m over physical cell i / measure of computational cell i
 //   Jacobian          det dx/dxi of a physical cell; a cell is tangled where it is <= 0 anywhere
-//
-// None of them has a unit.
 #pragma once
 
+#include "core/base/field.hpp"
 #include "core/base/points.hpp"
 #include "core/mesh/mesh.hpp"
-#include "core/method/method.hpp"
+#include "core/session/series_table.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -23,15 +21,15 @@
 namespace gaspard {
 
 enum class RunStatus {
-    preparing,       ///< operators are being made
-    running,         ///< may step further
+    preparing,       ///< operators are being prepared
+    running,         ///< further steps are possible
     converged,       ///< the residual is below method.tolerance
-    iteration_limit, ///< method.max_iterations came first
-    stalled,         ///< the residual has not decreased for long
-    diverged,        ///< the iteration has left all bounds, or its numbers were not finite
-    tangled,         ///< the final mesh has tangled cells, whatever its residual
-    interrupted,     ///< somebody asked to stop
-    failed,          ///< an internal fault or the machine's
+    iteration_limit, ///< method.max_iterations was reached
+    stalled,         ///< the residual has not decreased for many iterations
+    diverged,        ///< residual or theta became too large, or not finite
+    tangled,         ///< the final mesh has tangled cells, regardless of the residual
+    interrupted,     ///< stopped on request
+    failed,          ///< an internal error or a system error
 };
 
 std::string_view status_name(RunStatus status); ///< "iteration-limit"
@@ -41,44 +39,40 @@ bool is_final(RunStatus status);
 struct StepReport {
     int iteration = 0;
     double residual = 0;
-    double theta = 0;
-    double step_size = 0; ///< of the update that led here; 0 at the start
-    // Empty where diagnostics were left out (method.diagnostics_every).
-    std::optional<double> equidistribution{};
-    /// Of the vertices, and of all nodes, to where the exact map puts them; empty where none is known.
-    std::optional<double> exact_rms{}, exact_rms_nodes{};
-    std::optional<double> min_jacobian{}, max_jacobian{};
-    std::optional<std::size_t> tangled_cells{};
-    std::vector<Measure> measures{}; ///< further ones, of the method (Method::measures)
-    int inner_iterations = 0;        ///< of the linear solver, for this update
-    double seconds = 0;              ///< cumulative wall time of solving
-    double cpu_seconds = 0;          ///< cumulative CPU time of all threads that solve
+    double step_size = 0;                       ///< of the update that led here; 0 at the start
+    std::optional<std::size_t> tangled_cells{}; ///< empty where the mesh was not measured
+    int inner_iterations = 0;                   ///< of the linear solver, for this update
+    double seconds = 0;                         ///< cumulative wall time of solving
+    double cpu_seconds = 0;                     ///< cumulative CPU time of all threads that solve
     RunStatus status = RunStatus::running;
     std::string note{}; ///< a sentence for people, where something is to be said
+    /// The names of the series, and the values of those after the residual and without the step size; what
+    /// was not measured (method.diagnostics_every) is not a number. value() reads them.
+    std::shared_ptr<const SeriesTable> series = common_series();
+    std::vector<double> values{};
+
+    /// Whether the mesh was measured.
+    bool measured() const { return tangled_cells.has_value(); }
+    /// Of one of series->all(), by its name or its place there. Empty where there is none of that name, and
+    /// where it has no value: it was not measured, or no step was made yet.
+    std::optional<double> value(std::string_view name) const;
+    std::optional<double> value(std::size_t place) const;
+    /// The series must be there, and be neither residual nor step size, which are members.
+    void set(std::string_view name, double value);
 };
 
-enum class FieldPlace { node, cell };
-
-/// One number for every node or cell, in the mesh's numbering.
-struct Field {
-    std::string name; ///< "monitor" (of nodes); "mass" (M_i) and "jacobian" (of cells, the smallest)
-    std::string unit; ///< may be empty
-    FieldPlace place = FieldPlace::node;
-    std::vector<double> values;
-};
-
-/// An iterate as a value: keep it, and pass it to any thread.
+/// An iterate as an immutable value, which may be shared between threads.
 struct Snapshot {
     std::shared_ptr<const Mesh> mesh; ///< cells and xi; shared by all snapshots of a run
     Points x;                         ///< where the nodes stand, in the mesh's numbering
     std::shared_ptr<const Points>
         exact{}; ///< where they would stand in the exact solution; null where unknown
     std::shared_ptr<const Points> control{}; ///< control points that may be moved; null where there are none
-    std::vector<Field> fields;
+    std::vector<Field> fields; ///< monitor (of nodes), mass (M_i) and jacobian (of cells), the method's own
     StepReport report;
-    std::uint64_t version = 0; ///< grows with every iterate
+    std::uint64_t version = 0; ///< increases with every iterate
 
-    /// By its name; null where there is none.
+    /// The field with this name; null if there is none.
     const Field* field(std::string_view name) const {
         for (const auto& f : fields)
             if (f.name == name) return &f;

@@ -6,8 +6,8 @@ namespace gaspard {
 
 namespace {
 
-constexpr double caught_up = 1e-2;   // residual of a mesh that shows the values it is for
-constexpr double near = 0.3;         // residual up to which a change of values is a small one
+constexpr double caught_up = 1e-2;   // residual below which a mesh has adapted to its values
+constexpr double near = 0.3;         // residual below which a change of values is small
 constexpr double longest_wait = 0.1; // seconds
 
 } // namespace
@@ -17,12 +17,12 @@ SolverThread::SolverThread(std::shared_ptr<const Catalogue> catalogue, Scenario 
       running_(options_.start_running), reports_(options_.report_capacity),
       thread_([this](std::stop_token stop) { work(stop); }) {}
 
-SolverThread::~SolverThread() = default; // the jthread asks to stop and joins
+SolverThread::~SolverThread() = default; // the jthread requests a stop and joins
 
 void SolverThread::post(Command command) {
     {
         std::lock_guard lock(mutex_);
-        // Of values that follow each other only the last matter: a dragged slider must not queue up work.
+        // Consecutive changes are merged, so that dragging a slider does not queue up work.
         if (std::holds_alternative<ChangeCommand>(command) && !commands_.empty() &&
             std::holds_alternative<ChangeCommand>(commands_.back()))
             commands_.back() = std::move(command);
@@ -66,7 +66,7 @@ Progress SolverThread::progress() {
     };
 }
 
-// Waits until there is something to do, unless the run is going.
+// Takes the commands; waits for one unless the run is running.
 std::deque<Command> SolverThread::wait_for_commands(std::stop_token stop) {
     std::unique_lock lock(mutex_);
     const bool busy = run_ && run_->status() == RunStatus::running && running_;
@@ -76,7 +76,7 @@ std::deque<Command> SolverThread::wait_for_commands(std::stop_token stop) {
     return std::exchange(commands_, {});
 }
 
-/// The mesh has not caught up yet with values that it follows.
+/// Whether the mesh has not yet adapted to values that were changed a little.
 bool SolverThread::behind() const {
     if (!following_ || !running_ || !run_ || run_->status() != RunStatus::running) return false;
     return run_->history().back().residual >= caught_up && since_change_.seconds() < longest_wait;
@@ -92,8 +92,8 @@ void SolverThread::cancel() {
     if (activity_) activity_->request_stop();
 }
 
-/// Does work that cancel() and `stop` can end. False if it was cancelled; Interrupted goes on up where the
-/// whole thread is to stop.
+/// Does work that cancel() and `stop` can interrupt. Returns false if it was cancelled; throws Interrupted if
+/// the whole thread is to stop.
 bool SolverThread::cancellable(std::stop_token stop, const std::function<void(const Activity&)>& work) {
     const std::stop_source source;
     const auto set_activity = [&](std::optional<std::stop_source> activity) {
@@ -121,16 +121,16 @@ std::deque<Command> SolverThread::take_commands() {
     return std::exchange(commands_, {});
 }
 
-/// There is no run any more, until better values come or it is started again.
+/// Ends the run with an error; there is none until values change or it is started again.
 void SolverThread::fail(const std::string& message) {
     run_.reset();
     running_ = false;
-    published_ = 0, epoch_ = -1, shown_ = following_ = false; // the next run's history is another one
+    published_ = 0, epoch_ = -1, shown_ = following_ = false; // the next run has another history
     update([](SolverStatus& status) { status.run = RunStatus::failed, status.activity.clear(); });
     say(message, true);
 }
 
-/// Our own faults and the machine's end the run, not the thread: whoever posts commands is still heard.
+/// Internal and system errors end the run, but not the thread, which continues to execute commands.
 void SolverThread::attempt(const std::function<void()>& work) {
     try {
         work();
@@ -152,13 +152,13 @@ void SolverThread::work(std::stop_token stop) {
                 publish(stop);
             });
         }
-    } catch (const Interrupted&) { // asked to stop in the middle of preparing
+    } catch (const Interrupted&) { // asked to stop during preparation
     }
-    for (auto& command : take_commands()) // an export that was asked for is not lost
+    for (auto& command : take_commands()) // requested exports are still done
         if (const auto* task = std::get_if<InspectCommand>(&command); task && run_) inspect(*task);
 }
 
-/// Makes the run; false if there is none, until better values come.
+/// Makes the run. Returns false if that fails or is cancelled.
 bool SolverThread::prepare(std::stop_token stop) {
     const auto give_up = [this](RunStatus status, const std::string& message, bool error) {
         update([&](SolverStatus& now) { now.run = status, now.activity.clear(); });
@@ -172,8 +172,8 @@ bool SolverThread::prepare(std::stop_token stop) {
                 std::make_unique<Run>(catalogue_, scenario_, options_.run, activity.progress, activity.stop);
         });
         if (!finished)
-            return give_up(RunStatus::interrupted, "The preparation was cancelled; Run begins it again.",
-                           false);
+            return give_up(RunStatus::interrupted,
+                           "The preparation was cancelled; press Run to start it again.", false);
     } catch (const InputError& error) {
         return give_up(RunStatus::failed, error.what(), true);
     }
@@ -214,7 +214,7 @@ void SolverThread::execute(Command command, std::stop_token stop) {
         std::stop_token stop;
         void operator()(StartCommand&) { self.start(stop); }
         void operator()(PauseCommand&) { self.running_ = false; }
-        void operator()(StepCommand&) { // now, so that what is posted after it finds it done
+        void operator()(StepCommand&) { // immediately, so that later commands see the result
             self.running_ = false;
             const bool possible = self.run_ && self.run_->status() == RunStatus::running;
             if (possible && !stop.stop_requested()) self.run_->step(stop);
@@ -222,13 +222,13 @@ void SolverThread::execute(Command command, std::stop_token stop) {
         void operator()(ResetCommand&) {
             if (!self.run_) return;
             self.following_ = false;
-            self.publish(stop); // what the old history has gained
+            self.publish(stop); // the rest of the old history
             self.run_->reset();
         }
         void operator()(ChangeCommand& change) {
             if (!stop.stop_requested()) self.change(std::move(change), stop);
         }
-        void operator()(InspectCommand& inspect) { // also when asked to stop: an export is not lost
+        void operator()(InspectCommand& inspect) { // also if asked to stop, so that no export is lost
             self.inspect(inspect);
         }
     };
@@ -264,20 +264,20 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
                                 run_->scenario().domain == command.scenario.domain;
             refused = !cancellable(stop, [&](const Activity& activity) {
                 const std::string message = run_->change(command.scenario, activity.progress, activity.stop);
-                if (!message.empty() && !command.anew) say(message); // what begins anew keeps no map
+                if (!message.empty() && !command.anew) say(message); // a restart keeps no map anyway
             });
             if (refused)
-                say("Cancelled; the values are as they were before.");
+                say("Cancelled; the values were not changed.");
             else
                 begin_to_follow(solved);
         }
         if (!refused && command.anew) begin_anew(stop);
-    } catch (const InputError& error) { // the run goes on with its old values
+    } catch (const InputError& error) { // the run keeps its old values
         refused = true;
         say(error.what(), true);
     } catch (const Interrupted&) {
         throw;
-    } catch (const std::exception& error) { // what the run is now, nobody knows
+    } catch (const std::exception& error) { // the state of the run is undefined
         refused = true;
         fail(error.what());
     }
@@ -287,7 +287,7 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
 
 void SolverThread::begin_anew(std::stop_token stop) {
     following_ = false;
-    publish(stop); // what the old history has gained
+    publish(stop); // the rest of the old history
     run_->reset();
     running_ = true;
 }

@@ -1,8 +1,8 @@
-// A run on a thread of its own: commands in; out come the newest snapshot and every report.
+// A run on its own thread. It receives commands, and provides the latest snapshot and all reports.
 //
-// Values that change a little while a solved mesh is shown, as when the hand drags the monitor, are followed:
-// the next snapshot, and the next values, wait until the mesh has caught up with these ones (a residual below
-// 1e-2), a tenth of a second at most. So what is seen is adapted, and the last values win.
+// If values change a little while a solved mesh is shown, as during dragging, the next snapshot and the next
+// change wait until the mesh has adapted to the new values (residual below 1e-2), for at most 0.1 s. All
+// snapshots shown are thus adapted, and only the latest values matter.
 #pragma once
 
 #include "core/base/stopwatch.hpp"
@@ -24,51 +24,50 @@ namespace gaspard {
 struct StartCommand {}; ///< run until the status is final
 struct PauseCommand {};
 struct StepCommand {};  ///< one iteration, then pause
-struct ResetCommand {}; ///< back to the identity map, paused or running as before
-/// Other values, from the present map where possible; a run that had ended goes on. `number` tells one such
-/// command from another in SolverStatus. `anew`: from the identity map, with a new history, and running.
-/// Values that are refused, or cancelled, leave the run as it was.
+struct ResetCommand {}; ///< restart from the identity map, paused or running as before
+/// Changes values and continues from the current map if possible (Run::change), even if the run had ended.
+/// `number` identifies the command in SolverStatus. `anew`: restart from the identity map, with a new
+/// history, and run. If the values are invalid or the command is cancelled, the run does not change.
 struct ChangeCommand {
     Scenario scenario;
     std::uint64_t number = 0;
     bool anew = false;
 };
-/// What long work is given: where to say how far it is, and when to give up.
+/// Arguments of long work: a callback for its progress, and a stop token.
 struct Activity {
     Progress progress;
     std::stop_token stop;
 };
-/// Done between two steps on the solver thread, which owns the run: exports, tests. A task that is cancelled
-/// may throw Interrupted; what else it throws is said as an error.
+/// Executes a task between two steps on the solver thread, which owns the run: exports, tests. A cancelled
+/// task may throw Interrupted; other exceptions become error messages.
 struct InspectCommand {
     std::function<void(Run&, const Activity&)> task;
 };
 using Command =
     std::variant<StartCommand, PauseCommand, StepCommand, ResetCommand, ChangeCommand, InspectCommand>;
 
-/// One entry of the lossless queue. `restarted`: this is row 0 of a new history, the plot begins anew.
+/// One entry of the lossless queue. `restarted`: the report is row 0 of a new history.
 struct SolverEvent {
     bool restarted = false;
     StepReport report;
 };
 
-/// A sentence for the user.
+/// A message for the user.
 struct SolverMessage {
     std::string text;
-    bool error = false; ///< something did not work, as against a remark
+    bool error = false; ///< an error, not an informational message
 };
 
-/// How the thread stands, for a status line.
+/// The state of the thread, for a status line.
 struct SolverStatus {
     RunStatus run = RunStatus::preparing;
     bool paused = true;
-    double progress = 0;        ///< of the preparation, 0 to 1
-    std::string activity;       ///< what is being prepared
-    std::uint64_t messages = 0; ///< how many sentences so far
-    std::uint64_t answered = 0; ///< the number of the last ChangeCommand that was dealt with ...
-    bool refused = false; ///< ... and whether it changed nothing: its values were wrong, or it was cancelled
-    std::shared_ptr<const Scenario>
-        scenario; ///< the values that the run works with; null before there is one
+    double progress = 0;                      ///< progress of the preparation, in [0, 1]
+    std::string activity;                     ///< current step of the preparation
+    std::uint64_t messages = 0;               ///< total number of messages
+    std::uint64_t answered = 0;               ///< number of the last ChangeCommand that was executed
+    bool refused = false;                     ///< whether that command failed: invalid values, or cancelled
+    std::shared_ptr<const Scenario> scenario; ///< current values of the run; null before the first run
 };
 
 class SolverThread {
@@ -76,27 +75,27 @@ class SolverThread {
     struct Options {
         bool start_running = true;
         RunOptions run{};
-        std::size_t report_capacity = 4096; ///< the run waits when nobody takes its reports
-        std::function<void()> notify{};     ///< called on the solver thread after anything new; must be quick
-        /// Called on the solver thread before a snapshot is published: what would take those long who show it
-        /// can be made here.
+        std::size_t report_capacity = 4096; ///< the run waits if so many reports are not fetched
+        std::function<void()> notify{};     ///< called on the solver thread after each change; must be fast
+        /// Called on the solver thread before a snapshot is published, for expensive preparation of its
+        /// display.
         std::function<void(const Snapshot&)> before_publishing{};
     };
 
     SolverThread(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, Options options);
-    /// Stops within one step (or within the preparation, at its next look at the stop token).
+    /// Stops within one step, or during preparation at the next check of the stop token.
     ~SolverThread();
     SolverThread(const SolverThread&) = delete;
     SolverThread& operator=(const SolverThread&) = delete;
 
     void post(Command command);
-    /// Ends the preparation or the task under way, if there is any; the run stays as it was before.
+    /// Cancels the current preparation or task, if any; the run does not change.
     void cancel();
-    /// The newest snapshot; null until the first.
+    /// The latest snapshot; null before the first.
     std::shared_ptr<const Snapshot> latest() const { return latest_.get(); }
-    /// Every report since the last call, in order, none left out.
+    /// All reports since the last call, in order.
     std::vector<SolverEvent> drain() { return reports_.drain(); }
-    /// Every sentence since the last call, in order.
+    /// All messages since the last call, in order.
     std::vector<SolverMessage> take_messages();
     SolverStatus status() const;
 
@@ -124,23 +123,23 @@ class SolverThread {
     std::shared_ptr<const Catalogue> catalogue_;
     Scenario scenario_;
     Options options_;
-    std::unique_ptr<Run> run_;  ///< touched by the solver thread only
-    std::size_t published_ = 0; ///< rows of the run's history already in the queue
-    int epoch_ = 0;             ///< of the history they belong to
-    bool shown_ = false;        ///< the newest iterate is the newest snapshot
-    bool following_ = false;    ///< values have moved a little since the last snapshot ...
-    Stopwatch since_change_;    ///< ... so long ago
+    std::unique_ptr<Run> run_;  ///< used only by the solver thread
+    std::size_t published_ = 0; ///< number of rows of the history already in the queue
+    int epoch_ = 0;             ///< epoch of that history
+    bool shown_ = false;        ///< the current iterate has been published as snapshot
+    bool following_ = false;    ///< values have changed a little since the last snapshot
+    Stopwatch since_change_;    ///< time since that change
     bool running_ = false;
 
     Latest<Snapshot> latest_;
     Channel<SolverEvent> reports_;
-    mutable std::mutex mutex_; ///< commands_, messages_, status_ and activity_
+    mutable std::mutex mutex_; ///< protects commands_, messages_, status_ and activity_
     std::condition_variable_any wake_;
     std::deque<Command> commands_;
     std::vector<SolverMessage> messages_;
     SolverStatus status_;
-    std::optional<std::stop_source> activity_; ///< of what cancel() would end
-    std::jthread thread_;                      ///< last, so that it ends before what it uses
+    std::optional<std::stop_source> activity_; ///< stop source of the work that cancel() ends
+    std::jthread thread_;                      ///< last, so that it is joined before the members it uses go
 };
 
 } // namespace gaspard

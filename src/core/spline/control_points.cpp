@@ -10,13 +10,13 @@ namespace gaspard {
 
 namespace {
 
-/// Takes a number from the front of a text; false where there is none.
+/// Reads a number from the front of the text and removes it; false if there is none.
 bool take_number(std::string_view& text, double& number) {
     const auto begin = text.find_first_not_of(' ');
     if (begin == std::string_view::npos) return false;
     const auto [end, code] = std::from_chars(text.data() + begin, text.data() + text.size(), number);
     if (code != std::errc() || !std::isfinite(number)) return false;
-    if (end != text.data() + text.size() && *end != ' ') return false; // "1-2" is no pair
+    if (end != text.data() + text.size() && *end != ' ') return false; // rejects "1-2"
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     return true;
 }
@@ -32,7 +32,7 @@ Points parse_control_points(std::string_view text, std::size_t count) {
         if (!take_number(one, point.x) || !take_number(one, point.y) ||
             one.find_first_not_of(' ') != std::string_view::npos)
             throw InputError(
-                "domain.control_points wants points of two numbers, as in \"0 0, 1 0.5\", not '" +
+                "domain.control_points must be a list of points of two numbers, as in \"0 0, 1 0.5\", not '" +
                 std::string(text.substr(0, comma)) + "'");
         control.resize(control.size() + 1);
         control.set(control.size() - 1, point);
@@ -40,8 +40,8 @@ Points parse_control_points(std::string_view text, std::size_t count) {
         text.remove_prefix(comma + 1);
     }
     if (control.size() != count)
-        throw InputError("domain.control_points has " + std::to_string(control.size()) +
-                         " points, and the patch " + std::to_string(count));
+        throw InputError("domain.control_points lists " + std::to_string(control.size()) +
+                         " points, but the patch has " + std::to_string(count));
     return control;
 }
 

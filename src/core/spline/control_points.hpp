@@ -1,5 +1,5 @@
-// Control points of a patch in the plane as a value of a scenario: "x y, x y, ...", fastest in the first
-// direction. The window writes it when a point is dragged.
+// The control points of a planar patch as the text of a scenario value: "x y, x y, ...", first direction
+// fastest. Dragging a point in the window writes it.
 #pragma once
 
 #include "core/base/points.hpp"
@@ -9,9 +9,9 @@
 
 namespace gaspard {
 
-/// Throws InputError where the text is not `count` points of two finite numbers.
+/// Throws InputError unless the text lists exactly `count` points of two finite numbers.
 Points parse_control_points(std::string_view text, std::size_t count);
-/// Reads back to the same doubles.
+/// The inverse of parse_control_points; numbers read back to the same doubles.
 std::string format_control_points(const Points& control);
 
 } // namespace gaspard

@@ -49,12 +49,12 @@ bool is_open(const KnotVector& space) {
 std::size_t find_span(const KnotVector& space, double x) {
     const auto p = static_cast<std::ptrdiff_t>(space.degree);
     const auto first = space.knots.begin() + p, last = space.knots.end() - p - 1;
-    const auto after = std::upper_bound(first + 1, last, x); // the first knot beyond x, none of the last ones
+    const auto after = std::upper_bound(first + 1, last, x); // first knot > x, excluding the last ones
     return static_cast<std::size_t>(after - space.knots.begin()) - 1;
 }
 
-// Piegl and Tiller, The NURBS Book, algorithm A2.3: all lower degrees in a triangle, from which the
-// derivatives are differences.
+// Piegl and Tiller, The NURBS Book, Algorithm A2.3: a triangular table of the functions of all lower degrees;
+// derivatives are differences of its entries.
 void basis_functions(const KnotVector& space, std::size_t span, double x, int derivatives,
                      std::span<double> out) {
     constexpr std::size_t most = highest_degree + 1;
@@ -112,7 +112,7 @@ std::vector<double> greville(const KnotVector& space) {
     return points;
 }
 
-// The blossom of x^2 at the p knots of a function: the mean of the products of two different ones.
+// The blossom of x^2 at the p inner knots of each function: the mean of the products of two distinct knots.
 std::vector<double> square_coefficients(const KnotVector& space) {
     const auto p = static_cast<std::size_t>(space.degree);
     GASPARD_CHECK(p >= 2);
@@ -137,7 +137,7 @@ std::vector<double> derivative_coefficients(const KnotVector& space, std::span<c
     std::vector<double> result(space.size() - 1);
     for (std::size_t i = 0; i < result.size(); ++i) {
         const double width = space.knots[i + p + 1] - space.knots[i + 1];
-        GASPARD_CHECK(width > 0); // else the splines may jump and have no derivative
+        GASPARD_CHECK(width > 0); // else the splines may be discontinuous
         result[i] = space.degree * (coefficients[i + 1] - coefficients[i]) / width;
     }
     return result;
@@ -150,13 +150,13 @@ bool refines(const KnotVector& fine, const KnotVector& coarse) {
 
 namespace {
 
-/// One knot more: row i of the result is row i of `old`, or between that and the one before.
+/// Inserts one knot: row i of the result is a convex combination of rows i - 1 and i of `old`.
 LineMatrix insert_one(const KnotVector& space, double knot, const LineMatrix& old) {
     const auto p = static_cast<std::size_t>(space.degree);
     const std::size_t span = find_span(space, knot);
     LineMatrix next{old.rows + 1, old.columns, std::vector<double>((old.rows + 1) * old.columns)};
     for (std::size_t i = 0; i < next.rows; ++i) {
-        double part = 0; // of row i; the rest is of row i - 1
+        double part = 0; // weight of row i; 1 - part is that of row i - 1
         if (i + p <= span)
             part = 1;
         else if (i <= span)

@@ -7,7 +7,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Functions as rows, quadrature points as columns.
+/// Rows: basis functions; columns: quadrature points.
 MatrixXd dense(const LineTable& table, int derivative) {
     MatrixXd all = MatrixXd::Zero(static_cast<Index>(table.functions()), static_cast<Index>(table.points()));
     for (std::size_t q = 0; q < table.points(); ++q)

@@ -1,4 +1,4 @@
-// The matrices of one direction that the two forms are made of; for spline_*_form.cpp.
+// The univariate matrices from which spline_*_form.cpp build the two forms.
 #pragma once
 
 #include "core/spline/spline_forms.hpp"
@@ -7,8 +7,8 @@
 
 namespace gaspard {
 
-/// M, D and R of (6.10), R as (6.13) and (6.18) have it: a row per function of S^p, a column per one of
-/// S^p-1.
+/// M, D and R of (6.10), with R as in (6.13) and (6.18): one row per function of S^p, one column per function
+/// of S^p-1.
 struct LineMatrices {
     explicit LineMatrices(const SplineLine& line);
     Eigen::MatrixXd mass, stiffness, mass_below, r;
@@ -16,9 +16,9 @@ struct LineMatrices {
 
 LineOperator line_operator(const Eigen::MatrixXd& symmetric);
 
-/// The integrals of a function, given at the line's quadrature points, times every function of a table there.
+/// The integrals of a function, given at the line's quadrature points, against every function of `table`.
 std::vector<double> moments(const SplineLine& line, const LineTable& table, std::span<const double> values);
-/// Of the functions themselves.
+/// The integrals of the functions of `table`.
 std::vector<double> integrals(const SplineLine& line, const LineTable& table);
 
 } // namespace gaspard

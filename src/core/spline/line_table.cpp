@@ -23,7 +23,7 @@ LineTable::LineTable(const KnotVector& space, std::span<const double> points, in
 
 namespace {
 
-// The number of terms is fixed where it is compiled, so that the loop over a line has them in registers.
+// The number of terms is a template parameter, so that the weights stay in registers.
 template <std::size_t width>
 void sum_lines(const double* weights, const double* lines, std::size_t length, double* __restrict out) {
     for (std::size_t c = 0; c < length; ++c) {
@@ -42,7 +42,7 @@ void add_to_lines(const double* weights, double scale, const double* in, std::si
         for (std::size_t c = 0; c < length; ++c) lines[k * length + c] += scaled[k] * in[c];
 }
 
-/// call(integral_constant) with a width that is only known now.
+/// Calls call(std::integral_constant) for a width known at run time.
 template <class Call>
 void with_width(std::size_t width, const Call& call) {
     const auto choose = [&]<std::size_t... k>(std::index_sequence<k...>) {

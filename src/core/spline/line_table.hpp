@@ -1,7 +1,7 @@
-// Splines and their derivatives at fixed points of a line, and the sums over them, which are all that tensor
-// products need: one direction after the other (sum factorisation), never the product of both.
+// Splines and their derivatives tabulated at fixed points of a line, and the one-dimensional sums of which
+// tensor products are made, one direction after the other (sum factorisation).
 //
-// Lines of numbers run along the other direction, `length` of them in a row, so that the inner loops do.
+// The sums act on lines of `length` numbers, which run along the other direction and form the inner loops.
 #pragma once
 
 #include "core/spline/knots.hpp"
@@ -18,18 +18,18 @@ class LineTable {
 
     std::size_t points() const { return first_.size(); }
     std::size_t functions() const { return functions_; }
-    std::size_t width() const { return width_; } ///< degree + 1 functions may differ from zero at a point
+    std::size_t width() const { return width_; } ///< degree + 1: nonzero functions per point
     std::size_t first(std::size_t point) const { return first_[point]; }
     const double* row(int derivative, std::size_t point) const {
         return &values_[(static_cast<std::size_t>(derivative) * points() + point) * width_];
     }
 
-    /// out = sum over the functions i of the derivative of B_i at a point times line i of `lines`.
+    /// out = sum over i of the given derivative of B_i at the point times line i of `lines`.
     void combine(int derivative, std::size_t point, const double* lines, std::size_t length,
                  double* out) const;
-    /// The same at all points: out has a line per point.
+    /// The same at all points; out has one line per point.
     void combine_all(int derivative, const double* lines, std::size_t length, double* out) const;
-    /// Adds to line i of `lines` the derivative of B_i at a point times `in`.
+    /// Adds scale times the given derivative of B_i at the point times `in` to every line i of `lines`.
     void scatter(int derivative, std::size_t point, double scale, const double* in, std::size_t length,
                  double* lines) const;
 

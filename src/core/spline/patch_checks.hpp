@@ -1,4 +1,4 @@
-// What every file of a patch has to keep, whatever its syntax. All throw InputError, naming the file.
+// Checks common to all patch file formats. All throw InputError naming the file (`origin`).
 #pragma once
 
 #include "core/spline/spline_patch.hpp"
@@ -8,13 +8,14 @@
 namespace gaspard {
 
 [[noreturn]] void not_a_patch(const std::string& origin, const std::string& what);
-/// The knots moved to [0, 1].
+/// Checks one direction; returns its knot vector, scaled to [0, 1].
 KnotVector checked_direction(double degree, std::vector<double> knots, const std::string& which,
                              const std::string& origin);
-/// As many control points and weights as the knots want; weights positive; all of a size that can be computed with.
+/// Checks that the numbers of control points and weights fit the knots, that weights are positive and that
+/// coordinates are within bounds.
 void check_patch(const SplinePatch& patch, const std::string& origin);
 
-/// The map has an area wherever one looks, and in the plane the same side up.
+/// Checks at sample points that the Jacobian does not vanish or, in the plane, change sign.
 void check_regular(const PatchMap& map, const std::string& origin);
 
 } // namespace gaspard

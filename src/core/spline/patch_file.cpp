@@ -17,20 +17,19 @@ namespace {
 using Json = nlohmann::json;
 
 const Json& member(const Json& json, const char* key, const std::string& origin) {
-    if (!json.is_object())
-        not_a_patch(origin, "it has to be an object with degrees, knots and control_points");
+    if (!json.is_object()) not_a_patch(origin, "it must be an object with degrees, knots and control_points");
     const auto found = json.find(key);
     if (found == json.end() || !found->is_array())
-        not_a_patch(origin, "there is no list '" + std::string(key) + "'");
+        not_a_patch(origin, "it has no list '" + std::string(key) + "'");
     return *found;
 }
 
 std::vector<double> numbers(const Json& json, const std::string& what, const std::string& origin) {
-    if (!json.is_array()) not_a_patch(origin, what + " has to be a list of numbers");
+    if (!json.is_array()) not_a_patch(origin, what + " must be a list of numbers");
     std::vector<double> all;
     for (const auto& one : json) {
         if (!one.is_number() || !std::isfinite(one.get<double>()))
-            not_a_patch(origin, what + " has to be a list of finite numbers");
+            not_a_patch(origin, what + " must be a list of finite numbers");
         all.push_back(one.get<double>());
     }
     return all;
@@ -43,11 +42,11 @@ SplinePatch parse_patch(std::string_view text, const std::string& origin) {
     try {
         json = Json::parse(text);
     } catch (const Json::parse_error& error) {
-        not_a_patch(origin, "it is no JSON from character " + std::to_string(error.byte) + " on");
+        not_a_patch(origin, "JSON syntax error at character " + std::to_string(error.byte));
     }
     const Json &degrees = member(json, "degrees", origin), &knots = member(json, "knots", origin);
     if (degrees.size() != 2 || knots.size() != 2)
-        not_a_patch(origin, "degrees and knots need one entry per direction, two in all");
+        not_a_patch(origin, "degrees and knots must have two entries, one per direction");
     SplinePatch patch;
     for (std::size_t d = 0; d < 2; ++d) {
         const std::string which = std::to_string(d);
@@ -61,7 +60,7 @@ SplinePatch parse_patch(std::string_view text, const std::string& origin) {
         const std::string what = "control_points[" + std::to_string(i) + "]";
         const auto point = numbers(control[i], what, origin);
         if (point.size() != 2 && point.size() != 3)
-            not_a_patch(origin, what + " needs two or three coordinates");
+            not_a_patch(origin, what + " must have two or three coordinates");
         patch.control.set(i, {point[0], point[1], point.size() == 3 ? point[2] : 0});
     }
     patch.weights.assign(control.size(), 1.0);
@@ -98,7 +97,7 @@ std::string patch_json(const SplinePatch& patch) {
     return json.dump(1) + '\n';
 }
 
-// Nine points: corners at 45 degrees, the middles of the sides where the tangents there meet.
+// Nine control points: corners at 45 degrees, and the intersections of their tangents.
 SplinePatch nurbs_disk() {
     const double s = std::sqrt(0.5);
     const KnotVector line{2, {0, 0, 0, 1, 1, 1}};

@@ -9,12 +9,12 @@ namespace {
 
 using std::numbers::pi;
 
-/// A point of the surface and the derivatives there.
+/// A point of the surface and the two tangents.
 struct Place {
     Vec3 x, first, second;
 };
 
-/// A map from a function of (xi1, xi2) that returns the place; the compiler leaves out what is not used.
+/// A map from a function of (xi1, xi2) that returns a Place; unused members are optimised away.
 template <int dimension, class Formula>
 class FormulaMap final : public PatchMap {
   public:

@@ -11,11 +11,11 @@ namespace gaspard {
 
 namespace {
 
-/// An element without its tags, and the text of its opening tag. Elements of the same name inside are not
-/// looked for: in these files only <Basis> is nested, and nobody asks for one.
+/// The content of an element and the text of its opening tag. Nested elements of the same name are not
+/// handled: in these files only <Basis> is nested, and it is never looked up.
 struct Element {
     std::string_view tag, content;
-    std::size_t end = 0; ///< behind it, in the text that was searched
+    std::size_t end = 0; ///< position after the element in the searched text
 };
 
 std::optional<Element> find_element(std::string_view text, const std::string& name, std::size_t from = 0) {
@@ -23,7 +23,7 @@ std::optional<Element> find_element(std::string_view text, const std::string& na
         const std::size_t after = at + 1 + name.size();
         if (after < text.size() && text[after] != '>' && text[after] != ' ' && text[after] != '\n' &&
             text[after] != '\t' && text[after] != '\r')
-            continue; // a longer name
+            continue; // a longer name with this prefix
         const std::size_t open = text.find('>', at);
         const std::size_t close = text.find("</" + name, open == std::string_view::npos ? at : open);
         if (close == std::string_view::npos) return std::nullopt;
@@ -47,7 +47,7 @@ std::vector<double> numbers(std::string_view text, const std::string& what, cons
         if (at == end) return all;
         double value = 0;
         const auto [next, error] = std::from_chars(at, end, value);
-        if (error != std::errc()) not_a_patch(origin, what + " has to be a list of numbers");
+        if (error != std::errc()) not_a_patch(origin, what + " must be a list of numbers");
         all.push_back(value);
         at = next;
     }
@@ -62,7 +62,7 @@ std::string without_comments(std::string_view xml) {
     return text;
 }
 
-/// The first geometry of two directions.
+/// The first geometry with two directions.
 Element geometry(std::string_view text, const std::string& origin) {
     std::size_t from = 0;
     while (const auto found = find_element(text, "Geometry", from)) {
@@ -70,7 +70,7 @@ Element geometry(std::string_view text, const std::string& origin) {
         if (type == "TensorBSpline2" || type == "TensorNurbs2") return *found;
         from = found->end;
     }
-    not_a_patch(origin, "there is no <Geometry> of type TensorBSpline2 or TensorNurbs2");
+    not_a_patch(origin, "it has no <Geometry> of type TensorBSpline2 or TensorNurbs2");
 }
 
 Element child(const Element& parent, const std::string& name, const std::string& origin) {
@@ -87,7 +87,7 @@ SplinePatch parse_patch_xml(std::string_view xml, const std::string& origin) {
     std::size_t from = 0;
     for (const char* which : {"0", "1"}) {
         const auto found = find_element(whole.content, "KnotVector", from);
-        if (!found) not_a_patch(origin, "the geometry needs two <KnotVector>");
+        if (!found) not_a_patch(origin, "the geometry must have two <KnotVector>");
         const std::string degree = attribute(found->tag, "degree");
         const auto parsed = numbers(degree, "degree", origin);
         patch.space.directions.push_back(checked_direction(parsed.size() == 1 ? parsed[0] : 0,
@@ -98,9 +98,9 @@ SplinePatch parse_patch_xml(std::string_view xml, const std::string& origin) {
     const Element coefs = child(whole, "coefs", origin);
     const auto values = numbers(coefs.content, "<coefs>", origin);
     const std::string dimension = attribute(coefs.tag, "geoDim");
-    if (dimension != "2" && dimension != "3") not_a_patch(origin, "<coefs> needs geoDim=\"2\" or \"3\"");
+    if (dimension != "2" && dimension != "3") not_a_patch(origin, "<coefs> must have geoDim=\"2\" or \"3\"");
     const std::size_t d = dimension == "2" ? 2 : 3, n = values.size() / d;
-    if (values.size() % d != 0) not_a_patch(origin, "<coefs> has no whole number of points");
+    if (values.size() % d != 0) not_a_patch(origin, "the length of <coefs> is not a multiple of geoDim");
     patch.control = Points(n);
     for (std::size_t i = 0; i < n; ++i)
         patch.control.set(i, {values[d * i], values[d * i + 1], d == 3 ? values[d * i + 2] : 0});

@@ -21,7 +21,7 @@ Mesh patch_mesh(std::size_t cells, const std::vector<double>& line, const PatchM
     map.points(xi, mesh.nodes);
     mesh.cells.reserve(9 * cells * cells);
     constexpr std::size_t local[9][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0},
-                                         {2, 1}, {1, 2}, {0, 1}, {1, 1}}; // as in VTK
+                                         {2, 1}, {1, 2}, {0, 1}, {1, 1}}; // VTK's order
     for (std::size_t row = 0; row < cells; ++row)
         for (std::size_t column = 0; column < cells; ++column)
             for (const auto& [i, j] : local)
@@ -29,7 +29,7 @@ Mesh patch_mesh(std::size_t cells, const std::vector<double>& line, const PatchM
     return mesh;
 }
 
-/// A shipped patch: its name, and its map.
+/// A built-in patch.
 struct Shipped {
     const char* name;
     const char* label;
@@ -41,13 +41,12 @@ constexpr const char* from_file = "spline-patch";
 
 const std::vector<Shipped>& shipped() {
     static const std::vector<Shipped> all = {
-        {"spline-square", "Spline square", "the unit square in splines", square_map},
-        {"spline-disk", "Spline disk", "the unit disk, from a square", disk_map},
-        {"spline-annulus", "Spline annulus", "a quarter of an annulus of radii 1/2 and 1",
-         quarter_annulus_map},
-        {"spline-torus", "Spline torus", "a part of a torus of radii 3 and 1, a surface in space",
+        {"spline-square", "Spline square", "the unit square", square_map},
+        {"spline-disk", "Spline disk", "the unit disk, mapped from a square", disk_map},
+        {"spline-annulus", "Spline annulus", "a quarter annulus with radii 1/2 and 1", quarter_annulus_map},
+        {"spline-torus", "Spline torus", "part of a torus with radii 3 and 1, a surface in space",
          torus_part_map},
-        {"spline-moebius", "Moebius strip", "a strip of width 1 with half a twist, cut open", moebius_map}};
+        {"spline-moebius", "Möbius strip", "a Möbius strip of width 1, cut open", moebius_map}};
     return all;
 }
 
@@ -60,7 +59,7 @@ std::vector<ParameterRow> rows() {
              .maximum = 256,
              .scale = ParameterScale::logarithmic,
              .default_value = std::int64_t{32},
-             .help = "the patch has n x n cells"},
+             .help = "number of cells per side; the patch has n × n cells"},
             {.key = "degree",
              .label = "Degree",
              .symbol = "p",
@@ -68,10 +67,18 @@ std::vector<ParameterRow> rows() {
              .minimum = 2,
              .maximum = highest_degree,
              .default_value = std::int64_t{3},
-             .help = "of the splines, which have p - 1 continuous derivatives"}};
+             .help = "spline degree; the splines have p − 1 continuous derivatives"}};
 }
 
-Space flat(const Values&) { return {SpaceKind::euclidean}; }
+DomainType domain_type(const char* name, const char* label, const char* help,
+                       std::vector<ParameterRow> rows) {
+    return {.name = name,
+            .label = label,
+            .help = help,
+            .rows = std::move(rows),
+            .space = [](const Values&) { return Space{SpaceKind::euclidean}; },
+            .spline_patch = true};
+}
 
 } // namespace
 
@@ -96,24 +103,27 @@ std::vector<double> SplineDomain::node_lines() const {
 
 std::vector<DomainType> spline_domains() {
     std::vector<DomainType> types;
-    for (const auto& one : shipped()) types.push_back({one.name, one.label, one.help, rows(), flat});
+    for (const auto& one : shipped()) types.push_back(domain_type(one.name, one.label, one.help, rows()));
     std::vector<ParameterRow> with_file = rows();
     with_file.push_back(
         {.key = "file",
          .label = "File",
          .kind = ParameterKind::text,
          .default_value = std::string(),
-         .help = "a patch as JSON (docs/splines.md) or G+Smo's .xml, or the JSON itself; none: the unit "
-                 "disk as NURBS"});
+         .help =
+             "patch file, JSON (docs/splines.md) or G+Smo .xml, or the JSON text itself; if empty, the unit "
+             "disk as a NURBS patch"});
     with_file.push_back(
         {.key = "control_points",
          .label = "Control points",
          .kind = ParameterKind::text,
          .default_value = std::string(),
-         .help = "of a patch in the plane, instead of the file's: \"x y, x y, ...\"; in the window, "
-                 "drag them"});
-    types.push_back({from_file, "Patch from a file",
-                     "splines or NURBS with control points, in the plane or in space", with_file, flat});
+         .help = "control points of a planar patch, \"x y, x y, ...\", instead of the file's; in the window, "
+                 "drag them",
+         .role = ParameterRole::control_points});
+    types.push_back(domain_type(from_file, "Patch from a file",
+                                "a spline or NURBS patch with control points, in the plane or in space",
+                                with_file));
     return types;
 }
 
@@ -128,7 +138,7 @@ std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, 
     if (const std::string& points = values.text("control_points"); !points.empty()) {
         if (!flat)
             throw InputError(
-                "domain.control_points is for patches in the plane, and domain.file is of one in space");
+                "domain.control_points requires a planar patch, but that of domain.file is in space");
         patch.control = parse_control_points(points, patch.control.size());
     }
     auto control = flat ? std::make_shared<const Points>(patch.control) : nullptr;

@@ -1,5 +1,5 @@
-// A patch cut into n x n cells, with the splines in which its mesh is sought; and the kinds of patch that a
-// user can choose.
+// A patch divided into n x n cells with the spline spaces for its mesh, and the table of patches that a user
+// can choose.
 #pragma once
 
 #include "core/mesh/discretisation.hpp"
@@ -16,16 +16,16 @@ class SplineDomain final : public Discretisation {
     SplineDomain(int degree, std::size_t cells, std::shared_ptr<const PatchMap> map,
                  std::shared_ptr<const Points> control = nullptr);
 
-    /// Quadrilaterals of order 2 with nodes on the patch, (2 n + 1)^2 of them, fastest in xi1.
+    /// Quadrilaterals of order 2; (2 n + 1)^2 nodes on the patch, xi1 fastest.
     std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
     std::shared_ptr<const Points> control_points() const override { return control_; }
-    /// Of the standard form.
+    /// Unknowns of the standard form.
     std::size_t unknowns() const override;
 
     int degree() const { return degree_; }
     std::size_t cells() const { return cells_; }
     std::shared_ptr<const PatchMap> map() const { return map_; }
-    /// Where the nodes stand along each direction of the parameter square.
+    /// Parameters of the nodes along each direction of the parameter square.
     std::vector<double> node_lines() const;
 
   private:
@@ -36,9 +36,9 @@ class SplineDomain final : public Discretisation {
     std::shared_ptr<const Mesh> mesh_;
 };
 
-/// The square, the disk, the quarter annulus, the torus part, the Moebius strip, and a patch from a file.
+/// Square, disk, quarter annulus, part of a torus, Möbius strip, and a patch from a file.
 std::vector<DomainType> spline_domains();
-/// Throws InputError where a file is no patch.
+/// Throws InputError if the patch is invalid.
 std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, const Values& values);
 
 } // namespace gaspard

@@ -89,7 +89,7 @@ double SplineForm::mean(std::span<const double> phi) const {
     return sum;
 }
 
-// phi^T (M (x) M) phi, M banded.
+// sqrt(phi^T (M (x) M) phi) for phi without its mean; M is banded.
 double SplineForm::norm_without_mean(std::span<const double> phi) const {
     const std::size_t n = size(), band = static_cast<std::size_t>(space().degree);
     const double average = mean(phi);

@@ -1,11 +1,12 @@
-// The mixed form (6.4), solved by algorithm 2. With M and R for the inner functions of S^p, that is without
-// the first and the last, and D for S^p-1:
+// The mixed form (6.4), solved by Algorithm 2. M and R are restricted to the inner functions of S^p, all but
+// the first and the last; D is the mass matrix of S^p-1:
 //
-//   (D (x) S + S (x) D) phi = <div lift, w> - <g, w>,   S = R^T M^-1 R (6.18) Psi = lift - (M^-1 R phi, phi
-//   R^T M^-1)
+//   (D (x) S + S (x) D) phi = <div lift, w> - <g, w>,     S = R^T M^-1 R                  (6.18)
 //
-// The lift has the given flux through the border and is orthogonal to all that has none, so that it adds
-// nothing else.
+//   Psi = lift - (M^-1 R phi, phi R^T M^-1)
+//
+// The lift has the prescribed normal trace and is orthogonal to all fields with zero normal trace, so it
+// makes no other contribution.
 #include "core/base/check.hpp"
 #include "core/spline/line_matrices.hpp"
 
@@ -31,7 +32,7 @@ struct Inner {
     }
     MatrixXd gradient; ///< M^-1 R
     MatrixXd schur;
-    VectorXd first, last; ///< 1 at one end, 0 at the other, orthogonal to the inner functions
+    VectorXd first, last; ///< 1 at one end, 0 at the other; orthogonal to the inner functions
 };
 
 VectorXd vector(std::span<const double> values) {
@@ -48,7 +49,7 @@ class MixedForm final : public SplineForm {
         integrals_ = integrals(line_, quadrature_.lower);
         border_flux_ = flux(line_, trace);
         const auto mass = matrices.mass_below.llt();
-        // Of a constant its own coefficients, exactly.
+        // Constants are reproduced exactly: project the difference from the first value.
         const auto project = [&](const std::vector<double>& values) -> VectorXd {
             std::vector<double> rest = values;
             for (double& value : rest) value -= values[0];
@@ -64,7 +65,7 @@ class MixedForm final : public SplineForm {
         border_load_.assign(load.data(), load.data() + load.size());
     }
 
-    // Sums along x: of psi1 with B and with its derivative, of psi2 with the lower splines.
+    // Sums along x: psi1 with B and its derivative, psi2 with the functions of S^p-1.
     void expand(std::span<const double> phi, Border border, const SplineGrid& grid, std::size_t fields,
                 Workspace& workspace) const override {
         const auto below = static_cast<Index>(size()), above = below + 1;
@@ -81,7 +82,7 @@ class MixedForm final : public SplineForm {
         if (fields > 2) sum_along_x(grid.upper, 1, workspace.first, size(), workspace.half[1], workspace);
         sum_along_x(grid.lower, 0, workspace.second, size() + 1, workspace.half[2], workspace);
     }
-    // What solves the Poisson problem for div Psi = 2.
+    // The solution of the Poisson problem with div Psi = 2.
     std::vector<double> identity() const override {
         std::vector<double> phi(unknowns());
         for (std::size_t j = 0; j < size(); ++j)

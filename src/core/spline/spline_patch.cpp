@@ -47,9 +47,9 @@ class Map final : public PatchMap {
     }
 
   private:
-    using Homogeneous = std::array<double, 4>; ///< w x, w y, w z, w
+    using Homogeneous = std::array<double, 4>; ///< (w x, w y, w z, w)
 
-    /// The value and, of order 1, both derivatives.
+    /// The value and, for order 1, both derivatives.
     std::array<Homogeneous, 3> at(double a, double b, int order) const {
         const KnotVector &u = patch_.space.directions[0], &v = patch_.space.directions[1];
         std::array<double, 2 * (highest_degree + 1)> bu, bv;

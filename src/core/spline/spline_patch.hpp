@@ -1,4 +1,6 @@
-// A patch of splines or NURBS: F(xi) = sum of B_ij w_ij C_ij / sum of B_ij w_ij, (2.5) with weights.
+// Spline and NURBS patches, (2.5) with weights:
+//
+//   F(xi) = (sum over i, j of B_ij w_ij C_ij) / (sum over i, j of B_ij w_ij)
 #pragma once
 
 #include "core/spline/patch_map.hpp"
@@ -6,20 +8,20 @@
 
 namespace gaspard {
 
-/// A value: change control points or weights and make a map of it anew, which is cheap.
+/// Plain data: to move control points, change them and make a new map, which is cheap.
 struct SplinePatch {
     TensorSpace space;           ///< two directions
-    Points control;              ///< C, fastest in the first direction
+    Points control;              ///< C, first direction fastest
     std::vector<double> weights; ///< all 1 for splines
     friend bool operator==(const SplinePatch&, const SplinePatch&) = default;
 };
 
-/// The same surface with more knots; `fine` refines the patch's space.
+/// The same surface with more knots; `fine` must refine the patch's space.
 SplinePatch insert_knots(const SplinePatch& patch, const TensorSpace& fine);
-/// The splines that are x at the Greville points of their space, fastest in the first direction.
+/// The spline patch that interpolates x at the Greville points of the space, first direction fastest.
 SplinePatch patch_through(const TensorSpace& space, const Points& x);
 
-/// The map of a patch, whose weights are positive and whose numbers fit together.
+/// The map of a patch that satisfies check_patch.
 std::shared_ptr<const PatchMap> patch_map(SplinePatch patch);
 
 } // namespace gaspard

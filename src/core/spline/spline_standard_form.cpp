@@ -26,13 +26,13 @@ class StandardForm final : public SplineForm {
         }
     }
 
-    // Sums along x: of B, of its first and of its second derivative.
+    // Sums along x with B, its first and its second derivative.
     void expand(std::span<const double> phi, Border, const SplineGrid& grid, std::size_t fields,
                 Workspace& workspace) const override {
         for (int d = 0; d < (fields > 2 ? 3 : 2); ++d)
             sum_along_x(grid.upper, d, phi, size(), workspace.half[static_cast<std::size_t>(d)], workspace);
     }
-    // (x^2 + y^2) / 2.
+    // The potential (x^2 + y^2) / 2.
     std::vector<double> identity() const override {
         const auto square = square_coefficients(line_.upper);
         std::vector<double> phi;

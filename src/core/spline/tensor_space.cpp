@@ -6,7 +6,7 @@ namespace gaspard {
 
 namespace {
 
-/// A direction that a space does not have: one constant function.
+/// A direction beyond the dimension of the space: one constant function.
 const KnotVector constant{0, {0, 1}};
 
 const KnotVector& direction(const TensorSpace& space, std::size_t d) {
@@ -15,7 +15,7 @@ const KnotVector& direction(const TensorSpace& space, std::size_t d) {
 
 struct LineValues {
     std::size_t first;
-    std::vector<double> values; ///< of one derivative
+    std::vector<double> values; ///< of one order of derivative
 };
 
 LineValues line_values(const KnotVector& space, double x, int order) {
@@ -26,7 +26,7 @@ LineValues line_values(const KnotVector& space, double x, int order) {
     return {span + 1 - width, {all.end() - static_cast<std::ptrdiff_t>(width), all.end()}};
 }
 
-/// A matrix applied along one direction of a tensor.
+/// Applies a matrix along one direction of a tensor.
 std::vector<double> apply(const LineMatrix& matrix, std::span<const double> tensor, std::size_t before) {
     const std::size_t after = tensor.size() / (before * matrix.columns);
     std::vector<double> out(before * matrix.rows * after, 0.0);

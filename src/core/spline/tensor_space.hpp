@@ -1,5 +1,5 @@
-// Tensor products of splines in one to three directions, and the discrete de Rham spaces of Bahari et al.
-// (2.13), (2.14). Slow and general; what iterations need is in spline_forms.hpp.
+// Tensor-product spline spaces in one to three directions, and the discrete de Rham complex of Bahari et al.
+// (2.13), (2.14). General and slow; iterations use spline_forms.hpp.
 #pragma once
 
 #include "core/base/points.hpp"
@@ -11,7 +11,7 @@
 
 namespace gaspard {
 
-/// Functions B_i(x) B_j(y) B_k(z); coefficients run fastest in the first direction.
+/// Functions B_i(x) B_j(y) B_k(z); the index of the first direction runs fastest.
 struct TensorSpace {
     std::vector<KnotVector> directions; ///< one to three
 
@@ -19,20 +19,20 @@ struct TensorSpace {
     friend bool operator==(const TensorSpace&, const TensorSpace&) = default;
 };
 
-/// The derivative of given order in each direction, at a point.
+/// The mixed derivative of the given orders at a point.
 double evaluate(const TensorSpace& space, std::span<const double> coefficients, Vec3 point,
                 std::array<int, 3> orders = {0, 0, 0});
-/// Coefficients in `fine`, which refines `coarse` in every direction, of the same function: exact.
+/// Coefficients in `fine`, which refines `coarse` in every direction, of the same function.
 std::vector<double> insert_knots(const TensorSpace& coarse, std::span<const double> coefficients,
                                  const TensorSpace& fine);
 
-/// grad (H1) -> [curl (3D only)] -> div -> L2, each derivative of a member of one space being a member of the
-/// next; in 2D the first arrow is the rotated gradient.
+/// The complex grad (H1) -> curl (3D only) -> div -> L2: derivatives map each space into the next. In 2D the
+/// first map is the rotated gradient.
 struct DeRham {
     TensorSpace gradient;
-    std::vector<TensorSpace> curl; ///< its three components, (2.15); empty in 2D
+    std::vector<TensorSpace> curl; ///< the three components, (2.15); empty in 2D
     std::vector<TensorSpace> divergence;
-    TensorSpace square; ///< L2
+    TensorSpace square; ///< the L2 space
 };
 DeRham de_rham(const TensorSpace& space);
 

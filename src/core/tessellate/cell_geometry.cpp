@@ -11,14 +11,14 @@ namespace gaspard {
 
 namespace {
 
-constexpr int quadrature_points = 3; // per direction: exact for cells of order 2 in the plane
+constexpr int quadrature_points = 3; // per direction; exact for cells of order 2 in the plane
 
-/// Of the parallelograms at the `corners` of a straight cell in the plane, between both neighbours each.
-/// Inline, for what it finds belongs into registers.
+/// Areas of the parallelograms spanned at each corner of a straight-edged planar cell by its two edges.
+/// Inlined, so that the result stays in registers.
 template <std::size_t corners>
 [[gnu::always_inline]] inline std::array<double, corners> corner_areas(const std::int32_t* cell,
                                                                        const double* x, const double* y) {
-    std::array<double, corners> to_x, to_y, areas; // to_*: from the corner before
+    std::array<double, corners> to_x, to_y, areas; // to_*: vector from the previous corner
     for (std::size_t k = 0; k < corners; ++k) {
         to_x[k] = x[cell[k]] - x[cell[(k + corners - 1) % corners]];
         to_y[k] = y[cell[k]] - y[cell[(k + corners - 1) % corners]];
@@ -38,7 +38,7 @@ void straight_jacobians(const Mesh& mesh, const Points& x, std::vector<double>& 
         const std::int32_t* cell = mesh.cells.data() + corners * i;
         const auto areas = corner_areas<corners>(cell, to_x, to_y);
         const auto of = corner_areas<corners>(cell, from_x, from_y);
-        double smallest = areas[0] / of[0], sum = smallest; // no branch: which is smallest cannot be foretold
+        double smallest = areas[0] / of[0], sum = smallest; // branch-free, because the order is unpredictable
         for (std::size_t k = 1; k < corners; ++k) {
             const double jacobian = areas[k] / of[k];
             smallest = jacobian < smallest ? jacobian : smallest;
@@ -85,28 +85,19 @@ CellGeometry::CellGeometry(std::shared_ptr<const Mesh> mesh)
     turns_left_ = straight_in_the_plane() && tangled_in_the_plane(mesh_->nodes).empty();
 }
 
-CellGeometry::Tangents CellGeometry::tangents(std::span<const std::int32_t> cell, const Points& x,
-                                              const Sample& sample) const {
-    Tangents t{};
-    for (std::size_t k = 0; k < cell.size(); ++k) {
-        const Vec3 g = sample.gradients[k], node = x[static_cast<std::size_t>(cell[k])];
-        t[0] = t[0] + g.x * node;
-        if (dimension_ > 1) t[1] = t[1] + g.y * node;
-        if (dimension_ > 2) t[2] = t[2] + g.z * node;
-        if (on_ball_) t[2] = t[2] + sample.values[k] * node; // the place itself
-    }
+Tangents CellGeometry::tangents(std::span<const std::int32_t> cell, const Points& x,
+                                const Sample& sample) const {
+    const auto node = [&](std::size_t k) { return x[static_cast<std::size_t>(cell[k])]; };
+    Tangents t = cell_tangents(dimension_, sample.gradients, node);
+    for (std::size_t k = 0; on_ball_ && k < cell.size(); ++k) t[2] = t[2] + sample.values[k] * node(k);
     return t;
 }
 
 double CellGeometry::signed_measure(const Tangents& of, const Tangents& reference) const {
-    if (dimension_ == 2 && mesh_->space_dimension == 2) return of[0].x * of[1].y - of[0].y * of[1].x;
-    if (dimension_ == 1) return std::copysign(norm(of[0]), dot(of[0], reference[0]));
+    if (!on_ball_) return gaspard::signed_measure(dimension_, mesh_->space_dimension, of, reference);
     const Vec3 normal = cross(of[0], of[1]);
-    if (dimension_ == 3) return dot(normal, of[2]);
-    if (on_ball_)
-        return std::copysign(norm(normal),
-                             dot(normal, of[2]) * dot(cross(reference[0], reference[1]), reference[2]));
-    return std::copysign(norm(normal), dot(normal, cross(reference[0], reference[1])));
+    return std::copysign(norm(normal),
+                         dot(normal, of[2]) * dot(cross(reference[0], reference[1]), reference[2]));
 }
 
 bool CellGeometry::straight_in_the_plane() const {
@@ -116,7 +107,7 @@ bool CellGeometry::straight_in_the_plane() const {
 std::vector<double> CellGeometry::measures(const Points& x) const {
     GASPARD_CHECK(x.size() == mesh_->node_count());
     std::vector<double> found(mesh_->cell_count());
-    if (straight_in_the_plane()) { // half the product of the diagonals, or of two sides
+    if (straight_in_the_plane()) { // half the cross product of the diagonals, or of two sides
         const auto corners = static_cast<std::size_t>(corners_per_cell(mesh_->kind));
         for (std::size_t i = 0; i < found.size(); ++i) {
             const std::int32_t* c = mesh_->cells.data() + i * corners;

@@ -1,11 +1,9 @@
-// What can be told of a mesh's cells from the positions of their nodes alone: how large they are, and how
-// they are stretched. Cheap beside a measurement (core/diagnostics), so that a picture can be coloured in
-// between.
+// Measures and Jacobians of a mesh's cells from the positions of their nodes alone. Cheaper than a
+// measurement (core/diagnostics), so that an image can be coloured in between.
 #pragma once
 
-#include "core/mesh/mesh.hpp"
+#include "core/mesh/cell_measure.hpp"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -13,35 +11,34 @@
 
 namespace gaspard {
 
-/// The radius of the sphere around the origin that all nodes of a surface lie on; 0 where there is none.
+/// The radius of the sphere around the origin on which all nodes of a surface lie; 0 if there is none.
 double radius_of_ball(const Mesh& mesh);
 
-/// Cells with a Jacobian of zero or less, or none at all, in ascending order.
+/// Indices of the cells whose Jacobian is <= 0 or NaN, ascending.
 std::vector<std::uint32_t> tangled_cells(std::span<const double> jacobians);
 
 class CellGeometry {
   public:
     explicit CellGeometry(std::shared_ptr<const Mesh> mesh);
 
-    /// Length, area or volume of every cell for nodes at `x`; negative where it is turned over.
+    /// Length, area or volume of every cell for nodes at `x`; negative if the cell is reversed.
     std::vector<double> measures(const Points& x) const;
-    /// det dx/dxi of every cell, the smallest at its nodes. On a line or surface in space it is negative
-    /// where the cell faces away from the computational one; on a sphere where one of both faces outward and
-    /// the other inward, for cells move around it.
+    /// Minimum over the nodes of det dx/dxi, for every cell. On lines and surfaces in space it is negative if
+    /// the cell faces away from the computational cell; on a sphere, where cells move around it, if one of
+    /// the two faces outward and the other inward.
     std::vector<double> jacobians(const Points& x) const;
-    /// Cells with such a Jacobian of zero or less, or none at all, in ascending order; faster than to compute
-    /// them.
+    /// Indices of the cells whose Jacobian is <= 0 or NaN, ascending; faster than
+    /// tangled_cells(jacobians(x)).
     std::vector<std::uint32_t> tangled(const Points& x) const;
 
   private:
-    /// d/ds, d/dt, d/du; of a surface on a ball, the third is the place.
-    using Tangents = std::array<Vec3, 3>;
     struct Sample {
         std::vector<double> values;  ///< of the shape functions
-        std::vector<Vec3> gradients; ///< likewise
+        std::vector<Vec3> gradients; ///< of the shape functions
         double weight = 0;
     };
 
+    /// Of a surface on a ball the third is the position.
     Tangents tangents(std::span<const std::int32_t> cell, const Points& x, const Sample& sample) const;
     double signed_measure(const Tangents& of, const Tangents& reference) const;
     bool straight_in_the_plane() const;
@@ -51,7 +48,7 @@ class CellGeometry {
     int dimension_;
     bool on_ball_;
     std::vector<Sample> nodes_, quadrature_;
-    bool turns_left_ = false; ///< straight in the plane, and all corners of the computational mesh do
+    bool turns_left_ = false; ///< straight-edged planar mesh whose corners all turn left
 };
 
 } // namespace gaspard

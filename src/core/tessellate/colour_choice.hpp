@@ -1,4 +1,4 @@
-// What cells are to be coloured by, in a picture or a file; the names are explained in
+// What cells are to be coloured by, in an image or a file; the names are explained in
 // tessellate/colouring.hpp.
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace gaspard {
 
 struct ColourChoice {
-    std::string colouring = "monitor"; ///< monitor, area, jacobian, equidistribution, displacement, none
+    std::string colouring = "monitor"; ///< of mesh_colours(), a field of the method, or none
     std::string map = "automatic";     ///< or a name of colour_maps(): the one that suits the values
     bool logarithmic = false;          ///< where values may be negative (equidistribution) it stays linear
     bool fixed = false;                ///< the range is low to high, else it follows the values

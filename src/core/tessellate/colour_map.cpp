@@ -19,7 +19,7 @@ struct OwnedMap {
     std::vector<Colour> colours;
 };
 
-/// One line "red,green,blue" of a colour map's file, numbers from 0 to 255.
+/// Parses a line "red,green,blue" of a colour map file; numbers from 0 to 255.
 Colour parse_colour(std::string_view line) {
     Colour colour{};
     const char* at = line.data();

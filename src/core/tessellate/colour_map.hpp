@@ -1,4 +1,4 @@
-// From numbers to colours. One table of maps serves window, pictures and files.
+// Colour maps. One table serves the window, images and files.
 #pragma once
 
 #include <array>
@@ -12,26 +12,27 @@ namespace gaspard {
 struct ColourMap {
     std::string_view name;
     std::span<const std::array<unsigned char, 3>> colours; ///< sRGB, evenly spaced from low to high
-    bool diverging = false; ///< two hues from a pale middle, for values that have one
+    bool diverging = false;                                ///< two hues that meet in a light middle colour
 };
 
-/// In the order in which they are offered; the first is the one for values that go from low to high.
+/// In menu order; the first is the default for sequential values.
 const std::vector<ColourMap>& colour_maps();
-const ColourMap& colour_map(std::string_view name); ///< checked: the name is in the table
+const ColourMap& colour_map(std::string_view name); ///< checks that the name is in the table
 /// `t` is clamped to [0, 1]; NaN gives the lowest colour.
 std::array<unsigned char, 3> colour_at(const ColourMap& map, double t);
 
-/// The interval of values that the map spans.
+/// The range of values that a colour map spans.
 struct ColourRange {
     double low = 0, high = 1;
-    bool logarithmic = false; ///< needs 0 < low
+    bool logarithmic = false; ///< requires low > 0
     friend bool operator==(const ColourRange&, const ColourRange&) = default;
-    /// 0 at low, 1 at high, beyond them outside; of a logarithmic range 0 where there is no logarithm.
+    /// Relative position: 0 at low, 1 at high, linear or logarithmic, not clamped. For logarithmic ranges,
+    /// values <= 0 give 0.
     double position(double value) const;
-    /// Where a position lies: the inverse of position().
+    /// The inverse of position().
     double value(double position) const;
 };
-/// Of the finite values; 0 to 1 where there is none.
+/// The range of the finite values; [0, 1] if there are none.
 ColourRange range_of(std::span<const double> values);
 
 } // namespace gaspard

@@ -1,6 +1,7 @@
 #include "core/tessellate/colouring.hpp"
 
 #include "core/base/check.hpp"
+#include "core/scenario/view_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,30 +13,6 @@ namespace {
 
 constexpr double decades_limit = 1e-6; // a logarithmic range spans no more than this part of its high end
 
-struct Kind {
-    std::string_view name, label;
-    FieldPlace place;
-    bool is_signed;               ///< values may be negative; has no logarithm
-    std::optional<double> centre; ///< what a diverging map has its middle at
-};
-const std::array<Kind, 5>& kinds() {
-    static const std::array<Kind, 5> table = {{
-        {"monitor", "monitor", FieldPlace::node, false, {}},
-        {"area", "cell area", FieldPlace::cell, false, {}},
-        {"jacobian", "Jacobian", FieldPlace::cell, false, 1.0},
-        {"equidistribution", "equidistribution", FieldPlace::cell, true, 0.0},
-        {"displacement", "displacement", FieldPlace::node, false, {}},
-    }};
-    return table;
-}
-
-const Kind* find_kind(std::string_view name) {
-    for (const Kind& kind : kinds())
-        if (kind.name == name) return &kind;
-    GASPARD_CHECK(name == "none");
-    return nullptr;
-}
-
 double smallest_positive(std::span<const double> values) {
     double smallest = std::numeric_limits<double>::infinity();
     for (const double value : values)
@@ -43,39 +20,40 @@ double smallest_positive(std::span<const double> values) {
     return smallest;
 }
 
-ColourRange logarithmic(ColourRange range, std::span<const double> values, const Kind& kind, bool diverging) {
+ColourRange logarithmic(ColourRange range, std::span<const double> values, const FieldInfo& info,
+                        bool diverging) {
     if (!(range.high > 0)) return range;
     if (!(range.low > 0)) range.low = std::min(smallest_positive(values), range.high);
     range.low = std::max(range.low, decades_limit * range.high);
     range.logarithmic = true;
-    if (diverging && kind.centre && *kind.centre > 0) {
-        const double ratio = std::max(range.high / *kind.centre, *kind.centre / range.low);
-        range.low = *kind.centre / ratio, range.high = *kind.centre * ratio;
+    if (diverging && info.centre && *info.centre > 0) {
+        const double ratio = std::max(range.high / *info.centre, *info.centre / range.low);
+        range.low = *info.centre / ratio, range.high = *info.centre * ratio;
     }
     return range;
 }
 
 /// What differs by rounding alone is the same; colours would make a pattern of it.
-bool constant(const ColourRange& range, const Kind& kind) {
-    const double size = kind.is_signed ? 1 : std::max(std::abs(range.low), std::abs(range.high));
+bool constant(const ColourRange& range, const FieldInfo& info) {
+    const double size = info.is_signed() ? 1 : std::max(std::abs(range.low), std::abs(range.high));
     return range.high - range.low <= 1e-12 * size;
 }
 
-ColourRange automatic_range(std::span<const double> values, const Kind& kind, bool log, bool diverging) {
+ColourRange automatic_range(std::span<const double> values, const FieldInfo& info, bool log, bool diverging) {
     ColourRange range = range_of(values);
-    if (constant(range, kind)) {
-        const double middle = kind.is_signed ? *kind.centre : range.low + (range.high - range.low) / 2;
+    if (constant(range, info)) {
+        const double middle = info.is_signed() ? *info.centre : range.low + (range.high - range.low) / 2;
         return {middle, middle};
     }
-    if (log && !kind.is_signed) return logarithmic(range, values, kind, diverging);
-    if (!diverging || !kind.centre) return range;
-    const double half = std::max(range.high - *kind.centre, *kind.centre - range.low);
-    return {*kind.centre - half, *kind.centre + half};
+    if (log && !info.is_signed()) return logarithmic(range, values, info, diverging);
+    if (!diverging || !info.centre) return range;
+    const double half = std::max(range.high - *info.centre, *info.centre - range.low);
+    return {*info.centre - half, *info.centre + half};
 }
 
-const ColourMap& map_of(const ColourChoice& choice, const Kind& kind) {
+const ColourMap& map_of(const ColourChoice& choice, const FieldInfo& info) {
     if (choice.map != "automatic") return colour_map(choice.map);
-    return kind.is_signed ? colour_map("blue-red") : colour_maps().front();
+    return info.is_signed() ? colour_map("blue-red") : colour_maps().front();
 }
 
 void count(Colouring& colouring) {
@@ -122,8 +100,18 @@ std::vector<double> deviations(const std::vector<double>& masses) {
     return found;
 }
 
-const char* measure_label(int dimension) {
-    return dimension == 1 ? "cell length" : dimension == 2 ? "cell area" : "cell volume";
+/// Of what every mesh has, or of a field of the snapshot; null for "none" and where the snapshot, of another
+/// method, has no such field.
+const FieldInfo* find_info(const Snapshot& snapshot, std::string_view name) {
+    for (const FieldInfo& info : mesh_colours())
+        if (info.name == name) return &info;
+    return snapshot.field(name);
+}
+
+std::string legend_text(const FieldInfo& info, int dimension) {
+    if (info.name == "area" && dimension != 2) return dimension == 1 ? "cell length" : "cell volume";
+    const std::string& text = info.label.empty() ? info.name : info.label;
+    return info.unit.empty() ? text : text + " [" + info.unit + "]";
 }
 
 } // namespace
@@ -166,38 +154,33 @@ std::vector<std::uint32_t> ColouringMaker::tangled(const Snapshot& snapshot) {
     return geometry_->tangled(snapshot.x);
 }
 
-bool ColouringMaker::fill(const Snapshot& snapshot, Colouring& colouring) {
-    if (colouring.name == "monitor") {
-        const Field* monitor = snapshot.field("monitor");
-        if (monitor == nullptr) return false;
-        colouring.values = monitor->values;
-    } else if (colouring.name == "area") {
-        colouring.values = geometry_->measures(snapshot.x);
-        colouring.label = measure_label(cell_dimension(mesh_->kind));
-    } else if (colouring.name == "jacobian") {
-        colouring.values = jacobians(snapshot);
-    } else if (colouring.name == "equidistribution") {
-        if (mass_.empty()) return false;
-        colouring.values = deviations(mass_);
-    } else {
-        colouring.values = displacements(snapshot);
-    }
-    return true;
+/// Empty where the snapshot does not have them.
+std::optional<std::vector<double>> ColouringMaker::values(const Snapshot& snapshot, const std::string& name) {
+    if (name == "area") return geometry_->measures(snapshot.x);
+    if (name == "jacobian") return jacobians(snapshot);
+    if (name == "equidistribution") return mass_.empty() ? std::nullopt : std::optional(deviations(mass_));
+    if (name == "displacement") return displacements(snapshot);
+    const Field* field = snapshot.field(name);
+    return field != nullptr ? std::optional(field->values) : std::nullopt;
 }
 
 std::optional<Colouring> ColouringMaker::make(const Snapshot& snapshot, const ColourChoice& choice) {
     see(snapshot);
-    const Kind* kind = find_kind(choice.colouring);
-    if (kind == nullptr) return std::nullopt;
-    Colouring colouring{.name = choice.colouring, .label = std::string(kind->label), .place = kind->place};
-    if (!fill(snapshot, colouring)) return std::nullopt;
-    colouring.map = &map_of(choice, *kind);
+    const FieldInfo* info = find_info(snapshot, choice.colouring);
+    if (info == nullptr) return std::nullopt;
+    auto found = values(snapshot, choice.colouring);
+    if (!found) return std::nullopt;
+    Colouring colouring{.name = choice.colouring,
+                        .label = legend_text(*info, cell_dimension(mesh_->kind)),
+                        .place = info->place,
+                        .values = std::move(*found)};
+    colouring.map = &map_of(choice, *info);
     if (choice.fixed)
         colouring.range = {choice.low, choice.high,
-                           choice.logarithmic && !kind->is_signed && choice.low > 0 && choice.high > 0};
+                           choice.logarithmic && !info->is_signed() && choice.low > 0 && choice.high > 0};
     else
         colouring.range =
-            automatic_range(colouring.values, *kind, choice.logarithmic, colouring.map->diverging);
+            automatic_range(colouring.values, *info, choice.logarithmic, colouring.map->diverging);
     count(colouring);
     return colouring;
 }

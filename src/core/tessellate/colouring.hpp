@@ -1,11 +1,12 @@
-// What the cells of a picture or a file are coloured by: a snapshot and a choice (the rows of the section
+// What the cells of an image or a file are coloured by: a snapshot and a choice (the rows of the section
 // "view") give values, the map and the range that turn them into colours, and a histogram for the legend.
 //
 //   monitor          m at the nodes
 //   area             of the physical cell; length of a line, volume of a solid
 //   jacobian         det dx/dxi, the smallest sampled in each cell
-//   equidistribution M_i / mean of M - 1 of each cell: 0 where the monitor is shared out evenly
+//   equidistribution M_i / mean of M - 1 of each cell: 0 where the monitor is equidistributed
 //   displacement     |x - xi| of the nodes
+//   a field of the method (MethodType::fields), by its name
 //   none             no colours
 #pragma once
 
@@ -45,7 +46,8 @@ struct Colouring {
 /// colours do not flicker.
 class ColouringMaker {
   public:
-    /// Nothing for "none", and for M_i before they were first measured.
+    /// Empty for "none", for a field that the snapshot does not have, and for M_i before they were first
+    /// measured.
     std::optional<Colouring> make(const Snapshot& snapshot, const ColourChoice& choice);
     /// Notes what was measured; needed for snapshots that make() does not see.
     void see(const Snapshot& snapshot);
@@ -58,7 +60,7 @@ class ColouringMaker {
     const std::vector<double>& masses() const { return mass_; }     ///< M_i as last measured; empty before
 
   private:
-    bool fill(const Snapshot& snapshot, Colouring& colouring);
+    std::optional<std::vector<double>> values(const Snapshot& snapshot, const std::string& name);
 
     std::shared_ptr<const Mesh> mesh_;
     std::optional<CellGeometry> geometry_;

@@ -1,5 +1,5 @@
-// The smallest and the largest number of any stretch of a growing column, at a cost that hardly depends on
-// the stretch's length. With it a curve of a million points is drawn from as many values as there are pixels.
+// Minimum and maximum over any range of a growing array, at a cost that hardly depends on the length of the
+// range. With it, a curve of a million points is drawn from as many values as there are pixels.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace gaspard {
 
-/// What numbers lie between. NaN and infinity do not count.
+/// The extrema of an array; NaN and infinity are ignored.
 struct Extent {
     double min = std::numeric_limits<double>::infinity();
     double max = -std::numeric_limits<double>::infinity();
@@ -20,19 +20,19 @@ struct Extent {
     void add(const Extent& other);
 };
 
-/// Beside a column that only grows, append() is called for each of its values.
+/// append() must be called for every value that is appended to the array.
 class Extremes {
   public:
     void append(double value);
     void clear();
     std::size_t size() const { return size_; }
     const Extent& all() const { return all_; }
-    /// Of values[begin, end), where `values` is the column. Needs begin <= end <= size().
+    /// The extrema of values[begin, end), where `values` is the array. Requires begin <= end <= size().
     Extent of(std::span<const double> values, std::size_t begin, std::size_t end) const;
 
   private:
     static constexpr std::size_t block = 16;
-    std::vector<Extent> blocks_; ///< of `block` values each, the last one perhaps of fewer
+    std::vector<Extent> blocks_; ///< one per `block` values; the last may have fewer
     Extent all_;
     std::size_t size_ = 0;
 };

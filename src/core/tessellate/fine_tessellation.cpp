@@ -14,15 +14,15 @@ namespace {
 
 constexpr std::size_t most_triangles = std::size_t{4} << 20;
 
-/// A point of the coarsest tessellation as a cell knows it.
+/// A point of the coarsest tessellation, seen from a cell.
 struct Corner {
     std::uint32_t point = 0;
-    Vec3 where; ///< in the reference cell
+    Vec3 where; ///< reference coordinates
 };
 
 struct Face {
     std::uint32_t cell = 0;
-    std::vector<Corner> corners; ///< around it
+    std::vector<Corner> corners; ///< in order around it
 };
 
 double longest_side(std::initializer_list<const Points*> sets) {
@@ -39,19 +39,19 @@ double longest_side(std::initializer_list<const Points*> sets) {
     return longest;
 }
 
-/// From a point to a straight piece; both seen from where the piece begins.
+/// The vector from a segment to a point, relative to the start of the segment.
 double distance_to_chord(Vec3 point, Vec3 chord) {
     const double square = dot(chord, chord);
     return square > 0 ? norm(point - std::clamp(dot(point, chord) / square, 0.0, 1.0) * chord) : norm(point);
 }
 
-/// How finely a face is cut: in squares from corner 0 to 1 and from 0 to 3, or in triangles along each side.
+/// Subdivision of a face: squares along sides 0-1 and 0-3, or triangles along each side.
 struct Grid {
     const Face& face;
     std::size_t columns = 1, rows = 1;
 
     bool triangle() const { return face.corners.size() == 3; }
-    /// The last place of a row.
+    /// The last position of a row.
     std::size_t end(std::size_t j) const { return triangle() ? columns - j : columns; }
 
     Vec3 where(std::size_t i, std::size_t j) const {
@@ -63,7 +63,7 @@ struct Grid {
                (1 - s) * t * k[3].where;
     }
 
-    /// On which side of the face a place lies, and how many of how many steps along it; side -1: inside.
+    /// The side of the face on which a grid position lies, and its step along that side; side -1: interior.
     struct OnSide {
         int side = -1;
         std::size_t step = 0, of = 1;
@@ -77,7 +77,7 @@ struct Grid {
     }
 };
 
-/// Cuts the edges and faces of the coarsest tessellation.
+/// Subdivides the edges and faces of the coarsest tessellation.
 class Cutter {
   public:
     Cutter(const Mesh& mesh, const Points& x, double tolerance)
@@ -97,7 +97,7 @@ class Cutter {
     }
 
   private:
-    using EdgePoints = std::vector<std::uint32_t>; ///< from one end to the other
+    using EdgePoints = std::vector<std::uint32_t>; ///< in order along the edge
 
     Corner corner(std::uint32_t cell, std::uint32_t point) const {
         const std::uint32_t node = coarse_.starts.empty() ? point : coarse_.nodes[coarse_.starts[point]];
@@ -113,7 +113,7 @@ class Cutter {
         for (std::size_t i = 0; i < coarse_.triangle_cells.size(); i += triangles ? 1 : 2) {
             const std::uint32_t cell = coarse_.triangle_cells[i], *t = &coarse_.triangles[3 * i];
             Face face{cell, {corner(cell, t[0]), corner(cell, t[1])}};
-            if (!triangles) { // two triangles at the diagonal from corner 1 to corner 3
+            if (!triangles) { // two triangles along the diagonal from corner 1 to corner 3
                 GASPARD_CHECK(t[3] == t[1] && t[5] == t[2]);
                 face.corners.push_back(corner(cell, t[4]));
             }
@@ -123,7 +123,7 @@ class Cutter {
         return found;
     }
 
-    /// Where a point of a cell is, at xi and at x.
+    /// A point of a cell, at xi and at x.
     std::array<Vec3, 2> at(std::uint32_t cell, Vec3 where) {
         shape_functions(mesh_.kind, where, values_, gradients_);
         const auto nodes = mesh_.cell(cell);
@@ -168,7 +168,7 @@ class Cutter {
         return static_cast<std::uint32_t>(fine_.point_count++);
     }
 
-    /// The points of an edge from corner a to corner b, made for the first cell that asks.
+    /// The points of the edge from corner a to corner b; created on first use.
     EdgePoints edge(std::uint32_t cell, const Corner& a, const Corner& b) {
         if (a.point > b.point) {
             const EdgePoints backward = edge(cell, b, a);
@@ -203,8 +203,8 @@ class Cutter {
 
     void check_number(std::size_t more) const {
         if (fine_.triangle_cells.size() + more > most_triangles)
-            throw MachineError("the mesh is so bent that triangles within the tolerance would be more than 4 "
-                               "million; a larger output.curve_tolerance needs fewer");
+            throw MachineError("a tessellation within output.curve_tolerance would take more than 4 million "
+                               "triangles; increase the tolerance");
     }
 
     void fill(const Face& face) {
@@ -228,7 +228,7 @@ class Cutter {
         }
     }
 
-    /// Halves the grid where lines inside bend too much; false where none does.
+    /// Doubles the grid in a direction where its interior lines exceed the tolerance; false if none does.
     bool refine(Grid& grid) {
         bool along_rows = false, along_columns = false, across = false;
         const auto check = [&](bool& found, std::size_t i, std::size_t j, std::size_t k, std::size_t l,
@@ -248,8 +248,8 @@ class Cutter {
         return all || along_rows || along_columns;
     }
 
-    /// At the border the nearest point of the edge, of two the next around the face: at most one of the two
-    /// sides of a corner then loses it to another point.
+    /// The edge point that replaces a grid position on the boundary: the nearest, or the next around the face
+    /// if two are equally near; so at most one of the two sides of a corner collapses.
     std::uint32_t point(const Grid& grid, const std::vector<EdgePoints>& sides, std::size_t i,
                         std::size_t j) {
         const auto [side, step, of] = grid.on_side(i, j);
@@ -259,7 +259,7 @@ class Cutter {
     }
 
     void add_triangle(std::uint32_t cell, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        if (a == b || b == c || c == a) return; // at an edge with fewer points
+        if (a == b || b == c || c == a) return; // degenerate: the edge has fewer points than the grid
         fine_.triangles.insert(fine_.triangles.end(), {a, b, c});
         fine_.triangle_cells.push_back(cell);
     }
@@ -268,13 +268,13 @@ class Cutter {
         const std::uint32_t a = coarse_.segments[2 * i], b = coarse_.segments[2 * i + 1];
         const bool lines = !coarse_.segment_cells.empty();
         const std::uint32_t cell = lines ? coarse_.segment_cells[i] : 0;
-        // Of surfaces and solids the faces have made all edges, and no cell is asked any more.
+        // Faces of surfaces and solids have created all edges, so no cell is needed any more.
         const EdgePoints points =
             lines ? edge(cell, corner(cell, a), corner(cell, b)) : edge(cell, {a, {}}, {b, {}});
         for (std::size_t k = 0; k + 1 < points.size(); ++k) {
             fine_.segments.insert(fine_.segments.end(), {points[k], points[k + 1]});
             if (lines) fine_.segment_cells.push_back(cell);
-            for (std::size_t side = 2 * i; side < 2 * i + 2; ++side) // its own first point: nothing is beside
+            for (std::size_t side = 2 * i; side < 2 * i + 2; ++side) // its own first point: no neighbour
                 fine_.segment_sides.push_back(coarse_.segment_sides[side] == a ? points[k]
                                                                                : coarse_.segment_sides[side]);
         }
@@ -285,7 +285,7 @@ class Cutter {
     Tessellation fine_;
     std::array<const Points*, 2> node_positions_; ///< xi and x
     double tolerance_;
-    std::unordered_map<std::uint64_t, EdgePoints> edges_; ///< by their ends, the smaller first
+    std::unordered_map<std::uint64_t, EdgePoints> edges_; ///< keyed by the end points, smaller first
     std::vector<double> values_;                          ///< of the shape functions
     std::vector<Vec3> gradients_;
 };

@@ -1,24 +1,29 @@
-// Tessellations that keep to a tolerance: many pieces where cells are large and curved, few elsewhere.
+// Tessellations within a tolerance: fine where cells are large and curved, coarse elsewhere.
 //
-// A piece of a curve p from p(a) to p(b) bends by the greatest distance from its chord of
-//   p((1 - t) a + t b), t = 1/4, 1/2, 3/4;
-// edges of order 2 are parabolas, which are furthest away at t = 1/2. An edge is halved until its pieces keep
-// to the tolerance; a face is cut into a grid, halved in either direction until its lines do. A triangle of a
-// quadratic surface whose sides ij bend by d_ij is within 4 sum(l_i l_j |d_ij|) of it (l: barycentric), so
-// that
-//   |d| <= 3/4 tolerance on all sides, or 1/2 on two and 1 on the third (the diagonal of a square)
-// are enough. At the border of a cell the grid takes the edge's points, which may be fewer: both cells beside
-// an edge take the same, and there are no cracks.
+// The bulge of a piece of a curve p between the parameters a and b is the largest distance from its chord of
+// the points
+//
+//   p((1 - t) a + t b),   t = 1/4, 1/2, 3/4.
+//
+// (Edges of order 2 are parabolas and bulge most at t = 1/2.) An edge is bisected until its pieces are within
+// the tolerance; a face is divided into a grid, which is refined in either direction until its lines are. A
+// triangle of a quadratic surface whose sides ij bulge by d_ij is within
+//
+//   4 sum over i < j of l_i l_j |d_ij|       (l: barycentric coordinates)
+//
+// of the surface, so that |d| <= 3/4 tolerance on all sides suffices, or 1/2 on two sides and 1 on the third
+// (the diagonal of a square). At the boundary of a cell the grid uses the points of the edge, which may be
+// fewer. Both cells of an edge use the same points, so that there are no cracks.
 #pragma once
 
 #include "core/tessellate/tessellation.hpp"
 
 namespace gaspard {
 
-/// Points, triangles and segments as tessellate() has them (corners first), cut until they keep within
-/// `tolerance` times the mesh's size (the longest side of the box around xi and x), with the nodes at xi as
-/// well as at x. The segments of an edge follow one another. Throws MachineError where that takes more than
-/// 4 million triangles, as tangled cells may.
+/// Points, triangles and segments as from tessellate() (corners first), subdivided until they are within
+/// `tolerance` times the size of the mesh (longest side of the bounding box of xi and x), for nodes both at
+/// xi and at x. The segments of an edge are consecutive. Throws MachineError if this takes more than 4
+/// million triangles, as it may for tangled cells.
 Tessellation tessellate_within(const Mesh& mesh, const Points& x, double tolerance);
 
 } // namespace gaspard

@@ -1,4 +1,4 @@
-// A plot as plain data: curves over axes. The window's plots and the papers' figures are drawn from it.
+// A plot as plain data: curves over axes. The window and the papers' figures draw it.
 #pragma once
 
 #include <optional>
@@ -8,23 +8,22 @@
 namespace gaspard {
 
 struct Curve {
-    std::string label;        ///< empty: no entry in the legend
-    std::vector<double> x, y; ///< of equal length; a NaN in y is a gap
-    bool markers = false;     ///< a disc on every point
-    std::optional<std::size_t>
-        colour{}; ///< which of a theme's curve colours; empty: by its place in the plot
+    std::string label;                   ///< empty: no entry in the legend
+    std::vector<double> x, y;            ///< of equal length; a NaN in y is a gap
+    bool markers = false;                ///< a disc at every point
+    std::optional<std::size_t> colour{}; ///< index of a theme colour; default: the curve's
 };
 
 struct Axis {
     std::string label;
     bool logarithmic = false;
-    std::optional<double> low{}, high{}; ///< what is to be seen, low < high; empty: all there is
+    std::optional<double> low{}, high{}; ///< visible range, low < high; default: all values
 };
 
-/// A thin vertical line where something happened.
+/// A thin vertical line that marks an event.
 struct PlotMark {
     double x = 0;
-    std::string label; ///< what happened
+    std::string label; ///< the event
 };
 
 struct Plot {

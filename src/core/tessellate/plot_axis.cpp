@@ -18,14 +18,14 @@ double from_axis(const Axis& axis, double position) {
     return std::pow(10.0, std::clamp(position, lowest_decade, highest_decade));
 }
 
-AxisRange range_around(double low, double high, bool logarithmic, bool workspace) {
+AxisRange range_around(double low, double high, bool logarithmic, bool padding) {
     if (low > high) return logarithmic ? AxisRange{-1, 0} : AxisRange{0, 1};
     const double size = std::max(std::abs(low), std::abs(high));
     if (high - low <= 1e-12 * size || high == low) {
         const double half = logarithmic ? 0.5 : size > 0 ? 0.05 * size : 0.5;
         return {low - half, high + half};
     }
-    const double more = workspace ? 0.05 * (high - low) : 0;
+    const double more = padding ? 0.05 * (high - low) : 0;
     return {low - more, high + more};
 }
 
@@ -36,7 +36,7 @@ AxisRange shown_range(const Plot& plot, bool vertical) {
     for (const Curve& curve : plot.curves) {
         markers = markers || curve.markers;
         for (std::size_t i = 0; i < curve.x.size(); ++i) {
-            // A point that the other axis cannot show asks for no room on this one.
+            // Ignore points that the other axis cannot show.
             const double x = to_axis(plot.x, curve.x[i]), y = to_axis(plot.y, curve.y[i]);
             if (std::isnan(x) || std::isnan(y)) continue;
             low = std::min(low, vertical ? y : x), high = std::max(high, vertical ? y : x);

@@ -1,7 +1,7 @@
-// What an axis of a plot spans and where a value lies on it; the window's plots and the papers' agree in
-// this.
+// The range of a plot's axis and the positions of values on it; used by the window and by the papers'
+// figures.
 //
-// Axes count in axis units: those of the values, or decades (log10) where logarithmic.
+// Positions are in axis units: the values themselves, or log10 of them on logarithmic axes.
 #pragma once
 
 #include "core/tessellate/plot.hpp"
@@ -11,29 +11,29 @@
 
 namespace gaspard {
 
-/// The stretch of an axis, in axis units.
+/// The visible range of an axis, in axis units.
 struct AxisRange {
     double low = 0, high = 1;
     double span() const { return high - low; }
     friend bool operator==(const AxisRange&, const AxisRange&) = default;
 };
 
-/// The decades of doubles that have all their digits.
+/// The decades in which doubles have full precision.
 inline constexpr double lowest_decade = -307, highest_decade = 308;
 
-/// In axis units; NaN where the axis cannot show the value.
+/// The position of a value; NaN if the axis cannot show it.
 double to_axis(const Axis& axis, double value);
-/// Back; kept within what a double can be.
+/// The inverse of to_axis, clamped to the range of doubles.
 double from_axis(const Axis& axis, double position);
 
-/// What an axis spans to show all from `low` to `high`, with a little `workspace` or without; [0, 1] (or one
-/// decade) where low > high: there is nothing to show.
-AxisRange range_around(double low, double high, bool logarithmic, bool workspace);
+/// The range that shows all values from `low` to `high`, with 5 % padding on request. If low > high (no
+/// values): [0, 1], or one decade.
+AxisRange range_around(double low, double high, bool logarithmic, bool padding);
 
-/// What the plot asks to be seen, or what shows every value that can be shown.
+/// The range that the plot requests or, by default, that shows every value.
 AxisRange shown_range(const Plot& plot, bool vertical);
 
-/// At most about `count` ticks; their values are values, not positions.
+/// About `count` ticks at most; their values are values, not positions.
 std::vector<Tick> axis_ticks(const Axis& axis, AxisRange range, int count);
 
 } // namespace gaspard

@@ -11,11 +11,11 @@ namespace gaspard {
 
 namespace {
 
-/// Axes of the map: through its middle, eastward, north.
+/// The axes of the map: through its centre, east, north.
 struct Axes {
     double cosine, sine;
     explicit Axes(double longitude) : cosine(std::cos(longitude)), sine(std::sin(longitude)) {}
-    /// A unit vector, seen from the middle.
+    /// The direction of p in these axes.
     Vec3 turned(Vec3 p) const {
         const Vec3 q{cosine * p.x + sine * p.y, cosine * p.y - sine * p.x, p.z};
         return (1 / norm(q)) * q;
@@ -23,10 +23,10 @@ struct Axes {
     Vec3 back(Vec3 q) const { return {cosine * q.x - sine * q.y, sine * q.x + cosine * q.y, q.z}; }
 };
 
-/// `q`: of unit length, in the map's axes; `east`: 1 or -1, the side on which it is shown.
+/// `q`: unit vector in the map's axes; `east`: 1 or -1, the side on which it is drawn.
 Vec3 project(Vec3 q, double east, double radius) {
     const double level = std::sqrt(q.x * q.x + q.y * q.y); // the cosine of the latitude
-    // level (1 - cos l) and level (1 + cos l), none of which loses digits
+    // level (1 - cos l) and level (1 + cos l), both without cancellation
     const double far = q.x > 0 ? q.y * q.y / (level + q.x) : level - q.x;
     const double near = q.x > 0 ? level + q.x : level - q.x > 0 ? q.y * q.y / (level - q.x) : 0;
     const double sine = east * std::sqrt(level * far / 2), cosine = std::sqrt(level * near / 2);
@@ -78,7 +78,7 @@ class Cutter {
     }
 
   private:
-    /// Where something meets the plane of the cut, which is that of the middle meridian too.
+    /// Where a segment meets the plane of the cut, which also contains the central meridian.
     struct Crossing {
         std::uint32_t a, b;
         double t;
@@ -103,21 +103,21 @@ class Cutter {
         return static_cast<std::uint32_t>(out_.points.size() - 1);
     }
 
-    /// A triangle with corners at both sides of the plane of the cut.
+    /// Cuts a triangle with corners on both sides of that plane.
     void cut_triangle(std::size_t i, const std::array<std::uint32_t, 3>& corners) {
-        std::size_t lone = 0; // the corner that is alone at its side
+        std::size_t lone = 0; // the corner that is alone on its side
         while (east_[corners[lone]] == east_[corners[(lone + 1) % 3]] ||
                east_[corners[lone]] == east_[corners[(lone + 2) % 3]])
             ++lone;
         const std::uint32_t a = corners[lone], b = corners[(lone + 1) % 3], c = corners[(lone + 2) % 3];
         const Crossing first = crossing(a, b), second = crossing(a, c);
-        if (first.place.x >= 0 && second.place.x >= 0) return; // across the middle, where nothing is cut
+        if (first.place.x >= 0 && second.place.x >= 0) return; // crosses the central meridian
         std::vector<std::uint32_t> polygons[2];
         for (const bool alone : {true, false}) {
             const double east = side_of(places_[alone ? a : b]);
             const std::uint32_t p = add(first, east), q = add(second, east);
             std::vector<std::uint32_t> polygon = alone ? std::vector{q, a, p} : std::vector{p, b, c, q};
-            // Around a pole the way from one to the other leads over it.
+            // A triangle around a pole: the polygon passes through the pole.
             if ((first.place.x < 0) != (second.place.x < 0)) {
                 const double t = first.place.x / (first.place.x - second.place.x);
                 const Vec3 pole{0, 0, first.place.z + t * (second.place.z - first.place.z) > 0 ? 1.0 : -1.0};
@@ -174,7 +174,7 @@ std::shared_ptr<const Tessellation> edited(const std::shared_ptr<const Tessellat
     return shape;
 }
 
-/// From longitude (from the middle) and latitude, in radians.
+/// The unit vector of a longitude (relative to the centre) and latitude, in radians.
 Vec3 place_at(double longitude, double latitude) {
     return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
             std::sin(latitude)};

@@ -1,11 +1,14 @@
-// A sphere around the origin as a plane map: Hammer's projection (1892), which keeps areas. With longitude l
-// from the middle and latitude p on a ball of radius R,
-//   x = R 2 sqrt 2 cos p sin(l/2) / w,   y = R sqrt 2 sin p / w,   w = sqrt(1 + cos p cos(l/2)),
-// an ellipse with half axes 2 sqrt 2 R and sqrt 2 R. It is chosen because both directions are closed formulas
-// and shapes stay better at the poles than with a cylinder (Lambert) or flat parallels (Mollweide).
+// Plane maps of a sphere around the origin by Hammer's equal-area projection (1892). With longitude l
+// relative to the centre and latitude p on a sphere of radius R,
 //
-// The map is cut along the meridian opposite to its middle. Triangles and lines that cross it are cut there
-// and appear at both sides.
+//   x = 2 sqrt(2) R cos p sin(l/2) / w,   y = sqrt(2) R sin p / w,   w = sqrt(1 + cos p cos(l/2)),
+//
+// which is an ellipse with semi-axes 2 sqrt(2) R and sqrt(2) R. Both directions have closed formulas, and
+// shapes near the poles are less distorted than in cylindrical (Lambert) or pseudocylindrical (Mollweide)
+// projections.
+//
+// The map is cut along the meridian opposite to its centre. Triangles and segments that cross it are divided
+// and appear on both sides.
 #pragma once
 
 #include "core/tessellate/tessellation.hpp"
@@ -18,44 +21,44 @@ namespace gaspard {
 
 struct MapProjection {
     double radius = 1;
-    double longitude = 0; ///< of the middle, in radians
+    double longitude = 0; ///< of the centre, in radians
     friend bool operator==(const MapProjection&, const MapProjection&) = default;
 };
 
-/// The place on the map (z = 0) of a point's direction. The cut itself belongs to the right side.
+/// The point of the map (z = 0) for a direction. Points on the cut are drawn on the right side.
 Vec3 to_map(const MapProjection& projection, Vec3 point);
-/// The point of the sphere at a place of the map; nothing beside the map.
+/// The point of the sphere at a point of the map; nullopt outside the map.
 std::optional<Vec3> from_map(const MapProjection& projection, Vec3 place);
 
-/// The ellipse around the map as a closed line.
+/// The boundary ellipse of the map as a closed line.
 std::vector<Vec3> map_outline(const MapProjection& projection);
 
-/// A point on the way between two others, which may be such points themselves.
+/// A point on the segment between two others, which may themselves be cut points.
 struct MapCut {
     std::uint32_t a = 0, b = 0;
     double t = 0;
 };
-/// How a map's triangles and lines differ from the globe's: what has been replaced, and what has been added.
+/// The differences between the triangles and segments of the map and the globe.
 struct MapEdits {
-    std::vector<std::uint32_t> replaced_triangles; ///< a triangle and its three points now
+    std::vector<std::uint32_t> replaced_triangles; ///< for each: a triangle and its three new points
     std::vector<std::uint32_t> triangles, triangle_cells;
-    std::vector<std::uint32_t> replaced_segments; ///< a segment and its second point now
+    std::vector<std::uint32_t> replaced_segments; ///< for each: a segment and its new second point
     std::vector<std::uint32_t> segments, segment_sides;
     friend bool operator==(const MapEdits&, const MapEdits&) = default;
 };
 struct SphereMap {
-    /// Triangles, lines and cells as on the globe, but for those that are cut. The first points are the
-    /// globe's (`base`), then come those on the cut.
+    /// The globe's tessellation except for triangles and segments that are cut. The globe's points (`base`)
+    /// come first, then the points on the cut.
     std::shared_ptr<const Tessellation> tessellation;
     std::vector<MapCut> cuts;
     Points points;
     MapEdits edits;
 };
-/// `points`: the globe's shown points, none of which lies at the origin. `last`: a map of the same globe,
-/// whose tessellation is taken over where the same triangles and lines are cut.
+/// `points`: shown points of the globe, none at the origin. `last`: an earlier map of the same globe; its
+/// tessellation is reused if the same triangles and segments are cut.
 SphereMap map_sphere(const std::shared_ptr<const Tessellation>& globe, const Points& points,
                      const MapProjection& projection, const SphereMap* last = nullptr);
-/// Values of the globe's shown points and, between them, those at the cuts.
+/// Values at the globe's shown points and, interpolated, at the cut points.
 std::vector<double> map_values(const SphereMap& map, std::span<const double> globe);
 
 } // namespace gaspard

@@ -13,17 +13,16 @@ namespace {
 
 using Corner = std::int32_t;
 
-/// A face to be shown: a whole surface cell, or one boundary face of a solid; corners as local numbers of the
-/// cell.
+/// A visible face: a surface cell, or a boundary face of a solid; corners are local numbers of the cell.
 struct Face {
     std::uint32_t cell = 0;
     std::span<const int> corners;
 };
 
-/// Boundary faces of a solid: those that only one cell has.
+/// Boundary faces of a solid: those that belong to exactly one cell.
 std::vector<Face> boundary_faces(const Mesh& mesh) {
     struct Candidate {
-        std::array<Corner, 4> corners; ///< sorted; -1 where there are but three
+        std::array<Corner, 4> corners; ///< sorted; -1 if there are only three
         Face face;
     };
     std::vector<Candidate> candidates;
@@ -57,7 +56,7 @@ std::vector<Face> shown_faces(const Mesh& mesh) {
     return faces;
 }
 
-/// Makes the shown points: corners are shared by number, points on edges by the edge's corners.
+/// Creates the shown points, once per corner and once per edge.
 class PointMaker {
   public:
     PointMaker(const Mesh& mesh, int cuts, Tessellation& out)
@@ -83,7 +82,7 @@ class PointMaker {
         return point;
     }
 
-    /// Point `step` of `cuts` on the way from local corner a to local corner b.
+    /// Point `step` of `cuts` on the edge from local corner a to local corner b.
     std::uint32_t on_edge(std::uint32_t cell, int a, int b, int step) {
         if (step == 0) return corner(cell, a);
         if (step == cuts_) return corner(cell, b);
@@ -116,7 +115,7 @@ class PointMaker {
     int cuts_;
     Tessellation& out_;
     std::vector<std::uint32_t> corner_points_;
-    std::unordered_map<std::uint64_t, std::size_t> edges_; ///< by their corners: where their points begin
+    std::unordered_map<std::uint64_t, std::size_t> edges_; ///< key: its corners; value: offset of its points
     std::vector<std::uint32_t> edge_points_;               ///< those between the corners
     std::vector<double> values_;
     std::vector<Vec3> gradients_;
@@ -127,7 +126,7 @@ void add_triangle(Tessellation& out, std::uint32_t cell, std::uint32_t a, std::u
     out.triangle_cells.push_back(cell);
 }
 
-/// Cuts a four-sided face into cuts x cuts squares, a three-sided one into cuts^2 triangles.
+/// Divides a quadrilateral face into cuts x cuts squares, a triangular one into cuts^2 triangles.
 void fill_face(const Face& face, int cuts, PointMaker& points, Tessellation& out) {
     const auto& k = face.corners;
     const bool triangle = k.size() == 3;
@@ -155,18 +154,18 @@ void fill_face(const Face& face, int cuts, PointMaker& points, Tessellation& out
     }
 }
 
-/// An edge of a shown face, known by its two corners.
+/// An edge of a visible face, identified by its two corners.
 struct Edge {
-    std::pair<std::uint32_t, std::uint32_t> corners; ///< nodes, the smaller first
+    std::pair<std::uint32_t, std::uint32_t> corners; ///< nodes, smaller first
     std::uint32_t cell = 0;
     int a = 0, b = 0; ///< local corners
-    /// The edge of a cell beside it that lies opposite, in the same direction, or twice the corner that does.
+    /// The opposite edge of an adjacent cell, in the same direction, or twice the opposite corner.
     struct Opposite {
         std::uint32_t cell = 0;
         int a = 0, b = 0;
     };
     Opposite sides[2]{};
-    bool alone = false; ///< nothing lies beside
+    bool alone = false; ///< no adjacent cell
 };
 
 void collect_edges(const Face& face, PointMaker& points, std::vector<Edge>& edges) {
@@ -183,9 +182,9 @@ void collect_edges(const Face& face, PointMaker& points, std::vector<Edge>& edge
     }
 }
 
-/// By their corners; equal ones stay in their order.
+/// Sorted by their corners; stable.
 std::vector<Edge> sorted_edges(const std::vector<Edge>& edges, std::size_t node_count) {
-    // First into one drawer per smaller corner: edges are many, those at one corner few.
+    // Counting sort by the smaller corner; each corner has few edges.
     std::vector<std::size_t> ends(node_count + 1, 0);
     for (const Edge& edge : edges) ++ends[edge.corners.first + 1];
     for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
@@ -201,7 +200,7 @@ std::vector<Edge> sorted_edges(const std::vector<Edge>& edges, std::size_t node_
     return sorted;
 }
 
-/// Each edge once, with what lies at both sides of it.
+/// Merges equal edges and records what lies on both sides.
 void merge_edges(std::vector<Edge>& edges, const PointMaker& points, std::size_t node_count) {
     edges = sorted_edges(edges, node_count);
     std::size_t kept = 0;
@@ -246,8 +245,8 @@ void draw_line_cells(const Mesh& mesh, int cuts, PointMaker& points, Tessellatio
 
 } // namespace
 
-/// The largest distance of an edge's middle node from the middle of its ends, in units of the edge's length;
-/// of edges that are not folded. A quadratic curve in c pieces strays from them by that over c squared.
+/// The largest distance of an edge's midpoint node from the midpoint of its chord, relative to the edge's
+/// length, over all edges that are not folded. With c pieces per edge the error is smaller by a factor c^2.
 static double largest_bulge(const Mesh& mesh, const Points& x) {
     double largest = 0;
     for (std::size_t c = 0; c < mesh.cell_count(); ++c)
@@ -264,13 +263,13 @@ static double largest_bulge(const Mesh& mesh, const Points& x) {
 
 int cuts_for(const Mesh& mesh, const Points& x) {
     if (mesh.kind.order == 1) return 1;
-    constexpr double tolerance = 1e-3;         // of an edge's length
-    constexpr double few = 60e3, many = 600e3; // triangles
+    constexpr double tolerance = 1e-3;         // relative to the edge's length
+    constexpr double few = 60e3, many = 600e3; // numbers of triangles
     constexpr std::array<int, 8> steps = {1, 2, 3, 4, 6, 8, 12, 16};
-    const int pieces = corners_per_cell(mesh.kind) == 3 ? 1 : 2; // triangles per cell, uncut
+    const int pieces = corners_per_cell(mesh.kind) == 3 ? 1 : 2; // triangles per undivided cell
     const double cells = static_cast<double>(mesh.cell_count()) * pieces;
     const double needed = std::sqrt(largest_bulge(mesh, x) / tolerance);
-    int cuts = 2; // every node of an edge is shown
+    int cuts = 2; // shows every node of an edge
     for (const int step : steps) {
         const double triangles = cells * step * step;
         const bool wanted = step <= 8 && triangles <= few;
@@ -339,7 +338,7 @@ std::vector<std::vector<std::uint32_t>> cell_outlines(const Tessellation& tessel
     }
     std::vector<std::vector<std::uint32_t>> outlines;
     for (const auto& all : sides) {
-        // What two of its triangles share, in opposite directions, lies inside.
+        // An edge that two triangles traverse in opposite directions is interior.
         std::unordered_map<std::uint32_t, std::uint32_t> next;
         std::unordered_map<std::uint64_t, int> seen;
         const auto key = [](std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} << 32 | b; };

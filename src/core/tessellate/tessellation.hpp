@@ -1,9 +1,12 @@
-// What eye and files need of a mesh: points to show, triangles that fill the cells, segments that draw their
-// edges.
+// Tessellation of a mesh for display and export: shown points, triangles that fill the cells, and segments
+// along their edges.
 //
-// The structure is made once per mesh; positions and node fields follow a snapshot through fixed weights:
-//   shown point p = sum over j of w_pj * node j
-// Cells of order 1 in the plane need no further points (p = node); curved edges and faces are cut finer.
+// It is made once per mesh; positions and nodal fields of a snapshot are mapped to shown points by fixed
+// weights,
+//
+//   point p = sum over j of w_pj node_j.
+//
+// For cells of order 1 in the plane the points are the nodes; curved edges and faces are subdivided.
 #pragma once
 
 #include "core/mesh/mesh.hpp"
@@ -19,48 +22,48 @@ namespace gaspard {
 struct Tessellation {
     std::size_t point_count = 0;
     int cuts = 1; ///< segments per edge
-    // Row p of the weights: entries starts[p] .. starts[p + 1] of nodes and weights. All empty: p = node p.
+    // Row p of the weights: entries starts[p] .. starts[p + 1] of `nodes` and `weights`. All empty if p =
+    // node p.
     std::vector<std::uint32_t> starts, nodes;
     std::vector<double> weights;
-    std::vector<std::uint32_t> triangles;      ///< three points each
-    std::vector<std::uint32_t> triangle_cells; ///< which cell each triangle belongs to
-    std::vector<std::uint32_t> segments;       ///< two points each; an edge shared by cells is drawn once
-    std::vector<std::uint32_t>
-        segment_cells; ///< which cell each belongs to, where cells are lines; else empty
-    /// Two points per segment: a corner at the far side of each cell beside it, so that a picture can tell
-    /// how close the next line is. The same twice at a border; the segment's own first point where there is
-    /// nothing beside.
+    std::vector<std::uint32_t> triangles;      ///< three points per triangle
+    std::vector<std::uint32_t> triangle_cells; ///< cell of each triangle
+    std::vector<std::uint32_t> segments;       ///< two points per segment; shared edges occur once
+    std::vector<std::uint32_t> segment_cells;  ///< cell of each segment if cells are lines; else empty
+    /// Two points per segment: a corner on the far side of each adjacent cell, from which a renderer can tell
+    /// the distance to the next line. On a boundary the same point twice; without any cell, the segment's
+    /// first point.
     std::vector<std::uint32_t> segment_sides;
-    /// Of a map of this tessellation (core/tessellate/sphere_map.hpp): its points come first here, and what
-    /// they are made of stands there. Else null.
+    /// For a map of a tessellation (core/tessellate/sphere_map.hpp), that tessellation; its points come
+    /// first. Else null.
     std::shared_ptr<const Tessellation> base;
 
-    /// The node that a shown point is; nothing for points on curved edges and faces, and on cuts.
+    /// The node of a shown point; nullopt for points on curved edges and faces, and on cuts.
     std::optional<std::uint32_t> node_of(std::uint32_t point) const;
 };
 
-/// `cuts` pieces per curved edge (order 2 only). Of solids, the boundary faces and all edges of those faces.
+/// `cuts`: pieces per curved edge (order 2 only). For solids, the boundary faces and their edges.
 Tessellation tessellate(const Mesh& mesh, int cuts = 8);
 
-/// How many pieces per edge show a mesh whose nodes stand at `x` well: so many that no edge strays from its
-/// curve by more than a thousandth of its length, as long as there are not too many cells for that. Fewer are
-/// not worth saving where cells are few. 1 for order 1.
+/// The number of pieces per edge for nodes at `x`: enough that no edge deviates from its curve by more than
+/// 1e-3 of its length, unless there are too many cells for that. Meshes with few cells get more pieces. 1 for
+/// order 1.
 int cuts_for(const Mesh& mesh, const Points& x);
 
-/// Closed lines of shown points around cells (ascending), in order; on a map a cell may have two, of a solid
-/// they surround the shown faces.
+/// The outlines of a set of cells (ascending) as closed lines of shown points, in order. On a map a cell may
+/// have two; for solids they surround the visible faces.
 std::vector<std::vector<std::uint32_t>> cell_outlines(const Tessellation& tessellation,
                                                       std::span<const std::uint32_t> cells);
 
-/// For what belongs to cells, at the shown points: the mean of the triangles around each (of the segments
-/// where there are only those). Points in no cell get 0.
+/// Cell values at the shown points: the mean over the adjacent triangles (segments if cells are lines), 0 for
+/// points without cells.
 std::vector<double> point_means(const Tessellation& tessellation, std::span<const double> cells);
 
-/// The shown points for given node positions (mesh numbering).
+/// The shown points for node positions `nodes` (mesh numbering).
 Points shown_points(const Tessellation& tessellation, const Points& nodes);
-/// The same into room that is there already.
+/// The same into an existing array.
 void put_shown_points(const Tessellation& tessellation, const Points& nodes, Points& shown);
-/// The shown values of a node field.
+/// The values of a nodal field at the shown points.
 std::vector<double> shown_values(const Tessellation& tessellation, std::span<const double> nodes);
 
 } // namespace gaspard

@@ -13,7 +13,7 @@ TessellationCache::Entry* TessellationCache::find(const std::shared_ptr<const Me
 
 std::shared_ptr<const Tessellation> TessellationCache::get(const Snapshot& snapshot) {
     const Mesh& mesh = *snapshot.mesh;
-    int cuts = 0; // of those that are there
+    int cuts = 0; // of the cached tessellation
     {
         const std::lock_guard lock(mutex_);
         if (const Entry* known = find(snapshot.mesh)) {
@@ -21,7 +21,7 @@ std::shared_ptr<const Tessellation> TessellationCache::get(const Snapshot& snaps
             cuts = known->tessellation->cuts;
         }
     }
-    // Others need not wait for this.
+    // Not under the lock, so that other threads do not wait.
     int needed = std::max(cuts, cuts_for(mesh, snapshot.x));
     if (cuts == 0) needed = std::max(needed, cuts_for(mesh, mesh.nodes));
     std::shared_ptr<const Tessellation> made;
@@ -29,7 +29,7 @@ std::shared_ptr<const Tessellation> TessellationCache::get(const Snapshot& snaps
     const std::lock_guard lock(mutex_);
     Entry* known = find(snapshot.mesh);
     if (known == nullptr) known = &entries_.emplace_back(snapshot.mesh, nullptr, 0);
-    // Another thread may have been quicker: all share one.
+    // If another thread was faster, use its result.
     if (made && (!known->tessellation || known->tessellation->cuts < made->cuts)) known->tessellation = made;
     known->version = snapshot.version;
     return known->tessellation;

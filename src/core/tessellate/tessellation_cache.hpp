@@ -1,5 +1,5 @@
-// Tessellations of meshes, made on whichever thread first asks and shared with all others: a solver's thread
-// can make what a window's thread is to show.
+// Tessellations of meshes, created by the first thread that needs them and shared: the solver's thread can
+// prepare what the window's thread will show.
 #pragma once
 
 #include "core/session/snapshot.hpp"
@@ -13,20 +13,20 @@ namespace gaspard {
 
 class TessellationCache {
   public:
-    /// Of the snapshot's mesh, cut finely enough for where its nodes stand. What is not there yet is made
-    /// now; a mesh that has once needed finer pieces keeps them, lest they come and go. From any thread.
+    /// The tessellation of the snapshot's mesh, fine enough for its node positions; created if necessary. The
+    /// number of pieces of a mesh never decreases, to avoid flicker. Thread-safe.
     std::shared_ptr<const Tessellation> get(const Snapshot& snapshot);
 
   private:
     struct Entry {
         std::weak_ptr<const Mesh> mesh;
         std::shared_ptr<const Tessellation> tessellation;
-        std::uint64_t version = 0; ///< of the snapshot that it was last found fine enough for
+        std::uint64_t version = 0; ///< last snapshot for which it was found fine enough
     };
     Entry* find(const std::shared_ptr<const Mesh>& mesh);
 
     std::mutex mutex_;
-    std::vector<Entry> entries_; ///< of meshes that somebody still has
+    std::vector<Entry> entries_; ///< of meshes that are still in use
 };
 
 } // namespace gaspard

@@ -18,7 +18,7 @@ std::string superscript(int number) {
     return text;
 }
 
-/// Trailing zeros after a point say nothing.
+/// Removes trailing zeros after a decimal point.
 void strip_zeros(std::string& text) {
     if (text.find('.') == std::string::npos) return;
     while (text.back() == '0') text.pop_back();
@@ -31,7 +31,7 @@ std::string format(double value, std::chars_format how, int precision) {
     return {buffer.data(), end.ptr};
 }
 
-/// As many digits as tell neighbours apart, the same for all ticks of an axis.
+/// A label with as many digits as distinguish neighbouring ticks; the same number for all ticks of an axis.
 std::string tick_label(double value, double step, double largest) {
     if (value == 0) return "0";
     const int last_digit = static_cast<int>(std::floor(std::log10(step) + 1e-9));
@@ -68,7 +68,7 @@ std::string short_number(double value, int digits) {
 std::vector<Tick> linear_ticks(double low, double high, int count) {
     GASPARD_CHECK(low <= high && std::isfinite(low) && std::isfinite(high));
     const double span = high - low;
-    // Values that differ by rounding only are one value.
+    // Values that differ only by rounding count as one.
     if (!(span > 1e-13 * std::max(std::abs(low), std::abs(high)))) return {{low, short_number(low), true}};
     const double raw = span / std::max(count, 1);
     const double power = std::pow(10.0, std::floor(std::log10(raw)));
@@ -101,7 +101,7 @@ std::vector<Tick> log_ticks(double low, double high, int count) {
     std::vector<Tick> ticks;
     for (int exponent = first - 1; exponent <= last; ++exponent) {
         const double decade = std::pow(10.0, exponent);
-        // Counted from 10^0, so that the labels stay where they are while the axis grows.
+        // Multiples of the stride counted from 10^0, so that labels stay put while the axis grows.
         if (exponent >= first && exponent % stride == 0)
             ticks.push_back({decade, power_of_ten(exponent), true});
         if (exponent >= first && exponent % stride != 0) ticks.push_back({decade, "", true});

@@ -1,6 +1,7 @@
 #include "gui/app/application.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/join.hpp"
 #include "core/io/formats.hpp"
 #include "core/scenario/toml.hpp"
 #include "gui/document/runs_csv.hpp"
@@ -155,7 +156,9 @@ bool Application::available(const std::string& choice) const {
 /// Restarts, because the map that linear cells have failed with is rarely a usable start.
 void Application::use_quadratic_cells() {
     Scenario scenario = run().scenario;
-    scenario.domain.values.parse("geometry_order", "2");
+    const auto remedy = find_remedy(scenario.domain.values);
+    if (!remedy) return;
+    scenario.domain.values.set(remedy->key, remedy->value);
     viewport().view.set("pick", std::string());
     document_.change(run().id, scenario);
     document_.reset(run().id);
@@ -223,14 +226,14 @@ void Application::cancel() {
 
 /// At least one format stays selected.
 void Application::toggle_format(const std::string& name) {
-    std::string names;
+    std::vector<std::string_view> names;
     for (const Format& format : formats()) {
         const bool chosen = exports(run().scenario, format.name) != (format.name == name);
-        if (chosen) names += (names.empty() ? "" : ",") + format.name;
+        if (chosen) names.push_back(format.name);
     }
     if (names.empty()) return;
     Scenario scenario = run().scenario;
-    scenario.output.set("formats", names);
+    scenario.output.set("formats", join(names, ","));
     document_.change(run().id, scenario);
 }
 
@@ -287,10 +290,10 @@ void Application::fulfil(const PlotWish& wish) {
         return messages_.say({"Copied the numbers of all runs that are shown", false});
     case PlotWish::Kind::save_png:
         plot_to_save_ = plot_of_runs(document_.runs(), wish.choice, wish.zoom);
-        plot_name_ = name_of(wish.choice.quantity);
+        plot_name_ = wish.choice.plot;
         return;
     case PlotWish::Kind::save_svg:
-        return files_.save_svg(run().scenario, std::string(name_of(wish.choice.quantity)),
+        return files_.save_svg(run().scenario, wish.choice.plot,
                                plot_of_runs(document_.runs(), wish.choice, wish.zoom));
     }
 }

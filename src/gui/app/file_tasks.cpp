@@ -33,12 +33,12 @@ std::optional<OpenedScenario> FileTasks::take_opened() {
 void FileTasks::export_run(DocumentRun& run) {
     // The board is shared: the task may run when the window is already closing.
     run.solver->post(
-        InspectCommand{[board = board_, folder = folder(run.scenario),
+        InspectCommand{[catalogue = catalogue_, board = board_, folder = folder(run.scenario),
                         names = run.scenario.output.text("formats")](Run& solved, const Activity& activity) {
             report_outcome(*board, [&] {
                 Scenario chosen = solved.scenario();
                 chosen.output.set("formats", names);
-                const auto formats = formats_of(chosen);
+                const auto formats = formats_of(*catalogue, chosen);
                 check_writable(folder);
                 write_run_files(folder, solved, formats, activity.progress, activity.stop);
                 return "Exported to " + folder.string();

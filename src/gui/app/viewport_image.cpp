@@ -116,7 +116,8 @@ Image render_panels(const std::vector<Panel>& panels, int columns, int width, in
             continue;
         }
         const auto& panel = std::get<MeshPanel>(panels[i]);
-        Values view("view", view_rows());
+        const auto& fields = panel.snapshot->fields;
+        Values view("view", view_rows(std::vector<FieldInfo>(fields.begin(), fields.end())));
         view.set("color", panel.colour);
         view.set("blend", panel.blend);
         view.set("camera", panel.camera);

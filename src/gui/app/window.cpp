@@ -4,6 +4,7 @@
 #include "gui/app/whole_window.hpp"
 #include "gui/gl/gl.hpp"
 #include "gui/gl/imgui_context.hpp"
+#include "gui/gl/imgui_input.hpp"
 #include "gui/plot/plot_image.hpp"
 
 #define GLFW_INCLUDE_NONE
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <deque>
 #include <imgui.h>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -148,11 +150,14 @@ struct Letter {
     unsigned code = 0;
 };
 
+constexpr float nowhere = -std::numeric_limits<float>::max(); // as ImGui writes it
+const ImVec2 no_pointer{nowhere, nowhere};
+
 /// Input and news since the last pass of the loop.
 struct Happenings {
     std::atomic<bool> news = false; ///< set on any thread
     bool input = false;
-    ImVec2 pointer;
+    ImVec2 pointer = no_pointer;
     std::deque<std::variant<KeyChange, Letter, ButtonChange>> inputs; ///< in their order
     std::vector<std::string> dropped;                                 ///< files
 };
@@ -194,7 +199,14 @@ void install_callbacks(GLFWwindow* window, Happenings& happenings) {
     });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
         happenings_of(w).input = true;
-        ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+        double x = 0, y = 0;
+        glfwGetCursorPos(w, &x, &y);
+        bool dragging = false; // goes on outside of the window
+        for (int button = 0; button < ImGuiMouseButton_COUNT; ++button)
+            dragging = dragging || glfwGetMouseButton(w, button) == GLFW_PRESS;
+        happenings_of(w).pointer = entered != GLFW_FALSE || dragging
+                                       ? ImVec2(static_cast<float>(x), static_cast<float>(y))
+                                       : no_pointer;
     });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { happenings_of(w).input = true; });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { happenings_of(w).input = true; });
@@ -388,7 +400,7 @@ class Window {
             ImGui_ImplGlfw_KeyCallback(window_.get(), change.key, change.scancode, change.event,
                                        change.modifiers);
         if (change.down() && (change.modifiers & GLFW_MOD_CONTROL) != 0)
-            ImGui::GetIO().KeyCtrl = true; // though its own key may have come otherwise
+            feed_control(ImGui::GetIO(), true); // though its own key may have come otherwise
     }
 
     /// In a frame ImGui sees the pointer at one place and one change of a button.
@@ -397,15 +409,16 @@ class Window {
         auto& inputs = happenings_.inputs;
         if (const auto* change = inputs.empty() ? nullptr : std::get_if<ButtonChange>(&inputs.front())) {
             const bool dragged = !change->down && (change->at.x != pointer_.x || change->at.y != pointer_.y);
-            io.MousePos = pointer_ = change->at;
+            pointer_ = change->at;
             if (!dragged) { // else it is let go in the next frame
                 buttons_[static_cast<std::size_t>(change->button)] = change->down;
                 inputs.pop_front();
             }
             frames_due_ = settling_frames;
         } else {
-            pointer_ = io.MousePos;
+            pointer_ = happenings_.pointer;
         }
+        feed_pointer(io, pointer_);
         std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
     }
 

@@ -1,6 +1,7 @@
 #include "gui/base/actions.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/join.hpp"
 
 #include <algorithm>
 
@@ -19,11 +20,7 @@ const Action* action_for_key(std::span<const Action> actions, std::string_view k
     return nullptr;
 }
 
-std::string describe_keys(const Action& action) {
-    std::string text;
-    for (const auto key : action.keys) text += (text.empty() ? "" : " or ") + std::string(key);
-    return text;
-}
+std::string describe_keys(const Action& action) { return join(action.keys, " or "); }
 
 std::string tooltip_of(const Action& action) {
     return std::string(action.help) + "\nKey: " + describe_keys(action);

@@ -1,6 +1,6 @@
 // Everything a user can do with a key, a menu item or a button: one row per action with its facts and what it
-// does. Toolbar, menus, shortcuts, the help window and the table in docs/window.md are made from the rows, which
-// gui/app/application_actions.cpp lists.
+// does. Toolbar, menus, shortcuts, the help window and the table in docs/window.md are made from the rows,
+// which gui/app/application_actions.cpp lists.
 #pragma once
 
 #include "gui/base/icons.hpp"

@@ -25,8 +25,8 @@ Scenario for_window(const Catalogue& catalogue, Scenario scenario) {
     const auto methods = methods_for(catalogue, scenario);
     if (std::find(methods.begin(), methods.end(), "auto") != methods.end())
         return with_method(catalogue, scenario, "auto");
-    Values& method = scenario.method.values;
-    if (method.has("step_size")) method.set("step_size", std::string("auto"));
+    if (const auto remedy = find_remedy(scenario.method.values))
+        scenario.method.values.set(remedy->key, remedy->value);
     return scenario;
 }
 

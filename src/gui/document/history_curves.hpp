@@ -1,15 +1,18 @@
-// A run's history in columns, as its plots are drawn: per quantity the iterations, the seconds and the
-// values. They only grow, so that nothing is copied or searched through when a frame is drawn.
+// A run's history in columns, as its plots are drawn: per series the iterations, the seconds and the values.
+// They only grow, so that nothing is copied when a frame is drawn.
 #pragma once
 
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/extremes.hpp"
 
+#include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace gaspard {
 
-/// One quantity of a run. All columns are of equal length; iterations and seconds never decrease.
+/// One series of a run. All columns are of equal length; iterations and seconds never decrease.
 struct Trace {
     std::vector<double> iterations, seconds, values;
     Extremes extremes; ///< of the values
@@ -17,12 +20,33 @@ struct Trace {
     void append(const StepReport& report, double value);
 };
 
-/// What was not measured leaves out its row, and so does a step size where no step was made.
-struct HistoryCurves {
-    Trace residual, equidistribution, min_jacobian, max_jacobian, step_size;
+struct SeriesTrace {
+    SeriesInfo info;
+    std::string plot; ///< the name of the plot that shows it
+    Trace trace;
+};
 
+/// Iterates for which a series has no value leave out its row.
+class HistoryCurves {
+  public:
+    HistoryCurves() { follow(common_series()); }
     void append(const StepReport& report);
     void clear() { *this = {}; }
+
+    /// What the run reports, and has reported with other methods before.
+    const std::vector<SeriesTrace>& all() const { return traces_; }
+    /// By the name of the series; null where there is none of that name.
+    const SeriesTrace* find(std::string_view name) const;
+
+  private:
+    void follow(const std::shared_ptr<const SeriesTable>& table);
+
+    std::vector<SeriesTrace> traces_;
+    std::shared_ptr<const SeriesTable> table_; ///< of the last report
+    std::vector<std::size_t> of_place_;        ///< which trace belongs to each series of the table
 };
+
+/// The name of the plot that shows a series, as settings and files have it: "step-size".
+std::string plot_name(const SeriesInfo& info);
 
 } // namespace gaspard

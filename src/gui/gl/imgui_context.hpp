@@ -2,6 +2,8 @@
 // is read from or left on disk.
 #pragma once
 
+#include "gui/gl/imgui_input.hpp"
+
 #include <imgui.h>
 
 namespace gaspard {
@@ -13,6 +15,7 @@ class ImGuiSession {
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
         io.LogFilename = nullptr;
+        process_events_at_once(io);
         io.ConfigInputTextCursorBlink = false; // a window that sleeps would stop it at "hidden"
     }
     ~ImGuiSession() {

@@ -4,9 +4,9 @@
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <GL/osmesa.h>
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <dlfcn.h>
 #include <initializer_list>
 #include <string>
@@ -42,24 +42,36 @@ class Library {
     void* handle_ = nullptr;
 };
 
+// What we use of OSMesa's interface (GL/osmesa.h), declared here because Mesa has dropped OSMesa after 25.0: the
+// program is built the same way with and without it.
+using OsMesaContext = struct osmesa_context*;
+enum OsMesaAttribute : int {
+    osmesa_format = 0x22,
+    osmesa_depth_bits = 0x30,
+    osmesa_profile = 0x33,
+    osmesa_core_profile = 0x34,
+    osmesa_context_major_version = 0x36,
+    osmesa_context_minor_version = 0x37,
+};
+
 class OsMesa : public OffscreenContext {
   public:
     OsMesa() : library_({"libOSMesa.so.8", "libOSMesa.so.6"}) {
         const auto create =
-            library_.find<OSMesaContext (*)(const int*, OSMesaContext)>("OSMesaCreateContextAttribs");
+            library_.find<OsMesaContext (*)(const int*, OsMesaContext)>("OSMesaCreateContextAttribs");
         const auto make_current =
-            library_.find<GLboolean (*)(OSMesaContext, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent");
-        const auto lookup = library_.find<OSMESAproc (*)(const char*)>("OSMesaGetProcAddress");
-        destroy_ = library_.find<void (*)(OSMesaContext)>("OSMesaDestroyContext");
-        const std::array<int, 13> attributes = {OSMESA_FORMAT,
-                                                OSMESA_RGBA,
-                                                OSMESA_DEPTH_BITS,
+            library_.find<GLboolean (*)(OsMesaContext, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent");
+        const auto lookup = library_.find<void (*(*)(const char*))()>("OSMesaGetProcAddress");
+        destroy_ = library_.find<void (*)(OsMesaContext)>("OSMesaDestroyContext");
+        const std::array<int, 11> attributes = {osmesa_format,
+                                                GL_RGBA,
+                                                osmesa_depth_bits,
                                                 0,
-                                                OSMESA_PROFILE,
-                                                OSMESA_CORE_PROFILE,
-                                                OSMESA_CONTEXT_MAJOR_VERSION,
+                                                osmesa_profile,
+                                                osmesa_core_profile,
+                                                osmesa_context_major_version,
                                                 3,
-                                                OSMESA_CONTEXT_MINOR_VERSION,
+                                                osmesa_context_minor_version,
                                                 3,
                                                 0};
         context_ = create(attributes.data(), nullptr);
@@ -83,8 +95,8 @@ class OsMesa : public OffscreenContext {
 
   private:
     Library library_;
-    void (*destroy_)(OSMesaContext) = nullptr;
-    OSMesaContext context_ = nullptr;
+    void (*destroy_)(OsMesaContext) = nullptr;
+    OsMesaContext context_ = nullptr;
     std::array<unsigned char, 4> pixel_{};
     Gl gl_;
 };
@@ -167,7 +179,22 @@ class SurfacelessEgl : public OffscreenContext {
 
 } // namespace
 
+namespace {
+
+OffscreenBackend chosen_by_user() {
+    const char* variable = std::getenv("GASPARD_OFFSCREEN");
+    const std::string_view name = variable == nullptr ? "" : variable;
+    if (name.empty()) return OffscreenBackend::any;
+    if (name == "osmesa") return OffscreenBackend::osmesa;
+    if (name == "egl") return OffscreenBackend::egl;
+    throw InputError("the environment variable GASPARD_OFFSCREEN is \"" + std::string(name) +
+                     "\"; allowed: osmesa, egl");
+}
+
+} // namespace
+
 std::unique_ptr<OffscreenContext> make_offscreen_context(OffscreenBackend backend) {
+    if (backend == OffscreenBackend::any) backend = chosen_by_user();
     std::string reasons;
     if (backend != OffscreenBackend::egl) {
         try {

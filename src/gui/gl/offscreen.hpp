@@ -1,7 +1,7 @@
 // OpenGL without a window: a context in memory, and pictures of any size drawn in it.
 //
-// Two ways, both found at run time so that the program starts without them: OSMesa (libOSMesa.so.8 or .so.6),
-// and EGL without a surface (libEGL.so.1), which is what remains where Mesa has dropped OSMesa.
+// Two backends, both loaded at run time, so that the program starts without them: OSMesa (libOSMesa.so.8 or .so.6),
+// and EGL without a surface (libEGL.so.1), the only one with a Mesa newer than 25.0.
 #pragma once
 
 #include "core/io/image.hpp"
@@ -22,7 +22,9 @@ class OffscreenContext {
     virtual std::string_view backend() const = 0; ///< "OSMesa" or "EGL"
 };
 
-/// `any` tries OSMesa, then EGL. Throws MachineError with one sentence when none works.
+/// `any` uses the backend that the environment variable GASPARD_OFFSCREEN names (`osmesa` or `egl`); without it,
+/// OSMesa if it is installed, else EGL. Throws MachineError with one sentence if none works, InputError if the
+/// variable names another backend.
 std::unique_ptr<OffscreenContext> make_offscreen_context(OffscreenBackend backend = OffscreenBackend::any);
 
 /// How often a pixel is looked at, for smooth rims of surfaces.

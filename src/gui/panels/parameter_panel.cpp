@@ -75,7 +75,7 @@ Section fresh_section(const Catalogue& catalogue, const Scenario& opened, Sectio
     case SectionKind::domain:
         return domain_section(catalogue, type);
     case SectionKind::monitor:
-        return monitor_section(catalogue, type); // with the plane's rows; follow_domain() adapts it
+        return monitor_section(catalogue, type); // with the plane's rows; update_rows() adapts them
     case SectionKind::method:
         return method_section(catalogue, type);
     }
@@ -174,6 +174,14 @@ bool has_same_row(const Values& values, const ParameterRow& row) {
     });
 }
 
+/// The choices of a row that go with the rest of the scenario. Without a scenario, all do.
+/// A colour of another method is none here.
+bool allows(const ParameterRow& row, const Value& value) {
+    const auto* choice = std::get_if<std::string>(&value);
+    return row.kind != ParameterKind::choice ||
+           (choice && std::find(row.choices.begin(), row.choices.end(), *choice) != row.choices.end());
+}
+
 /// Whether a choice can be combined with the rest of the scenario. Without a scenario, all can.
 bool choice_fits(const PanelContext& context, const Scenario* scenario, const Values& values,
                  const std::string& key, const std::string& choice) {
@@ -203,7 +211,7 @@ std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& op
                                   const Scenario& scenario, SectionKind kind, const std::string& type) {
     Scenario changed = scenario;
     section_of(changed, kind) = fresh_section(catalogue, opened, kind, type);
-    follow_domain(catalogue, changed);
+    update_rows(catalogue, changed);
     if (find_capability(catalogue, changed)) return changed;
     if (kind != SectionKind::domain) return std::nullopt;
     const auto row = std::find_if(catalogue.capabilities.begin(), catalogue.capabilities.end(),
@@ -216,7 +224,7 @@ std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& op
     };
     adapt(SectionKind::monitor, row->monitors);
     adapt(SectionKind::method, row->methods);
-    follow_domain(catalogue, changed);
+    update_rows(catalogue, changed);
     return find_capability(catalogue, changed) ? std::optional(std::move(changed)) : std::nullopt;
 }
 
@@ -329,7 +337,8 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
     }
     if (row_hovered(corner, c)) show_tooltip(row.label, row.help, details_of(row, key), corner.y);
 
-    const Value& origin = opened ? opened->at(row.key) : row.default_value;
+    const Value& origin =
+        opened && allows(row, opened->at(row.key)) ? opened->at(row.key) : row.default_value;
     if (values.at(row.key) != origin) {
         ImGui::SameLine(c.reset);
         if (reset_button("##reset")) values.set(row.key, origin);

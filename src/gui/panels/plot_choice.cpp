@@ -13,40 +13,6 @@ namespace gaspard {
 
 namespace {
 
-struct QuantityRow {
-    Quantity quantity;
-    std::string_view name, label;
-    struct Part {
-        std::string_view name;
-        Trace HistoryCurves::*trace;
-    };
-    std::vector<Part> parts;
-};
-
-const std::vector<QuantityRow>& quantity_rows() {
-    static const std::vector<QuantityRow> rows = {
-        {Quantity::residual, "residual", "Residual", {{"", &HistoryCurves::residual}}},
-        {Quantity::equidistribution,
-         "equidistribution",
-         "Equidistribution",
-         {{"", &HistoryCurves::equidistribution}}},
-        {Quantity::jacobian,
-         "jacobian",
-         "Jacobian range",
-         {{"max", &HistoryCurves::max_jacobian}, {"min", &HistoryCurves::min_jacobian}}},
-        {Quantity::step_size, "step-size", "Step size", {{"", &HistoryCurves::step_size}}},
-    };
-    return rows;
-}
-
-const QuantityRow& row_of(Quantity quantity) {
-    const auto& rows = quantity_rows();
-    const auto found =
-        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.quantity == quantity; });
-    GASPARD_CHECK(found != rows.end());
-    return *found;
-}
-
 constexpr std::string_view axis_name(bool logarithmic) { return logarithmic ? "log" : "linear"; }
 
 std::vector<std::string_view> split(std::string_view text) {
@@ -58,11 +24,17 @@ std::vector<std::string_view> split(std::string_view text) {
     return words;
 }
 
-template <class Choice>
-std::optional<Choice> choice_of(std::span<const Choice> all, std::string_view name) {
-    for (const Choice one : all)
+std::optional<Abscissa> abscissa_of(std::string_view name) {
+    for (const Abscissa one : abscissas())
         if (name_of(one) == name) return one;
     return std::nullopt;
+}
+
+/// Which series there are depends on the methods.
+bool is_plot_name(std::string_view name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return c == '-' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    });
 }
 
 std::optional<bool> logarithmic_of(std::string_view name) {
@@ -83,10 +55,12 @@ PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_w
     for (const DocumentRun& run : runs) {
         if (run.hidden) continue;
         const std::string name = names[shown++], label = run.live() && in_window ? name + " (now)" : name;
-        for (const QuantityRow::Part& part : row_of(choice.quantity).parts) {
-            const Trace& trace = run.curves.*part.trace;
+        for (const SeriesTrace& series : run.curves.all()) {
+            if (series.plot != choice.plot) continue;
+            const Trace& trace = series.trace;
+            view.y.label = series.info.unit;
             view.curves.push_back({.label = label,
-                                   .part = part.name,
+                                   .part = series.info.plot ? series.info.plot->part : std::string_view(),
                                    .x = by_iteration ? trace.iterations : trace.seconds,
                                    .y = trace.values,
                                    .extremes = &trace.extremes,
@@ -130,13 +104,23 @@ void ask_for(Axis& axis, const std::optional<AxisRange>& range) {
 
 } // namespace
 
-std::span<const Quantity> quantities() {
-    static const std::vector<Quantity> all = [] {
-        std::vector<Quantity> list;
-        for (const QuantityRow& row : quantity_rows()) list.push_back(row.quantity);
-        return list;
-    }();
-    return all;
+std::vector<RunPlot> plots_of(const DocumentRuns& runs) {
+    std::vector<RunPlot> plots;
+    for (const DocumentRun& run : runs)
+        for (const auto& [info, name, trace] : run.curves.all()) {
+            const bool known = std::any_of(plots.begin(), plots.end(),
+                                           [&](const RunPlot& plot) { return plot.name == name; });
+            if (known) continue;
+            const std::string_view label = info.plot ? info.plot->label : info.label;
+            plots.push_back({name, label, &info});
+        }
+    return plots;
+}
+
+std::string_view plot_label(const DocumentRuns& runs, std::string_view name) {
+    for (const RunPlot& plot : plots_of(runs))
+        if (plot.name == name) return plot.label;
+    return name;
 }
 
 std::span<const Abscissa> abscissas() {
@@ -144,15 +128,13 @@ std::span<const Abscissa> abscissas() {
     return all;
 }
 
-std::string_view name_of(Quantity quantity) { return row_of(quantity).name; }
 std::string_view name_of(Abscissa abscissa) {
     return abscissa == Abscissa::iterations ? "iterations" : "seconds";
 }
-std::string_view label_of(Quantity quantity) { return row_of(quantity).label; }
 std::string_view label_of(Abscissa abscissa) { return name_of(abscissa); }
 
 std::string format_choice(const PlotChoice& choice) {
-    std::string text(name_of(choice.quantity));
+    std::string text = choice.plot;
     for (const std::string_view word :
          {name_of(choice.abscissa), axis_name(choice.log_x), axis_name(choice.log_y)})
         text.append(",").append(word);
@@ -162,11 +144,10 @@ std::string format_choice(const PlotChoice& choice) {
 std::optional<PlotChoice> parse_choice(std::string_view text) {
     const auto words = split(text);
     if (words.size() != 4) return std::nullopt;
-    const auto quantity = choice_of(quantities(), words[0]);
-    const auto abscissa = choice_of(abscissas(), words[1]);
+    const auto abscissa = abscissa_of(words[1]);
     const auto log_x = logarithmic_of(words[2]), log_y = logarithmic_of(words[3]);
-    if (!quantity || !abscissa || !log_x || !log_y) return std::nullopt;
-    return PlotChoice{*quantity, *abscissa, *log_x, *log_y};
+    if (!is_plot_name(words[0]) || !abscissa || !log_x || !log_y) return std::nullopt;
+    return PlotChoice{std::string(words[0]), *abscissa, *log_x, *log_y};
 }
 
 PlotView view_of_runs(const DocumentRuns& runs, const PlotChoice& choice) {
@@ -175,13 +156,13 @@ PlotView view_of_runs(const DocumentRuns& runs, const PlotChoice& choice) {
 
 Plot plot_of_runs(const DocumentRuns& runs, const PlotChoice& choice, const PlotZoom& zoom) {
     const PlotView view = make_view(runs, choice, false); // in a file there is no now
-    Plot plot{.title = std::string(label_of(choice.quantity)), .x = view.x, .y = view.y, .curves = {}};
+    Plot plot{.title = std::string(plot_label(runs, choice.plot)), .x = view.x, .y = view.y, .curves = {}};
     ask_for(plot.x, zoom.x);
     ask_for(plot.y, zoom.y);
-    const std::string_view first = row_of(choice.quantity).parts.front().name;
     for (const CurveView& curve : view.curves) {
         plot.curves.push_back(thinned(curve, view, zoom));
-        if (curve.part != first) plot.curves.back().label.clear(); // one entry in the legend per run
+        if (curve.part != view.curves.front().part)
+            plot.curves.back().label.clear(); // one entry in the legend per run
     }
     for (const MarkView& mark : view.marks) plot.marks.push_back({mark.x, std::string(mark.label)});
     return plot;

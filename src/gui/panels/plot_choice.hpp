@@ -1,4 +1,4 @@
-// What a plot of the window shows of the document's runs: which quantity, against what, on which axes.
+// What a plot of the window shows of the document's runs: which series, against what, on which axes.
 #pragma once
 
 #include "gui/document/document.hpp"
@@ -8,24 +8,32 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gaspard {
 
-enum class Quantity { residual, equidistribution, jacobian, step_size };
 enum class Abscissa { iterations, seconds };
 
 struct PlotChoice {
-    Quantity quantity = Quantity::residual;
+    std::string plot = "residual"; ///< by its name, see plots_of()
     Abscissa abscissa = Abscissa::iterations;
     bool log_x = false, log_y = true;
     friend bool operator==(const PlotChoice&, const PlotChoice&) = default;
 };
 
-std::span<const Quantity> quantities();
+/// A plot that can be chosen.
+struct RunPlot {
+    std::string_view name;  ///< for settings and keys: "step-size"
+    std::string_view label; ///< for people: "Step size"
+    const SeriesInfo* info; ///< of its first series
+};
+/// Of all series of all runs, in the order in which they report them. Valid until the runs change.
+std::vector<RunPlot> plots_of(const DocumentRuns& runs);
+/// For people; the name itself where no run has such a plot.
+std::string_view plot_label(const DocumentRuns& runs, std::string_view name);
+
 std::span<const Abscissa> abscissas();
-std::string_view name_of(Quantity quantity); ///< for settings and keys: "step-size"
 std::string_view name_of(Abscissa abscissa);
-std::string_view label_of(Quantity quantity); ///< for people: "Step size"
 std::string_view label_of(Abscissa abscissa);
 
 /// As one word for a file of settings: "residual,iterations,linear,log"; the last two are the axes x and y.

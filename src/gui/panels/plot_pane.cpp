@@ -18,22 +18,53 @@ float width_of(std::string_view label) {
            2 * ImGui::GetStyle().FramePadding.x;
 }
 
-template <class Choice>
-bool draw_list(const std::string& key, std::span<const Choice> all, Choice& chosen, float width,
-               ItemRectangles& items) {
-    const Choice before = chosen;
+struct Entry {
+    std::string_view name, label;
+    std::string help{};
+};
+
+/// The place of the entry that was clicked.
+std::optional<std::size_t> draw_list(const std::string& key, std::span<const Entry> entries,
+                                     std::string_view chosen, std::string_view label, float width,
+                                     ItemRectangles& items) {
     ImGui::SetNextItemWidth(width);
-    const std::string shown =
-        shortened(std::string(label_of(chosen)), width - 2 * ImGui::GetStyle().FramePadding.x);
+    const std::string shown = shortened(std::string(label), width - 2 * ImGui::GetStyle().FramePadding.x);
     const bool open = ImGui::BeginCombo(("##" + key).c_str(), shown.c_str(), ImGuiComboFlags_NoArrowButton);
     remember_item(items, key);
-    if (!open) return false;
-    for (const Choice one : all) {
-        if (ImGui::Selectable(std::string(label_of(one)).c_str(), one == chosen)) chosen = one;
-        remember_item(items, key + "=" + std::string(name_of(one)));
+    if (!open) return std::nullopt;
+    std::optional<std::size_t> clicked;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const Entry& one = entries[i];
+        if (ImGui::Selectable(std::string(one.label).c_str(), one.name == chosen)) clicked = i;
+        remember_item(items, key + "=" + std::string(one.name));
+        if (!one.help.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", one.help.c_str());
     }
     ImGui::EndCombo();
-    return chosen != before;
+    return clicked;
+}
+
+/// "θ: the constant that ..."
+std::string help_of(const RunPlot& plot) {
+    if (plot.info->plot) return {};
+    return (plot.info->symbol.empty() ? "" : plot.info->symbol + ": ") + plot.info->help;
+}
+
+void draw_plots_list(const std::string& key, const DocumentRuns& runs, PlotChoice& choice, float width,
+                     ItemRectangles& items) {
+    const std::vector<RunPlot> plots = plots_of(runs);
+    std::vector<Entry> entries;
+    for (const RunPlot& plot : plots) entries.push_back({plot.name, plot.label, help_of(plot)});
+    const auto clicked = draw_list(key, entries, choice.plot, plot_label(runs, choice.plot), width, items);
+    if (!clicked || plots[*clicked].name == choice.plot) return;
+    choice.plot = plots[*clicked].name;
+    choice.log_y = plots[*clicked].info->scale == ParameterScale::logarithmic;
+}
+
+void draw_abscissa_list(const std::string& key, Abscissa& chosen, float width, ItemRectangles& items) {
+    std::vector<Entry> entries;
+    for (const Abscissa one : abscissas()) entries.push_back({name_of(one), label_of(one)});
+    const auto clicked = draw_list(key, entries, name_of(chosen), label_of(chosen), width, items);
+    if (clicked) chosen = abscissas()[*clicked];
 }
 
 /// A button that stays pressed.
@@ -46,7 +77,7 @@ void draw_toggle(const char* label, bool& on, const char* help, const Theme& the
 
 /// Another axis begins with all there is to see.
 void forget_zoom(const PlotChoice& before, const PlotChoice& now, PlotZoom& zoom) {
-    if (before.quantity != now.quantity || before.log_y != now.log_y) zoom.y.reset();
+    if (before.plot != now.plot || before.log_y != now.log_y) zoom.y.reset();
     if (before.abscissa != now.abscissa || before.log_x != now.log_x) zoom.x.reset();
 }
 
@@ -57,20 +88,21 @@ void PlotPane::choose(std::size_t plot, const PlotChoice& choice) {
     plots_[plot].choice = choice;
 }
 
-void PlotPane::draw_header(const std::string& name, Shown& plot, const FrameContext& context) {
+void PlotPane::draw_header(const std::string& name, const Document& document, Shown& plot,
+                           const FrameContext& context) {
     const float gap = ImGui::GetStyle().ItemSpacing.x / 2, available = ImGui::GetContentRegionAvail().x;
     const float log = width_of("log"), menu = width_of("..."), against = width_of("iterations");
-    // Where there is no room for all, the quantity comes first; the menu has the rest too.
+    // Where there is not enough space for all, the list of plots comes first; the menu has the rest too.
     const bool with_abscissa = available >= width_of("Equidistr.") + against + log + menu + 3 * gap;
     const bool with_log = with_abscissa || available >= width_of("Equidistr.") + log + menu + 2 * gap;
     float rest = available - menu - gap;
     if (with_log) rest -= log + gap;
     if (with_abscissa) rest -= against + gap;
-    draw_list(name + ".quantity", quantities(), plot.choice.quantity,
-              std::min(std::max(rest, 1.0F), width_of("Equidistribution")), context.items);
+    draw_plots_list(name + ".quantity", document.runs(), plot.choice,
+                    std::min(std::max(rest, 1.0F), width_of("Equidistribution")), context.items);
     if (with_abscissa) {
         ImGui::SameLine(0, gap);
-        draw_list(name + ".abscissa", abscissas(), plot.choice.abscissa, against, context.items);
+        draw_abscissa_list(name + ".abscissa", plot.choice.abscissa, against, context.items);
     }
     if (with_log) {
         ImGui::SameLine(0, gap);
@@ -120,7 +152,7 @@ std::optional<PlotWish> PlotPane::frame(const Document& document, const ItemRect
         begin_part(name.c_str(), part);
         context.items[name] = part;
         const PlotChoice before = plot.choice;
-        draw_header(name, plot, context);
+        draw_header(name, document, plot, context);
         forget_zoom(before, plot.choice, plot.zoom);
         const PlotView view = view_of_runs(document.runs(), plot.choice);
         const bool menu = plot_widget("##curves", view, ImGui::GetContentRegionAvail(), plot.zoom,

@@ -37,10 +37,11 @@ class PlotPane {
         PlotChoice choice;
         PlotZoom zoom;
     };
-    void draw_header(const std::string& name, Shown& plot, const FrameContext& context);
+    void draw_header(const std::string& name, const Document& document, Shown& plot,
+                     const FrameContext& context);
     std::optional<PlotWish> draw_menu(const std::string& name, Shown& plot, const FrameContext& context);
 
-    std::array<Shown, 2> plots_{Shown{}, Shown{{.quantity = Quantity::equidistribution}, {}}};
+    std::array<Shown, 2> plots_{Shown{}, Shown{{.plot = "equidistribution"}, {}}};
 };
 
 } // namespace gaspard

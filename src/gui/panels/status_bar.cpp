@@ -14,7 +14,7 @@ namespace {
 /// The newest report with diagnostics; null before the first.
 const StepReport* last_measured(const std::vector<StepReport>& history) {
     for (auto report = history.rbegin(); report != history.rend(); ++report)
-        if (report->equidistribution) return &*report;
+        if (report->measured()) return &*report;
     return nullptr;
 }
 
@@ -70,10 +70,12 @@ std::vector<StatusCell> status_cells(const DocumentRun& run) {
     const std::string none = "-";
     std::vector<StatusCell> cells{describe_state(run.status, run.wants_to_run)};
     cells.push_back({"Iteration", now ? std::to_string(now->iteration) : none});
-    cells.push_back({"Residual", now ? short_number(now->residual) : none});
-    cells.push_back({"Equidistribution", measured ? short_number(*measured->equidistribution) : none});
-    cells.push_back(
-        {"Min. Jacobian", measured && measured->min_jacobian ? short_number(*measured->min_jacobian) : none});
+    for (const char* name : {"residual", "equidistribution", "min_jacobian"}) {
+        const SeriesTrace& series = *run.curves.find(name);
+        const StepReport* report = series.info.measured ? measured : now;
+        const auto value = report ? report->value(name) : std::nullopt;
+        cells.push_back({series.info.label, value ? short_number(*value) : none});
+    }
     const auto tangled = measured ? measured->tangled_cells : std::nullopt;
     cells.push_back({"Tangled cells", tangled ? std::to_string(*tangled) : none,
                      tangled && *tangled > 0 ? Tone::bad : Tone::plain});
@@ -104,8 +106,7 @@ std::string closing_note(const DocumentRun& run, const Action& reset) {
 }
 
 bool has_linear_cells(const DocumentRun& run) {
-    const Values& domain = run.scenario.domain.values;
-    return run.live() && domain.has("geometry_order") && format_value(domain.at("geometry_order")) == "1";
+    return run.live() && find_remedy(run.scenario.domain.values).has_value();
 }
 
 std::string remedy_note(const DocumentRun& run) {

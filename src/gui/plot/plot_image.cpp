@@ -4,6 +4,7 @@
 #include "gui/plot/plot_widget.hpp"
 
 #include <cmath>
+#include <type_traits>
 
 namespace gaspard {
 
@@ -11,10 +12,19 @@ namespace {
 
 constexpr float picture_width = 960, picture_height = 600; // in units of scale 1
 
+/// ImDrawData holds a vector of lists since 1.89.8, and pointed to an array of them before.
+template <class Lists>
+void show_only(Lists& lists, ImDrawList*& list) {
+    if constexpr (std::is_pointer_v<Lists>)
+        lists = &list;
+    else
+        lists.push_back(list);
+}
+
 ImDrawData draw_data(ImDrawList*& list, ImVec2 size, float density) {
     ImDrawData data;
     data.Valid = true;
-    data.CmdLists = &list;
+    show_only(data.CmdLists, list);
     data.CmdListsCount = 1;
     data.TotalVtxCount = list->VtxBuffer.Size;
     data.TotalIdxCount = list->IdxBuffer.Size;

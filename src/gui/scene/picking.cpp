@@ -192,12 +192,12 @@ Vec3 place_of(const Pick& pick, const Mesh& mesh, const Points& points) {
     return (1.0 / static_cast<double>(corners)) * sum;
 }
 
-double monitor_of(const Pick& pick, const Mesh& mesh, const Field& monitor) {
-    if (pick.kind == Pick::Kind::node) return monitor.values[pick.index];
+double node_value(const Pick& pick, const Mesh& mesh, const Field& field) {
+    if (pick.kind == Pick::Kind::node) return field.values[pick.index];
     const auto corners = static_cast<std::size_t>(corners_per_cell(mesh.kind));
     double sum = 0;
     for (std::size_t k = 0; k < corners; ++k)
-        sum += monitor.values[static_cast<std::size_t>(mesh.cell(pick.index)[k])];
+        sum += field.values[static_cast<std::size_t>(mesh.cell(pick.index)[k])];
     return sum / static_cast<double>(corners);
 }
 
@@ -284,10 +284,19 @@ PickFacts facts_of(const Pick& pick, const Snapshot& snapshot, ColouringMaker& c
     const int dimension = cell_dimension(mesh.kind);
     const char* measure = dimension == 1 ? "length" : dimension == 2 ? "area" : "volume";
     if (const Field* monitor = snapshot.field("monitor"))
-        facts.emplace_back("monitor", short_number(monitor_of(pick, mesh, *monitor), 5));
+        facts.emplace_back("monitor", short_number(node_value(pick, mesh, *monitor), 5));
     facts.emplace_back(measure, range_text(cells.measures(snapshot), around));
     if (!cells.masses().empty()) facts.emplace_back("M_i", range_text(cells.masses(), around));
     facts.emplace_back("Jacobian", range_text(cells.jacobians(snapshot), around));
+    for (const Field& field : snapshot.fields) { // the method's own
+        static constexpr std::array<std::string_view, 3> said = {"monitor", "mass", "jacobian"};
+        if (std::find(said.begin(), said.end(), field.name) != said.end()) continue;
+        const std::string value = field.place == FieldPlace::node
+                                      ? short_number(node_value(pick, mesh, field), 5)
+                                      : range_text(field.values, around);
+        facts.emplace_back(field.label.empty() ? field.name : field.label,
+                           field.unit.empty() ? value : value + " " + field.unit);
+    }
     return facts;
 }
 

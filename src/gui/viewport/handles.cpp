@@ -12,7 +12,6 @@ namespace gaspard {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr const char* control_key = "control_points";
 
 const ParameterRow& row_of(const Values& values, const std::string& key) {
     return *std::find_if(values.rows().begin(), values.rows().end(),
@@ -31,11 +30,11 @@ double rounded_within(const Points& patch, double value) {
     return decimals >= 0 ? rounded(value, factor) : std::round(value / factor) * factor;
 }
 
-/// Within the range of its row, or round it.
-void put(Values& values, const std::string& key, double value, bool periodic) {
+/// Within the range of its row; a periodic one is wrapped.
+void put(Values& values, const std::string& key, double value) {
     const ParameterRow& row = row_of(values, key);
     const double span = row.maximum - row.minimum;
-    if (periodic && span > 0) value -= span * std::floor((value - row.minimum) / span);
+    if (row.periodic && span > 0) value -= span * std::floor((value - row.minimum) / span);
     values.set(key, std::clamp(value, row.minimum, row.maximum));
 }
 
@@ -44,15 +43,18 @@ void put(Values& values, const std::string& key, double value, bool periodic) {
 std::vector<Handle> monitor_handles(const Scenario& scenario) {
     const Values& values = scenario.monitor.values;
     std::vector<Handle> handles;
-    const auto other_key = [&](const std::string& key, std::string_view ending, const char* other) {
-        if (!key.ends_with(ending)) return std::string();
-        const std::string second = key.substr(0, key.size() - ending.size()) + other;
-        return values.has(second) ? second : std::string();
+    const auto with = [&](const ParameterRow& first, ParameterRole role) { // the other coordinate of its point
+        const auto row = std::find_if(values.rows().begin(), values.rows().end(), [&](const ParameterRow& one) {
+            return one.role == role && one.point == first.point;
+        });
+        return row == values.rows().end() ? std::string() : row->key;
     };
     for (const ParameterRow& row : values.rows()) {
-        if (const std::string y = other_key(row.key, "_x", "_y"); !y.empty())
-            handles.push_back({row.key, y, false, {values.real(row.key), values.real(y), 0}});
-        if (const std::string second = other_key(row.key, "_latitude", "_longitude"); !second.empty()) {
+        if (row.role == ParameterRole::x)
+            if (const std::string y = with(row, ParameterRole::y); !y.empty())
+                handles.push_back({row.key, y, false, {values.real(row.key), values.real(y), 0}});
+        if (row.role != ParameterRole::latitude) continue;
+        if (const std::string second = with(row, ParameterRole::longitude); !second.empty()) {
             const double p = values.real(row.key) * degree, l = values.real(second) * degree;
             handles.push_back(
                 {row.key, second, true, {std::cos(p) * std::cos(l), std::cos(p) * std::sin(l), std::sin(p)}});
@@ -63,17 +65,18 @@ std::vector<Handle> monitor_handles(const Scenario& scenario) {
 
 std::vector<Handle> control_handles(const Scenario& scenario, const Snapshot& snapshot) {
     const Values& values = scenario.domain.values;
-    if (!snapshot.control || !values.has(control_key)) return {};
+    const ParameterRow* row = find_role(values.rows(), ParameterRole::control_points);
+    if (!snapshot.control || !row) return {};
     auto control = snapshot.control;
     try {
-        if (const std::string& text = values.text(control_key); !text.empty())
+        if (const std::string& text = values.text(row->key); !text.empty())
             control = std::make_shared<const Points>(parse_control_points(text, control->size()));
     } catch (const InputError&) { // it is being typed, or of another patch
         return {};
     }
     std::vector<Handle> handles;
     for (std::size_t i = 0; i < control->size(); ++i)
-        handles.push_back({control_key, {}, false, (*control)[i], control, i});
+        handles.push_back({row->key, {}, false, (*control)[i], control, i});
     return handles;
 }
 
@@ -82,20 +85,18 @@ Scenario with_handle_at(const Scenario& scenario, const Handle& handle, Vec3 pla
     if (handle.control) {
         Points control = *handle.control;
         control.set(handle.number, {rounded_within(control, place.x), rounded_within(control, place.y), 0});
-        moved.domain.values.set(control_key, format_control_points(control));
+        moved.domain.values.set(handle.first, format_control_points(control));
         return moved;
     }
     Values& values = moved.monitor.values;
     if (handle.on_sphere) {
         const double latitude = std::atan2(place.z, std::hypot(place.x, place.y)) / degree;
-        put(values, handle.first, rounded(latitude, 100), false);
-        put(values, handle.second, rounded(std::atan2(place.y, place.x) / degree, 100), true);
+        put(values, handle.first, rounded(latitude, 100));
+        put(values, handle.second, rounded(std::atan2(place.y, place.x) / degree, 100));
         return moved;
     }
-    const Values& domain = scenario.domain.values;
-    const bool periodic = domain.has("boundary") && domain.text("boundary") == "periodic";
-    put(values, handle.first, rounded(place.x, 10000), periodic);
-    put(values, handle.second, rounded(place.y, 10000), periodic);
+    put(values, handle.first, rounded(place.x, 10000));
+    put(values, handle.second, rounded(place.y, 10000));
     return moved;
 }
 

@@ -183,8 +183,8 @@ std::vector<std::string> caption_parts(const ViewportText& text) {
     if (!text.subject.empty()) parts.push_back(text.subject);
     parts.push_back("iteration " + std::to_string(report.iteration));
     parts.push_back("residual " + short_number(report.residual, 3));
-    if (report.equidistribution)
-        parts.push_back("equidistribution " + short_number(*report.equidistribution, 4));
+    if (const auto value = report.value("equidistribution"))
+        parts.push_back("equidistribution " + short_number(*value, 4));
     if (report.tangled_cells.value_or(0) > 0)
         parts.push_back(std::to_string(*report.tangled_cells) +
                         (*report.tangled_cells == 1 ? " tangled cell" : " tangled cells"));

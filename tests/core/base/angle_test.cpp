@@ -5,7 +5,7 @@
 namespace gaspard {
 namespace {
 
-TEST(Angle, IsThatOfLongDouble) {
+TEST(Angle, MatchesLongDouble) {
     const Vec3 centre = (1 / norm(Vec3{1, 2, 3})) * Vec3{1, 2, 3};
     const Vec3 a = cross(centre, {0, 0, 1}), across = (1 / norm(a)) * a;
     for (int i = 0; i <= 2000; ++i) {
@@ -17,7 +17,7 @@ TEST(Angle, IsThatOfLongDouble) {
     }
 }
 
-TEST(Angle, IsRightNearBothEnds) {
+TEST(Angle, IsAccurateNearZeroAndPi) {
     for (const double small : {1e-3, 1e-8, 1e-12}) {
         EXPECT_NEAR(angle_from({0, 0, 1}, small, 0, 1) / std::atan(small), 1, 1e-14);
         EXPECT_NEAR(angle_from({0, 0, 1}, small, 0, -1), std::numbers::pi - std::atan(small), 1e-15);
@@ -26,7 +26,7 @@ TEST(Angle, IsRightNearBothEnds) {
     EXPECT_EQ(angle_from({0, 0, 1}, 0, 0, -2), std::numbers::pi);
 }
 
-TEST(Angle, ArcSineIsRightWhereItsSeriesIsMeantFor) {
+TEST(Angle, ArcSineIsAccurateOnItsInterval) {
     for (int i = 0; i <= 1000; ++i) {
         const double y = std::sin(std::numbers::pi / 8) * i / 1000;
         EXPECT_NEAR(small_arc_sine(y), std::asin(y), 1e-16);

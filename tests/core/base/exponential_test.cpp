@@ -7,7 +7,7 @@
 namespace gaspard {
 namespace {
 
-TEST(Exponential, IsThatOfTheLibraryToTwoUnitsInTheLastPlace) {
+TEST(Exponential, MatchesTheLibraryToTwoUlps) {
     for (double t = 0; t > -700; t -= 0.0137) {
         const double expected = std::exp(t);
         ASSERT_NEAR(exponential(t), expected, 2 * std::numeric_limits<double>::epsilon() * expected) << t;
@@ -16,7 +16,7 @@ TEST(Exponential, IsThatOfTheLibraryToTwoUnitsInTheLastPlace) {
     EXPECT_EQ(exponential(-0.0), 1);
 }
 
-TEST(Exponential, EndsInNothing) {
+TEST(Exponential, UnderflowsToZero) {
     for (const double t : {-708.0, -709.0, -1e4, -1e300, -std::numeric_limits<double>::infinity()}) {
         EXPECT_GE(exponential(t), 0) << t;
         EXPECT_LT(exponential(t), 1e-307) << t;
@@ -24,7 +24,7 @@ TEST(Exponential, EndsInNothing) {
     EXPECT_TRUE(std::isnan(exponential(std::nan(""))));
 }
 
-TEST(NearestWhole, IsTheNearestWholeNumber) {
+TEST(NearestWhole, RoundsToTheNearestInteger) {
     for (double t = -3.49; t < 3.5; t += 0.03) EXPECT_EQ(nearest_whole(t), std::round(t)) << t;
     EXPECT_EQ(nearest_whole(0.5), 0);
     EXPECT_EQ(nearest_whole(1.5), 2);

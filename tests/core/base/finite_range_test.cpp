@@ -8,7 +8,7 @@
 namespace gaspard {
 namespace {
 
-TEST(FiniteRange, FindsTheLeastAndTheGreatestWhereverTheyAre) {
+TEST(FiniteRange, FindsMinimumAndMaximumAtAnyIndex) {
     for (std::size_t size = 1; size < 35; ++size)
         for (std::size_t at = 0; at < size; ++at)
             for (const double value : {-2.0, 7.0}) {
@@ -21,7 +21,7 @@ TEST(FiniteRange, FindsTheLeastAndTheGreatestWhereverTheyAre) {
             }
 }
 
-TEST(FiniteRange, IsNothingForNoneAndForWhatIsNotFinite) {
+TEST(FiniteRange, IsEmptyForNoValuesAndForNonFiniteValues) {
     EXPECT_FALSE(finite_range({}));
     using limits = std::numeric_limits<double>;
     for (const double strange : {limits::quiet_NaN(), limits::infinity(), -limits::infinity()})

@@ -30,7 +30,7 @@ std::string message_of(const std::function<void()>& action) {
     return "no error";
 }
 
-TEST(Values, TakeTheirRowsDefaults) {
+TEST(Values, StartWithTheDefaultsOfTheirRows) {
     const Values values = sample();
     EXPECT_EQ(values.real("amplitude"), 10.0);
     EXPECT_EQ(values.integer("cells"), 60);
@@ -74,13 +74,13 @@ TEST(Values, TakeANumberOrAuto) {
     EXPECT_FALSE(values.real_or_auto("step_size").has_value()) << "the old value is kept";
 }
 
-TEST(Values, RefuseWhatIsOutOfRangeAndKeepTheOldValue) {
+TEST(Values, RejectInvalidValuesAndKeepTheOldOnes) {
     Values values = sample();
     EXPECT_NE(message_of([&] { values.parse("cells", "0"); }).find("4 to 480"), std::string::npos);
     EXPECT_NE(message_of([&] { values.parse("cells", "1000000000"); }).find("4 to 480"), std::string::npos);
     EXPECT_NE(message_of([&] { values.parse("amplitude", "nan"); }).find("finite"), std::string::npos);
     EXPECT_NE(message_of([&] { values.set("amplitude", INFINITY); }).find("finite"), std::string::npos);
-    EXPECT_NE(message_of([&] { values.parse("cells", "4.5"); }).find("a whole number"), std::string::npos);
+    EXPECT_NE(message_of([&] { values.parse("cells", "4.5"); }).find("an integer"), std::string::npos);
     EXPECT_NE(message_of([&] { values.parse("on", "yes"); }).find("true or false"), std::string::npos);
     EXPECT_EQ(values, sample());
 }
@@ -92,7 +92,7 @@ TEST(Values, NameTheNearestKeyAndChoice) {
     EXPECT_NE(message_of([&] { values.parse("boundary", "wals"); }).find("'walls'"), std::string::npos);
 }
 
-TEST(Values, RangesOfWholeNumbersAreWholeNumbers) {
+TEST(Values, RangesOfIntegersArePrintedAsIntegers) {
     EXPECT_EQ(describe_range({.kind = ParameterKind::integer, .minimum = 0, .maximum = 1e6}), "0 to 1000000");
     EXPECT_EQ(describe_range({.minimum = 0.5, .maximum = 1e-4}), "0.5 to 1e-04");
 }
@@ -102,7 +102,7 @@ TEST(Values, NumbersReadBackToTheSameDouble) {
         EXPECT_EQ(std::stod(format_number(value)), value);
 }
 
-TEST(Nearest, IsSilentWhereNothingIsNear) {
+TEST(Nearest, IsEmptyWhenNothingIsClose) {
     EXPECT_EQ(nearest("plane-rng", {"plane-ring", "plane-bell"}), "plane-ring");
     EXPECT_EQ(nearest("xyzzy", {"plane-ring", "plane-bell"}), "");
 }

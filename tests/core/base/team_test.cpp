@@ -8,7 +8,7 @@
 namespace gaspard {
 namespace {
 
-TEST(Team, SharesEveryItemOnceAgainAndAgain) {
+TEST(Team, ProcessesEveryItemOncePerCall) {
     for (const std::size_t workers : {1, 2, 5}) {
         Team team(workers);
         EXPECT_EQ(team.workers(), workers);
@@ -24,7 +24,7 @@ TEST(Team, SharesEveryItemOnceAgainAndAgain) {
     }
 }
 
-TEST(Team, HasWorkersThatAreThreadsOfTheirOwn) {
+TEST(Team, RunsWorkersOnSeparateThreads) {
     Team team(3);
     std::vector<std::thread::id> ids(3);
     const auto note = [&](std::size_t worker, std::size_t, std::size_t) {
@@ -36,10 +36,10 @@ TEST(Team, HasWorkersThatAreThreadsOfTheirOwn) {
     EXPECT_NE(ids[2], ids[1]);
     const auto before = ids;
     team.share(3, note);
-    EXPECT_EQ(ids, before); // they are kept
+    EXPECT_EQ(ids, before); // the same threads
 }
 
-TEST(Team, HandsOnAnExceptionAndGoesOn) {
+TEST(Team, RethrowsAnExceptionAndStaysUsable) {
     Team team(3);
     for (const std::size_t culprit : {0, 1, 2}) {
         const auto fail = [&](std::size_t worker, std::size_t, std::size_t) {

@@ -12,7 +12,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 const Space sphere{SpaceKind::sphere};
 
-/// M at an angle from the monitor's axis.
+/// M at a given angle from the monitor's axis.
 double profile(const Monitor& monitor, double s) {
     const Vec3 axis = *monitor.symmetry_axis(), a = cross(axis, {0.3, -0.5, 0.7});
     Points x(1);
@@ -33,7 +33,7 @@ double integral(const Monitor& monitor, double from, double to) {
     return sum * (to - from) / (3 * n);
 }
 
-TEST(ExactMap, KeepsTheIntegrals) {
+TEST(ExactMap, PreservesTheIntegrals) {
     for (const auto& [type, settings] :
          std::vector<std::pair<std::string, Settings>>{{"x-n", {}},
                                                        {"x-n", {{"ratio", 16}}},
@@ -59,7 +59,7 @@ TEST(ExactMap, IsTheIdentityForAConstant) {
     for (int i = 0; i <= 1000; ++i) EXPECT_NEAR(map->angle(pi * i / 1000), pi * i / 1000, 1e-10);
 }
 
-TEST(ExactMap, HasTheThetaOfThePaperWithGammaInsideTheRoot) {
+TEST(ExactMap, HasThePapersThetaWithGammaInsideTheRoot) {
     EXPECT_NEAR(ExactMap::of(*make_monitor("x-n", sphere))->theta(), 0.313702927, 1e-9);
     EXPECT_NEAR(ExactMap::of(*make_monitor("x-n", sphere, {{"ratio", 16}}))->theta(), 0.106615517, 1e-9);
 }
@@ -83,7 +83,7 @@ TEST(ExactMap, MovesPointsTowardsTheAxisAlongGreatCircles) {
     EXPECT_FALSE(ExactMap::of(*make_monitor("cross", sphere)));
 }
 
-TEST(ExactMap, EquidistributesWhatIsMeasured) {
+TEST(ExactMap, EquidistributesTheMeasuredMass) {
     const auto monitor = make_monitor("x-n", sphere);
     const auto mesh = std::make_shared<const Mesh>(sphere_mesh({SphereCells::cubed, 16}).quadratic);
     QualityMeter meter(mesh, 1, 6, sphere);

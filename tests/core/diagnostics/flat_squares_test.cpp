@@ -1,7 +1,7 @@
-// The quick way for straight squares in the plane against the general one, which a mesh takes that says it is
+// FlatSquares compared with the general measurement, which is used for a mesh that claims to be
 // in space.
 #include "core/diagnostics/quality.hpp"
-#include "core/fem/slow_plane.hpp"
+#include "support/polynomials.hpp"
 #include "support/built_in.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace gaspard {
 namespace {
 
-// Computational cells that are no parallelograms, physical ones of which some are turned over.
+// Computational cells that are not parallelograms, and physical cells some of which are reversed.
 Mesh irregular(int n, double by, unsigned seed) {
     Mesh mesh = unit_square_mesh(n);
     const auto shift = slow::random_values(2 * mesh.node_count(), -by, by, seed);
@@ -19,7 +19,7 @@ Mesh irregular(int n, double by, unsigned seed) {
 }
 
 TEST(FlatSquares, AgreeWithTheGeneralMeasure) {
-    for (const int n : {1, 3, 7, 20}) { // short batches, whole ones
+    for (const int n : {1, 3, 7, 20}) { // partial and full batches
         const auto flat = std::make_shared<Mesh>(irregular(n, 0.2 / n, 1));
         const auto general = std::make_shared<Mesh>(*flat);
         general->space_dimension = 3;
@@ -41,7 +41,7 @@ TEST(FlatSquares, AgreeWithTheGeneralMeasure) {
     }
 }
 
-TEST(FlatSquares, AreNotCurvedOnesNorTrianglesNorInSpace) {
+TEST(FlatSquares, ExcludeCurvedCellsTrianglesAndSurfacesInSpace) {
     Mesh mesh = unit_square_mesh(2);
     EXPECT_TRUE(FlatSquares::fits(mesh));
     mesh.kind.order = 2;

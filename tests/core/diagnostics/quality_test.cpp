@@ -1,10 +1,11 @@
 #include "core/base/error.hpp"
 #include "core/diagnostics/quality.hpp"
-#include "core/fem/slow_plane.hpp"
+#include "support/polynomials.hpp"
 #include "core/monitor/radial.hpp"
 #include "support/built_in.hpp"
 #include "support/small_meshes.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -13,8 +14,8 @@ namespace {
 
 const std::shared_ptr<const Monitor> one = make_monitor("constant", {});
 
-// 1 + x + 2 y + 3 z, whose integral over a cell that is a straight image is its measure times its centroid's
-// value.
+// 1 + x + 2 y + 3 z. Its integral over an affine cell is the measure of the cell times the value at the
+// centroid.
 class Linear final : public Monitor {
   public:
     static double at(Vec3 x) { return 1 + x.x + 2 * x.y + 3 * x.z; }
@@ -56,7 +57,7 @@ Points shaken(const Mesh& mesh, double by, unsigned seed) {
 const std::vector<Mesh> every_shape = {unit_square_mesh(5), three_lines(), two_triangles(), curved_square(),
                                        two_cubes()};
 
-TEST(Quality, OfAMeshThatDidNotMoveIsPerfectAtAnySize) {
+TEST(Quality, OfAnUnmovedMeshIsPerfectAtAnySize) {
     for (const double size : {1.0, 1e8, 1e-8})
         for (const Mesh& shape : every_shape) {
             const Mesh mesh = scaled(shape, size);
@@ -127,10 +128,10 @@ TEST(Quality, CountsTheCellsThatAKnownDisplacementTangles) {
     };
     EXPECT_EQ(with_node_moved_by(0, 0), 0u);
     EXPECT_EQ(with_node_moved_by(0.999, 0), 0u);
-    EXPECT_EQ(with_node_moved_by(1, 0), 2u);   // onto its neighbour: Jacobian 0 counts
+    EXPECT_EQ(with_node_moved_by(1, 0), 2u);   // onto its neighbour: Jacobian 0 counts as tangled
     EXPECT_EQ(with_node_moved_by(1.5, 0), 2u); // beyond it
     EXPECT_EQ(with_node_moved_by(1.25, 1.25), 3u);
-    EXPECT_EQ(with_node_moved_by(0.51, 0.51), 1u); // at the corner only, where no Gauss point stands
+    EXPECT_EQ(with_node_moved_by(0.51, 0.51), 1u); // at the corner only, where there is no Gauss point
     EXPECT_EQ(with_node_moved_by(0.49, 0.49), 0u);
     EXPECT_EQ(with_node_moved_by(-2.5, 0.5), tangled_by_hand(mesh, [&] {
                   Points x = mesh.nodes;
@@ -147,7 +148,7 @@ TEST(Quality, OfAReflectedMeshIsTangledEverywhere) {
     EXPECT_NEAR(q.max_jacobian, -1, 1e-14);
 }
 
-TEST(Quality, OfPositionsThatAreNotNumbersIsTangled) {
+TEST(Quality, OfNanPositionsIsTangled) {
     const Mesh mesh = unit_square_mesh(4);
     Points x = mesh.nodes;
     x.x[6] = std::nan(""); // an inner node: four cells
@@ -159,7 +160,7 @@ TEST(Quality, OfPositionsThatAreNotNumbersIsTangled) {
 }
 
 TEST(Quality, HasTheJacobiansOfACurvedCell) {
-    // One biquadratic cell, curved both as computational and as physical one.
+    // One biquadratic cell, curved in both meshes.
     Mesh mesh;
     mesh.kind = {CellShape::quadrilateral, 2};
     for (int k = 0; k < 9; ++k) mesh.cells.push_back(k);
@@ -185,7 +186,7 @@ TEST(Quality, HasTheJacobiansOfACurvedCell) {
         return sum;
     };
     const auto area = [&](const Points& nodes, double s, double t) {
-        const double h = 1e-3; // exact, but for rounding: the map is of degree 2 in s and in t
+        const double h = 1e-3; // exact up to rounding: the map has degree 2 in s and in t
         const Vec3 ds = map(nodes, s + h, t) - map(nodes, s - h, t);
         const Vec3 dt = map(nodes, s, t + h) - map(nodes, s, t - h);
         return cross(ds, dt).z / (4 * h * h);
@@ -213,7 +214,7 @@ TEST(Quality, HasTheJacobiansOfACurvedCell) {
     EXPECT_EQ(q.equidistribution, 0);
 }
 
-TEST(Quality, MeasuresEquidistributionAsManyMidpointsDo) {
+TEST(Quality, EquidistributionMatchesAFineMidpointRule) {
     const int n = 4, fine = 200;
     const Mesh mesh = unit_square_mesh(n);
     const Points x = shaken(mesh, 0.05, 4);
@@ -249,9 +250,9 @@ TEST(Quality, MeasuresEquidistributionAsManyMidpointsDo) {
     EXPECT_GT(q.equidistribution, 0.3);
 }
 
-TEST(Quality, IsTheSameForAnyNumberOfThreads) {
+TEST(Quality, DoesNotDependOnTheNumberOfThreads) {
     const Mesh mesh = unit_square_mesh(20);
-    const Points x = shaken(mesh, 0.8 / 20, 5); // some tangle
+    const Points x = shaken(mesh, 0.8 / 20, 5); // some cells tangle
     const auto monitor = make_monitor("bell", {});
     const MeshQuality first = quality(mesh, x, *monitor, 1);
     EXPECT_GT(first.tangled_cells, 0u);
@@ -267,7 +268,7 @@ TEST(Quality, IsTheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(Quality, CanBeMeasuredAgainAndAgain) {
+TEST(Quality, CanBeMeasuredRepeatedly) {
     const Mesh mesh = unit_square_mesh(9);
     QualityMeter meter(std::make_shared<const Mesh>(mesh), 2);
     const Points x = shaken(mesh, 0.08, 6);
@@ -305,7 +306,7 @@ TEST(Quality, OfStraightImagesIsKnownForEveryShape) {
 }
 
 TEST(Quality, OfACurvedLineIsExact) {
-    // x = xi^2 on [0,1] in two quadratic lines: the map is of degree 2, its derivative 2 xi.
+    // x = xi^2 on [0, 1] with two quadratic cells: degree 2, derivative 2 xi.
     Mesh mesh = mesh_of({CellShape::line, 2}, 1, {{0, 0, 0}, {.25, 0, 0}, {.5, 0, 0}, {.75, 0, 0}, {1, 0, 0}},
                         {0, 2, 1, 2, 4, 3});
     const MeshQuality q = quality(mesh,
@@ -321,24 +322,24 @@ TEST(Quality, OfACurvedLineIsExact) {
     EXPECT_NEAR(q.max_jacobian, 2, 1e-14);
 }
 
-TEST(Quality, OfALineTurnedBackIsTangled) {
+TEST(Quality, OfAFoldedLineIsTangled) {
     const Mesh straight = three_lines(); // 0, 1/4, 2/3, 1
     Mesh tilted = straight;
     tilted.space_dimension = 2;
     tilted.nodes = moved_by(straight, [](Vec3 xi) { return Vec3{0.6 * xi.x, 0.8 * xi.x, 0}; });
     for (const Mesh& mesh : {straight, tilted}) {
         Points x = mesh.nodes;
-        x.set(3, 0.125 / 0.25 * mesh.nodes[2]); // from 2/3 to 1/8, before its neighbour
+        x.set(3, 0.125 / 0.25 * mesh.nodes[2]); // from 2/3 to 1/8, past its neighbour
         const MeshQuality q = quality(mesh, x, *one);
         EXPECT_EQ(q.tangled_cells, 1u);
         EXPECT_NEAR(q.min_jacobian, -0.125 / (2.0 / 3 - 0.25), 1e-14);
         EXPECT_NEAR(q.max_jacobian, 0.875 * 3, 1e-14);
-        EXPECT_NEAR(q.cell_mass[1], q.min_jacobian, 1e-14); // what is turned over counts negative
+        EXPECT_NEAR(q.cell_mass[1], q.min_jacobian, 1e-14); // reversed parts count negatively
     }
 }
 
 TEST(Quality, KeepsTheVolumeWhenInnerNodesOfACubeMove) {
-    // 2 x 2 x 2 hexahedra; the node in the middle moves, so all eight change, their sum does not.
+    // 2 x 2 x 2 hexahedra; moving the central node changes all eight volumes but not their sum.
     Mesh mesh;
     mesh.kind = {CellShape::hexahedron, 1};
     mesh.space_dimension = 3;
@@ -360,7 +361,7 @@ TEST(Quality, KeepsTheVolumeWhenInnerNodesOfACubeMove) {
     EXPECT_NEAR(sum, 1 + 0.5 + 1 + 1.5, 1e-13);
     EXPECT_EQ(q.tangled_cells, 0u);
     EXPECT_LT(q.min_jacobian, 0.8);
-    x.set(13, {0.4, 1.2, 0.55}); // out of the cube: the four cells it moves towards turn over
+    x.set(13, {0.4, 1.2, 0.55}); // out of the cube: four cells are reversed
     EXPECT_EQ(quality(mesh, x, *one).tangled_cells, 4u);
 }
 
@@ -378,7 +379,7 @@ TEST(Quality, OfATiltedSquareInSpaceIsThatOfTheFlatOne) {
     EXPECT_LT(still.equidistribution, 1e-14);
 
     Mesh shaken_flat = flat;
-    shaken_flat.nodes = shaken(flat, 0.24, 7); // one cell or two tangle
+    shaken_flat.nodes = shaken(flat, 0.24, 7); // one or two cells tangle
     Points x(flat.node_count());
     for (std::size_t i = 0; i < x.size(); ++i) x.set(i, tilt(shaken_flat.nodes[i]));
     const MeshQuality ours = quality(tilted, x, *one), expected = quality(flat, shaken_flat.nodes, *one);
@@ -389,11 +390,11 @@ TEST(Quality, OfATiltedSquareInSpaceIsThatOfTheFlatOne) {
     for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(ours.cell_mass[i], expected.cell_mass[i], 1e-13);
 }
 
-TEST(Quality, OfAFaceTurnedOverInSpaceIsTangled) {
+TEST(Quality, OfAReversedFaceInSpaceIsTangled) {
     Mesh mesh = unit_square_mesh(2);
     mesh.space_dimension = 3;
     Points x = mesh.nodes;
-    // Fold the right half over the left one, a little above it: its two cells face down.
+    // Fold the right half over the left half, slightly above it: its two cells face down.
     for (const std::size_t node : {2, 5, 8}) x.set(node, {0.1, mesh.nodes.y[node], 0.01});
     const MeshQuality q = quality(mesh, x, *one);
     EXPECT_EQ(q.tangled_cells, 2u);
@@ -401,7 +402,7 @@ TEST(Quality, OfAFaceTurnedOverInSpaceIsTangled) {
     EXPECT_NEAR(q.min_jacobian, -2 * std::hypot(0.4, 0.01), 1e-13);
 }
 
-TEST(Quality, RefusesWhatItCannotMeasure) {
+TEST(Quality, RejectsInvalidArguments) {
     const auto mesh = std::make_shared<const Mesh>(unit_square_mesh(2));
     EXPECT_THROW(QualityMeter(mesh, 0), InternalError);
     EXPECT_THROW(QualityMeter(mesh, -1), InternalError);

@@ -1,14 +1,14 @@
-// That the integrals are right is tested with the operators of the plane; here, who computes them.
+// Independence of the number of threads. The values are tested in plane_q2_test.cpp.
 #include "core/base/error.hpp"
 #include "core/fem/determinant_load.hpp"
-#include "core/fem/slow_plane.hpp"
+#include "support/polynomials.hpp"
 
 #include <gtest/gtest.h>
 
 namespace gaspard {
 namespace {
 
-TEST(DeterminantLoad, IsTheSameForAnyNumberOfThreads) {
+TEST(DeterminantLoad, DoesNotDependOnTheNumberOfThreads) {
     for (const bool periodic : {true, false})
         for (const std::size_t n : {4, 13}) {
             const LineGrid grid{n, periodic};
@@ -30,7 +30,7 @@ TEST(DeterminantLoad, IsTheSameForAnyNumberOfThreads) {
         }
 }
 
-TEST(DeterminantLoad, NeedsARoomForEveryWorker) {
+TEST(DeterminantLoad, NeedsAWorkspacePerWorker) {
     const DeterminantLoad load({4, true});
     std::vector<double> r(64), monitor(25);
     std::vector<DeterminantLoad::Workspace> workspaces(1, load.make_workspace());

@@ -1,14 +1,15 @@
 #include "core/base/error.hpp"
 #include "core/fem/ellipticity.hpp"
-#include "core/fem/slow_plane.hpp"
+#include "support/polynomials.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace gaspard {
 namespace {
 
-TEST(Ellipticity, IsThatOfMatricesAtTheVertices) {
+TEST(Ellipticity, MatchesTheEigenvaluesAtTheVertices) {
     for (const bool periodic : {true, false})
         for (const std::size_t n : {4, 9, 16}) {
             const LineGrid grid{n, periodic};

@@ -10,7 +10,7 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-TEST(Gauss, IsExactToItsDegreeAndNoFurther) {
+TEST(Gauss, IsExactUpToItsDegreeOnly) {
     for (const int points : {1, 2, 3, 4, 5, 6, 10, 20}) {
         const LineQuadrature rule = gauss_legendre(points);
         ASSERT_EQ(rule.points.size(), static_cast<std::size_t>(points));
@@ -22,14 +22,14 @@ TEST(Gauss, IsExactToItsDegreeAndNoFurther) {
         };
         for (int power = 0; power <= 2 * points - 1; ++power)
             EXPECT_LT(error(power), 2e-15) << points << " points, power " << power;
-        // The next power misses by (n!)^4 / ((2n+1) ((2n)!)^2).
+        // The error of the next power is (n!)^4 / ((2n+1) ((2n)!)^2).
         const double miss =
             std::exp(4 * std::lgamma(points + 1) - 2 * std::lgamma(2 * points + 1)) / (2 * points + 1);
         EXPECT_NEAR(error(2 * points), miss, 2e-15);
     }
 }
 
-TEST(Gauss, OrdersPointsInsideAndWeightsPositive) {
+TEST(Gauss, HasInteriorAscendingPointsAndPositiveWeights) {
     const LineQuadrature rule = gauss_legendre(7);
     for (std::size_t i = 0; i < 7; ++i) {
         EXPECT_GT(rule.weights[i], 0);
@@ -46,7 +46,7 @@ struct Use {
     Symmetry symmetry;
     LineForm form;
 };
-// The four that PlaneQ2 makes, and what else the interface offers.
+// The four maps of PlaneQ2, and other combinations.
 const Use uses[] = {
     {"second", 2, Symmetry::even, {true, true}},     {"first", 2, Symmetry::odd, {false, true}},
     {"slope_q1", 1, Symmetry::odd, {false, true}},   {"value_q1", 1, Symmetry::even, {false, false}},
@@ -63,7 +63,7 @@ Eigen::MatrixXd dense_map(slow::Line line, const Use& use) {
             mass(end, end) = 1;
             right.row(end).setZero();
         }
-    return mass.fullPivLu().solve(right);
+    return slow::solve(mass, right);
 }
 
 class Maps : public testing::TestWithParam<std::tuple<int, bool>> {};
@@ -77,7 +77,7 @@ TEST_P(Maps, AgreeWithDenseMatrices) {
         const LineMap map({static_cast<std::size_t>(n), periodic}, use.degree, use.symmetry, use.form);
         ASSERT_EQ(static_cast<int>(map.rows()), line.unknowns(use.degree));
         const Eigen::MatrixXd expected = dense_map(line, use);
-        // The identity in, its own matrix out: with as many columns as unknowns.
+        // Applied to the identity, which gives the matrix of the map.
         const RowMajor in = RowMajor::Identity(expected.cols(), expected.cols());
         RowMajor out = RowMajor::Constant(expected.rows(), expected.cols(), 7.0);
         const auto columns = static_cast<std::size_t>(expected.cols());
@@ -99,7 +99,7 @@ TEST_P(Maps, KeepTheEndsOfOddFunctionsAtZero) {
     }
 }
 
-TEST(LineMap, RefusesWhatItCannot) {
+TEST(LineMap, RejectsUnsupportedArguments) {
     EXPECT_THROW(LineMap({3, true}, 2, Symmetry::even, {}), InternalError);
     EXPECT_THROW(LineMap({4, true}, 3, Symmetry::even, {}), InternalError);
 }

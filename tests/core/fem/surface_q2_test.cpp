@@ -6,6 +6,10 @@
 #include "support/built_in.hpp"
 #include "support/periodic_surface.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -34,7 +38,7 @@ std::vector<Case> cases() {
     return list;
 }
 
-/// Smooth enough, of amplitude such that gradients are a fraction of the radius.
+/// Smooth, with gradients that are a fraction of the radius.
 std::vector<double> some_potential(std::size_t size, double amplitude) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> value(-amplitude, amplitude);
@@ -69,7 +73,7 @@ TEST(CellQuadrature, OfDegree8IsExactForPolynomialsOfDegree8) {
             }
 }
 
-TEST(SurfaceQ2, ComputesWhatDenseMatricesCompute) {
+TEST(SurfaceQ2, AgreesWithDenseMatrices) {
     for (auto& [name, setup, flat] : cases()) {
         SCOPED_TRACE(name);
         const slow::Surface slow(setup.mesh, setup.geometry_order, flat, setup.unknowns);
@@ -122,8 +126,8 @@ TEST(SurfaceQ2, ComputesWhatDenseMatricesCompute) {
     }
 }
 
-TEST(SurfaceQ2, HasTheEllipticityOfDifferences) {
-    // adj(A) D with D from differences of the exponential map and the adjugate written out.
+TEST(SurfaceQ2, EllipticityMatchesFiniteDifferences) {
+    // adj(A) D, with D from finite differences of the exponential map and an explicit adjugate.
     class Waves final : public Monitor {
         void values(const Points& x, std::span<double> values) const override {
             for (std::size_t i = 0; i < values.size(); ++i) values[i] = 2 + x.x[i] + 0.5 * x.y[i] * x.z[i];
@@ -138,7 +142,9 @@ TEST(SurfaceQ2, HasTheEllipticityOfDifferences) {
         const Vec3 p = surface->places()[i];
         phi[i] = 0.1 * p.x * p.y + 0.2 * p.z;
     }
-    equation.evaluate(Waves(), phi);
+    const Waves waves;
+    equation.evaluate({.monitor = std::shared_ptr<const Monitor>(std::shared_ptr<const Monitor>(), &waves)},
+                      phi);
     auto workspace = surface->make_workspace();
     surface->map(phi, workspace);
     Points x, gradient;
@@ -163,7 +169,7 @@ TEST(SurfaceQ2, HasTheEllipticityOfDifferences) {
         const Matrix p = Matrix::Identity() - xi * xi.transpose();
         const Matrix a = sigma * p + vector(x[i]) * xi.transpose();
         const Matrix product = p * (a.determinant() * a.inverse()) * differential * p;
-        // One of the three eigenvalues belongs to xi and is 0; the others are those of the tangent plane.
+        // One of the three eigenvalues, for xi, is 0; the others are those in the tangent plane.
         const Eigen::Vector3d first = g.norm() > 0 ? g.normalized() : xi.unitOrthogonal();
         Eigen::Matrix<double, 3, 2> basis;
         basis << first, xi.cross(first);
@@ -180,7 +186,7 @@ TEST(SurfaceQ2, HasTheEllipticityOfDifferences) {
     EXPECT_LT(found.convexity, 0.95);
 }
 
-TEST(SurfaceQ2, StandsStillForAPotentialOfZero) {
+TEST(SurfaceQ2, ZeroPotentialMovesNothing) {
     const SurfaceQ2 surface(sphere_setup({SphereCells::cubed, 4}, 2, 6371e3));
     auto workspace = surface.make_workspace();
     surface.map(std::vector<double>(surface.unknowns(), 0.0), workspace);
@@ -194,12 +200,12 @@ TEST(SurfaceQ2, ApproachesTheAreaOfTheSphere) {
     for (const int k : {2, 4, 8}) {
         const double error =
             std::abs(SurfaceQ2(sphere_setup({SphereCells::cubed, k})).area() / (4 * std::numbers::pi) - 1);
-        EXPECT_LT(error, last / 12); // of fourth order
+        EXPECT_LT(error, last / 12); // fourth order
         last = error;
     }
 }
 
-TEST(SurfaceQ2, StopsWhenAskedAndTellsWhatItDoes) {
+TEST(SurfaceQ2, StopsOnRequestAndReportsProgress) {
     std::stop_source source;
     std::vector<double> told;
     const Progress progress = [&](double part, std::string_view) { told.push_back(part); };

@@ -35,14 +35,14 @@ TEST(AtomicFile, WritesTheBytesAndReplacesAnOlderFile) {
     EXPECT_EQ(folder.content(), Names{"f"});
 }
 
-TEST(AtomicFile, HasThePermissionsOfAnyOtherNewFile) {
+TEST(AtomicFile, HasDefaultPermissions) {
     const TemporaryFolder folder;
     put(folder / "plain", "");
     write_atomically(folder / "ours", "");
     EXPECT_EQ(fs::status(folder / "ours").permissions(), fs::status(folder / "plain").permissions());
 }
 
-TEST(AtomicFile, WritesARelativeNameIntoThePresentFolder) {
+TEST(AtomicFile, WritesRelativeNamesIntoTheCurrentFolder) {
     const TemporaryFolder folder;
     const fs::path before = fs::current_path();
     fs::current_path(folder.path());
@@ -61,7 +61,7 @@ TEST(AtomicFile, StreamIsInTheCLocale) {
     EXPECT_EQ(read_file(folder / "f"), "1234.5 1234567");
 }
 
-TEST(AtomicFile, AWriterThatThrowsLeavesTheOldFile) {
+TEST(AtomicFile, KeepsTheOldFileIfTheWriterThrows) {
     const TemporaryFolder folder;
     put(folder / "f", "old");
     const auto write = [](std::ostream& out) {
@@ -73,14 +73,14 @@ TEST(AtomicFile, AWriterThatThrowsLeavesTheOldFile) {
     EXPECT_EQ(folder.content(), Names{"f"});
 }
 
-TEST(AtomicFile, AMissingFolderIsNamed) {
+TEST(AtomicFile, ReportsAMissingFolder) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "gone" / "f";
     const std::string message = message_of<MachineError>([&] { write_atomically(file, "x"); });
     EXPECT_EQ(message, "cannot write " + file.string() + ": No such file or directory");
 }
 
-TEST(AtomicFile, AFolderInTheWayIsNamedAndNothingIsLeft) {
+TEST(AtomicFile, ReportsAFolderOfTheSameNameAndCleansUp) {
     const TemporaryFolder folder;
     fs::create_directory(folder / "f");
     const std::string message = message_of<MachineError>([&] { write_atomically(folder / "f", "x"); });
@@ -88,9 +88,9 @@ TEST(AtomicFile, AFolderInTheWayIsNamedAndNothingIsLeft) {
     EXPECT_EQ(folder.content(), Names{"f"});
 }
 
-/// In a process of its own: writes 5000 bytes where files may have 1000, says what happened, leaves with 0.
+/// In a child process: writes 5000 bytes under a file size limit of 1000, reports the error, exits with 0.
 [[noreturn]] void write_beyond_the_limit(const fs::path& file) {
-    std::signal(SIGXFSZ, SIG_IGN); // as the program does at its start
+    std::signal(SIGXFSZ, SIG_IGN); // as in run_command_line
     const rlimit limit{1000, 1000};
     setrlimit(RLIMIT_FSIZE, &limit);
     try {
@@ -102,7 +102,7 @@ TEST(AtomicFile, AFolderInTheWayIsNamedAndNothingIsLeft) {
     std::_Exit(1);
 }
 
-TEST(AtomicFileDeathTest, AFullDiskLeavesTheOldFileAndSaysSo) {
+TEST(AtomicFileDeathTest, KeepsTheOldFileOnAFullDisk) {
     const TemporaryFolder folder;
     put(folder / "f", "old");
     EXPECT_EXIT(write_beyond_the_limit(folder / "f"), ExitedWithCode(0), "cannot write .*/f: File too large");
@@ -110,7 +110,7 @@ TEST(AtomicFileDeathTest, AFullDiskLeavesTheOldFileAndSaysSo) {
     EXPECT_EQ(folder.content(), Names{"f"});
 }
 
-TEST(AtomicFile, ATemporaryFileOfAnotherIsLeftAlone) {
+TEST(AtomicFile, DoesNotTouchOtherTemporaryFiles) {
     const TemporaryFolder folder;
     const std::string taken = ".gaspard-" + std::to_string(getpid()) + "-0.tmp";
     put(folder / taken, "of a writer at work");
@@ -143,29 +143,29 @@ TEST(CheckWritable, MakesTheFoldersAndLeavesThemEmpty) {
     check_writable(folder.path() / "a" / "b");
     EXPECT_TRUE(fs::is_directory(folder.path() / "a" / "b"));
     EXPECT_TRUE(fs::is_empty(folder.path() / "a" / "b"));
-    check_writable(folder.path() / "a" / "b");      // is there by now
-    check_writable(folder.path() / "a" / "c" / ""); // with a slash at its end
+    check_writable(folder.path() / "a" / "b");      // exists now
+    check_writable(folder.path() / "a" / "c" / ""); // with a trailing slash
     EXPECT_TRUE(fs::is_empty(folder.path() / "a" / "c"));
 }
 
-TEST(CheckWritable, NamesAFileInTheWay) {
+TEST(CheckWritable, ReportsAFileOfTheSameName) {
     const TemporaryFolder folder;
     put(folder / "f", "mine");
     for (const fs::path& wanted : {folder / "f", folder.path() / "f" / "g"})
         EXPECT_EQ(message_of<InputError>([&] { check_writable(wanted); }),
-                  "cannot write into the folder " + wanted.string() + ": Not a directory");
+                  "cannot write to the folder " + wanted.string() + ": Not a directory");
     EXPECT_EQ(read_file(folder / "f"), "mine");
 }
 
-TEST(CheckWritable, NamesWhatTheSystemForbids) {
+TEST(CheckWritable, ReportsMissingPermissions) {
     const std::string inside = message_of<InputError>([] { check_writable("/proc"); });
-    EXPECT_TRUE(contains(inside, "cannot write into the folder /proc: ")) << inside;
+    EXPECT_TRUE(contains(inside, "cannot write to the folder /proc: ")) << inside;
     const std::string below = message_of<InputError>([] { check_writable("/proc/gaspard/out"); });
-    EXPECT_TRUE(contains(below, "cannot write into the folder /proc/gaspard/out: ")) << below;
+    EXPECT_TRUE(contains(below, "cannot write to the folder /proc/gaspard/out: ")) << below;
     EXPECT_THROW(check_writable(""), InputError);
 }
 
-TEST(CheckWritable, RemovesWhatItMadeWhenTheTrialFails) {
+TEST(CheckWritable, RemovesCreatedFoldersOnFailure) {
     const TemporaryFolder folder;
     fs::create_directory(folder / "there");
     const fs::path wanted = folder.path() / "there" / "new" / std::string(300, 'n');

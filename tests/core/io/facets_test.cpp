@@ -1,4 +1,4 @@
-// The border of meshes of every kind, and the names of its sides.
+// Boundary facets of meshes of every kind, and the names of sides.
 #include "core/io/facets.hpp"
 #include "core/io/mesh_outline.hpp"
 #include "support/small_meshes.hpp"

@@ -1,5 +1,5 @@
-// GLB read back by assimp; what assimp does not tell (default weights, accessor bounds, index types) is
-// looked up in the file's JSON with another parser than the writer's.
+// GLB files read back by assimp; what assimp does not report (default weights, accessor bounds, index types)
+// is read from the file's JSON with a parser other than the writer's.
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/io/formats.hpp"
@@ -24,7 +24,7 @@ Snapshot snapshot_of(Mesh mesh) {
     Snapshot snapshot;
     snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
     snapshot.x = moved(*snapshot.mesh);
-    Field monitor{"monitor", "", FieldPlace::node, {}};
+    Field monitor{{.name = "monitor"}, {}};
     for (std::size_t i = 0; i < snapshot.x.size(); ++i)
         monitor.values.push_back(2 + std::sin(5 * snapshot.x.x[i] + snapshot.x.y[i]));
     snapshot.fields.push_back(std::move(monitor));
@@ -38,7 +38,7 @@ std::uint32_t word(const std::string& bytes, std::size_t at) {
     return value;
 }
 
-/// The JSON chunk, after a look at the container.
+/// The JSON chunk; checks the container.
 Json json_of(const std::string& glb) {
     EXPECT_EQ(glb.substr(0, 4), "glTF");
     EXPECT_EQ(word(glb, 4), 2u);
@@ -51,7 +51,7 @@ Json json_of(const std::string& glb) {
     return Json::parse(glb.substr(20, length));
 }
 
-/// A mesh of the file by the kind of its faces, or null.
+/// The mesh with the given type of faces, or null.
 const aiMesh* find_mesh(const aiScene& scene, unsigned primitive) {
     for (unsigned i = 0; i < scene.mNumMeshes; ++i)
         if (scene.mMeshes[i]->mPrimitiveTypes == primitive) return scene.mMeshes[i];
@@ -100,7 +100,7 @@ TEST_F(GlbTest, HoldsTheSquareMeshAtX) {
     }
 }
 
-TEST_F(GlbTest, TrianglesFillTheCellsAndEdgesFollowTheirSides) {
+TEST_F(GlbTest, TrianglesFillTheCellsAndLinesFollowTheEdges) {
     const Snapshot snapshot = snapshot_of(unit_square_mesh(5));
     const Glb glb(file_, snapshot);
     // The areas of the triangles, and the shoelace formula around the outer nodes.
@@ -137,7 +137,7 @@ TEST_F(GlbTest, ColoursFollowTheMonitor) {
         const auto expected = colour_at(map, (values[i] - *low) / (*high - *low));
         const aiColor4D& c = glb.faces->mColors[0][i];
         const float channels[] = {c.r, c.g, c.b};
-        for (std::size_t k = 0; k < 3; ++k) { // from linear light back to sRGB
+        for (std::size_t k = 0; k < 3; ++k) { // from linear back to sRGB
             const double v = static_cast<double>(channels[k]);
             const double srgb = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
             EXPECT_NEAR(255 * srgb, expected[k], 0.01);
@@ -146,7 +146,7 @@ TEST_F(GlbTest, ColoursFollowTheMonitor) {
     EXPECT_NE(glb.faces->mColors[0][low - values.begin()], glb.faces->mColors[0][high - values.begin()]);
 }
 
-TEST_F(GlbTest, EdgesAreSeenOnTheirFaces) {
+TEST_F(GlbTest, EdgesContrastWithTheirFaces) {
     const Glb glb(file_, snapshot_of(unit_square_mesh(20)));
     ASSERT_TRUE(glb.edges->HasVertexColors(0));
     const auto luminance = [](const aiColor4D& c) {
@@ -205,7 +205,7 @@ TEST_F(GlbTest, BoundsOfPositionsAreExact) {
     EXPECT_TRUE(target.contains("min") && target.contains("max"));
 }
 
-TEST_F(GlbTest, ManyVerticesTakeWiderIndices) {
+TEST_F(GlbTest, ManyVerticesUseWiderIndices) {
     const auto index_type = [&](int n) {
         const Glb glb(file_, snapshot_of(unit_square_mesh(n)));
         EXPECT_EQ(glb.faces->mNumFaces, 2u * static_cast<unsigned>(n * n));
@@ -231,7 +231,7 @@ TEST_F(GlbTest, LinesCarryTheColoursThemselves) {
     for (unsigned i = 0; i < 4; ++i) expect_near(glb.edges->mVertices[i], snapshot.x[i]);
 }
 
-TEST_F(GlbTest, CurvedCellsAreCutFine) {
+TEST_F(GlbTest, CurvedCellsAreSubdivided) {
     const Snapshot snapshot = snapshot_of(curved_square());
     const Glb glb(file_, snapshot);
     const auto cuts = static_cast<unsigned>(
@@ -240,7 +240,7 @@ TEST_F(GlbTest, CurvedCellsAreCutFine) {
     EXPECT_EQ(glb.faces->mNumFaces, 2 * cuts * cuts);
     EXPECT_EQ(glb.edges->mNumFaces, 4 * cuts);
     ASSERT_EQ(glb.faces->mNumVertices, (cuts + 1) * (cuts + 1));
-    // All nodes of the cell are among the points that show it.
+    // All nodes of the cell are shown points.
     for (std::size_t node = 0; node < snapshot.x.size(); ++node) {
         double nearest = 1;
         for (unsigned i = 0; i < glb.faces->mNumVertices; ++i) {
@@ -253,7 +253,7 @@ TEST_F(GlbTest, CurvedCellsAreCutFine) {
     EXPECT_FALSE(glb.json["materials"][0].contains("extensions")) << "what is bent is lit";
 }
 
-TEST_F(GlbTest, MayBeCutToATolerance) {
+TEST_F(GlbTest, CanBeTessellatedToATolerance) {
     Snapshot snapshot = snapshot_of(cubed_sphere_mesh(2));
     snapshot.x = snapshot.mesh->nodes;
     const Tessellation shape = tessellate_within(*snapshot.mesh, snapshot.x, 1e-3);
@@ -272,9 +272,9 @@ TEST_F(GlbTest, MayBeCutToATolerance) {
     EXPECT_TRUE(faces->HasVertexColors(0));
 }
 
-TEST_F(GlbTest, OfSolidsTheSurfaceIsShown) {
+TEST_F(GlbTest, ShowsTheBoundaryOfSolids) {
     const Glb glb(file_, snapshot_of(two_cubes()));
-    EXPECT_EQ(glb.faces->mNumFaces, 2u * 10); // twelve faces, of which two touch
+    EXPECT_EQ(glb.faces->mNumFaces, 2u * 10); // twelve faces, of which two are interior
     EXPECT_EQ(glb.edges->mNumFaces, 20u);
 }
 
@@ -296,7 +296,7 @@ TEST_F(GlbTest, BytesDependOnTheInputAlone) {
     EXPECT_EQ(read_file(file_), read_file(folder_ / "again.glb"));
 }
 
-TEST_F(GlbTest, PositionsThatAreNotFiniteAreAFault) {
+TEST_F(GlbTest, RejectsNonFinitePositions) {
     for (const double wrong : {std::nan(""), 1e300}) { // the second does not fit into single precision
         Snapshot snapshot = snapshot_of(two_triangles());
         snapshot.x.x[1] = wrong;

@@ -1,4 +1,4 @@
-// OBJ read back by OpenMesh, and, because that reads single precision, by a few lines of our own to the last
+// OBJ files read back by OpenMesh and, since that reads single precision, by a small parser that checks every
 // bit.
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
@@ -13,6 +13,7 @@
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <algorithm>
 #include <cstdlib>
 #include <sstream>
 
@@ -113,7 +114,7 @@ TEST(Obj, LinesAreLineRecords) {
     EXPECT_EQ(obj.records, (std::vector<Record>{{"l", {0, 2}}, {"l", {2, 3}}, {"l", {3, 1}}}));
 }
 
-TEST(Obj, OfCurvedCellsOnlyTheCornersAreWritten) {
+TEST(Obj, WritesOnlyTheCornersOfCurvedCells) {
     const TemporaryFolder folder;
     const Mesh mesh = curved_square();
     write_obj(folder / "m.obj", mesh, mesh.nodes);
@@ -142,7 +143,7 @@ TEST(Obj, EverySolidHasItsSixFacesPointingOutward) {
     }
 }
 
-TEST(Obj, OfATessellationTrianglesAndTheEdgesAsLongLines) {
+TEST(Obj, WritesATessellationAsTrianglesAndPolylines) {
     const TemporaryFolder folder;
     const Mesh mesh = cubed_sphere_mesh(2);
     const Tessellation shape = tessellate_within(mesh, mesh.nodes, 1e-3);
@@ -175,7 +176,7 @@ TEST(Obj, OfATessellationTrianglesAndTheEdgesAsLongLines) {
     for (const auto v : read.vertices()) EXPECT_FALSE(v.is_boundary()) << "the sphere is closed";
 }
 
-TEST(Obj, NumbersHaveAPointUnderACommaLocale) {
+TEST(Obj, IsIndependentOfTheLocale) {
     const TemporaryFolder folder;
     const Mesh mesh = unit_square_mesh(40);
     write_obj(folder / "plain.obj", mesh, moved(mesh));
@@ -186,7 +187,7 @@ TEST(Obj, NumbersHaveAPointUnderACommaLocale) {
     EXPECT_EQ(read_file(folder / "plain.obj"), read_file(folder / "comma.obj"));
 }
 
-TEST(Obj, PositionsThatAreNotFiniteAreAFault) {
+TEST(Obj, RejectsNonFinitePositions) {
     const TemporaryFolder folder;
     const Mesh mesh = two_triangles();
     Points x = mesh.nodes;
@@ -195,15 +196,15 @@ TEST(Obj, PositionsThatAreNotFiniteAreAFault) {
     EXPECT_TRUE(folder.content().empty());
 }
 
-TEST(Formats, TheTableKnowsWhatEachWrites) {
+TEST(Formats, TheTableListsTheFilesOfEachFormat) {
     const TemporaryFolder folder;
     const auto mesh = std::make_shared<Mesh>(unit_square_mesh(4));
     Snapshot snapshot{.mesh = mesh, .x = moved(*mesh), .fields = {}, .report = {}, .version = 1};
-    snapshot.fields.push_back({"monitor", "", FieldPlace::node, mesh->nodes.x});
+    snapshot.fields.push_back({{.name = "monitor"}, mesh->nodes.x});
     const std::vector<StepReport> history(3);
     std::vector<std::string> expected;
     for (const auto& format : formats()) {
-        if (format.splines_only) continue; // of other meshes: refused before a run (formats_of)
+        if (format.splines_only) continue; // for other meshes; rejected before a run (formats_of)
         format.write(folder.path(), {snapshot, history, {}});
         expected.insert(expected.end(), format.files.begin(), format.files.end());
         std::sort(expected.begin(), expected.end());
@@ -219,13 +220,13 @@ TEST(Formats, TheTableKnowsWhatEachWrites) {
     expect_positions(read_obj(folder / "adapted.obj"), snapshot.x);
 }
 
-TEST(Formats, AListIsParsedAndAnUnknownNameToldWithTheNearest) {
+TEST(Formats, ListsAreParsedAndUnknownNamesReportedWithTheNearest) {
     const auto both = parse_formats("glb,obj,glb");
     ASSERT_EQ(both.size(), 2u);
     EXPECT_EQ(both[0]->name, "glb");
     EXPECT_EQ(both[1]->name, "obj");
     EXPECT_EQ(message_of<InputError>([] { parse_formats("obj,glbb"); }),
-              "unknown format 'glbb' (did you mean 'glb'?); there are: obj, glb, obj-curved, glb-curved, "
+              "unknown format 'glbb' (did you mean 'glb'?); allowed: obj, glb, obj-curved, glb-curved, "
               "vtu, msh, ply, ugrid, patch, svg");
     for (const char* wrong : {"", "obj,", ",obj", "obj glb", "OBJ"})
         EXPECT_THROW(parse_formats(wrong), InputError) << wrong;

@@ -1,4 +1,4 @@
-// PLY read back by assimp, and, because that reads single precision, by a few lines of our own to the last
+// PLY files read back by assimp and, since that reads single precision, by a small parser that checks every
 // bit.
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
@@ -128,14 +128,14 @@ TEST_F(PlyTest, AssimpReadsIt) {
     }
 }
 
-TEST_F(PlyTest, OfCurvedCellsOnlyTheCornersAreWritten) {
+TEST_F(PlyTest, WritesOnlyTheCornersOfCurvedCells) {
     const ReadPly ply = written(curved_square()); // whose corners are its nodes 2 to 5
     ASSERT_EQ(ply.vertices.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(ply.vertices[i].position, snapshot_.x[i + 2]);
     EXPECT_EQ(ply.faces, (std::vector<std::vector<std::int32_t>>{{0, 1, 2, 3}}));
 }
 
-TEST_F(PlyTest, OfSolidsTheBorderIsWritten) {
+TEST_F(PlyTest, WritesTheBoundaryOfSolids) {
     const ReadPly ply = written(two_cubes());
     EXPECT_EQ(ply.vertices.size(), 12u);
     ASSERT_EQ(ply.faces.size(), 10u);
@@ -157,7 +157,7 @@ TEST_F(PlyTest, LinesAreEdges) {
     EXPECT_EQ(ply.edges, (std::vector<std::vector<std::int32_t>>{{0, 2}, {2, 3}, {3, 1}}));
 }
 
-TEST_F(PlyTest, WhatIsNotFiniteIsAFaultAndNothingIsWritten) {
+TEST_F(PlyTest, RejectsNonFiniteValuesAndWritesNothing) {
     Snapshot position = sample_snapshot(two_triangles()), field = position;
     position.x.y[3] = std::numeric_limits<double>::quiet_NaN();
     field.fields[0].values[0] = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// What we write is read by libpng, and what libpng writes is read by us.
+// PNG files are exchanged with libpng in both directions.
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/io/image.hpp"
@@ -42,7 +42,7 @@ void write_with_libpng(const std::filesystem::path& file, int width, int height,
     ASSERT_TRUE(png_image_write_to_file(&png, file.c_str(), 0, bytes.data(), 0, nullptr)) << png.message;
 }
 
-TEST(Png, LibpngReadsEveryPixelAsItWas) {
+TEST(Png, LibpngReadsEveryPixel) {
     const TemporaryFolder folder;
     for (const auto& [width, height] : {std::pair(1, 1), std::pair(37, 5), std::pair(300, 201)}) {
         const Image image = noise(width, height);
@@ -54,7 +54,7 @@ TEST(Png, LibpngReadsEveryPixelAsItWas) {
     }
 }
 
-TEST(Png, TheSamePictureGivesTheSameBytes) {
+TEST(Png, IsDeterministic) {
     const TemporaryFolder folder;
     write_png(folder / "a.png", noise(64, 48));
     write_png(folder / "b.png", noise(64, 48));
@@ -78,7 +78,7 @@ TEST(Png, ReadsWhatLibpngWrites) {
               (std::vector<std::uint8_t>{77, 77, 77, 255, 200, 200, 200, 255}));
 }
 
-TEST(Png, WhatIsNoPictureIsNamed) {
+TEST(Png, ReportsInvalidImages) {
     const TemporaryFolder folder;
     const auto message = [&](const std::string& name) {
         return message_of<InputError>([&] { read_image(folder / name); });
@@ -88,15 +88,15 @@ TEST(Png, WhatIsNoPictureIsNamed) {
     std::filesystem::create_directory(folder / "folder.png");
     EXPECT_EQ(message("folder.png"), "cannot read " + (folder / "folder.png").string() + ": Is a directory");
     std::ofstream(folder / "text.png") << "I am not a picture\n";
-    EXPECT_EQ(message("text.png").find("cannot read the picture " + (folder / "text.png").string()), 0u);
+    EXPECT_EQ(message("text.png").find("cannot read the image " + (folder / "text.png").string()), 0u);
 
     write_png(folder / "whole.png", noise(40, 40));
     const std::string bytes = read_file(folder / "whole.png");
     std::ofstream(folder / "half.png", std::ios::binary) << bytes.substr(0, bytes.size() / 2);
-    EXPECT_EQ(message("half.png").find("cannot read the picture " + (folder / "half.png").string()), 0u);
+    EXPECT_EQ(message("half.png").find("cannot read the image " + (folder / "half.png").string()), 0u);
 }
 
-TEST(Png, APictureThatCannotBeWrittenIsTheMachinesFault) {
+TEST(Png, FailureToWriteIsAMachineError) {
     EXPECT_THROW(write_png("/proc/gaspard/p.png", noise(2, 2)), MachineError);
     EXPECT_THROW(write_png("unused.png", Image{2, 2, {}}), InternalError);
 }

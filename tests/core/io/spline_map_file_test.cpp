@@ -5,6 +5,7 @@
 #include "core/spline/tensor_space.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -49,7 +50,7 @@ TEST(SplineMapFile, HoldsTheMapOfThePatchExactly) {
     }
 }
 
-/// How far the written patch is from the mesh's nodes, for n cells.
+/// The distance of the written patch from the nodes of the mesh, for n cells.
 double patch_error(const std::string& domain, const std::string& method, int degree, int cells) {
     TemporaryFolder folder;
     gaspard::Run run =
@@ -72,10 +73,11 @@ double patch_error(const std::string& domain, const std::string& method, int deg
     return largest;
 }
 
-TEST(AdaptedPatch, IsTheMeshExactlyWhereThePatchIsAffineAndToOrderPPlus1Elsewhere) {
+TEST(AdaptedPatch, IsExactForAffinePatchesAndOfOrderPPlus1Otherwise) {
     for (const std::string method : {"picard", "picard-mixed"}) {
         EXPECT_LT(patch_error("spline-square", method, 3, 8), 1e-12) << method;
-        // Between the nodes of degree 2, which are the Greville points, nothing would be seen.
+        // Compare between the nodes: for degree 2 the nodes are the Greville points, where the error
+        // vanishes.
         const double coarse = patch_error("spline-annulus", method, 3, 16);
         const double fine = patch_error("spline-annulus", method, 3, 32);
         EXPECT_LT(coarse, 1e-3) << method;

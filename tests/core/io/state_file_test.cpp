@@ -51,7 +51,7 @@ TEST(StateFile, ReadsBackToTheSameBits) {
     }
 }
 
-TEST(StateFile, HasTheLayoutThatIsWrittenDown) {
+TEST(StateFile, HasTheDocumentedLayout) {
     const TemporaryFolder folder;
     write_state(folder / "state.bin", State{"L=1", {{"ab", {1.0, -2.0}}}});
     const std::string body = std::string("GASPARD STATE\n\0\0", 16) + little_endian(1, 4) +
@@ -61,7 +61,7 @@ TEST(StateFile, HasTheLayoutThatIsWrittenDown) {
     EXPECT_EQ(read_file(folder / "state.bin"), with_checksum(body));
 }
 
-TEST(StateFile, AnyChangedByteIsFound) {
+TEST(StateFile, DetectsAnyChangedByte) {
     const TemporaryFolder folder;
     write_state(folder / "state.bin", sample());
     const std::string whole = read_file(folder / "state.bin");
@@ -75,7 +75,7 @@ TEST(StateFile, AnyChangedByteIsFound) {
         }
 }
 
-TEST(StateFile, AnyOtherLengthIsFound) {
+TEST(StateFile, DetectsAnyOtherLength) {
     const TemporaryFolder folder;
     write_state(folder / "state.bin", sample());
     const std::string whole = read_file(folder / "state.bin");
@@ -87,7 +87,7 @@ TEST(StateFile, AnyOtherLengthIsFound) {
     EXPECT_THROW(read_state(folder / "long.bin"), InputError);
 }
 
-TEST(StateFile, LengthsThatLieAreFoundEvenUnderARightChecksum) {
+TEST(StateFile, DetectsWrongLengthsDespiteAValidChecksum) {
     const TemporaryFolder folder;
     const std::string start = std::string("GASPARD STATE\n\0\0", 16) + little_endian(1, 4);
     const std::string one = little_endian(1, 4);
@@ -99,24 +99,22 @@ TEST(StateFile, LengthsThatLieAreFoundEvenUnderARightChecksum) {
           start + little_endian(0, 4) + little_endian(0, 4) + "more"}) {
         put(folder / "state.bin", with_checksum(body));
         EXPECT_EQ(refusal(folder / "state.bin"),
-                  "the state " + (folder / "state.bin").string() + " is damaged");
+                  "the state file " + (folder / "state.bin").string() + " is damaged");
     }
 }
 
-TEST(StateFile, SaysWhatIsWrong) {
+TEST(StateFile, ReportsErrors) {
     const TemporaryFolder folder;
     const std::string file = (folder / "state.bin").string();
     EXPECT_EQ(refusal(file), "cannot read " + file + ": No such file or directory");
     put(file, "v 1 2 3\n");
-    EXPECT_EQ(refusal(file),
-              "the state " + file + " is not one of Gaspard's (a run writes them as state.bin)");
+    EXPECT_EQ(refusal(file), "the state file " + file + " is not a Gaspard state file (state.bin of a run)");
     put(file,
         with_checksum(std::string("GASPARD STATE\n\0\0", 16) + little_endian(7, 4) + little_endian(0, 8)));
-    EXPECT_EQ(refusal(file), "the state " + file + " has version 7; this program reads version 1");
+    EXPECT_EQ(refusal(file), "the state file " + file + " has version 7; this program supports version 1");
     for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
         write_state(file, State{"x", {{"phi", {1, value}}}});
-        EXPECT_EQ(refusal(file),
-                  "the state " + file + " holds numbers that are not finite, from which no run can go on");
+        EXPECT_EQ(refusal(file), "the state file " + file + " contains numbers that are not finite");
     }
 }
 

@@ -286,7 +286,8 @@ TEST(MeshSvg, ALogarithmicLegendHasDecades) {
 
 TEST(MeshSvg, TheLegendHasRoomForItsWords) {
     Snapshot snapshot = sample_snapshot(unit_square_mesh(4));
-    snapshot.fields.push_back({"mass", "", FieldPlace::cell, snapshot.field("jacobian")->values});
+    snapshot.fields.push_back(
+        {{.name = "mass", .place = FieldPlace::cell}, snapshot.field("jacobian")->values});
     const SvgReader svg(svg_of(snapshot, {.width_mm = 80}, {.colouring = "equidistribution"}));
     const auto* title = svg.all("text")[0];
     EXPECT_STREQ(title->GetText(), "equidistribution");

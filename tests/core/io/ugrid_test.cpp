@@ -1,4 +1,4 @@
-// UGRID files read back by the NetCDF library, numbers to the last bit. Which programs open them is tried by
+// UGRID files read back by the NetCDF library, numbers bit by bit. Programs that open them are tested by
 // hand (docs/formats.md).
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
@@ -37,7 +37,7 @@ class ReadNetcdf {
         int id = 0;
         return nc_inq_varid(id_, variable.c_str(), &id) == NC_NOERR;
     }
-    /// Of a variable; of the file where its name is empty.
+    /// An attribute of a variable, or of the file if the name is empty.
     std::string text(const std::string& variable, const std::string& attribute) const {
         std::size_t length = 0;
         if (nc_inq_attlen(id_, number(variable), attribute.c_str(), &length) != NC_NOERR) return "none";
@@ -104,7 +104,7 @@ class ReadNetcdf {
     int id_ = -1;
 };
 
-/// The nodes that are corners, in their order, and each one's place among them.
+/// The nodes that are corners, ascending, and the index of each among them.
 std::map<std::int32_t, std::int32_t> corner_places(const Mesh& mesh) {
     std::map<std::int32_t, std::int32_t> places;
     for (std::size_t c = 0; c < mesh.cell_count(); ++c)
@@ -159,7 +159,7 @@ TEST_P(UgridTest, DescribesItsTopology) {
     EXPECT_EQ(file.text("mesh", "volume_shape_type"), word_ == "volume" ? "mesh_volume_shapes" : "none");
 }
 
-TEST_P(UgridTest, CellsNameTheirCorners) {
+TEST_P(UgridTest, CellsListTheirCorners) {
     const ReadNetcdf file(file_);
     const std::string name = "mesh_" + word_ + "_nodes";
     EXPECT_EQ(file.text(name, "cf_role"), word_ + "_node_connectivity");
@@ -203,7 +203,7 @@ TEST_P(UgridTest, HoldsCornersAndFieldsToTheLastBit) {
     }
 }
 
-TEST_P(UgridTest, CellsStandWhereTheirCornersHaveTheirMean) {
+TEST_P(UgridTest, CellCoordinatesAreTheMeansOfTheCorners) {
     const ReadNetcdf file(file_);
     const auto x = file.reals("mesh_" + word_ + "_x");
     const auto corners = static_cast<std::size_t>(corners_per_cell(mesh_.kind));
@@ -223,7 +223,7 @@ Snapshot sphere_snapshot(Mesh mesh, double radius) {
     return snapshot;
 }
 
-TEST(Ugrid, OfASphereKnowsLongitudeAndLatitude) {
+TEST(Ugrid, WritesLongitudeAndLatitudeOnASphere) {
     const TemporaryFolder folder;
     for (const double radius : {1.0, 6371.0})
         for (const Mesh& mesh : {cubed_sphere_mesh(3), round_octahedron()}) {
@@ -256,7 +256,7 @@ TEST(Ugrid, OfASphereKnowsLongitudeAndLatitude) {
         }
 }
 
-TEST(Ugrid, PolesAndAxesHaveTheirRoundNumbers) {
+TEST(Ugrid, PolesAndAxesHaveExactAngles) {
     const TemporaryFolder folder;
     const Snapshot snapshot = sphere_snapshot(round_octahedron(), 1); // its corners lie on the axes
     write_ugrid(folder / "m.nc", snapshot, snapshot.x, "sphere");
@@ -272,7 +272,7 @@ TEST(Ugrid, PolesAndAxesHaveTheirRoundNumbers) {
         EXPECT_NEAR(std::abs(value), std::asin(1 / std::sqrt(3.0)) * 180 / std::numbers::pi, 1e-12);
 }
 
-TEST(Ugrid, ASurfaceThatIsNoSphereHasThreeCoordinates) {
+TEST(Ugrid, OtherSurfacesHaveThreeCoordinates) {
     const TemporaryFolder folder;
     Mesh mesh = cubed_sphere_mesh(2);
     mesh.nodes.set(3, 1.001 * mesh.nodes[3]);
@@ -283,7 +283,7 @@ TEST(Ugrid, ASurfaceThatIsNoSphereHasThreeCoordinates) {
     EXPECT_FALSE(file.has("mesh_node_lon"));
 }
 
-TEST(Ugrid, ASphereWhoseNodesStrayIsStillOne) {
+TEST(Ugrid, ASphereIsRecognisedByXiAlone) {
     const TemporaryFolder folder;
     Snapshot snapshot = sphere_snapshot(round_octahedron(), 1);
     for (double& z : snapshot.x.z)
@@ -295,7 +295,7 @@ TEST(Ugrid, ASphereWhoseNodesStrayIsStillOne) {
     EXPECT_EQ(*std::max_element(z.begin(), z.end()), 1.25);
 }
 
-TEST(Ugrid, TheComputationalMeshIsAFileLikeTheOther) {
+TEST(Ugrid, TheComputationalMeshHasTheSameFormat) {
     const TemporaryFolder folder;
     const Snapshot snapshot = sample_snapshot(unit_square_mesh(3));
     const std::vector<StepReport> history(1);
@@ -322,7 +322,7 @@ TEST(Ugrid, BytesDependOnTheInputAlone) {
     EXPECT_EQ(read_file(folder / "plain.nc"), read_file(folder / "comma.nc"));
 }
 
-TEST(Ugrid, ManyThreadsMayWrite) {
+TEST(Ugrid, IsThreadSafe) {
     const TemporaryFolder folder;
     const Snapshot snapshot = sample_snapshot(unit_square_mesh(8));
     write_ugrid(folder / "alone.nc", snapshot, snapshot.x, "t");
@@ -338,7 +338,7 @@ TEST(Ugrid, ManyThreadsMayWrite) {
         EXPECT_EQ(read_file(folder / (std::to_string(i) + ".nc")), read_file(folder / "alone.nc"));
 }
 
-TEST(Ugrid, WhatIsNotFiniteIsAFaultAndNothingIsWritten) {
+TEST(Ugrid, RejectsNonFiniteValuesAndWritesNothing) {
     const TemporaryFolder folder;
     Snapshot position = sample_snapshot(two_triangles()), field = position;
     position.x.x[2] = std::numeric_limits<double>::quiet_NaN();
@@ -348,7 +348,7 @@ TEST(Ugrid, WhatIsNotFiniteIsAFaultAndNothingIsWritten) {
     EXPECT_TRUE(folder.content().empty());
 }
 
-TEST(Ugrid, AFolderThatIsNotThereIsTheMachinesFault) {
+TEST(Ugrid, AMissingFolderIsAMachineError) {
     const TemporaryFolder folder;
     const Snapshot snapshot = sample_snapshot(two_triangles());
     EXPECT_THROW(write_ugrid(folder / "gone" / "m.nc", snapshot, snapshot.x, "t"), MachineError);

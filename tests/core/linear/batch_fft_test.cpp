@@ -25,12 +25,12 @@ Complex element(const double* batch, std::size_t k, std::size_t lane) {
 }
 
 class Fourier : public testing::TestWithParam<std::size_t> {};
-// Every butterfly alone, in company and repeated; primes without one of their own.
+// Every radix alone, combined and repeated; primes beyond the special butterflies.
 INSTANTIATE_TEST_SUITE_P(Lengths, Fourier,
                          testing::Values(1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 12, 16, 25, 30, 49, 60, 77, 120,
                                          127));
 
-TEST_P(Fourier, IsTheSumThatDefinesIt) {
+TEST_P(Fourier, MatchesItsDefinition) {
     const std::size_t n = GetParam();
     const BatchFft fft(n);
     EXPECT_EQ(fft.length(), n);
@@ -52,7 +52,7 @@ TEST_P(Fourier, IsTheSumThatDefinesIt) {
     }
 }
 
-TEST(BatchFft, RefusesNothing) { EXPECT_THROW(BatchFft(0), InternalError); }
+TEST(BatchFft, RejectsLengthZero) { EXPECT_THROW(BatchFft(0), InternalError); }
 
 } // namespace
 } // namespace gaspard

@@ -2,6 +2,7 @@
 #include "core/linear/cell_cholesky.hpp"
 #include "core/linear/dense.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <random>
@@ -10,7 +11,7 @@
 namespace gaspard {
 namespace {
 
-/// Quadratic squares, n x m, as nine unknowns a cell; the places of the cells.
+/// n x m biquadratic squares, nine unknowns per cell; and the centres of the cells.
 struct Squares {
     CellUnknowns unknowns;
     Points middles;
@@ -65,10 +66,10 @@ void expect_solves(const CellCholesky& factor, const Dissection& dissection, con
     std::uniform_real_distribution<double> entry(-1, 1);
     const Eigen::MatrixXd b =
         Eigen::MatrixXd::NullaryExpr(dense.rows(), columns, [&] { return entry(random); });
-    const Eigen::MatrixXd expected = dense.llt().solve(b);
+    const Eigen::MatrixXd expected = slow::solve(dense, b);
     std::vector<double> rows(factor.size() * columns);
     const auto row = [&](Eigen::Index i) {
-        return &rows[static_cast<std::size_t>(dissection.place[static_cast<std::size_t>(i)]) * columns];
+        return &rows[static_cast<std::size_t>(dissection.permutation[static_cast<std::size_t>(i)]) * columns];
     };
     for (Eigen::Index i = 0; i < dense.rows(); ++i)
         for (int c = 0; c < columns; ++c) row(i)[c] = b(i, c);
@@ -77,10 +78,11 @@ void expect_solves(const CellCholesky& factor, const Dissection& dissection, con
         for (int c = 0; c < columns; ++c) ASSERT_NEAR(row(i)[c], expected(i, c), 1e-12);
 }
 
-TEST(Dissection, PlacesEveryUnknownOnceAndChildrenBeforeParents) {
+TEST(Dissection, OrdersEveryUnknownOnceAndChildrenBeforeParents) {
     const Squares grid = squares(9, 5);
     const Dissection d = dissect(grid.unknowns, grid.middles);
-    std::set<std::int32_t> places(d.place.begin(), d.place.end()), cells(d.cells.begin(), d.cells.end());
+    std::set<std::int32_t> places(d.permutation.begin(), d.permutation.end());
+    std::set<std::int32_t> cells(d.cells.begin(), d.cells.end());
     EXPECT_EQ(places.size(), grid.unknowns.count);
     EXPECT_EQ(*places.begin(), 0);
     EXPECT_EQ(cells.size(), grid.unknowns.cells());
@@ -95,13 +97,13 @@ TEST(Dissection, PlacesEveryUnknownOnceAndChildrenBeforeParents) {
     EXPECT_TRUE(d.parts.back().border.empty());
 }
 
-TEST(Dissection, CutsAcrossTheNarrowSide) {
+TEST(Dissection, BisectsTheLongSide) {
     const Squares grid = squares(32, 4);
     const Dissection d = dissect(grid.unknowns, grid.middles);
     EXPECT_EQ(d.parts.back().end - d.parts.back().begin, 9); // one line of nodes
 }
 
-TEST(CellCholesky, SolvesWhatADenseMatrixSolves) {
+TEST(CellCholesky, AgreesWithDenseElimination) {
     for (const auto& [n, m] : {std::pair{1, 1}, {2, 1}, {3, 3}, {6, 5}, {8, 8}}) {
         const Squares grid = squares(n, m);
         const auto matrices = random_matrices(grid.unknowns);
@@ -114,8 +116,8 @@ TEST(CellCholesky, SolvesWhatADenseMatrixSolves) {
     }
 }
 
-TEST(CellCholesky, HasLittleFill) {
-    // Of a band matrix there would be about n^(3/2) entries; dissection leaves n log n.
+TEST(CellCholesky, HasLittleFillIn) {
+    // A band factorisation has about n^(3/2) entries, nested dissection n log n.
     const Squares grid = squares(32, 32);
     const auto matrices = random_matrices(grid.unknowns);
     const auto dissection = std::make_shared<const Dissection>(dissect(grid.unknowns, grid.middles));
@@ -123,7 +125,7 @@ TEST(CellCholesky, HasLittleFill) {
     EXPECT_LT(factor.entries(), 55 * grid.unknowns.count);
 }
 
-TEST(CellCholesky, TellsOfItsProgressAndStops) {
+TEST(CellCholesky, ReportsProgressAndStops) {
     const Squares grid = squares(8, 8);
     const auto matrices = random_matrices(grid.unknowns);
     const auto dissection = std::make_shared<const Dissection>(dissect(grid.unknowns, grid.middles));
@@ -139,7 +141,7 @@ TEST(CellCholesky, TellsOfItsProgressAndStops) {
                  Interrupted);
 }
 
-TEST(CellCholesky, RefusesWhatIsNotPositiveDefinite) {
+TEST(CellCholesky, RejectsIndefiniteMatrices) {
     const Squares grid = squares(2, 2);
     auto matrices = random_matrices(grid.unknowns);
     matrices[1] = -10 * matrices[1];

@@ -39,7 +39,7 @@ TEST(FastDiagonalisation, SolvesWithAShift) {
     const auto b = numbers();
     std::vector<double> x(b), y(b);
     solver.solve(b, x, 0.3, workspace);
-    // Entry by entry, from the definition of the Kronecker product.
+    // Entrywise, from the definition of the Kronecker product.
     for (std::size_t row = 0; row < n * n; ++row) {
         double sum = 0;
         for (std::size_t column = 0; column < n * n; ++column) {
@@ -53,7 +53,7 @@ TEST(FastDiagonalisation, SolvesWithAShift) {
     }
 }
 
-TEST(FastDiagonalisation, LeavesTheConstantOutExactly) {
+TEST(FastDiagonalisation, DropsTheConstantExactly) {
     const Line line;
     const FastDiagonalisation solver(line.stiffness, line.mass);
     EXPECT_EQ(solver.eigenvalues()[0], 0);
@@ -66,7 +66,7 @@ TEST(FastDiagonalisation, LeavesTheConstantOutExactly) {
     solver.solve(b, x, 0, workspace);
     solver.multiply(x, again, workspace);
     for (std::size_t i = 0; i < b.size(); ++i) EXPECT_NEAR(again[i], b[i], 1e-11);
-    // More of the constant in b changes nothing.
+    // Adding a constant to b changes nothing.
     for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) {
             double mi = 0, mj = 0;

@@ -14,7 +14,7 @@ struct System {
     Eigen::MatrixXd matrix;
 };
 
-// Random, with a dominant diagonal, so positive definite.
+// Random and diagonally dominant, hence positive definite.
 System random_system(int n, bool closed, std::mt19937& random) {
     std::uniform_real_distribution<double> coupling(-1, 1), excess(2.1, 4);
     System s{{}, {}, Eigen::MatrixXd::Zero(n, n)};
@@ -26,7 +26,7 @@ System random_system(int n, bool closed, std::mt19937& random) {
     return s;
 }
 
-// Columns and gaps between rows; what stands in the gaps is not touched.
+// Several columns, with gaps between rows that must not be touched.
 void expect_solves(int n, bool closed, int columns, int stride, std::mt19937& random) {
     SCOPED_TRACE(testing::Message() << "n " << n << (closed ? " closed" : " open") << " columns " << columns);
     const System s = random_system(n, closed, random);
@@ -37,30 +37,31 @@ void expect_solves(int n, bool closed, int columns, int stride, std::mt19937& ra
     RowMajor b = RowMajor::Random(n, stride);
     const RowMajor before = b;
     solver.solve(b.data(), static_cast<std::size_t>(columns), static_cast<std::size_t>(stride));
-    const Eigen::MatrixXd expected = s.matrix.fullPivLu().solve(before.leftCols(columns));
+    const Eigen::MatrixXd expected = slow::solve(s.matrix, before.leftCols(columns));
     EXPECT_LT(slow::largest(b.leftCols(columns) - expected), 1e-13);
     EXPECT_EQ(b.rightCols(stride - columns), before.rightCols(stride - columns));
 }
 
-TEST(TridiagonalSolver, SolvesOpenSystemsAsDenseOnes) {
+TEST(TridiagonalSolver, SolvesOpenSystemsLikeADenseSolver) {
     std::mt19937 random(1);
     for (const int n : {1, 2, 3, 4, 5, 17, 60}) expect_solves(n, false, 3, 5, random);
 }
 
-TEST(TridiagonalSolver, SolvesRingsAsDenseOnes) {
+TEST(TridiagonalSolver, SolvesCyclicSystemsLikeADenseSolver) {
     std::mt19937 random(2);
     for (const int n : {3, 4, 5, 17, 60}) expect_solves(n, true, 3, 5, random);
 }
 
-TEST(TridiagonalSolver, RefusesWhatDoesNotFit) {
-    EXPECT_THROW(TridiagonalSolver({1, 1}, {0, 0}, true), InternalError);        // a ring of two
-    EXPECT_THROW(TridiagonalSolver({1, 1, 1}, {0, 0, 0}, false), InternalError); // one coupling too many
+TEST(TridiagonalSolver, RejectsInconsistentSizes) {
+    EXPECT_THROW(TridiagonalSolver({1, 1}, {0, 0}, true), InternalError); // cyclic with n = 2
+    EXPECT_THROW(TridiagonalSolver({1, 1, 1}, {0, 0, 0}, false),
+                 InternalError); // one off-diagonal entry too many
     EXPECT_THROW(TridiagonalSolver({}, {}, false), InternalError);
     EXPECT_THROW(TridiagonalSolver({1, 1, 1}, {2, 0}, false), InternalError); // indefinite
 }
 
-TEST(TridiagonalSolver, RefusesARingThatIsIndefinite) {
-    // 2 on the diagonal and -1 beside it is singular on a ring, though definite when cut open.
+TEST(TridiagonalSolver, RejectsIndefiniteCyclicMatrices) {
+    // 2 on the diagonal and -1 off it: singular if cyclic, definite if open.
     EXPECT_THROW(TridiagonalSolver({2, 2, 2, 1.5}, {-1, -1, -1, -1}, true), InternalError);
     EXPECT_NO_THROW(TridiagonalSolver({2, 2, 2, 2.5}, {-1, -1, -1, -1}, true));
 }

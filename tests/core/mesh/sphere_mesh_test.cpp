@@ -2,6 +2,7 @@
 #include "core/mesh/domain_type.hpp"
 #include "core/mesh/sphere_mesh.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <map>
 #include <numbers>
@@ -132,13 +133,13 @@ TEST(SphereMesh, LocatesPointsNearWhereTheirCellsPutThem) {
 
 TEST(SphereDomains, SayWhichMeshTheirValuesMean) {
     Values cubed("domain", cubed_sphere_domain().rows);
-    EXPECT_EQ(sphere_grid(cubed), (SphereGrid{SphereCells::cubed, 16, MidNodes::normalised}));
+    EXPECT_EQ(cubed_sphere_grid(cubed), (SphereGrid{SphereCells::cubed, 16, MidNodes::normalised}));
     cubed.set("cells", std::int64_t{128});
     cubed.set("mid_nodes", std::string("equiangular"));
-    EXPECT_EQ(sphere_grid(cubed), (SphereGrid{SphereCells::cubed, 128, MidNodes::equiangular}));
+    EXPECT_EQ(cubed_sphere_grid(cubed), (SphereGrid{SphereCells::cubed, 128, MidNodes::equiangular}));
     EXPECT_THROW(cubed.set("geometry_order", std::int64_t{3}), InputError);
     Values triangles("domain", icosahedral_sphere_domain().rows);
-    EXPECT_EQ(sphere_grid(triangles), (SphereGrid{SphereCells::icosahedral, 4}));
+    EXPECT_EQ(icosahedral_sphere_grid(triangles), (SphereGrid{SphereCells::icosahedral, 4}));
     EXPECT_EQ(icosahedral_sphere_domain().space(triangles).kind, SpaceKind::sphere);
     triangles.set("radius", 6371e3);
 }

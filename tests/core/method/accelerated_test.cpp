@@ -24,7 +24,7 @@ TEST(Accelerated, FindsTheMapOfTheRelaxationInFewerIterations) {
         EXPECT_LE(iterations, most);
         EXPECT_LT(2 * iterations, relaxed.solve());
         EXPECT_LT(largest_distance(accelerated.method->positions(), relaxed.method->positions()), 1e-8);
-        EXPECT_NEAR(accelerated.history.back().theta, relaxed.history.back().theta, 1e-8);
+        EXPECT_NEAR(accelerated.history.back().series[0], relaxed.history.back().series[0], 1e-8);
         EXPECT_EQ(accelerated.state.layout, accelerated.layout(60));
         EXPECT_EQ(accelerated.quality().tangled_cells, 0u);
     }
@@ -77,7 +77,7 @@ TEST(Accelerated, ConvergesWhereCoarserPlanesAreOfNoUse) {
 TEST(Accelerated, GoesOnFromTheMiddleOfTheWay) {
     Driven run(accelerated_method(), 60, true);
     run.begin(monitor_of("ring", true));
-    for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
+    for (int i = 0; i < 5; ++i) run.method->step(problem_of(*run.monitor), run.state, {});
     ASSERT_EQ(run.state.layout, run.layout(30));
     Driven other(accelerated_method(), 60, true);
     other.state = *other.method->adopt(run.state, nullptr);
@@ -85,10 +85,11 @@ TEST(Accelerated, GoesOnFromTheMiddleOfTheWay) {
     other.begin(run.monitor);
     auto plane = PlaneQ2({60, true}); // its residual is that of the finest plane
     PlaneQ2 from({30, true});
-    auto workspace = plane.make_workspace(), from_room = from.make_workspace();
-    const auto phi = plane.transfer(from, run.state.arrays[0].values, from_room, workspace);
+    auto workspace = plane.make_workspace(), from_workspace = from.make_workspace();
+    const auto phi = plane.transfer(from, run.state.arrays[0].values, from_workspace, workspace);
     const auto relaxation = make_relaxation(other.plane, 0.1);
-    const Evaluation fine = relaxation->evaluate(*run.monitor, State{other.layout(60), {{"phi", phi}}}, {});
+    const Evaluation fine =
+        relaxation->evaluate(problem_of(*run.monitor), State{other.layout(60), {{"phi", phi}}}, {});
     EXPECT_NEAR(other.history[0].residual, fine.residual, 1e-12);
     EXPECT_LT(largest_distance(other.method->positions(), relaxation->positions()), 1e-14);
     other.solve();
@@ -112,7 +113,7 @@ TEST(Accelerated, AdoptsWhatTheRelaxationHasFound) {
 TEST(Accelerated, MovesNothingForAConstantMonitor) {
     Driven run(accelerated_method(), 60, false);
     run.begin(monitor_of("constant", false));
-    for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
+    for (int i = 0; i < 5; ++i) run.method->step(problem_of(*run.monitor), run.state, {});
     EXPECT_LT(largest_distance(run.method->positions(), run.plane->mesh()->nodes), 1e-13);
 }
 
@@ -120,8 +121,8 @@ TEST(Accelerated, ChecksThatStatesAreItsOwn) {
     Driven run(accelerated_method(), 60, true);
     run.begin(monitor_of("ring", true));
     State other = Driven(relaxation_method(), 16, true).state;
-    EXPECT_THROW(run.method->evaluate(*run.monitor, other, {}), InternalError);
-    EXPECT_THROW(run.method->step(*run.monitor, other, {}), InternalError);
+    EXPECT_THROW(run.method->evaluate(problem_of(*run.monitor), other, {}), InternalError);
+    EXPECT_THROW(run.method->step(problem_of(*run.monitor), other, {}), InternalError);
 }
 
 } // namespace

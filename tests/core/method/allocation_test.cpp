@@ -45,11 +45,11 @@ TEST(Allocation, DoesNotHappenInAStepOfTheRelaxation) {
             Relaxing run(cells, periodic, make_monitor("ring", {}), 0.1);
             run.step(); // the first may still make room
             std::size_t before = allocations;
-            for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
+            for (int i = 0; i < 5; ++i) run.method->step(problem_of(*run.monitor), run.state, {});
             EXPECT_EQ(allocations, before);
             run.method->configure(Values("method", relaxation_method().rows)); // auto
             before = allocations;
-            for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
+            for (int i = 0; i < 5; ++i) run.method->step(problem_of(*run.monitor), run.state, {});
             EXPECT_EQ(allocations, before);
         }
 }
@@ -60,23 +60,24 @@ TEST(Allocation, DoesNotHappenInAStepOnTheSphere) {
             OnSurface run(sphere_setup({SphereCells::cubed, 4}, order), on_sphere("x-n"), step_size);
             run.step();
             const std::size_t before = allocations;
-            for (int i = 0; i < 5; ++i) run.method->step(*run.monitor, run.state, {});
+            for (int i = 0; i < 5; ++i) run.method->step(problem_of(*run.monitor), run.state, {});
             EXPECT_EQ(allocations, before);
         }
 }
 
 TEST(Allocation, DoesNotHappenInALinearSolve) {
     for (const bool sphere : {true, false}) {
-        std::unique_ptr<Equation> equation;
+        std::unique_ptr<NonlinearProblem> equation;
         if (sphere)
             equation = std::make_unique<SurfaceEquation>(
                 std::make_shared<SurfaceQ2>(sphere_setup({.cells = SphereCells::cubed, .resolution = 4})));
         else
             equation = std::make_unique<PlaneEquation>(std::make_shared<PlaneQ2>(LineGrid{20, true}));
         const auto monitor = make_monitor("bell", {sphere ? SpaceKind::sphere : SpaceKind::periodic_square});
-        std::vector<double> phi(equation->unknowns(), 0.0), u(phi);
-        equation->evaluate(*monitor, phi);
-        equation->linearise(*monitor, Equation::Linearised::fully);
+        std::vector<double> phi(equation->size(), 0.0), u(phi);
+        const ProblemData data{monitor};
+        equation->evaluate(data, phi);
+        equation->linearise(data, NonlinearProblem::Linearised::fully);
         Gmres gmres(phi.size(), 10);
         std::size_t before = 0;
         for (int solves = 0; solves < 2; ++solves) { // the first may still make room

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/fem/plane_q2.hpp"
-#include "core/fem/slow_plane.hpp"
+#include "support/polynomials.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace gaspard {

@@ -11,16 +11,16 @@ namespace gaspard {
 struct Driven {
     Driven(const MethodType& type, std::size_t cells, bool periodic)
         : plane(std::make_shared<PlaneQ2>(LineGrid{cells, periodic})),
-          method(type.make(plane, Values("method", type.rows), {}, {})), state(method->initial_state()) {}
+          method(make_plane_method(type, plane, default_values(type))), state(method->initial_state()) {}
 
     void begin(std::shared_ptr<const Monitor> of) {
         monitor = std::move(of);
-        history = {method->evaluate(*monitor, state, {})};
+        history = {method->evaluate(problem_of(*monitor), state, {})};
     }
     /// Until the residual is below; returns the iterations.
     int solve(double tolerance = 1e-8) {
         while (history.back().residual >= tolerance && history.size() <= 1000) {
-            history.push_back(method->step(*monitor, state, {}));
+            history.push_back(method->step(problem_of(*monitor), state, {}));
             if (each) each();
         }
         EXPECT_LT(history.back().residual, tolerance);

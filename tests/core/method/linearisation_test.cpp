@@ -1,11 +1,12 @@
 // The linearisation of the discrete Monge-Ampere equation, against differences of its residual.
-#include "core/fem/slow_plane.hpp"
 #include "core/linear/dense.hpp"
 #include "core/linear/gmres.hpp"
 #include "core/method/plane_equation.hpp"
 #include "core/method/surface_equation.hpp"
 #include "support/built_in.hpp"
+#include "support/polynomials.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
 
@@ -13,17 +14,17 @@ namespace gaspard {
 namespace {
 
 using Vector = std::vector<double>;
-using Linearised = Equation::Linearised;
+using Linearised = NonlinearProblem::Linearised;
 
 struct Case {
     const char* name;
-    std::function<std::unique_ptr<Equation>()> make;
+    std::function<std::unique_ptr<NonlinearProblem>()> make;
     std::shared_ptr<const Monitor> monitor;
 };
 
 Case plane(const char* name, std::size_t cells, bool periodic) {
     return {name,
-            [=]() -> std::unique_ptr<Equation> {
+            [=]() -> std::unique_ptr<NonlinearProblem> {
                 return std::make_unique<PlaneEquation>(std::make_shared<PlaneQ2>(LineGrid{cells, periodic}));
             },
             make_monitor("bell", periodic ? Space{SpaceKind::periodic_square} : Space{},
@@ -33,7 +34,7 @@ Case plane(const char* name, std::size_t cells, bool periodic) {
 Case sphere(const char* name, SphereCells cells, int resolution, int geometry_order, double radius,
             bool monitor_at_vertices = false) {
     return {name,
-            [=]() -> std::unique_ptr<Equation> {
+            [=]() -> std::unique_ptr<NonlinearProblem> {
                 return std::make_unique<SurfaceEquation>(
                     std::make_shared<SurfaceQ2>(sphere_setup({.cells = cells, .resolution = resolution},
                                                              geometry_order, radius, monitor_at_vertices)));
@@ -60,22 +61,23 @@ class Linearisation : public testing::TestWithParam<Case> {
     }
     /// The relaxation's direction for random values of m: as smooth as potentials are.
     Vector smooth(unsigned seed) {
-        const Vector nothing(equation->unknowns(), 0.0);
-        equation->evaluate(*GetParam().monitor, nothing);
-        equation->evaluate(Frozen(slow::random_values(equation->positions().size(), 1, 1.3, seed)), nothing);
+        const Vector nothing(equation->size(), 0.0);
+        equation->evaluate(problem_of(*GetParam().monitor), nothing);
+        const Frozen frozen(slow::random_values(equation->positions().size(), 1, 1.3, seed));
+        equation->evaluate(problem_of(frozen), nothing);
         Vector u(nothing.size());
         equation->direction(u);
         return u;
     }
     Vector derivative(const Vector& direction, Linearised how) {
-        equation->evaluate(*GetParam().monitor, phi);
-        equation->linearise(*GetParam().monitor, how);
+        equation->evaluate(problem_of(*GetParam().monitor), phi);
+        equation->linearise(problem_of(*GetParam().monitor), how);
         Vector out(phi.size(), 7.0);
         equation->derivative(direction, out);
         return out;
     }
     Vector residual(const Monitor& of, const Vector& at) {
-        equation->evaluate(of, at);
+        equation->evaluate(problem_of(of), at);
         return {equation->residual().begin(), equation->residual().end()};
     }
     /// -(r(phi + e w) - r(phi - e w)) / 2 e
@@ -94,7 +96,7 @@ class Linearisation : public testing::TestWithParam<Case> {
         return std::sqrt(distance / size);
     }
 
-    std::unique_ptr<Equation> equation;
+    std::unique_ptr<NonlinearProblem> equation;
     Vector phi, w;
 };
 
@@ -134,7 +136,7 @@ TEST_P(Linearisation, IsThatOfADenseMatrix) {
     const auto n = static_cast<Eigen::Index>(phi.size());
     const auto& monitor = *GetParam().monitor;
     const Vector r = residual(monitor, phi);
-    equation->linearise(monitor, Linearised::fully);
+    equation->linearise(problem_of(monitor), Linearised::fully);
     Eigen::MatrixXd matrix(n, n);
     Vector unit(phi.size()), column(phi.size());
     for (Eigen::Index k = 0; k < n; ++k) {
@@ -158,7 +160,7 @@ TEST_P(Linearisation, IsThatOfADenseMatrix) {
     const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(r.data(), n);
     const Eigen::MatrixXd regular =
         matrix + Eigen::MatrixXd::Constant(n, n, matrix.norm() / static_cast<double>(n));
-    Eigen::VectorXd expected = regular.partialPivLu().solve(b);
+    Eigen::VectorXd expected = slow::solve(regular, b);
     Eigen::VectorXd ours = Eigen::Map<const Eigen::VectorXd>(u.data(), n);
     expected.array() -= expected.mean();
     ours.array() -= ours.mean();

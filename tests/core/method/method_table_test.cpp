@@ -2,6 +2,8 @@
 #include "core/method/driven.hpp"
 #include "core/method/relax_sphere.hpp"
 
+#include <algorithm>
+
 namespace gaspard {
 namespace {
 

@@ -6,6 +6,7 @@
 #include "core/method/stepper.hpp"
 #include "support/largest_distance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -40,7 +41,7 @@ TEST(Newton, FindsTheMapOfTheRelaxationInFewIterations) {
         EXPECT_LE(newton.solve(), most);
         relaxed.solve();
         EXPECT_LT(largest_distance(newton.method->positions(), relaxed.method->positions()), 1e-8);
-        EXPECT_NEAR(newton.history.back().theta, relaxed.history.back().theta, 1e-8);
+        EXPECT_NEAR(newton.history.back().series[0], relaxed.history.back().series[0], 1e-8);
         EXPECT_EQ(newton.quality().tangled_cells, 0u);
         EXPECT_LT(inner_iterations(newton), 25 * newton.history.size());
     }
@@ -94,23 +95,25 @@ TEST(Newton, RelaxesWhereNoStepIsAnyGood) { // on a mesh that is too coarse for 
     Driven run(newton_method(), 30, true);
     run.begin(monitor_of("ring-and-bell", true));
     run.solve();
-    EXPECT_NE(notes(run).find("of the relaxation"), std::string::npos) << notes(run);
+    EXPECT_NE(notes(run).find("relaxation steps"), std::string::npos) << notes(run);
 }
 
 TEST(Newton, SaysWhereItsPathBeginsAndEnds) {
     Driven run(newton_method(), 30, true);
     run.begin(monitor_of("bell", true));
     run.solve();
-    EXPECT_NE(run.history[1].note.find("over powers of the monitor, m^0."), std::string::npos) << notes(run);
-    EXPECT_NE(notes(run).find("is too far"), std::string::npos) << notes(run);
-    EXPECT_NE(notes(run).find("the monitor itself from here"), std::string::npos) << notes(run);
+    EXPECT_NE(run.history[1].note.find("continuation in powers of the monitor, starting with m^0."),
+              std::string::npos)
+        << notes(run);
+    EXPECT_NE(notes(run).find("failed, trying m^"), std::string::npos) << notes(run);
+    EXPECT_NE(notes(run).find("solving for the monitor itself"), std::string::npos) << notes(run);
 }
 
 TEST(Newton, MovesNothingForAConstantMonitor) {
     for (const auto& type : {newton_method(), quasi_newton_method(), automatic_method()}) {
         Driven run(type, 60, false);
         run.begin(monitor_of("constant", false));
-        for (int i = 0; i < 3; ++i) run.method->step(*run.monitor, run.state, {});
+        for (int i = 0; i < 3; ++i) run.method->step(problem_of(*run.monitor), run.state, {});
         EXPECT_LT(largest_distance(run.method->positions(), run.plane->mesh()->nodes), 1e-13) << type.name;
     }
 }
@@ -121,7 +124,8 @@ TEST(Newton, DoesNotDependOnThreads) {
         Driven run(newton_method(), 240, true);
         run.method->use_threads(threads);
         run.begin(monitor_of("ring", true));
-        for (int i = 0; i < 9; ++i) run.history.push_back(run.method->step(*run.monitor, run.state, {}));
+        for (int i = 0; i < 9; ++i)
+            run.history.push_back(run.method->step(problem_of(*run.monitor), run.state, {}));
         states.push_back(run.state);
     }
     EXPECT_EQ(states[0], states[1]);
@@ -131,75 +135,82 @@ TEST(Newton, LeavesTheMapAsItIsWhenStopped) {
     for (const auto& type : {newton_method(), quasi_newton_method()}) {
         Driven run(type, 30, true);
         run.begin(monitor_of("bell", true));
-        for (int i = 0; i < 3; ++i) run.method->step(*run.monitor, run.state, {});
+        for (int i = 0; i < 3; ++i) run.method->step(problem_of(*run.monitor), run.state, {});
         const State before = run.state;
         std::stop_source source;
         source.request_stop();
-        const Evaluation same = run.method->step(*run.monitor, run.state, source.get_token());
+        const Evaluation same = run.method->step(problem_of(*run.monitor), run.state, source.get_token());
         EXPECT_EQ(run.state, before);
         EXPECT_TRUE(std::isfinite(same.residual));
-        EXPECT_GT(run.method->step(*run.monitor, run.state, {}).inner_iterations, 0); // and goes on
+        EXPECT_GT(run.method->step(problem_of(*run.monitor), run.state, {}).inner_iterations,
+                  0); // and goes on
     }
 }
 
 // Newton's stepper with an equation whose derivative has the wrong sign.
-class Wrong final : public Equation {
+class Wrong final : public NonlinearProblem {
   public:
-    explicit Wrong(std::unique_ptr<Equation> right)
-        : Equation(right->layout(), right->unknowns()), right_(std::move(right)) {}
-    void use_threads(int) override {}
-    double other_cpu_seconds() const override { return 0; }
+    explicit Wrong(std::unique_ptr<NonlinearProblem> right)
+        : NonlinearProblem(right->layout(), right->size(), "phi"), right_(std::move(right)) {}
     std::optional<State> adopt(const State& other, const Discretisation* of) override {
         return right_->adopt(other, of);
     }
-    State adopt(Equation& other, std::span<const double> phi) override { return right_->adopt(other, phi); }
-    std::unique_ptr<Equation> coarser(const Progress&, std::stop_token) const override { return nullptr; }
-    Evaluation evaluate(const Monitor& monitor, std::span<const double> phi) override {
-        return right_->evaluate(monitor, phi);
+    State adopt(NonlinearProblem& other, std::span<const double> phi) override {
+        return right_->adopt(other, phi);
+    }
+    std::unique_ptr<NonlinearProblem> coarser(const Progress&, std::stop_token) const override {
+        return nullptr;
+    }
+    Evaluation evaluate(const ProblemData& data, std::span<const double> phi) override {
+        return right_->evaluate(data, phi);
     }
     const Points& positions() const override { return right_->positions(); }
     void move(std::span<const double> phi) override { right_->move(phi); }
     std::span<const double> residual() const override { return right_->residual(); }
-    Ellipticity ellipticity() const override { return right_->ellipticity(); }
+    IterateShape shape() const override { return right_->shape(); }
     void direction(std::span<double> u) override { right_->direction(u); }
-    void linearise(const Monitor& monitor, Linearised how) override { right_->linearise(monitor, how); }
+    void linearise(const ProblemData& data, Linearised how) override { right_->linearise(data, how); }
     void derivative(std::span<const double> w, std::span<double> out) override {
         right_->derivative(w, out);
         for (double& value : out) value = -value;
     }
     void precondition(std::span<const double> r, std::span<double> u) override { right_->precondition(r, u); }
+    ProblemData continued(const ProblemData& data, double t) const override {
+        return right_->continued(data, t);
+    }
+    std::string name_of_continued(double t) const override { return right_->name_of_continued(t); }
 
   private:
-    std::unique_ptr<Equation> right_;
+    std::unique_ptr<NonlinearProblem> right_;
 };
 
 TEST(Newton, SaysSoWhereItsStepsAreOfNoUse) {
     const auto monitor = monitor_of("ring", true);
     for (const bool wrong : {false, true}) {
-        std::unique_ptr<Equation> equation =
+        std::unique_ptr<NonlinearProblem> equation =
             std::make_unique<PlaneEquation>(std::make_shared<PlaneQ2>(LineGrid{20, true}));
         if (wrong) equation = std::make_unique<Wrong>(std::move(equation));
         const auto stepper = make_newton_stepper();
         stepper->begin(*equation, 1e-8);
-        std::vector<double> phi(equation->unknowns(), 0.0);
-        Iterate now = look(*equation, *monitor, phi);
+        std::vector<double> phi(equation->size(), 0.0);
+        Iterate now = evaluate(*equation, problem_of(*monitor), phi);
         int steps = 0;
         for (bool lost = false; !lost && now.evaluation.residual > 1e-8 && steps < 30; ++steps) {
-            now = stepper->step(*monitor, phi, now, {});
+            now = stepper->step(problem_of(*monitor), phi, now, {});
             lost = now.lost;
         }
         EXPECT_EQ(now.lost, wrong);
         EXPECT_EQ(now.evaluation.residual < 1e-8, !wrong);
         if (wrong) {
             EXPECT_LE(steps, 5);
-            EXPECT_NE(now.evaluation.note.find("of the relaxation"), std::string::npos);
+            EXPECT_NE(now.evaluation.note.find("relaxation steps"), std::string::npos);
         }
     }
 }
 
 TEST(PowerMonitor, HasTheGradientOfItsValues) {
     const auto whole = monitor_of("bell", false);
-    const PowerMonitor part(*whole, 0.3);
+    const PowerMonitor part(whole, 0.3);
     Points x(3), gradients;
     x.set(0, {0.4, 0.45, 0}), x.set(1, {0.4 + 1e-6, 0.45, 0}), x.set(2, {0.4, 0.45 + 1e-6, 0});
     std::vector<double> m(3), m_whole(3);
@@ -227,12 +238,12 @@ TEST(QuasiNewton, FailsForAHarshMonitorAndSaysHow) {
     Driven run(quasi_newton_method(), 20, true);
     run.begin(monitor_of("bell", true, {{"amplitude", 5000}}));
     for (int i = 0; i < 60; ++i) {
-        run.history.push_back(run.method->step(*run.monitor, run.state, {}));
+        run.history.push_back(run.method->step(problem_of(*run.monitor), run.state, {}));
         ASSERT_TRUE(std::isfinite(run.history.back().residual));
     }
     EXPECT_GT(run.history.back().residual, 1e-3);
-    EXPECT_TRUE(notes(run).find("lost its convexity") != std::string::npos ||
-                notes(run).find("stagnates") != std::string::npos)
+    EXPECT_TRUE(notes(run).find("no longer convex") != std::string::npos ||
+                notes(run).find("did not converge") != std::string::npos)
         << notes(run);
 }
 

@@ -4,6 +4,7 @@
 #include "core/method/convexity.hpp"
 #include "core/method/relax.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <numeric>
@@ -17,7 +18,7 @@ struct Expected {
 
 inline void expect_numbers(const Relaxing& run, const Expected& expected) {
     EXPECT_EQ(run.iterations(), expected.iterations);
-    EXPECT_NEAR(run.history.back().theta, expected.theta, 6e-11);
+    EXPECT_NEAR(run.history.back().series[0], expected.theta, 6e-11);
     const MeshQuality quality = QualityMeter(run.plane->mesh(), 1, 10).measure(run.x(), *run.monitor);
     const double digit =
         std::pow(10, std::floor(std::log10(expected.equidistribution)) - 6); // the last given

@@ -3,19 +3,25 @@
 
 #include "core/diagnostics/quality.hpp"
 #include "core/fem/plane_q2.hpp"
-#include "core/method/method.hpp"
+#include "core/method/plane_equation.hpp"
 #include "support/built_in.hpp"
 
 #include <algorithm>
 
 namespace gaspard {
 
-inline std::unique_ptr<Method> make_relaxation(std::shared_ptr<const Discretisation> plane,
-                                               double step_size) {
+inline std::unique_ptr<Method> make_plane_method(const MethodType& type, std::shared_ptr<const PlaneQ2> plane,
+                                                 const Values& values) {
+    return type.make(
+        {.discretisation = plane, .problem = [plane] { return std::make_unique<PlaneEquation>(plane); }},
+        values);
+}
+
+inline std::unique_ptr<Method> make_relaxation(std::shared_ptr<const PlaneQ2> plane, double step_size) {
     const MethodType type = relaxation_method();
-    Values values("method", type.rows);
+    Values values = default_values(type);
     values.set("step_size", step_size);
-    return type.make(std::move(plane), values, {}, {});
+    return make_plane_method(type, std::move(plane), values);
 }
 
 /// One problem: from the identity map, step by step.
@@ -23,9 +29,9 @@ struct Relaxing {
     Relaxing(int cells, bool periodic, std::shared_ptr<const Monitor> of, double step_size)
         : plane(std::make_shared<PlaneQ2>(LineGrid{static_cast<std::size_t>(cells), periodic})),
           monitor(std::move(of)), method(make_relaxation(plane, step_size)),
-          state(method->initial_state()), history{method->evaluate(*monitor, state, {})} {}
+          state(method->initial_state()), history{method->evaluate(problem_of(*monitor), state, {})} {}
 
-    const Evaluation& step() { return history.emplace_back(method->step(*monitor, state, {})); }
+    const Evaluation& step() { return history.emplace_back(method->step(problem_of(*monitor), state, {})); }
     /// Steps until the residual is below 1e-8, or 5000.
     void solve() {
         while (history.back().residual >= 1e-8 && iterations() < 5000) step();

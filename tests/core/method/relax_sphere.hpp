@@ -4,7 +4,7 @@
 #include "core/diagnostics/exact_map.hpp"
 #include "core/diagnostics/quality.hpp"
 #include "core/fem/surface_q2.hpp"
-#include "core/method/method.hpp"
+#include "core/method/surface_equation.hpp"
 #include "support/built_in.hpp"
 
 #include <string>
@@ -12,14 +12,16 @@
 namespace gaspard {
 
 /// The method with its step size, or with "auto".
-inline std::unique_ptr<Method> make_method(const std::string& name, std::shared_ptr<const Discretisation> of,
+inline std::unique_ptr<Method> make_method(const std::string& name, std::shared_ptr<const SurfaceQ2> of,
                                            std::optional<double> step_size) {
     for (const MethodType& type :
          {relaxation_method(), accelerated_method(), newton_method(), automatic_method()}) {
         if (type.name != name) continue;
-        Values values("method", type.rows);
+        Values values = default_values(type);
         if (step_size && values.has("step_size")) values.set("step_size", *step_size);
-        return type.make(std::move(of), values, {}, {});
+        return type.make(
+            {.discretisation = of, .problem = [of] { return std::make_unique<SurfaceEquation>(of); }},
+            values);
     }
     return nullptr;
 }
@@ -28,12 +30,12 @@ struct OnSurface {
     OnSurface(std::shared_ptr<const SurfaceQ2> of, std::shared_ptr<const Monitor> with,
               std::optional<double> step_size, const std::string& name = "relaxation")
         : surface(std::move(of)), monitor(std::move(with)), method(make_method(name, surface, step_size)),
-          state(method->initial_state()), history{method->evaluate(*monitor, state, {})} {}
+          state(method->initial_state()), history{method->evaluate(problem_of(*monitor), state, {})} {}
     OnSurface(SurfaceSetup setup, std::shared_ptr<const Monitor> with, std::optional<double> step_size,
               const std::string& name = "relaxation")
         : OnSurface(std::make_shared<SurfaceQ2>(std::move(setup)), std::move(with), step_size, name) {}
 
-    const Evaluation& step() { return history.emplace_back(method->step(*monitor, state, {})); }
+    const Evaluation& step() { return history.emplace_back(method->step(problem_of(*monitor), state, {})); }
     /// Steps until the residual is below, or beyond all bounds, or so many.
     void solve(double tolerance = 1e-8, int most = 2000) {
         while (history.back().residual >= tolerance && history.back().residual < 1e3 && iterations() < most)

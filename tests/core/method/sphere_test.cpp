@@ -1,5 +1,5 @@
 #include "core/base/error.hpp"
-#include "core/method/equation.hpp"
+#include "core/method/monge_ampere.hpp"
 #include "core/method/relax_sphere.hpp"
 #include "support/largest_distance.hpp"
 
@@ -28,7 +28,11 @@ TEST(Sphere, StopsWhileCoarserMeshesAreMade) {
     const MethodType type = accelerated_method();
     std::stop_source stop;
     const auto progress = [&](double, std::string_view) { stop.request_stop(); };
-    EXPECT_THROW(type.make(surface, Values("method", type.rows), progress, stop.get_token()), Interrupted);
+    const MethodContext context{.discretisation = surface,
+                                .problem = [&] { return std::make_unique<SurfaceEquation>(surface); },
+                                .progress = progress,
+                                .stop = stop.get_token()};
+    EXPECT_THROW(type.make(context, default_values(type)), Interrupted);
 }
 
 TEST(Sphere, KeepsNodesOnItAndItsArea) {
@@ -88,7 +92,7 @@ TEST(Sphere, AdoptsMapsOfOtherSpheres) {
         EXPECT_EQ(adopted->layout, other.state.layout);
         EXPECT_EQ(adopted, other.method->adopt(coarse.state, coarse.surface.get())) << "operators at hand";
         EXPECT_EQ(adopted, other.method->adopt(coarse.state, other.surface.get())) << "of another mesh";
-        EXPECT_LT(other.method->evaluate(*other.monitor, *adopted, {}).residual, 0.05);
+        EXPECT_LT(other.method->evaluate(problem_of(*other.monitor), *adopted, {}).residual, 0.05);
         EXPECT_LT(other.deviation().vertices, 8e-3);
         EXPECT_EQ(other.quality().tangled_cells, 0u);
     }

@@ -58,10 +58,9 @@ void expect_map(const Map& map) {
     gaspard::Run run(catalogue, scenario);
     const StepReport& last = run.solve();
     const auto value = [&](const std::string& name) {
-        for (const Measure& one : last.measures)
-            if (one.name == name) return one.value;
-        ADD_FAILURE() << name;
-        return 0.0;
+        const auto found = last.value(name);
+        EXPECT_TRUE(found) << name;
+        return found.value_or(0);
     };
     const std::string what =
         std::string(map.scenario) + " p=" + std::to_string(map.degree) + " n=" + std::to_string(map.cells);

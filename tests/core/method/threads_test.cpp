@@ -11,7 +11,7 @@ TEST(Threads, DoNotChangeTheResult) {
         for (const int threads : {1, 2, 3}) { // the plane is large enough for two
             Relaxing run(240, periodic, make_monitor("ring", {}, {{"center_x", 0.4}}), 0.1);
             run.method->use_threads(threads);
-            run.method->evaluate(*run.monitor, run.state, {});
+            run.method->evaluate(problem_of(*run.monitor), run.state, {});
             for (int i = 0; i < 3; ++i) run.step();
             if (threads == 1) first = run.state;
             EXPECT_EQ(run.state, first) << threads;

@@ -134,7 +134,7 @@ TEST(GeodesicMonitors, RefuseAnAmplitudeThatMakesThemVanish) {
     Values values("monitor", type.rows(sphere));
     EXPECT_THROW(values.set("amplitude", -0.5), InputError);
     EXPECT_NO_THROW(values.set("amplitude", -0.49));
-    EXPECT_NO_THROW(type.make(values, sphere)->check());
+    EXPECT_NO_THROW(type.make(values, {sphere})->check());
 }
 
 } // namespace

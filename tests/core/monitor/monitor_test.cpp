@@ -2,6 +2,7 @@
 #include "core/monitor/radial.hpp"
 #include "support/built_in.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>
@@ -207,7 +208,7 @@ TEST(Monitors, ArePositiveForAllParametersInRange) {
             for (const Space& space : {plain, torus, sphere}) {
                 Values values("monitor", type.rows(space));
                 randomise(values, random);
-                const auto monitor = type.make(values, space);
+                const auto monitor = type.make(values, {space});
                 EXPECT_EQ(complaint(*monitor), "");
                 for (const double value : values_of(*monitor, x)) {
                     ASSERT_TRUE(std::isfinite(value)) << type.name;

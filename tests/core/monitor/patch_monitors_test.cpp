@@ -1,6 +1,7 @@
 // The monitors of Bahari et al., against their formulas as printed (and corrected), in long double.
 #include "support/built_in.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>

@@ -67,14 +67,14 @@ TEST(Published, Figure9IsATangledMesh) {
     const auto& snapshot = std::get<std::shared_ptr<const Snapshot>>(result.figure->panels.front().content);
     EXPECT_EQ(snapshot->mesh->kind.order, 1);
     EXPECT_GT(*snapshot->report.tangled_cells, 0u);
-    EXPECT_LT(snapshot->report.residual, 2); // before it blows up
+    EXPECT_LT(snapshot->report.residual, 2); // before divergence
 }
 
-TEST(Published, TablesOfBahariHaveThePapersNumbersBesideOurs) {
+TEST(Published, TablesOfBahariListPublishedNumbers) {
     const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
     for (const int table : {1, 3, 4, 5, 6, 7, 9, 10, 11, 12, 13, 14, 15})
         EXPECT_NO_THROW(find_recipe("bahari-table" + std::to_string(table)));
-    EXPECT_THROW(find_recipe("bahari-table2"), InputError); // of three dimensions
+    EXPECT_THROW(find_recipe("bahari-table2"), InputError); // three-dimensional
     std::stop_source source;
     int solved = 0;
     const auto first_row_only = [&](const std::string&) {
@@ -85,7 +85,7 @@ TEST(Published, TablesOfBahariHaveThePapersNumbersBesideOurs) {
     EXPECT_EQ(solved, 2);
 }
 
-TEST(Published, StopsWhenAsked) {
+TEST(Published, StopsOnRequest) {
     const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
     std::stop_source source;
     source.request_stop();

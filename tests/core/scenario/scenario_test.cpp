@@ -102,12 +102,12 @@ TEST_F(ScenarioTest, AKeyOfAnotherDomainIsRefusedWithASentence) {
         return message_of([&] { apply_settings(catalogue, scenario, {setting}); });
     };
     expect_in(
-        "monitor.center_x has no meaning on domain 'cubed-sphere'; there are: amplitude, sharpness, radius, "
+        "monitor.center_x is not a key for domain 'cubed-sphere'; available: amplitude, sharpness, radius, "
         "center_latitude, center_longitude",
         complaint(sphere, "monitor.center_x=0.5"));
-    expect_in("monitor.center_latitude has no meaning on domain 'plane'",
+    expect_in("monitor.center_latitude is not a key for domain 'plane'",
               complaint(plane, "monitor.center_latitude=3"));
-    expect_in("domain.refinements has no meaning on domain 'plane', it belongs to 'icosahedral-sphere'",
+    expect_in("domain.refinements is not a key for domain 'plane', but for 'icosahedral-sphere'",
               complaint(plane, "domain.refinements=3"));
     expect_in("unknown key monitor.centre_x (did you mean 'monitor.center_x'?)",
               complaint(plane, "monitor.centre_x=3"));
@@ -117,7 +117,7 @@ TEST_F(ScenarioTest, XnAndCrossAreForSpheresOnly) {
     for (const std::string monitor : {"x-n", "cross"}) {
         Scenario scenario = find_scenario(catalogue, "plane-ring");
         apply_settings(catalogue, scenario, {"monitor.type=" + monitor});
-        expect_in("do not go together", message_of([&] { check(catalogue, scenario); }));
+        expect_in("cannot be combined", message_of([&] { check(catalogue, scenario); }));
         for (const std::string domain : {"cubed-sphere", "icosahedral-sphere"}) {
             apply_settings(catalogue, scenario, {"domain.type=" + domain});
             EXPECT_NO_THROW(check(catalogue, scenario));
@@ -139,8 +139,7 @@ TEST_F(ScenarioTest, ErrorsNameFileLineAndNearestKey) {
               parse_message("[monitor]\ntype = \"ring\"\namplitud = 3\n"));
     expect_in("test.toml:2: domain.cells = 0 is out of range: 4 to 480",
               parse_message("[domain]\ncells = 0\n"));
-    expect_in("test.toml:2: domain.cells wants a whole number",
-              parse_message("[domain]\ncells = \"many\"\n"));
+    expect_in("test.toml:2: domain.cells must be an integer", parse_message("[domain]\ncells = \"many\"\n"));
     expect_in("test.toml:2: monitor.amplitude must be a finite number",
               parse_message("[monitor]\namplitude = nan\n"));
     expect_in("test.toml:2: ", parse_message("[monitor]\namplitude = = 3\n"));
@@ -148,7 +147,7 @@ TEST_F(ScenarioTest, ErrorsNameFileLineAndNearestKey) {
               parse_message("[monitr]\n"));
     expect_in("test.toml:2: unknown monitor.type 'rong' (did you mean 'ring'?)",
               parse_message("[monitor]\ntype = 'rong'\n"));
-    expect_in("wants a single value", parse_message("[monitor]\namplitude = [1, 2]\n"));
+    expect_in("must be a single value", parse_message("[monitor]\namplitude = [1, 2]\n"));
     expect_in("test.toml:1: monitor is a section", parse_message("monitor = 3\n"));
 }
 

@@ -78,12 +78,12 @@ TEST_F(Follow, WhatIsTriedAfterwardsKeepsTheMonitor) {
     run.solve();
     EXPECT_EQ(run.scenario().monitor.type, own_monitor);
     EXPECT_NE(summary_json(run).find("\"type\": \"own\""), std::string::npos);
-    const double equidistribution = *run.history().back().equidistribution;
+    const double equidistribution = *run.history().back().value("equidistribution");
     Scenario finer = run.scenario();
     apply_settings(*catalogue, finer, {"domain.cells=48"});
     EXPECT_EQ(run.change(finer), "");
     EXPECT_EQ(run.solve().status, RunStatus::converged);
-    EXPECT_LT(*run.history().back().equidistribution, 0.5 * equidistribution);
+    EXPECT_LT(*run.history().back().value("equidistribution"), 0.5 * equidistribution);
 }
 
 TEST_F(Follow, ABadMonitorIsOneSentenceAndTheRunGoesOn) {
@@ -96,7 +96,7 @@ TEST_F(Follow, ABadMonitorIsOneSentenceAndTheRunGoesOn) {
             run.follow(function_monitor([bad](Vec3 p) { return p.x > 0.5 ? bad : 1; }));
             FAIL() << bad;
         } catch (const InputError& error) {
-            EXPECT_NE(std::string(error.what()).find("must be positive and finite, and is"),
+            EXPECT_NE(std::string(error.what()).find("must be positive and finite, but is"),
                       std::string::npos);
         }
         EXPECT_EQ(run.state(), state);
@@ -117,12 +117,12 @@ TEST_F(Follow, AFunctionOfAnotherSpaceIsRefused) {
         FAIL() << "a function of the periodic square";
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(),
-                     "the monitor is a function of a periodic square, which domain 'cubed-sphere' is not");
+                     "the monitor is a function on a periodic square, but domain 'cubed-sphere' is not");
     }
     EXPECT_EQ(run.scenario().monitor.type, "x-n") << "the run is as it was";
     run.follow(function_monitor([](Vec3 p) { return 2 + p.z; }, run.space()));
     EXPECT_EQ(run.solve().status, RunStatus::converged);
-    EXPECT_LT(*run.history().back().equidistribution, 0.05);
+    EXPECT_LT(*run.history().back().value("equidistribution"), 0.05);
 }
 
 TEST_F(Follow, AnotherDomainCanBeChosenAfterwards) {
@@ -161,7 +161,7 @@ TEST_F(Follow, SolvingStopsWhenAsked) {
     std::stop_source stop;
     stop.request_stop();
     EXPECT_EQ(run.solve(stop.get_token()).status, RunStatus::interrupted);
-    EXPECT_TRUE(run.history().back().equidistribution);
+    EXPECT_TRUE(run.history().back().value("equidistribution"));
 }
 
 TEST(FunctionMonitor, AsksWithinTheSquareAndKnowsSlopes) {

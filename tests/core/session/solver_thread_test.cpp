@@ -2,10 +2,14 @@
 #include "core/scenario/toml.hpp"
 #include "core/session/solver_thread.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <future>
 #include <gtest/gtest.h>
+#include <memory>
+#include <thread>
 
 namespace gaspard {
 namespace {
@@ -90,31 +94,37 @@ TEST_F(SolverThreadTest, ResetBeginsANewHistory) {
 }
 
 TEST_F(SolverThreadTest, NobodyTakingReportsHoldsTheRunBackAndLosesNothing) {
-    SolverThread thread(catalogue, scenario(), {.report_capacity = 4});
-    std::this_thread::sleep_for(100ms); // time enough for dozens of iterations, were it not held back
-    EXPECT_LE(thread.latest()->report.iteration, 5);
+    constexpr std::size_t capacity = 4;
+    SolverThread thread(catalogue, scenario(), {.report_capacity = capacity});
+    // A run that were not held back would do dozens of iterations between two looks at its reports.
     std::vector<SolverEvent> all;
     ASSERT_TRUE(eventually([&] {
-        for (auto& event : thread.drain()) all.push_back(event);
+        const auto events = thread.drain();
+        EXPECT_LE(events.size(), capacity);
+        all.insert(all.end(), events.begin(), events.end());
         return !all.empty() && is_final(all.back().report.status);
     }));
     for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].report.iteration, static_cast<int>(i));
 }
 
-TEST_F(SolverThreadTest, EndsWhileItIsHeldBackAndWhileItRuns) {
-    for (const std::size_t capacity : {std::size_t{2}, std::size_t{100000}}) {
-        const auto begin = std::chrono::steady_clock::now();
-        {
-            SolverThread thread(catalogue, scenario({"method.tolerance=1e-14", "method.step_size=0.001"}),
-                                {.report_capacity = capacity});
-            std::this_thread::sleep_for(30ms);
-        }
-        EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
-    }
+/// Whether a thread is gone soon after it was told to end. If not, `let_go` is called so that the test can go on.
+bool ends(
+    std::unique_ptr<SolverThread> thread, const std::function<void()>& let_go = [] {}) {
+    auto ended = std::async(std::launch::async, [&] { thread.reset(); });
+    const bool soon = ended.wait_for(10s) == std::future_status::ready;
+    let_go();
+    return soon;
 }
 
-TEST_F(SolverThreadTest, EndsWhileItPrepares) {
-    for (int i = 0; i < 20; ++i) SolverThread(catalogue, scenario({"domain.cells=100"}), {});
+TEST_F(SolverThreadTest, EndsWhileItIsHeldBackAndWhileItRuns) {
+    for (const std::size_t capacity : {std::size_t{2}, std::size_t{100000}}) {
+        auto thread = std::make_unique<SolverThread>(
+            catalogue, scenario({"method.tolerance=1e-14", "method.step_size=0.001"}),
+            SolverThread::Options{.report_capacity = capacity});
+        // With room for two reports the third cannot be delivered, and the thread waits.
+        ASSERT_TRUE(eventually([&] { return thread->latest() && thread->latest()->report.iteration >= 2; }));
+        EXPECT_TRUE(ends(std::move(thread))) << capacity;
+    }
 }
 
 TEST_F(SolverThreadTest, ChangesThatFollowEachOtherAreMergedAndTheLastWins) {
@@ -199,14 +209,21 @@ TEST_F(SolverThreadTest, ARefusedChangeSaysSoAndNamesTheValuesThatRemain) {
 std::shared_ptr<const Catalogue> slow_catalogue(std::atomic<bool>& slow) {
     auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
     auto& prepare = catalogue->capabilities.front().prepare;
-    prepare = [&slow, quick = prepare](const Values& values, const Progress& progress, std::stop_token stop) {
-        while (slow && !stop.stop_requested()) {
-            progress(0.5, "waiting");
+    prepare = [&slow, quick = prepare](const PrepareContext& context) {
+        while (slow && !context.stop.stop_requested()) {
+            context.progress(0.5, "waiting");
             std::this_thread::sleep_for(1ms);
         }
-        return quick(values, progress, stop);
+        return quick(context);
     };
     return catalogue;
+}
+
+TEST_F(SolverThreadTest, EndsWhileItPrepares) {
+    std::atomic<bool> slow = true;
+    auto thread = std::make_unique<SolverThread>(slow_catalogue(slow), scenario(), SolverThread::Options{});
+    ASSERT_TRUE(eventually([&] { return thread->status().activity == "waiting"; }));
+    EXPECT_TRUE(ends(std::move(thread), [&] { slow = false; }));
 }
 
 TEST_F(SolverThreadTest, ACancelledChangeLeavesTheRunAsItWas) {
@@ -256,9 +273,9 @@ TEST_F(SolverThreadTest, ATaskIsCancelledOnItsOwnAndTheRunGoesOn) {
 TEST_F(SolverThreadTest, AFaultEndsTheRunButNotTheThread) {
     auto broken = std::make_shared<Catalogue>(*catalogue);
     auto& prepare = broken->capabilities.front().prepare;
-    prepare = [quick = prepare](const Values& values, const Progress& progress, std::stop_token stop) {
-        if (values.integer("cells") == 20) throw std::bad_alloc();
-        return quick(values, progress, stop);
+    prepare = [quick = prepare](const PrepareContext& context) {
+        if (context.scenario.domain.values.integer("cells") == 20) throw std::bad_alloc();
+        return quick(context);
     };
     SolverThread thread(broken, scenario(), {});
     ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));

@@ -16,7 +16,7 @@ std::vector<double> random_numbers(std::size_t n, unsigned seed) {
     return all;
 }
 
-/// Not the identity's, but with its flux.
+/// A trace other than the identity's, with the same flux.
 NormalTrace some_trace(const SplineLine& line) {
     NormalTrace trace = identity_trace(line);
     for (std::size_t q = 0; q < line.points.size(); ++q) {
@@ -41,7 +41,7 @@ class Forms : public testing::TestWithParam<Case> {
     std::unique_ptr<SplineForm> make(const NormalTrace& trace) const {
         return GetParam().mixed ? make_mixed_form(line, trace) : make_standard_form(line, trace);
     }
-    /// All fields at the quadrature's points.
+    /// All fields at the quadrature points.
     std::array<std::vector<double>, map_fields> fields(const SplineForm& form, std::span<const double> phi,
                                                        SplineForm::Border border) const {
         const std::size_t n = line.points.size();
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Forms,
                                          Case{true, open_knots(4, breaks, 1)},
                                          Case{false, uniform_knots(7, 3)}, Case{true, uniform_knots(7, 3)}));
 
-TEST_P(Forms, TheirIdentityIsTheIdentity) {
+TEST_P(Forms, IdentityPotentialGivesTheIdentityMap) {
     const auto form = make(identity_trace(line));
     const auto at = fields(*form, form->identity(), SplineForm::Border::given);
     const std::size_t n = line.points.size();
@@ -87,12 +87,12 @@ TEST_P(Forms, TheirIdentityIsTheIdentity) {
 }
 
 TEST_P(Forms, SolveTheirPoissonProblem) {
-    // <grad phi, grad v> (or <div Psi, w>) against what the right-hand side says, for all test functions.
+    // <grad phi, grad v> (or <div Psi, w>) equals the right-hand side for all test functions.
     const auto form = make(some_trace(line));
     const std::size_t n = line.points.size();
     std::vector<double> g = random_numbers(n * n, 1);
     const double total = integral(g);
-    for (double& value : g) value += form->border_flux() - total; // so that there is a solution
+    for (double& value : g) value += form->border_flux() - total; // compatibility condition
     auto workspace = form->make_workspace();
     std::vector<double> b(form->unknowns()), phi(b), again(b);
     form->begin_load(workspace);
@@ -103,7 +103,7 @@ TEST_P(Forms, SolveTheirPoissonProblem) {
     EXPECT_NEAR(form->mean(phi), 0, 1e-13);
     form->poisson().multiply(phi, again, workspace.poisson);
     for (std::size_t i = 0; i < b.size(); ++i) EXPECT_NEAR(again[i], b[i], 1e-12);
-    // The mixed one's map has the divergence g, tested with all of L2's space.
+    // Mixed form: the map has divergence g, tested with all functions of the L2 space.
     if (GetParam().mixed) {
         const auto at = fields(*form, phi, SplineForm::Border::given);
         form->begin_load(workspace);
@@ -115,13 +115,13 @@ TEST_P(Forms, SolveTheirPoissonProblem) {
     }
 }
 
-TEST_P(Forms, HaveFieldsThatAreDerivativesOfEachOther) {
+TEST_P(Forms, FieldsAreConsistentDerivatives) {
     const auto form = make(some_trace(line));
     const auto phi = random_numbers(form->unknowns(), 2);
     const auto at = fields(*form, phi, SplineForm::Border::zero);
     const std::size_t n = line.points.size();
     const std::size_t near = n / 2;
-    if (!GetParam().mixed) { // against the general evaluation
+    if (!GetParam().mixed) { // compare with the general evaluation
         const TensorSpace space{{form->space(), form->space()}};
         for (std::size_t i = 0; i < n * n; i += 7) {
             const Vec3 p{line.points[i % n], line.points[i / n], 0};
@@ -133,7 +133,7 @@ TEST_P(Forms, HaveFieldsThatAreDerivativesOfEachOther) {
         }
         return;
     }
-    // Without flux through the border, Psi is orthogonal to nothing but what has no divergence.
+    // <Psi, v> = -<phi, div v> for all v with zero flux through the boundary.
     double products = 0, divergence = 0;
     const TensorSpace space{{form->space(), form->space()}};
     const auto other = fields(*form, random_numbers(form->unknowns(), 3), SplineForm::Border::zero);
@@ -149,9 +149,9 @@ TEST_P(Forms, HaveFieldsThatAreDerivativesOfEachOther) {
     EXPECT_GT(std::abs(at[0][near * n + near]), 0);
 }
 
-TEST_P(Forms, KeepTheirBorder) {
+TEST_P(Forms, KeepTheBoundary) {
     const auto form = make(identity_trace(line));
-    if (!GetParam().mixed) return; // that one keeps it weakly
+    if (!GetParam().mixed) return; // the standard form imposes it weakly
     const SplineGrid grid(line, {0, 0.1, 0.5, 0.77, 1});
     auto workspace = form->make_workspace();
     std::array<double, 5> first{}, second{};

@@ -1,5 +1,6 @@
 #include "core/spline/knots.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -8,7 +9,7 @@
 namespace gaspard {
 namespace {
 
-/// The recursion (2.3), (2.4) as it is printed; x in [0, 1), or left of a knot.
+/// The recursion (2.3), (2.4) as printed; x in [0, 1), or left of a knot.
 double cox_de_boor(const std::vector<double>& t, std::size_t i, int p, double x) {
     if (p == 0) return t[i] <= x && x < t[i + 1];
     const auto q = static_cast<std::size_t>(p);
@@ -52,7 +53,7 @@ class Knots : public testing::TestWithParam<std::tuple<int, int>> {
 INSTANTIATE_TEST_SUITE_P(DegreesAndRegularities, Knots,
                          testing::Combine(testing::Range(1, 8), testing::Values(-1, 0, 1, 3, 6)));
 
-TEST_P(Knots, AreThoseOfTheRecursion) {
+TEST_P(Knots, MatchTheRecursion) {
     for (const double x : points) {
         const std::size_t span = find_span(space, x);
         std::vector<double> values(static_cast<std::size_t>(degree) + 1);
@@ -68,12 +69,12 @@ TEST_P(Knots, AreThoseOfTheRecursion) {
     }
 }
 
-TEST_P(Knots, EndInTheFirstAndTheLastFunctionExactly) {
+TEST_P(Knots, InterpolateAtBothEndsExactly) {
     EXPECT_EQ(evaluate(space, coefficients, 0), coefficients.front());
     EXPECT_EQ(evaluate(space, coefficients, 1), coefficients.back());
 }
 
-TEST_P(Knots, HaveTheDerivativesOfTheirDifferences) {
+TEST_P(Knots, DerivativesMatchFiniteDifferences) {
     constexpr double h = 1e-5;
     for (const double x : points) {
         if (find_span(space, x - h) != find_span(space, x + h)) continue;
@@ -87,8 +88,8 @@ TEST_P(Knots, HaveTheDerivativesOfTheirDifferences) {
     }
 }
 
-TEST_P(Knots, HaveDerivativesThatAreSplinesOfOneDegreeLess) {
-    if (std::get<1>(GetParam()) < 0) return; // those may jump
+TEST_P(Knots, DerivativesAreSplinesOfOneDegreeLess) {
+    if (std::get<1>(GetParam()) < 0) return; // these may be discontinuous
     const KnotVector below = derivative_space(space);
     EXPECT_TRUE(degree == 1 || is_open(below));
     const auto slopes = derivative_coefficients(space, coefficients);
@@ -115,10 +116,10 @@ TEST_P(Knots, StayTheSameSplinesWhenKnotsAreInserted) {
                         1e-13 * std::pow(degree / 0.01, d));
 }
 
-TEST_P(Knots, KnowTheIdentityAndTheSquare) {
+TEST_P(Knots, ReproduceTheIdentityAndTheSquare) {
     const auto identity = greville(space);
     for (const double x : points) EXPECT_NEAR(evaluate(space, identity, x), x, 1e-14);
-    EXPECT_NEAR(evaluate(space, identity, 1.25), 1.25, 1e-12); // the polynomials go on
+    EXPECT_NEAR(evaluate(space, identity, 1.25), 1.25, 1e-12); // polynomials continue beyond the ends
     if (degree < 2) return;
     const auto square = square_coefficients(space);
     for (const double x : points) EXPECT_NEAR(evaluate(space, square, x), x * x, 1e-14);
@@ -135,11 +136,11 @@ TEST(KnotTransfer, BetweenMeshesThatAreNotNestedIsExactForPolynomials) {
     }
 }
 
-TEST(KnotVectors, ThatAreNotOpenAreKnown) {
+TEST(KnotVectors, AreRecognisedIfNotOpen) {
     EXPECT_TRUE(is_open({2, {0, 0, 0, 0.5, 0.5, 1, 1, 1}}));
-    EXPECT_FALSE(is_open({2, {0, 0, 0.5, 1, 1, 1}}));         // too few at the start
+    EXPECT_FALSE(is_open({2, {0, 0, 0.5, 1, 1, 1}}));         // multiplicity too low at the start
     EXPECT_FALSE(is_open({2, {0, 0, 0, 0.5, 0.4, 1, 1, 1}})); // not ascending
-    EXPECT_FALSE(is_open({1, {0, 0, 0.5, 0.5, 0.5, 1, 1}}));  // too often
+    EXPECT_FALSE(is_open({1, {0, 0, 0.5, 0.5, 0.5, 1, 1}}));  // multiplicity too high
     EXPECT_FALSE(is_open({1, {0, 0, 0.5, 2, 2}}));            // not over [0, 1]
     EXPECT_FALSE(is_open({8, std::vector<double>(18, 0.0)}));
 }

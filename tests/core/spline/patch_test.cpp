@@ -34,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(All, PatchMaps,
                                          Named{"nurbs", patch_map(nurbs_disk())}),
                          [](const auto& map) { return std::string(map.param.name); });
 
-TEST_P(PatchMaps, HaveTheTangentsOfTheirDifferences) {
+TEST_P(PatchMaps, TangentsMatchFiniteDifferences) {
     const PatchMap& map = *GetParam().map;
     const Points xi = random_points(200, 3);
     Points first, second;
@@ -51,9 +51,9 @@ TEST_P(PatchMaps, HaveTheTangentsOfTheirDifferences) {
     }
 }
 
-TEST(PatchMaps, StandOnTheirSurfaces) {
+TEST(PatchMaps, LieOnTheirSurfaces) {
     Points xi = random_points(200, 4), x;
-    moebius_map()->points(xi, x); // the middle line is the unit circle, and the two ends are one, turned over
+    moebius_map()->points(xi, x); // the centre line is the unit circle; the ends coincide, reversed
     Points ends(4), at;
     ends.set(0, {0, 0.2, 0}), ends.set(1, {1, 0.8, 0}), ends.set(2, {0.3, 0.5, 0}),
         ends.set(3, {0.7, 0.5, 0});
@@ -70,7 +70,7 @@ TEST(PatchMaps, StandOnTheirSurfaces) {
     for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(norm(x[i]), 0.5 + 0.5 * xi.x[i], 1e-14);
 }
 
-TEST(NurbsDisk, HasAnExactCircleAsItsBorder) {
+TEST(NurbsDisk, HasAnExactCircularBoundary) {
     for (const auto& map : {patch_map(nurbs_disk()), disk_map()}) {
         Points xi(400), x;
         for (std::size_t i = 0; i < 100; ++i) {
@@ -102,7 +102,7 @@ TEST(PatchFile, ReadsBack) {
     EXPECT_EQ(parse_patch(patch_json(disk), "disk.json"), disk);
 }
 
-TEST(PatchFile, MovesKnotsAndTakesMissingWeightsForOne) {
+TEST(PatchFile, ScalesKnotsAndDefaultsWeightsToOne) {
     const SplinePatch patch = parse_patch(
         R"({"degrees": [1, 1], "knots": [[2, 2, 3, 4, 4], [0, 0, 5, 5]],
             "control_points": [[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1, 7]]})",
@@ -147,7 +147,7 @@ const std::string smo = R"(<?xml version="1.0" encoding="UTF-8"?>
 </xml>
 )";
 
-TEST(PatchXml, IsReadAsGSmoWritesIt) { // a quarter of an annulus of radii 1 and 2
+TEST(PatchXml, ReadsTheFormatOfGSmo) { // quarter annulus of radii 1 and 2
     const SplinePatch patch = parse_patch_xml(smo, "annulus.xml");
     EXPECT_EQ(patch.space.directions[0].knots, (std::vector<double>{0, 0, 1, 1}));
     EXPECT_EQ(patch.space.directions[1].degree, 2);
@@ -166,8 +166,8 @@ TEST(PatchXml, ReadsBackWhatItWrites) {
     EXPECT_NE(patch_xml(patch).find("TensorBSpline2"), std::string::npos);
 }
 
-TEST(PatchThrough, HasTheSplinesThatAgreeAtGrevillePoints) {
-    // Polynomials of the degree in each direction are met exactly, whatever the knots.
+TEST(PatchThrough, InterpolatesAtTheGrevillePoints) {
+    // Polynomials of the degree in each direction are reproduced for any knots.
     const std::vector<double> breaks = {0, 0.2, 0.5, 1};
     const TensorSpace space{{open_knots(3, breaks, 1), open_knots(2, breaks, 1)}};
     const auto f = [](double u, double v) { return Vec3{u * u * u - v, v * v * u, 1 + u * v}; };
@@ -182,7 +182,7 @@ TEST(PatchThrough, HasTheSplinesThatAgreeAtGrevillePoints) {
     for (std::size_t i = 0; i < xi.size(); ++i) EXPECT_LT(norm(at[i] - f(xi.x[i], xi.y[i])), 1e-13);
 }
 
-TEST(ControlPoints, ReadBackAndSayWhatIsWrong) {
+TEST(ControlPoints, ReadBackAndReportErrors) {
     Points control(3);
     control.set(1, {-0.1, 1e-17, 0}), control.set(2, {1.0 / 3, 1e9, 0});
     EXPECT_EQ(parse_control_points(format_control_points(control), 3), control);
@@ -193,10 +193,10 @@ TEST(ControlPoints, ReadBackAndSayWhatIsWrong) {
             std::string::npos)
             << wrong;
     EXPECT_EQ(message_of<InputError>([] { parse_control_points("1 2, 3 4", 9); }),
-              "domain.control_points has 2 points, and the patch 9");
+              "domain.control_points lists 2 points, but the patch has 9");
 }
 
-TEST(PatchXml, SaysWhatIsWrong) {
+TEST(PatchXml, ReportsErrors) {
     const auto complaint = [](const std::string& from, const std::string& to) {
         std::string text = smo;
         text.replace(text.find(from), from.size(), to);
@@ -212,12 +212,12 @@ TEST(PatchXml, SaysWhatIsWrong) {
     expect("degree=\"2\"", "order=\"2\"", "1 to 7");
     expect("0 0 0 1 1 1", "0 0 0 1 1 x", "list of numbers");
     expect("0 0 0 1 1 1", "0 0 1 1 1", "knots[1]");
-    expect("0 1 \n0 2", "0 1 \n0", "no whole number");
+    expect("0 1 \n0 2", "0 1 \n0", "not a multiple");
     expect("0.7071067811865476\n", "", "as many weights");
     expect("</coefs>\n </Geometry>", "</Geometry>", "coefs");
 }
 
-TEST(PatchFile, IsRefusedWhereItFoldsOrHasNoArea) {
+TEST(PatchFile, IsRejectedIfItFoldsOrHasNoArea) {
     Values values("domain", spline_domains().back().rows);
     const auto with_corners = [&](const std::string& corners) {
         values.set("file", R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": )" +
@@ -225,19 +225,19 @@ TEST(PatchFile, IsRefusedWhereItFoldsOrHasNoArea) {
         return make_spline_domain("spline-patch", values);
     };
     EXPECT_NO_THROW(with_corners("[[0,0],[1,0],[0,1],[1,1]]"));
-    EXPECT_NO_THROW(with_corners("[[1,0],[0,0],[1,1],[0,1]]")); // the other side up
+    EXPECT_NO_THROW(with_corners("[[1,0],[0,0],[1,1],[0,1]]")); // reversed orientation
     EXPECT_NO_THROW(with_corners("[[0,0,1],[0,1,0],[1,0,0],[1,1,1]]"));
     for (const char* bad :
          {"[[0,0],[1,0],[1,1],[0,1]]", "[[1,0],[1,0],[1,1],[1,1]]", "[[0,0,1],[0,0,2],[0,0,3],[0,0,4]]"})
         EXPECT_NE(message_of<InputError>([&] { with_corners(bad); }).find("folds or has no area"),
                   std::string::npos);
     values.set("file", std::string());
-    EXPECT_NO_THROW(make_spline_domain("spline-patch", values)); // singular at its corners only
+    EXPECT_NO_THROW(make_spline_domain("spline-patch", values)); // singular only at its corners
 }
 
-TEST(PatchFile, SaysWhatIsWrong) {
+TEST(PatchFile, ReportsErrors) {
     const std::vector<std::pair<std::string, std::string>> cases = {
-        {"{", "no JSON from character 2"},
+        {"{", "JSON syntax error at character 2"},
         {"[]", "object"},
         {R"({"degrees": [1, 1]})", "'knots'"},
         {R"({"degrees": [1], "knots": [[0,0,1,1]], "control_points": []})", "two"},

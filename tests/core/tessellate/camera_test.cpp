@@ -2,6 +2,7 @@
 #include "core/tessellate/camera.hpp"
 #include "support/messages.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

@@ -1,4 +1,4 @@
-// On a sphere cells may go around it: what counts is whether they face outward.
+// On a sphere, where cells may move around it, the sign of the Jacobian tells whether they face outward.
 #include "core/tessellate/cell_geometry.hpp"
 #include "fixtures/fixture_meshes.hpp"
 #include "support/small_meshes.hpp"
@@ -17,7 +17,7 @@ double sum(const std::vector<double>& values) {
     return total;
 }
 
-TEST(CellGeometry, KnowsBallsByTheirNodes) {
+TEST(CellGeometry, RecognisesSpheresByTheirNodes) {
     Mesh mesh = cubed_sphere_mesh(3);
     EXPECT_NEAR(radius_of_ball(mesh), 1, 1e-15);
     for (auto* x : {&mesh.nodes.x, &mesh.nodes.y, &mesh.nodes.z})
@@ -28,12 +28,12 @@ TEST(CellGeometry, KnowsBallsByTheirNodes) {
     for (const Mesh& other : meshes_of_every_kind()) EXPECT_EQ(radius_of_ball(other), 0);
 }
 
-TEST(CellGeometry, TurningASphereTanglesNothing) {
+TEST(CellGeometry, RotatingASphereTanglesNothing) {
     for (const bool straight : {false, true}) {
         const Mesh curved = cubed_sphere_mesh(4);
         const auto mesh = std::make_shared<const Mesh>(straight ? without_middles(curved) : curved);
         const CellGeometry geometry(mesh);
-        for (const double angle : {0.4, 1.6, 3.14}) { // beyond a quarter turn normals point the other way
+        for (const double angle : {0.4, 1.6, 3.14}) { // beyond a quarter turn, the normals are opposite
             Points x = mesh->nodes;
             for (std::size_t i = 0; i < x.size(); ++i)
                 x.set(i, {std::cos(angle) * x.x[i] - std::sin(angle) * x.y[i],
@@ -44,7 +44,6 @@ TEST(CellGeometry, TurningASphereTanglesNothing) {
     }
 }
 
-/// Meshes in the plane, and nodes that leave it well, turn some cells over, flatten one and lose one.
 TEST(CellGeometry, TangledCellsAreThoseWithoutAPositiveJacobian) {
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     for (const Mesh& mesh : meshes_of_every_kind()) {
@@ -61,7 +60,7 @@ TEST(CellGeometry, TangledCellsAreThoseWithoutAPositiveJacobian) {
     }
 }
 
-TEST(CellGeometry, AMeshThatTurnsRightIsNotTangled) {
+TEST(CellGeometry, AClockwiseMeshIsNotTangled) {
     Mesh mesh = unit_square_mesh(3);
     for (double& x : mesh.nodes.x) x = -x;
     const CellGeometry geometry(std::make_shared<const Mesh>(mesh));

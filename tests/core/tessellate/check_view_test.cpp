@@ -21,7 +21,7 @@ TEST(CheckView, SaysWhatIsWrong) {
     values.set("pick", std::string("cell 16"));
     EXPECT_NO_THROW(check_view(values));
     EXPECT_NE(message_of<InputError>([&] { check_view(values, &mesh); }).find("16 cells"), std::string::npos);
-    values.set("pick", std::string("node 80"));
+    values.set("pick", std::string("node 24"));
     EXPECT_NO_THROW(check_view(values, &mesh));
     values.set("range", std::string("fixed"));
     values.set("low", 2.0);

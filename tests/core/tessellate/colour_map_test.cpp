@@ -24,20 +24,20 @@ TEST(ColourMap, ViridisRunsFromItsPublishedFirstToItsLastColour) {
     EXPECT_EQ(colour_at(colour_map("plasma"), 1), (Colour{240, 249, 33}));
 }
 
-TEST(ColourMap, PositionsOutsideTheMapTakeItsEndsAndNanTheLowest) {
+TEST(ColourMap, ClampsPositionsAndMapsNanToTheLowestColour) {
     const ColourMap& viridis = colour_map("viridis");
     EXPECT_EQ(colour_at(viridis, -3), colour_at(viridis, 0));
     EXPECT_EQ(colour_at(viridis, 7), colour_at(viridis, 1));
     EXPECT_EQ(colour_at(viridis, nan), colour_at(viridis, 0));
 }
 
-TEST(ColourMap, BetweenTwoColoursLiesTheirMean) {
+TEST(ColourMap, InterpolatesBetweenColours) {
     const Colour colours[] = {{0, 100, 200}, {100, 100, 0}};
     EXPECT_EQ(colour_at({"two", colours}, 0.5), (Colour{50, 100, 100}));
     EXPECT_EQ(colour_at({"two", colours}, 0.25), (Colour{25, 100, 150}));
 }
 
-TEST(ColourMap, ThereAreSixAndTheFirstSuitsMostValues) {
+TEST(ColourMap, HasSixMapsOfWhichTheFirstIsSequential) {
     ASSERT_EQ(colour_maps().size(), 6U);
     EXPECT_EQ(colour_maps().front().name, "viridis");
     EXPECT_EQ(std::count_if(colour_maps().begin(), colour_maps().end(),
@@ -45,9 +45,9 @@ TEST(ColourMap, ThereAreSixAndTheFirstSuitsMostValues) {
               1);
 }
 
-TEST(ColourMap, AnUnknownNameIsOurFault) { EXPECT_THROW(colour_map("rainbow"), InternalError); }
+TEST(ColourMap, UnknownNamesAreInternalErrors) { EXPECT_THROW(colour_map("rainbow"), InternalError); }
 
-// How colours look: OKLab (Ottosson 2020), and what remains of them for people without red or without green
+// Perceived colour: OKLab (Ottosson 2020), and a simulation of vision without red or without green
 // cones (Viénot, Brettel and Mollon 1999).
 
 Numbers linear(Colour c) {
@@ -107,7 +107,7 @@ std::vector<Numbers> seen(const ColourMap& map, const Sight& sight = usual) {
     return path;
 }
 
-/// The smallest and the largest step as parts of the mean one.
+/// The smallest and the largest step relative to the mean step.
 std::pair<double, double> evenness(const std::vector<Numbers>& path) {
     double sum = 0, low = 1e300, high = 0;
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -117,13 +117,13 @@ std::pair<double, double> evenness(const std::vector<Numbers>& path) {
     return {low * steps / sum, high * steps / sum};
 }
 
-TEST(ColourMap, EqualStepsOfTheValueAreEqualStepsToTheEye) {
+TEST(ColourMap, IsPerceptuallyUniform) {
     for (const ColourMap& map : colour_maps()) {
         const auto [low, high] = evenness(seen(map));
         EXPECT_GT(low, 0.85) << map.name;
         EXPECT_LT(high, 1.25) << map.name;
     }
-    // What a rainbow does.
+    // As a rainbow map does.
     const Colour rainbow[] = {{0, 0, 128},   {0, 0, 255}, {0, 255, 255},
                               {255, 255, 0}, {255, 0, 0}, {128, 0, 0}};
     const auto [low, high] = evenness(seen({"rainbow", rainbow}));
@@ -131,13 +131,13 @@ TEST(ColourMap, EqualStepsOfTheValueAreEqualStepsToTheEye) {
     EXPECT_GT(high, 1.5);
 }
 
-TEST(ColourMap, LightnessOnlyRisesOrOnlyFalls) {
+TEST(ColourMap, LightnessIsMonotonic) {
     for (const ColourMap& map : colour_maps()) {
         const auto path = seen(map);
         const auto step = [&](std::size_t i) { return path[i + 1][0] - path[i][0]; };
         for (std::size_t i = 0; i < steps; ++i) {
             const bool upper = map.diverging && i >= steps / 2;
-            const double first = upper ? -step(0) : step(0); // a diverging map turns in its middle
+            const double first = upper ? -step(0) : step(0); // diverging maps reverse at the middle
             EXPECT_GT(step(i) * first, 0) << map.name << " at " << i;
             EXPECT_GT(std::abs(step(i)), 0.015) << map.name << " at " << i;
         }
@@ -149,7 +149,7 @@ TEST(ColourMap, LightnessOnlyRisesOrOnlyFalls) {
     }
 }
 
-TEST(ColourMap, BlueYellowLooksTheSameToColourBlindPeople) {
+TEST(ColourMap, BlueYellowIsSafeForColourBlindness) {
     const auto changed = [](std::string_view name, const Sight& sight) {
         const auto before = seen(colour_map(name)), after = seen(colour_map(name), sight);
         double sum = 0;
@@ -172,13 +172,13 @@ TEST(ColourRange, SpansTheFiniteValues) {
     EXPECT_DOUBLE_EQ(range_of(values).value(0.25), 0);
 }
 
-TEST(ColourRange, OfNothingOrOfEqualValuesStillGivesPositions) {
+TEST(ColourRange, IsDefinedForNoValuesAndForEqualValues) {
     EXPECT_EQ(range_of({}), (ColourRange{0, 1}));
     const double equal[] = {5, 5};
     EXPECT_EQ(range_of(equal).position(5), 0.5);
 }
 
-TEST(ColourRange, OfLogarithmsHasEqualFactorsAtEqualSteps) {
+TEST(ColourRange, LogarithmicRangesMapEqualFactorsToEqualSteps) {
     const ColourRange range{0.01, 100, true};
     EXPECT_DOUBLE_EQ(range.position(0.1), 0.25);
     EXPECT_DOUBLE_EQ(range.position(1), 0.5);

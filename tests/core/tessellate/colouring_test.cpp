@@ -23,7 +23,7 @@ Snapshot snapshot_of(Mesh mesh, double amount = 0.04) {
         if (mesh.space_dimension > 1) snapshot.x.y[i] += amount * std::cos(2 * p.y - p.x);
         if (mesh.space_dimension > 2) snapshot.x.z[i] += amount * std::sin(p.x + p.z);
     }
-    Field monitor{"monitor", "", FieldPlace::node, {}};
+    Field monitor{{.name = "monitor"}, {}};
     for (std::size_t i = 0; i < snapshot.x.size(); ++i) monitor.values.push_back(1 + norm(snapshot.x[i]));
     snapshot.fields.push_back(std::move(monitor));
     snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
@@ -32,7 +32,7 @@ Snapshot snapshot_of(Mesh mesh, double amount = 0.04) {
 }
 
 void add_field(Snapshot& snapshot, const char* name, std::vector<double> values) {
-    snapshot.fields.push_back({name, "", FieldPlace::cell, std::move(values)});
+    snapshot.fields.push_back({{.name = name, .place = FieldPlace::cell}, std::move(values)});
 }
 
 Colouring made(const Snapshot& snapshot, const ColourChoice& choice) {

@@ -9,7 +9,7 @@
 namespace gaspard {
 namespace {
 
-TEST(Extremes, AgreeWithASearchThroughAnyStretch) {
+TEST(Extremes, AgreeWithALinearSearchOfAnyRange) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> value(-2, 5);
     std::vector<double> column;
@@ -34,7 +34,7 @@ TEST(Extremes, AgreeWithASearchThroughAnyStretch) {
     EXPECT_EQ(extremes.all().min_positive, extremes.of(column, 0, column.size()).min_positive);
 }
 
-TEST(Extremes, OfNothingAreEmpty) {
+TEST(Extremes, AreEmptyForNoValues) {
     Extremes extremes;
     EXPECT_TRUE(extremes.all().empty());
     EXPECT_TRUE(extremes.of({}, 0, 0).empty());

@@ -1,4 +1,4 @@
-// Tessellations to a tolerance, held against the cells' own surface at many points.
+// Tessellations within a tolerance, compared with the surfaces of the cells at many points.
 #include "core/base/error.hpp"
 #include "core/tessellate/fine_tessellation.hpp"
 #include "fixtures/fixture_meshes.hpp"
@@ -28,7 +28,7 @@ double distance_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
     return std::min({norm(p - closest(p, a, b)), norm(p - closest(p, b, c)), norm(p - closest(p, c, a))});
 }
 
-/// The greatest distance of points of the cells from the triangles that are to show them.
+/// The largest distance of points of the cells from their triangles.
 double error_of(const Mesh& mesh, const Points& x, const Tessellation& t) {
     const Points points = shown_points(t, x);
     std::vector<std::vector<std::size_t>> triangles(mesh.cell_count());
@@ -71,7 +71,7 @@ std::size_t cracks(const Tessellation& t) {
     }));
 }
 
-/// A sphere whose cells are of very different sizes: pulled towards the north pole.
+/// A sphere with cells of very different sizes, concentrated at the north pole.
 Points pulled(const Points& sphere) {
     Points x = sphere;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -84,7 +84,7 @@ Points pulled(const Points& sphere) {
 class FineTessellationTest : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(Tolerances, FineTessellationTest, testing::Values(3e-2, 5e-3, 1e-3));
 
-TEST_P(FineTessellationTest, KeepsToTheToleranceAtXiAndAtX) {
+TEST_P(FineTessellationTest, IsWithinTheToleranceAtXiAndAtX) {
     for (const Mesh& mesh : {cubed_sphere_mesh(2), round_octahedron()}) {
         const Points x = pulled(mesh.nodes);
         const Tessellation t = tessellate_within(mesh, x, GetParam());
@@ -105,10 +105,10 @@ TEST_P(FineTessellationTest, HasNoCracks) {
     }
 }
 
-TEST(FineTessellation, OfATangleEndsAndHasNoCracks) {
+TEST(FineTessellation, TerminatesForTangledMeshesWithoutCracks) {
     const Mesh mesh = cubed_sphere_mesh(2);
     Points x = mesh.nodes;
-    for (std::size_t i = 0; i < x.size(); ++i) { // somewhere on the sphere, in no order
+    for (std::size_t i = 0; i < x.size(); ++i) { // random positions on the sphere
         const double height = std::fmod(0.618 * static_cast<double>(i), 2) - 1,
                      angle = 2.4 * static_cast<double>(i);
         const double radius = std::sqrt(1 - height * height);
@@ -117,22 +117,22 @@ TEST(FineTessellation, OfATangleEndsAndHasNoCracks) {
     EXPECT_EQ(cracks(tessellate_within(mesh, x, 5e-3)), 0U);
 }
 
-TEST(FineTessellation, MoreTrianglesThanAMachineLikesAreRefused) {
+TEST(FineTessellation, RejectsTooManyTriangles) {
     const Mesh mesh = curved_square();
     EXPECT_NE(message_of<MachineError>([&] {
                   tessellate_within(mesh, mesh.nodes, 1e-16);
-              }).find("a larger output.curve_tolerance needs fewer"),
+              }).find("increase the tolerance"),
               std::string::npos);
 }
 
-TEST(FineTessellation, ATestOfCracksSeesOne) {
+TEST(FineTessellation, TheCrackTestDetectsACrack) {
     const Mesh mesh = cubed_sphere_mesh(2);
     Tessellation t = tessellate_within(mesh, mesh.nodes, 1e-2);
     t.triangles.resize(t.triangles.size() - 3);
     EXPECT_EQ(cracks(t), 3U);
 }
 
-TEST(FineTessellation, KeepsTheEdgesOfTheCellsAsLinesOfTriangleSides) {
+TEST(FineTessellation, CellEdgesAreSidesOfTriangles) {
     const Mesh mesh = cubed_sphere_mesh(2);
     const Tessellation t = tessellate_within(mesh, pulled(mesh.nodes), 1e-3);
     const auto sides = sides_of(t);
@@ -149,7 +149,7 @@ TEST(FineTessellation, KeepsTheEdgesOfTheCellsAsLinesOfTriangleSides) {
     EXPECT_EQ(t.segment_sides.size(), t.segments.size());
 }
 
-TEST(FineTessellation, CutsLargeCellsFinerThanSmallOnes) {
+TEST(FineTessellation, SubdividesLargeCellsMoreThanSmallOnes) {
     const Mesh mesh = cubed_sphere_mesh(4);
     const Points x = pulled(mesh.nodes);
     const Tessellation t = tessellate_within(mesh, x, 5e-4);
@@ -161,7 +161,7 @@ TEST(FineTessellation, CutsLargeCellsFinerThanSmallOnes) {
     EXPECT_LT(t.triangle_cells.size(), 3 * uniform) << "not every cell as fine as the largest";
 }
 
-TEST(FineTessellation, AQuarterOfTheToleranceIsTwiceAsManyPieces) {
+TEST(FineTessellation, AQuarterOfTheToleranceDoublesTheNumberOfPieces) {
     const Mesh mesh = cubed_sphere_mesh(2);
     std::size_t before = 0;
     for (const double tolerance : {4e-3, 1e-3, 2.5e-4}) {
@@ -173,7 +173,7 @@ TEST(FineTessellation, AQuarterOfTheToleranceIsTwiceAsManyPieces) {
     }
 }
 
-TEST(FineTessellation, WhatIsStraightIsLeftAsItIs) {
+TEST(FineTessellation, DoesNotSubdivideStraightCells) {
     for (const Mesh& mesh : {unit_square_mesh(4), disk_mesh(2), two_cubes(), three_lines()}) {
         const Tessellation fine = tessellate_within(mesh, mesh.nodes, 1e-5), coarse = tessellate(mesh);
         EXPECT_EQ(fine.triangles, coarse.triangles);
@@ -183,11 +183,11 @@ TEST(FineTessellation, WhatIsStraightIsLeftAsItIs) {
         EXPECT_EQ(fine.segment_sides, coarse.segment_sides);
         EXPECT_EQ(fine.point_count, mesh.node_count());
     }
-    const Mesh flat = of_order_two(unit_square_mesh(2)); // order 2, but not bent
+    const Mesh flat = of_order_two(unit_square_mesh(2)); // order 2, but straight
     EXPECT_EQ(tessellate_within(flat, flat.nodes, 1e-5).triangles.size(), 3U * 8);
 }
 
-TEST(FineTessellation, ASaddleOfOrderOneIsCutInside) {
+TEST(FineTessellation, SubdividesTheInteriorOfABilinearSaddle) {
     const Mesh saddle = mesh_of({CellShape::quadrilateral, 1}, 3,
                                 {{0, 0, 0}, {1, 0, .5}, {1, 1, 0}, {0, 1, .5}}, {0, 1, 2, 3});
     const Tessellation t = tessellate_within(saddle, saddle.nodes, 1e-3);
@@ -198,8 +198,8 @@ TEST(FineTessellation, ASaddleOfOrderOneIsCutInside) {
     EXPECT_GT(t.point_count, 4U);
 }
 
-TEST(FineTessellation, CurvedLinesAreCut) {
-    // A parabola of height 1/4 over [0, 1]: of n pieces each is 1 / (4 n^2) away.
+TEST(FineTessellation, SubdividesCurvedLines) {
+    // A parabola of height 1/4 over [0, 1]: with n pieces the error is 1 / (4 n^2).
     const Mesh arc = mesh_of({CellShape::line, 2}, 2, {{0, 0, 0}, {1, 0, 0}, {.5, .25, 0}}, {0, 1, 2});
     const Tessellation t = tessellate_within(arc, arc.nodes, 0.25 / 64 * 1.01);
     EXPECT_EQ(t.segments.size(), 2U * 8);
@@ -214,7 +214,7 @@ TEST(FineTessellation, CurvedLinesAreCut) {
     }
 }
 
-TEST(FineTessellation, OfSolidsItIsTheBorder) {
+TEST(FineTessellation, ShowsTheBoundaryOfSolids) {
     const Mesh cubes = of_order_two(two_cubes());
     Points x = cubes.nodes;
     for (std::size_t i = 0; i < x.size(); ++i) x.z[i] += 0.2 * x.x[i] * x.x[i];
@@ -223,7 +223,7 @@ TEST(FineTessellation, OfSolidsItIsTheBorder) {
     EXPECT_GT(t.triangle_cells.size(), 20U);
 }
 
-TEST(FineTessellation, DoesNotDependOnTheSizeOfTheMesh) {
+TEST(FineTessellation, IsScaleInvariant) {
     const Mesh mesh = cubed_sphere_mesh(2);
     Mesh earth = mesh;
     for (auto* coordinate : {&earth.nodes.x, &earth.nodes.y, &earth.nodes.z})
@@ -235,7 +235,7 @@ TEST(FineTessellation, DoesNotDependOnTheSizeOfTheMesh) {
     EXPECT_EQ(tessellate_within(earth, x, 1e-3).triangles, small.triangles);
 }
 
-TEST(FineTessellation, PositionsThatAreNotFiniteAreAFault) {
+TEST(FineTessellation, RejectsNonFinitePositions) {
     const Mesh mesh = curved_square();
     Points x = mesh.nodes;
     x.z[3] = std::numeric_limits<double>::infinity();

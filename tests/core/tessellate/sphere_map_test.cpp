@@ -25,7 +25,7 @@ double turn(const Points& p, const Tessellation& t, std::size_t i) {
     return cross(b - a, c - a).z;
 }
 
-TEST(SphereMap, LeadsThereAndBack) {
+TEST(SphereMap, InvertsToTheSamePoint) {
     std::mt19937 random(7);
     for (const MapProjection& map :
          {MapProjection{1, 0}, MapProjection{6371e3, 2.5}, MapProjection{1e-3, -3}})
@@ -60,7 +60,7 @@ class MapOf : public testing::TestWithParam<double> {
     const MapProjection projection_{1, GetParam() * pi / 180};
 };
 
-TEST_P(MapOf, CoversItsEllipseOnceAndNothingIsSmeared) {
+TEST_P(MapOf, CoversItsEllipseExactlyOnce) {
     for (const int order : {1, 2}) {
         const Mesh curved = cubed_sphere_mesh(10);
         const Mesh mesh = order == 2 ? curved : without_middles(curved);
@@ -75,7 +75,7 @@ TEST_P(MapOf, CoversItsEllipseOnceAndNothingIsSmeared) {
             const double twice = turn(map.points, shape, i);
             (twice > 0 ? area : back) += std::abs(twice) / 2;
         }
-        // A triangle across the whole map would be turned over, or overlap others.
+        // A triangle across the whole map would be reversed, or overlap others.
         EXPECT_LT(back, 1e-3) << "order " << order;
         EXPECT_NEAR(area, 4 * pi, order == 2 ? 0.01 : 0.1) << "order " << order;
         double longest = 0;
@@ -89,7 +89,7 @@ TEST_P(MapOf, CoversItsEllipseOnceAndNothingIsSmeared) {
     }
 }
 
-TEST_P(MapOf, CellsOnTheCutAppearAtBothSidesWithTheirOwnArea) {
+TEST_P(MapOf, CellsOnTheCutAppearOnBothSidesWithTheirArea) {
     const Mesh mesh = cubed_sphere_mesh(6);
     const auto globe = std::make_shared<const Tessellation>(tessellate(mesh, 8));
     const SphereMap map = map_sphere(globe, shown_points(*globe, mesh.nodes), projection_);
@@ -100,7 +100,7 @@ TEST_P(MapOf, CellsOnTheCutAppearAtBothSidesWithTheirOwnArea) {
                          map.points[shape.triangles[3 * i + 2]].x;
         (x < 0 ? west : east)[shape.triangle_cells[i]] += turn(map.points, shape, i) / 2;
     }
-    // The same on the globe, without any cut.
+    // The same on the globe, without cuts.
     const Points on_globe = shown_points(*globe, mesh.nodes);
     std::vector<double> whole(mesh.cell_count(), 0);
     for (std::size_t i = 0; i < globe->triangle_cells.size(); ++i) {
@@ -119,7 +119,7 @@ TEST_P(MapOf, CellsOnTheCutAppearAtBothSidesWithTheirOwnArea) {
     }
 }
 
-TEST_P(MapOf, WhatIsCutAsBeforeKeepsItsTrianglesAndLines) {
+TEST_P(MapOf, ReusesTheTessellationOfAnUnchangedCut) {
     const Mesh mesh = cubed_sphere_mesh(5);
     const auto globe = std::make_shared<const Tessellation>(tessellate(mesh, 3));
     const Points points = shown_points(*globe, mesh.nodes);
@@ -158,12 +158,12 @@ TEST_P(MapOf, PointsOnTheCutLieBetweenTheirParents) {
 // Meridians through nodes and along edges of the mesh, and others.
 INSTANTIATE_TEST_SUITE_P(Longitudes, MapOf, testing::Values(0.0, 45.0, 90.0, 180.0, -180.0, 17.3, -121.0));
 
-TEST(SphereMap, RandomNodesDoNoHarm) {
+TEST(SphereMap, HandlesRandomNodes) {
     std::mt19937 random(11);
     const Mesh mesh = cubed_sphere_mesh(4);
     const auto globe = std::make_shared<const Tessellation>(tessellate(mesh, 2));
     for (int i = 0; i < 50; ++i) {
-        Points x = mesh.nodes; // tangled as can be
+        Points x = mesh.nodes; // strongly tangled
         for (std::size_t k = 0; k < x.size(); ++k) x.set(k, random_direction(random));
         x.set(3, {0, 0, 1}), x.set(4, {0, 0, -1}), x.set(5, {-1, 0, 0});
         if (i % 5 == 0) x.y[7] = std::nan("");

@@ -15,7 +15,7 @@ Snapshot snapshot_of(std::shared_ptr<const Mesh> mesh, std::uint64_t version = 1
     return snapshot;
 }
 
-TEST(TessellationCache, MakesOneOfEachMeshAndForgetsThoseThatAreGone) {
+TEST(TessellationCache, KeepsOnePerMeshAndDropsUnusedOnes) {
     TessellationCache cache;
     auto mesh = std::make_shared<const Mesh>(unit_square_mesh(3));
     const auto other = std::make_shared<const Mesh>(unit_square_mesh(4));
@@ -30,9 +30,9 @@ TEST(TessellationCache, MakesOneOfEachMeshAndForgetsThoseThatAreGone) {
     EXPECT_EQ(gone.use_count(), 1);
 }
 
-TEST(TessellationCache, CutsFinerWhereTheMeshComesToNeedItAndStaysSo) {
+TEST(TessellationCache, RefinesOnDemandAndNeverCoarsens) {
     TessellationCache cache;
-    Mesh strip = curved_square(); // many of them, lest few cells be cut finely anyway
+    Mesh strip = curved_square(); // many copies, since meshes with few cells are always subdivided finely
     const std::vector<std::int32_t> cell = strip.cells;
     for (int i = 1; i < 8000; ++i) strip.cells.insert(strip.cells.end(), cell.begin(), cell.end());
     strip.nodes.z[1] = 0.001;
@@ -50,7 +50,7 @@ TEST(TessellationCache, CutsFinerWhereTheMeshComesToNeedItAndStaysSo) {
     EXPECT_EQ(cache.get(snapshot), bent);
 }
 
-TEST(TessellationCache, GivesThreadsTheSame) {
+TEST(TessellationCache, SharesResultsBetweenThreads) {
     for (int i = 0; i < 20; ++i) {
         TessellationCache cache;
         const auto mesh = std::make_shared<const Mesh>(unit_square_mesh(20));

@@ -2,6 +2,7 @@
 #include "fixtures/fixture_meshes.hpp"
 #include "support/small_meshes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -44,7 +45,7 @@ TEST(Tessellation, OfStraightSquaresUsesTheNodesThemselves) {
     EXPECT_NEAR(area(mesh.nodes, t), 1, 1e-14);
 }
 
-TEST(Tessellation, TrianglesTurnLikeTheirCellsAndKnowThem) {
+TEST(Tessellation, TrianglesHaveTheOrientationAndIndexOfTheirCells) {
     const Mesh mesh = unit_square_mesh(3);
     const Tessellation t = tessellate(mesh);
     for (std::size_t i = 0; i < t.triangle_cells.size(); ++i) {
@@ -65,7 +66,7 @@ TEST(Tessellation, DrawsEverySharedEdgeOnce) {
     EXPECT_NEAR(length(unit_square_mesh(4).nodes, t), 10, 1e-13);
 }
 
-TEST(Tessellation, KnowsWhatLiesBesideALine) {
+TEST(Tessellation, RecordsTheNeighboursOfSegments) {
     const Mesh mesh = unit_square_mesh(4);
     const Tessellation t = tessellate(mesh);
     ASSERT_EQ(t.segment_sides.size(), t.segments.size());
@@ -85,14 +86,14 @@ TEST(Tessellation, KnowsWhatLiesBesideALine) {
     EXPECT_EQ(borders, 16U);
 }
 
-TEST(Tessellation, OfTrianglesFillsThem) {
+TEST(Tessellation, FillsTriangularCells) {
     const Mesh mesh = two_triangles();
     const Tessellation t = tessellate(mesh);
     EXPECT_EQ(t.triangles, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
     EXPECT_EQ(distinct_segments(t).size(), 5U);
 }
 
-TEST(Tessellation, CutsACurvedSquareIntoPointsOfItsSurface) {
+TEST(Tessellation, PlacesPointsOnTheSurfaceOfACurvedSquare) {
     Mesh mesh = curved_square();
     const Tessellation t = tessellate(mesh, 8);
     EXPECT_EQ(t.point_count, 81U);
@@ -116,7 +117,7 @@ TEST(Tessellation, WeightsOfEveryPointSumToOne) {
             1e-14);
 }
 
-/// A disk of four curved triangles around the origin; middles of the outer edges on the circle.
+/// A disk of four curved triangles around the origin; midpoints of the outer edges on the circle.
 Mesh curved_disk() {
     Mesh mesh;
     mesh.kind = {CellShape::triangle, 2};
@@ -151,26 +152,26 @@ TEST(Tessellation, CurvedTrianglesMeetWithoutGapsAndFollowTheCircle) {
     EXPECT_NEAR(length(points, t), 4 + 4 * arc, 0.02);
 }
 
-TEST(Tessellation, OfSolidsShowsTheBoundaryOnly) {
+TEST(Tessellation, ShowsOnlyTheBoundaryOfSolids) {
     const Mesh mesh = two_cubes();
     const Tessellation t = tessellate(mesh);
-    EXPECT_EQ(t.triangles.size(), 3U * 2 * 10); // 12 faces but for the two that touch
+    EXPECT_EQ(t.triangles.size(), 3U * 2 * 10); // 12 faces except the two interior ones
     EXPECT_NEAR(area(mesh.nodes, t), 10, 1e-14);
     EXPECT_EQ(distinct_segments(t).size(), 20U);
     EXPECT_EQ(t.segments.size(), 40U);
 }
 
-TEST(Tessellation, OfLinesDrawsThemAndNothingElse) {
+TEST(Tessellation, ConsistsOfSegmentsForLines) {
     const Mesh mesh = three_lines();
     const Tessellation t = tessellate(mesh);
     EXPECT_TRUE(t.triangles.empty());
     EXPECT_EQ(t.segments, (std::vector<std::uint32_t>{0, 2, 2, 3, 3, 1}));
-    EXPECT_EQ(t.segment_sides, (std::vector<std::uint32_t>{0, 0, 2, 2, 3, 3})); // nothing beside
+    EXPECT_EQ(t.segment_sides, (std::vector<std::uint32_t>{0, 0, 2, 2, 3, 3})); // no neighbours
     EXPECT_EQ(t.segment_cells, (std::vector<std::uint32_t>{0, 1, 2}));
     EXPECT_EQ(point_means(t, std::vector<double>{1, 3, 9}), (std::vector<double>{1, 9, 2, 6}));
 }
 
-TEST(Tessellation, MeansAtPointsAreThoseOfTheTrianglesAround) {
+TEST(Tessellation, PointMeansAverageTheAdjacentTriangles) {
     const Tessellation t = tessellate(two_triangles());
     EXPECT_EQ(point_means(t, std::vector<double>{2, 6}), (std::vector<double>{4, 2, 4, 6}));
     EXPECT_TRUE(t.segment_cells.empty());
@@ -178,12 +179,12 @@ TEST(Tessellation, MeansAtPointsAreThoseOfTheTrianglesAround) {
     EXPECT_EQ(tessellate(curved_square(), 5).cuts, 5);
 }
 
-TEST(Tessellation, CurvesStrayByLessThanAThousandthOfAnEdge) {
+TEST(Tessellation, CurvesDeviateByLessThanAThousandthOfAnEdge) {
     for (const int k : {1, 2, 5, 16}) {
         const Mesh mesh = cubed_sphere_mesh(k);
         const Tessellation t = tessellate(mesh, cuts_for(mesh, mesh.nodes));
         const Points points = shown_points(t, mesh.nodes);
-        double stray = 0; // of the middle of a piece, which lies on a parabola, from the sphere
+        double stray = 0; // distance of the midpoint of a piece, which lies on a parabola, from the sphere
         for (std::size_t i = 0; i < t.segments.size(); i += 2) {
             const Vec3 a = points[t.segments[i]], b = points[t.segments[i + 1]];
             const double sagitta = (norm(a) + norm(b)) / 2 - norm(0.5 * (a + b));
@@ -195,7 +196,7 @@ TEST(Tessellation, CurvesStrayByLessThanAThousandthOfAnEdge) {
     EXPECT_EQ(cuts_for(unit_square_mesh(3), unit_square_mesh(3).nodes), 1) << "straight";
 }
 
-TEST(Tessellation, KnowsWhatLiesBesideAPieceOfACurve) {
+TEST(Tessellation, RecordsTheNeighboursOfCurvedSegments) {
     const Mesh mesh = cubed_sphere_mesh(3);
     const Tessellation t = tessellate(mesh, 4);
     const Points points = shown_points(t, mesh.nodes);

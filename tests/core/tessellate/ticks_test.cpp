@@ -15,14 +15,14 @@ std::vector<std::string> labels(const std::vector<Tick>& ticks) {
 
 using Labels = std::vector<std::string>;
 
-TEST(Ticks, LinearOnesAreRoundAndAlike) {
+TEST(Ticks, LinearTicksAreRoundAndEquallyLabelled) {
     EXPECT_EQ(labels(linear_ticks(0, 10, 5)), (Labels{"0", "2", "4", "6", "8", "10"}));
     EXPECT_EQ(labels(linear_ticks(0.05, 0.52, 5)), (Labels{"0.1", "0.2", "0.3", "0.4", "0.5"}));
     EXPECT_EQ(labels(linear_ticks(-1, 1, 4)), (Labels{"−1.0", "−0.5", "0", "0.5", "1.0"}));
     EXPECT_EQ(labels(linear_ticks(0, 3e6, 3)), (Labels{"0", "10⁶", "2×10⁶", "3×10⁶"}));
 }
 
-TEST(Ticks, LinearOnesLieWithinTheRangeAndStayFew) {
+TEST(Ticks, LinearTicksLieInTheRangeAndAreFew) {
     for (const double high : {1.0, 1.7, 13.0, 99.0, 123456.0, 3e-9}) {
         const auto ticks = linear_ticks(-high / 3, high, 6);
         EXPECT_GE(ticks.size(), 3U);
@@ -39,13 +39,13 @@ TEST(Ticks, EqualEndsGiveOneTick) {
     EXPECT_EQ(linear_ticks(1e8, 1e8 + 1e-8, 5).size(), 1U) << "they differ by rounding only";
 }
 
-TEST(Ticks, LogarithmicOnesAreDecadesWithMinorOnesBetween) {
+TEST(Ticks, LogarithmicTicksAreDecadesWithMinorTicks) {
     const auto ticks = log_ticks(1e-2, 1, 5);
     EXPECT_EQ(labels(ticks), (Labels{"10⁻²", "10⁻¹", "10⁰"}));
     EXPECT_EQ(ticks.size(), 3U + 2 * 8);
 }
 
-TEST(Ticks, ManyDecadesAreThinnedOutCountingFromOne) {
+TEST(Ticks, ManyDecadesAreThinnedRelativeToOne) {
     EXPECT_EQ(labels(log_ticks(1e-9, 1, 4)), (Labels{"10⁻⁹", "10⁻⁶", "10⁻³", "10⁰"}));
     EXPECT_EQ(labels(log_ticks(1e-10, 3, 4)), (Labels{"10⁻⁹", "10⁻⁶", "10⁻³", "10⁰"}));
 }
@@ -55,7 +55,7 @@ TEST(Ticks, LessThanADecadeIsLabelledLinearly) {
     EXPECT_EQ(labels(log_ticks(0.03, 0.05, 2)), (Labels{"0.03", "0.04", "0.05"}));
 }
 
-TEST(ShortNumber, KeepsTheDigitsThatCount) {
+TEST(ShortNumber, KeepsSignificantDigits) {
     EXPECT_EQ(short_number(0.03667985), "0.03668");
     EXPECT_EQ(short_number(9.8123e-9, 3), "9.81×10⁻⁹");
     EXPECT_EQ(short_number(198), "198");
@@ -66,7 +66,7 @@ TEST(ShortNumber, KeepsTheDigitsThatCount) {
     EXPECT_EQ(short_number(-0.0), "0");
 }
 
-TEST(ShortNumber, SaysWhenThereIsNone) {
+TEST(ShortNumber, HandlesNanAndInfinity) {
     EXPECT_EQ(short_number(std::nan("")), "not a number");
     EXPECT_EQ(short_number(INFINITY), "∞");
     EXPECT_EQ(short_number(-INFINITY), "−∞");

@@ -214,6 +214,37 @@ class RandomInput : public ApplicationFixture, public testing::WithParamInterfac
     }
 };
 
+/// What a row allows, written out again.
+testing::AssertionResult is_allowed(const ParameterRow& row, const Value& value) {
+    const auto in_range = [&](double number) { return number >= row.minimum && number <= row.maximum; };
+    const auto* real = std::get_if<double>(&value);
+    const auto* whole = std::get_if<std::int64_t>(&value);
+    const auto* text = std::get_if<std::string>(&value);
+    bool allowed = false;
+    switch (row.kind) {
+    case ParameterKind::real:
+        allowed = real && in_range(*real);
+        break;
+    case ParameterKind::real_or_auto:
+        allowed = (real && in_range(*real)) || (text && *text == "auto");
+        break;
+    case ParameterKind::integer:
+        allowed = whole && in_range(static_cast<double>(*whole));
+        break;
+    case ParameterKind::boolean:
+        allowed = std::holds_alternative<bool>(value);
+        break;
+    case ParameterKind::choice:
+        allowed = text && std::count(row.choices.begin(), row.choices.end(), *text) == 1;
+        break;
+    case ParameterKind::text:
+        allowed = text != nullptr;
+        break;
+    }
+    if (allowed) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << row.key << " = " << format_value(value) << " is not allowed";
+}
+
 TEST_P(RandomInput, BreaksNothing) {
     std::mt19937 random(8); // the same input every time
     const auto draw_int = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
@@ -234,7 +265,7 @@ TEST_P(RandomInput, BreaksNothing) {
         }
         if (draw_int(0, 2) == 0) ui.button(draw_int(0, 1) == 1, draw_int(0, 2));
         if (draw_int(0, 9) == 0) ui.wheel(static_cast<float>(draw_int(-3, 3)));
-        if (draw_int(0, 9) == 0) io.KeyCtrl = !io.KeyCtrl;
+        if (draw_int(0, 9) == 0) ui.control(!io.KeyCtrl);
         if (draw_int(0, 4) == 0) io.AddInputCharacter(static_cast<unsigned>(draw_int(32, 126)));
         if (draw_int(0, 19) == 0)
             application.press_key(
@@ -247,10 +278,7 @@ TEST_P(RandomInput, BreaksNothing) {
         if (run().scenario != before) ++changes, before = run().scenario;
         if (look() != looked) ++changes, looked = look();
         for (const Values* values : {&run().scenario.domain.values, &run().scenario.monitor.values})
-            for (const auto& row : values->rows()) {
-                Values copy = *values;
-                ASSERT_NO_THROW(copy.set(row.key, values->at(row.key)));
-            }
+            for (const auto& row : values->rows()) ASSERT_TRUE(is_allowed(row, values->at(row.key)));
     }
     if (run().status.run == RunStatus::failed) {                  // as with the name of a file that is none
         const auto& lines = application.messages().log().lines(); // the status bar may show a later message

@@ -97,5 +97,37 @@ TEST(FixturePicture, FacesAreFilled) {
     }
 }
 
+TEST(FixturePicture, IsColouredByFieldsOfTheMethod) {
+    const auto catalogue = std::make_shared<const Catalogue>(fixture_catalogue());
+    Scenario scenario = default_scenario(*catalogue);
+    apply_settings(*catalogue, scenario,
+                   {"domain.type=disk", "domain.cells=4", "monitor.type=bell", "method.type=springs",
+                    "method.max_iterations=20", "view.lines=false"});
+    gaspard::Run run(catalogue, scenario);
+    run.solve();
+    const auto snapshot = run.snapshot();
+    const auto drawn = [&](const std::string& colour) {
+        Values view = scenario.view;
+        view.set("color", colour);
+        return render_view(*snapshot, view, 400, 300, "disk");
+    };
+    const auto differing = [](const Image& a, const Image& b) {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < a.rgba.size(); i += 4)
+            count += std::equal(a.rgba.data() + i, a.rgba.data() + i + 4, b.rgba.data() + i) ? 0 : 1;
+        return count;
+    };
+    const Image force = drawn("force"), strain = drawn("strain");
+    EXPECT_EQ(differing(strain, drawn("strain")), 0U);
+    EXPECT_GT(differing(strain, drawn("monitor")), 5000U);
+    EXPECT_GT(differing(strain, drawn("none")), 5000U);
+    EXPECT_GT(differing(force, strain), 5000U);
+    const auto panel = [&](const std::string& colour) {
+        return render_panels({MeshPanel{.title = {}, .snapshot = snapshot, .colour = colour, .blend = 1}}, 1,
+                             400, 400);
+    };
+    EXPECT_GT(differing(panel("strain"), panel("force")), 5000U);
+}
+
 } // namespace
 } // namespace gaspard

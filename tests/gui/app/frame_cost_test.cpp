@@ -2,9 +2,9 @@
 // fast as it can.
 #include "core/base/stopwatch.hpp"
 #include "core/scenario/toml.hpp"
-#include "gui/globes.hpp"
 #include "gui/app/application.hpp"
 #include "gui/gl/imgui_renderer.hpp"
+#include "gui/globes.hpp"
 #include "gui/headless_ui.hpp"
 #include "gui/idle_gl.hpp"
 #include "gui/render/mesh_renderer.hpp"
@@ -132,7 +132,7 @@ TEST(FrameCost, ANewSnapshotLeavesTimeForTheRestOfTheFrame) {
 TEST(FrameCost, AGlobeOf81920TrianglesIsPleasantToWatch) {
     const Gl gl = idle_gl();
     Snapshot snapshot = banded_globe(icosahedral_globe(6, 2));
-    snapshot.fields.push_back({"jacobian", "", FieldPlace::cell,
+    snapshot.fields.push_back({{.name = "jacobian", .place = FieldPlace::cell},
                                std::vector<double>(snapshot.mesh->cell_count(), 1.0)}); // as measured
     const auto cache = std::make_shared<TessellationCache>();
     const Stopwatch making;

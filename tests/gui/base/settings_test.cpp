@@ -2,6 +2,7 @@
 #include "support/comma_locale.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>

@@ -224,7 +224,7 @@ TEST_F(DocumentEditsTest, KeepingAndRemovingARunAreUndone) {
     const RunId first = *document.keep(run().id);
     ASSERT_TRUE(document.keep(run().id));
     const DocumentRun* kept = document.runs().find(first);
-    const std::size_t colour = kept->colour, points = kept->curves.residual.values.size();
+    const std::size_t colour = kept->colour, points = kept->curves.find("residual")->trace.values.size();
     const auto snapshot = kept->snapshot;
     document.viewports().push_back({.run = first, .view = run().scenario.view});
     document.remove(first);
@@ -238,7 +238,7 @@ TEST_F(DocumentEditsTest, KeepingAndRemovingARunAreUndone) {
     EXPECT_EQ(kept->name, "Ring");
     EXPECT_EQ(kept->colour, colour);
     EXPECT_EQ(kept->snapshot, snapshot);
-    EXPECT_EQ(kept->curves.residual.values.size(), points);
+    EXPECT_EQ(kept->curves.find("residual")->trace.values.size(), points);
     EXPECT_EQ(document.viewports()[1].run, first) << "its viewport shows it again";
 
     document.undo(), document.undo();

@@ -58,7 +58,7 @@ TEST(RunsCsv, ReadsBackToTheSameNumbers) {
         EXPECT_EQ(number(rows[1 + i][3]), report.residual);
         EXPECT_EQ(rows[1 + i][4].empty(), i % 2 == 1) << "not measured";
         if (i % 2 == 0) {
-            EXPECT_EQ(number(rows[1 + i][6]), *report.max_jacobian);
+            EXPECT_EQ(number(rows[1 + i][6]), *report.value("max_jacobian"));
             EXPECT_EQ(rows[1 + i][8], "0");
         }
         EXPECT_EQ(number(rows[1 + i][7]), report.step_size);

@@ -132,9 +132,9 @@ TEST_F(PanelTest, ATypedValueOutOfRangeBecomesTheNearestAllowed) {
 
 TEST_F(PanelTest, ControlAndClickOnASliderTypesItsValue) {
     settle();
-    ImGui::GetIO().KeyCtrl = true;
+    ui.control(true);
     ui.click(items.at("monitor.radius"), drawing());
-    ImGui::GetIO().KeyCtrl = false;
+    ui.control(false);
     settle();
     EXPECT_TRUE(ImGui::GetIO().WantTextInput);
     EXPECT_EQ(scenario, opened) << "the slider moved";

@@ -1,6 +1,7 @@
 #include "gui/panels/plot_choice.hpp"
 #include "gui/run_fixtures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>
@@ -22,11 +23,11 @@ DocumentRuns two_runs(int iterations = 20) {
 
 TEST(PlotChoice, ReadsBackFromItsText) {
     std::set<std::string> texts;
-    for (const Quantity quantity : quantities())
+    for (const char* plot : {"residual", "equidistribution", "jacobian", "step-size"})
         for (const Abscissa abscissa : abscissas())
             for (const bool log_x : {false, true})
                 for (const bool log_y : {false, true}) {
-                    const PlotChoice choice{quantity, abscissa, log_x, log_y};
+                    const PlotChoice choice{plot, abscissa, log_x, log_y};
                     EXPECT_TRUE(texts.insert(format_choice(choice)).second);
                     const auto read = parse_choice(format_choice(choice));
                     ASSERT_TRUE(read) << format_choice(choice);
@@ -36,36 +37,66 @@ TEST(PlotChoice, ReadsBackFromItsText) {
     EXPECT_EQ(format_choice({}), "residual,iterations,linear,log");
     for (const char* wrong :
          {"", "residual", "residual,iterations,linear", "residual,iterations,linear,log,",
-          "residue,iterations,linear,log", "residual,iterations,linear,logarithmic", ",,,"})
+          "resi due,iterations,linear,log", "residual,iterations,linear,logarithmic", ",,,"})
         EXPECT_FALSE(parse_choice(wrong)) << wrong;
+}
+
+TEST(PlotsOfRuns, AreThoseOfTheSeriesThatTheRunsReport) {
+    DocumentRuns runs = two_runs();
+    const auto names = [&] {
+        std::vector<std::string> found;
+        for (const RunPlot& plot : plots_of(runs)) found.emplace_back(plot.name);
+        return found;
+    };
+    EXPECT_EQ(names(), (std::vector<std::string>{"residual", "equidistribution", "jacobian", "step-size"}));
+    EXPECT_EQ(plot_label(runs, "jacobian"), "Jacobian range");
+    EXPECT_EQ(plot_label(runs, "drag-force"), "drag-force") << "of no run";
+    // A run goes on with a method that reports more.
+    const auto table = std::make_shared<const SeriesTable>(
+        SeriesInfo{.name = "residual", .label = "Increment"}, std::vector<SeriesInfo>{},
+        std::vector<SeriesInfo>{{.name = "drag_force", .label = "Drag"}});
+    StepReport report{.iteration = 11, .residual = 1, .step_size = 1, .series = table};
+    report.set("drag_force", 2.5);
+    runs[1].curves.append(report);
+    EXPECT_EQ(names().back(), "drag-force");
+    EXPECT_EQ(names().size(), 5U);
+    EXPECT_EQ(plot_label(runs, "drag-force"), "Drag");
+    EXPECT_EQ(plot_label(runs, "residual"), "Residual") << "of the first run";
+    const PlotView view = view_of_runs(runs, {.plot = "drag-force"});
+    ASSERT_EQ(view.curves.size(), 1U) << "the first run has none";
+    EXPECT_EQ(view.curves[0].label, "second");
+    ASSERT_EQ(view.curves[0].y.size(), 1U);
+    EXPECT_EQ(view.curves[0].y[0], 2.5);
+    EXPECT_EQ(view_of_runs(runs, {.plot = "residual"}).curves[1].y.size(), 12U) << "the curve goes on";
 }
 
 TEST(ViewOfRuns, ShowsTheChosenColumnsOfAllThatIsNotHidden) {
     DocumentRuns runs = two_runs();
     PlotView view = view_of_runs(runs, {});
     ASSERT_EQ(view.curves.size(), 2U);
-    EXPECT_EQ(view.curves[0].y.data(), runs[0].curves.residual.values.data()) << "looked at, not copied";
+    EXPECT_EQ(view.curves[0].y.data(), runs[0].curves.find("residual")->trace.values.data())
+        << "looked at, not copied";
     EXPECT_EQ(view.curves[1].colour, 1U);
     EXPECT_EQ(view.curves[1].label, "second");
     ASSERT_EQ(view.marks.size(), 1U);
     EXPECT_EQ(view.marks[0].x, 5);
     view = view_of_runs(runs, {.abscissa = Abscissa::seconds});
-    EXPECT_EQ(view.curves[0].x.data(), runs[0].curves.residual.seconds.data());
+    EXPECT_EQ(view.curves[0].x.data(), runs[0].curves.find("residual")->trace.seconds.data());
     EXPECT_EQ(view.marks[0].x, 0.05);
     runs[1].hidden = true;
-    view = view_of_runs(runs, {.quantity = Quantity::jacobian, .log_y = false});
+    view = view_of_runs(runs, {.plot = "jacobian", .log_y = false});
     ASSERT_EQ(view.curves.size(), 2U) << "the largest and the smallest of one run";
     EXPECT_EQ(view.curves[0].colour, view.curves[1].colour);
     EXPECT_EQ(view.curves[0].y.back(), 3);
     EXPECT_EQ(view.curves[1].y.back(), 0.98);
     EXPECT_TRUE(view.marks.empty());
-    EXPECT_EQ(view_of_runs(runs, {.quantity = Quantity::step_size}).curves[0].y.size(), 20U);
-    EXPECT_EQ(view_of_runs(runs, {.quantity = Quantity::equidistribution}).curves[0].y.size(), 11U)
+    EXPECT_EQ(view_of_runs(runs, {.plot = "step-size"}).curves[0].y.size(), 20U);
+    EXPECT_EQ(view_of_runs(runs, {.plot = "equidistribution"}).curves[0].y.size(), 11U)
         << "where it was not measured the curve goes on";
 }
 
 TEST(PlotOfRuns, HasItsOwnNumbersAndIsThinnedOut) {
-    const Plot small = plot_of_runs(two_runs(), {.quantity = Quantity::jacobian}, {});
+    const Plot small = plot_of_runs(two_runs(), {.plot = "jacobian"}, {});
     EXPECT_EQ(small.title, "Jacobian range");
     EXPECT_EQ(small.x.label, "iteration");
     ASSERT_EQ(small.curves.size(), 4U);

@@ -3,6 +3,7 @@
 #include "gui/panels/run_list.hpp"
 #include "gui/run_fixtures.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -44,11 +45,11 @@ class PlotPaneTest : public testing::Test {
 
 TEST_F(PlotPaneTest, EveryPlotChoosesWhatItShows) {
     frame(), frame();
-    EXPECT_EQ(pane.choices()[0].quantity, Quantity::residual);
-    EXPECT_EQ(pane.choices()[1].quantity, Quantity::equidistribution);
+    EXPECT_EQ(pane.choices()[0].plot, "residual");
+    EXPECT_EQ(pane.choices()[1].plot, "equidistribution");
     click("plot.first.quantity");
     click("plot.first.quantity=jacobian");
-    EXPECT_EQ(pane.choices()[0].quantity, Quantity::jacobian);
+    EXPECT_EQ(pane.choices()[0].plot, "jacobian");
     click("plot.second.abscissa");
     click("plot.second.abscissa=seconds");
     EXPECT_EQ(pane.choices()[1].abscissa, Abscissa::seconds);
@@ -58,7 +59,7 @@ TEST_F(PlotPaneTest, EveryPlotChoosesWhatItShows) {
     click("plot.second.menu");
     click("plot.second.menu.log-x");
     EXPECT_TRUE(pane.choices()[1].log_x);
-    EXPECT_EQ(pane.choices()[1].quantity, Quantity::equidistribution);
+    EXPECT_EQ(pane.choices()[1].plot, "equidistribution");
 }
 
 TEST_F(PlotPaneTest, AnotherAxisForgetsItsZoomOnly) {
@@ -85,7 +86,7 @@ TEST_F(PlotPaneTest, TheMenuWishesForFiles) {
         click("plot.second.menu." + std::string(key));
         ASSERT_TRUE(wish) << key;
         EXPECT_EQ(wish->kind, kind);
-        EXPECT_EQ(wish->choice.quantity, Quantity::equidistribution);
+        EXPECT_EQ(wish->choice.plot, "equidistribution");
     }
 }
 
@@ -123,8 +124,8 @@ class RandomInput {
         if (once_in(100)) ui.move_away();
         if (once_in(3)) ui.button(once_in(2), whole(0, 2));
         if (once_in(5)) ui.wheel(real(-5, 5));
-        if (once_in(10)) io.KeyCtrl = !io.KeyCtrl;
-        if (once_in(10)) io.KeyShift = !io.KeyShift;
+        if (once_in(10)) ui.control(!io.KeyCtrl);
+        if (once_in(10)) ui.shift(!io.KeyShift);
         if (once_in(5)) io.AddInputCharacter(static_cast<unsigned>(whole(32, 0x3000)));
     }
     /// One of the items there are, most of all of an open menu or list.
@@ -174,14 +175,15 @@ TEST_F(PlotPaneTest, RandomInputOnPlotsAndRunListBreaksNothing) {
         random.stir(ui);
         if (random.once_in(100)) first.right = first.left + random.real(-10, 600);
         if (random.once_in(100)) second.bottom = second.top + random.real(-10, 600);
-        if (!document.runs().empty())
-            document.active().curves.append({.iteration = 201 + frames / 3,
-                                             .residual = random.value(),
-                                             .step_size = random.value(),
-                                             .equidistribution = random.value(),
-                                             .min_jacobian = random.value(),
-                                             .max_jacobian = random.value(),
-                                             .seconds = 2 + 0.01 * frames});
+        if (!document.runs().empty()) {
+            StepReport report{.iteration = 201 + frames / 3,
+                              .residual = random.value(),
+                              .step_size = random.value(),
+                              .seconds = 2 + 0.01 * frames};
+            for (const char* name : {"equidistribution", "min_jacobian", "max_jacobian"})
+                report.set(name, random.value());
+            document.active().curves.append(report);
+        }
         if (random.once_in(5) && !items.empty()) {
             for (const int button : {0, 1, 2}) ui.button(false, button);
             ui.click(random.choose(items), draw_both);

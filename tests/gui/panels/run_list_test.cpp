@@ -31,11 +31,9 @@ class RunListTest : public testing::Test {
         ui.click(found->second, drawing());
     }
     void press(ImGuiKey key) {
-        ImGuiIO& io = ImGui::GetIO();
-        io.KeyMap[key] = key;
-        io.KeysDown[key] = true;
+        ui.key(key, true);
         frame();
-        io.KeysDown[key] = false;
+        ui.key(key, false);
         frame();
     }
     const std::string& name(std::size_t run) { return document.runs()[run].name; }

@@ -1,4 +1,3 @@
-#include "core/base/stopwatch.hpp"
 #include "gui/plot/plot_curves.hpp"
 
 #include <algorithm>
@@ -96,16 +95,6 @@ TEST(PixelPath, OnALogarithmicAxisHasGapsWhereNothingIsPositive) {
         EXPECT_TRUE(std::isnan(path.y[i]) || from_middle > 0.094) << path.x[i];
         EXPECT_TRUE(!std::isnan(path.y[i]) || from_middle < 0.106) << path.x[i];
     }
-}
-
-TEST(PixelPath, OfAMillionPointsTakesNoTime) {
-    Column column;
-    for (int i = 0; i < 1000000; ++i) column.add(i, 2 + std::sin(0.01 * i));
-    const PlotFrame frame = frame_of({0, 999999}, {-1, 1}, true);
-    const Stopwatch watch;
-    for (int repeated = 0; repeated < 100; ++repeated)
-        ASSERT_GT(pixel_path(column.view(), frame).x.size(), 400U);
-    EXPECT_LT(watch.cpu_seconds(), 0.5) << "5 ms each; a search through all of them takes 20";
 }
 
 } // namespace

@@ -169,15 +169,15 @@ TEST_F(PlotSteering, TheWheelZoomsAtThePointer) {
 }
 
 TEST_F(PlotSteering, ShiftCtrlAndTheAxesZoomOneDirectionOnly) {
-    ImGui::GetIO().KeyShift = true;
+    ui.shift(true);
     wheel(place(0.5F, 0.5F), 1);
     EXPECT_TRUE(zoom.x && !zoom.y);
     zoom = {};
-    ImGui::GetIO().KeyShift = false, ImGui::GetIO().KeyCtrl = true;
+    ui.shift(false), ui.control(true);
     wheel(place(0.5F, 0.5F), 1);
     EXPECT_TRUE(!zoom.x && zoom.y);
     zoom = {};
-    ImGui::GetIO().KeyCtrl = false;
+    ui.control(false);
     wheel({place(0.5F, 1).x, shown.area.max.y + 6}, 1);
     EXPECT_TRUE(zoom.x && !zoom.y) << "over the axis below";
     zoom = {};
@@ -218,7 +218,7 @@ TEST_F(PlotSteering, ARightClickAsksForTheMenu) {
 }
 
 TEST_F(PlotSteering, NewDataMoveOnlyWhatIsNotZoomed) {
-    ImGui::GetIO().KeyShift = true;
+    ui.shift(true);
     wheel(place(0.5F, 0.5F), 2);
     const AxisRange x = shown.x_range;
     plot.curves[0].x.push_back(200);

@@ -5,20 +5,63 @@
 #include "gui/scenes.hpp"
 #include "support/messages.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+#include <dlfcn.h>
 #include <gtest/gtest.h>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace gaspard {
 namespace {
 
-TEST(Offscreen, BothWaysWorkAndCanBeForced) {
-    EXPECT_EQ(make_offscreen_context(OffscreenBackend::osmesa)->backend(), "OSMesa");
-    EXPECT_EQ(make_offscreen_context(OffscreenBackend::egl)->backend(), "EGL");
-    EXPECT_EQ(make_offscreen_context()->backend(), "OSMesa");
+/// Those of this machine: OSMesa is not part of Mesa after 25.0.
+std::vector<OffscreenBackend> installed_backends() {
+    for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6"})
+        if (dlopen(name, RTLD_NOW | RTLD_LOCAL) != nullptr)
+            return {OffscreenBackend::osmesa, OffscreenBackend::egl};
+    return {OffscreenBackend::egl};
+}
+
+std::string_view name_of(OffscreenBackend backend) {
+    return backend == OffscreenBackend::osmesa ? "OSMesa" : "EGL";
+}
+
+/// Sets GASPARD_OFFSCREEN for its own lifetime.
+class Chosen {
+  public:
+    explicit Chosen(const char* backend) {
+        if (const char* value = std::getenv("GASPARD_OFFSCREEN")) before_ = value;
+        setenv("GASPARD_OFFSCREEN", backend, 1);
+    }
+    ~Chosen() { setenv("GASPARD_OFFSCREEN", before_.c_str(), 1); }
+    Chosen(const Chosen&) = delete;
+    Chosen& operator=(const Chosen&) = delete;
+
+  private:
+    std::string before_;
+};
+
+TEST(Offscreen, TriesOsMesaFirst) {
+    const Chosen none("");
+    EXPECT_EQ(make_offscreen_context()->backend(), name_of(installed_backends().front()));
+}
+
+TEST(Offscreen, EveryBackendCanBeChosen) {
+    for (const auto backend : installed_backends()) {
+        EXPECT_EQ(make_offscreen_context(backend)->backend(), name_of(backend));
+        const Chosen chosen(backend == OffscreenBackend::osmesa ? "osmesa" : "egl");
+        EXPECT_EQ(make_offscreen_context()->backend(), name_of(backend));
+    }
+    const Chosen unknown("glx");
+    EXPECT_EQ(message_of<InputError>([] { make_offscreen_context(); }),
+              "the environment variable GASPARD_OFFSCREEN is \"glx\"; allowed: osmesa, egl");
 }
 
 TEST(Offscreen, ContextsComeAndGo) {
     for (int i = 0; i < 3; ++i)
-        for (const auto backend : {OffscreenBackend::osmesa, OffscreenBackend::egl}) {
+        for (const auto backend : installed_backends()) {
             const auto context = make_offscreen_context(backend);
             const RenderTarget target(context->gl(), 8, 4);
             target.bind();

@@ -1,6 +1,5 @@
 // Picking against cells that are known, whatever the mesh, the camera and the blend.
 #include "core/base/error.hpp"
-#include "core/base/stopwatch.hpp"
 #include "fixtures/fixture_meshes.hpp"
 #include "gui/scene/arrows.hpp"
 #include "gui/scene/picking.hpp"
@@ -8,8 +7,8 @@
 #include "support/messages.hpp"
 #include "support/small_meshes.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -21,7 +20,7 @@ constexpr Size size{800, 600};
 Snapshot snapshot_of(Mesh mesh) {
     Snapshot snapshot;
     snapshot.x = mesh.nodes;
-    snapshot.fields.push_back({"monitor", "", FieldPlace::node, std::vector<double>(mesh.node_count(), 1.0)});
+    snapshot.fields.push_back({{.name = "monitor"}, std::vector<double>(mesh.node_count(), 1.0)});
     snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
     return snapshot;
 }
@@ -167,7 +166,7 @@ TEST(Picking, TheCardSaysWhatTheNumbersAre) {
     Snapshot snapshot = snapshot_of(unit_square_mesh(4));
     snapshot.fields[0].values[6] = 5; // node (1, 1)
     snapshot.x.x[6] = 0.3;
-    snapshot.fields.push_back({"mass", "", FieldPlace::cell, std::vector<double>(16, 1.25)});
+    snapshot.fields.push_back({{.name = "mass", .place = FieldPlace::cell}, std::vector<double>(16, 1.25)});
     snapshot.fields[1].values[5] = 1.5;
     ColouringMaker cells;
     const PickFacts cell = facts_of({Pick::Kind::cell, 5}, snapshot, cells);
@@ -189,15 +188,6 @@ TEST(Picking, TheCardSaysWhatTheNumbersAre) {
     EXPECT_EQ(fact(facts_of({Pick::Kind::cell, 2}, snapshot_of(cubed_sphere_mesh(2)), unmeasured), ""),
               "cell 2");
     EXPECT_NE(fact(facts_of({Pick::Kind::cell, 2}, snapshot_of(cube_mesh(2)), unmeasured), "volume"), "-");
-}
-
-TEST(Picking, IsQuickAtAnyResolution) {
-    const MeshScene scene = scene_of(ring_snapshot(480));
-    const Camera camera = home(scene.box, size);
-    const Stopwatch watch;
-    for (int i = 0; i < 10; ++i) picked(scene, camera, {300.0 + 10 * i, 250});
-    std::printf("n = 480: %.1f ms of CPU a click\n", 100 * watch.cpu_seconds());
-    EXPECT_LT(watch.cpu_seconds() / 10, 0.1);
 }
 
 TEST(Arrows, KeepTheirDistanceAndFillThePicture) {

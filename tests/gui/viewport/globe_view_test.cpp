@@ -8,6 +8,7 @@
 #include "gui/plan_fixture.hpp"
 #include "support/messages.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -236,7 +237,8 @@ class GlobeApplicationTest : public ApplicationFixture {
         Scenario scenario = default_scenario(catalogue);
         apply_settings(catalogue, scenario,
                        {"domain.type=sphere", "domain.cells=4", "domain.geometry_order=1",
-                        "monitor.type=constant", "method.type=smoothing", "method.max_iterations=3"});
+                        "monitor.type=constant", "method.type=relaxation", "method.step_size=1",
+                        "method.max_iterations=3"});
         return scenario;
     }
 };
@@ -356,7 +358,7 @@ TEST_F(GlobeApplicationTest, OffersQuadraticCellsWhereLinearOnesFail) {
     EXPECT_FALSE(offered()) << "nothing has failed";
     EXPECT_EQ(remedy_note(run()), "");
     run().history.back().tangled_cells = 5; // as if
-    run().history.back().equidistribution = 1;
+    run().history.back().set("equidistribution", 1);
     EXPECT_NE(remedy_note(run()), "");
     frame();
     ASSERT_TRUE(offered());

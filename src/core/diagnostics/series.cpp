@@ -1,0 +1,57 @@
+// What a run reports of the mesh, whatever the method: one table of names, labels and values per diagnostic.
+#include "core/diagnostics/exact_map.hpp"
+#include "core/diagnostics/quality.hpp"
+
+namespace gaspard {
+
+std::vector<SeriesInfo> quality_series() {
+    const auto jacobian = [](const char* part) { return SharedPlot{"jacobian", "Jacobian range", part}; };
+    return {{.name = "equidistribution",
+             .label = "Equidistribution",
+             .scale = ParameterScale::logarithmic,
+             .help = "coefficient of variation of M",
+             .measured = true,
+             .column = false},
+            {.name = "max_jacobian",
+             .label = "Max. Jacobian",
+             .scale = ParameterScale::logarithmic,
+             .help = "largest det(∂x/∂ξ) of the map from computational to physical cells",
+             .plot = jacobian("max"),
+             .measured = true,
+             .column = false},
+            {.name = "min_jacobian",
+             .label = "Min. Jacobian",
+             .scale = ParameterScale::logarithmic,
+             .help = "smallest det(∂x/∂ξ) of the map from computational to physical cells",
+             .plot = jacobian("min"),
+             .measured = true,
+             .column = false}};
+}
+
+SeriesValues values_of(const MeshQuality& quality) {
+    return {quality.equidistribution, quality.max_jacobian, quality.min_jacobian};
+}
+
+std::vector<SeriesInfo> exact_series() {
+    const auto plot = [](const char* part) {
+        return SharedPlot{"exact_rms", "Distance to exact mesh", part};
+    };
+    return {{.name = "exact_rms",
+             .label = "Distance to exact mesh, vertices",
+             .scale = ParameterScale::logarithmic,
+             .help = "root mean square along the sphere, of the vertices",
+             .plot = plot("vertices"),
+             .measured = true,
+             .column = false},
+            {.name = "exact_rms_nodes",
+             .label = "Distance to exact mesh, nodes",
+             .scale = ParameterScale::logarithmic,
+             .help = "root mean square along the sphere, of all nodes",
+             .plot = plot("nodes"),
+             .measured = true,
+             .column = false}};
+}
+
+SeriesValues values_of(const ExactDeviation& deviation) { return {deviation.vertices, deviation.nodes}; }
+
+} // namespace gaspard

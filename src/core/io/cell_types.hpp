@@ -1,0 +1,27 @@
+// The numbers that file formats give the kinds of cells.
+#pragma once
+
+#include "core/base/check.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace gaspard {
+
+struct CellTypeNumbers {
+    CellKind kind;
+    int vtk;  ///< nodes are numbered as ours
+    int gmsh; ///< nodes are numbered as ours, but for curved solids
+};
+
+inline const CellTypeNumbers& cell_type_numbers(CellKind kind) {
+    static constexpr CellTypeNumbers table[] = {
+        {{CellShape::line, 1}, 3, 1},          {{CellShape::line, 2}, 21, 8},
+        {{CellShape::triangle, 1}, 5, 2},      {{CellShape::triangle, 2}, 22, 9},
+        {{CellShape::quadrilateral, 1}, 9, 3}, {{CellShape::quadrilateral, 2}, 28, 10},
+        {{CellShape::hexahedron, 1}, 12, 5},   {{CellShape::hexahedron, 2}, 29, 12},
+    };
+    for (const CellTypeNumbers& row : table)
+        if (row.kind == kind) return row;
+    check_failed("the kind of cell has numbers in VTK and Gmsh");
+}
+
+} // namespace gaspard

@@ -1,0 +1,30 @@
+// The data of a problem apart from its domain, as methods get it; made and checked once per scenario.
+//
+//   mesh equidistribution   m(x) > 0, the monitor
+//   optimal transport       m(x) on the source domain, target(y) on the target domain
+//   mesh PDE                a symmetric positive definite tensor M(x); then m = sqrt(det M)
+//   a PDE on the mesh       its coefficients, as the values of the section "pde"
+#pragma once
+
+#include "core/monitor/tensor.hpp"
+
+#include <memory>
+
+namespace gaspard {
+
+/// Immutable; copies share everything.
+struct ProblemData {
+    /// The density that the mesh equidistributes; never null. Diagnostics use it for every method.
+    std::shared_ptr<const Monitor> monitor;
+    std::shared_ptr<const TensorMonitor> tensor{}; ///< null: the problem has a scalar monitor
+    std::shared_ptr<const Monitor> target{};       ///< density on the target domain; null: constant
+    std::shared_ptr<const Values> pde{};           ///< null: no PDE is solved on the mesh
+};
+
+/// Problem data of a scalar monitor. Throws InputError if the monitor is not positive (Monitor::check).
+ProblemData scalar_problem(std::shared_ptr<const Monitor> monitor);
+/// Problem data of a tensor monitor M, with m = sqrt(det M). Throws InputError if M is not positive definite
+/// (TensorMonitor::check).
+ProblemData tensor_problem(std::shared_ptr<const TensorMonitor> tensor);
+
+} // namespace gaspard
