@@ -21,6 +21,6 @@ int main() {
         }));
         const StepReport& report = run.solve(); // run.snapshot()->x: node positions
         std::printf("step %d: %s after %d iterations, equidistribution %.4f\n", step,
-                    status_name(report.status).data(), report.iteration, *report.equidistribution);
+                    status_name(report.status).data(), report.iteration, *report.value("equidistribution"));
     }
 }

@@ -30,3 +30,4 @@
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
 #include "core/session/snapshot.hpp"
+#include "core/tessellate/check_view.hpp"

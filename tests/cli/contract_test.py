@@ -223,7 +223,7 @@ class BadInput(Contract):
         self.refused(self.run_quick("--set", "domain.cells=0"), "domain.cells = 0", "4 to 480")
         self.refused(self.run_quick("--set", "domain.cells=1000000000"), "4 to 480")
         self.refused(self.run_quick("--set", "monitor.amplitude=nan"), "finite")
-        self.refused(self.run_quick("--set", "monitor.amplitude=-2"), "monitor.amplitude", "vanish")
+        self.refused(self.run_quick("--set", "monitor.amplitude=-2"), "monitor.amplitude", "must exceed -1")
         self.refused(self.run_quick("--set", "domain.cells=1.5"), "an integer")
         self.refused(self.run_quick("--tolerance", "0"), "method.tolerance")
         self.refused(self.run_quick("--tolerance", "nan"), "method.tolerance")

@@ -84,6 +84,8 @@ std::string summary_json(Run& run) {
     json["domain"] = section_json(scenario.domain);
     json["monitor"] = section_json(scenario.monitor);
     json["method"] = section_json(scenario.method);
+    for (const Section* section : {&scenario.target, &scenario.pde})
+        if (!section->type.empty()) json[section->values.section()] = section_json(*section);
     json["cells"] = run.discretisation().mesh()->cell_count();
     json["unknowns"] = run.discretisation().unknowns();
     json["status"] = status_name(last.status);

@@ -143,6 +143,13 @@ SurfaceFile binary_stl(std::string_view bytes) {
     return welder.take();
 }
 
+/// The first word of `rest`, in small letters; keywords are at most 40 long.
+std::string next_keyword(std::string_view& rest) {
+    std::string keyword(next_word(rest).substr(0, 40));
+    for (char& c : keyword) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return keyword;
+}
+
 SurfaceFile text_stl(std::string_view text) {
     Welder welder;
     Lines lines(text, 0);
@@ -150,8 +157,7 @@ SurfaceFile text_stl(std::string_view text) {
     while (lines.next())
         lines.at_line([&] {
             std::string_view rest = lines.line();
-            std::string keyword(next_word(rest).substr(0, 40));
-            for (char& c : keyword) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+            const std::string keyword = next_keyword(rest);
             ended = keyword == "endsolid";
             if (keyword == "vertex") {
                 if (welder.full()) throw InputError("a facet has more than 3 corners");
@@ -175,7 +181,7 @@ SurfaceFile parse_stl(std::string_view bytes) {
         bytes.size() == stl_header + std::size_t{little_endian_word(bytes, 80)} * stl_triangle)
         return binary_stl(bytes);
     std::string_view rest = bytes;
-    if (next_word(rest) == "solid") return text_stl(bytes);
+    if (next_keyword(rest) == "solid") return text_stl(bytes);
     throw InputError("it is neither a text STL file, which begins with solid, nor a binary one of the size "
                      "that its number of triangles gives");
 }

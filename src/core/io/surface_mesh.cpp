@@ -53,7 +53,7 @@ Mesh cells_of(const PolygonFaces& faces) {
 }
 
 void check(const SurfaceFile& file) {
-    constexpr auto most = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
+    constexpr std::size_t most = std::size_t{1} << 26; // some 5 GB of half-edges and sorted sides
     if (file.faces.size() == 0) throw InputError("it has no faces");
     if (file.points.size() > most || file.faces.corners.size() > most)
         throw InputError("it has more than " + std::to_string(most) + " vertices or corners");

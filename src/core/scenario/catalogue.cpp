@@ -152,11 +152,19 @@ static bool fits(const std::vector<std::string>& offered, const Section& section
     return offered.empty() ? section.type.empty() : contains(offered, section.type);
 }
 
+/// Whether the methods of a row are for scalar monitors, as those of a caller are.
+static bool takes_scalars(const Catalogue& catalogue, const Capability& row) {
+    return std::any_of(catalogue.monitors.begin(), catalogue.monitors.end(), [&](const MonitorType& type) {
+        return type.make != nullptr && contains(row.monitors, type.name);
+    });
+}
+
 const Capability* find_capability(const Catalogue& catalogue, const Scenario& scenario) {
     for (const auto& row : catalogue.capabilities)
         if (row.domain == scenario.domain.type &&
             (row.boundaries.empty() || contains(row.boundaries, scenario.domain.values.text("boundary"))) &&
-            (scenario.monitor.type == own_monitor || contains(row.monitors, scenario.monitor.type)) &&
+            (scenario.monitor.type == own_monitor ? takes_scalars(catalogue, row)
+                                                  : contains(row.monitors, scenario.monitor.type)) &&
             contains(row.methods, scenario.method.type) && fits(row.targets, scenario.target) &&
             fits(row.pdes, scenario.pde))
             return &row;

@@ -186,6 +186,9 @@ void update_rows(const Catalogue& catalogue, Scenario& scenario) {
 }
 
 void update_view_rows(const Catalogue& catalogue, std::string_view method, Values& view) {
+    const auto known = [&](const MethodType& type) { return type.name == method; };
+    if (std::none_of(catalogue.methods.begin(), catalogue.methods.end(), known))
+        return; // the run will refuse it
     Values now = view_section(catalogue, method);
     if (same_rows(now.rows(), view.rows())) return;
     carry_over(view, now);
@@ -215,7 +218,10 @@ void set_value(const Catalogue& catalogue, Scenario& scenario, std::string_view 
     if (target.section && target.key == "type") {
         const auto* type = std::get_if<std::string>(&value);
         if (!type) throw InputError(std::string(key) + " must be a name, not '" + format_value(value) + "'");
-        return set_type(catalogue, scenario, *target.section, *type);
+        Scenario changed = scenario;
+        set_type(catalogue, changed, *find_target(changed, key)->section, *type);
+        scenario = std::move(changed);
+        return;
     }
     Scenario changed = scenario; // update_rows may throw; then nothing changes
     const Target there = *find_target(changed, key);
@@ -239,7 +245,8 @@ void apply_settings(const Catalogue& catalogue, Scenario& scenario,
     for (std::size_t waiting = 0; !pairs.empty();) {
         auto [key, text] = std::move(pairs.front());
         pairs.pop_front();
-        if (!has_key(scenario, key) && waiting < pairs.size()) {
+        if (!has_key(scenario, key) &&
+            waiting <= pairs.size()) { // once round, so that an error names the first
             ++waiting;
             pairs.emplace_back(std::move(key), std::move(text));
             continue;

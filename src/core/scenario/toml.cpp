@@ -45,7 +45,7 @@ void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::ta
         entries.pop_front();
         const bool subsection = key == "monitor.target" && node->is_table();
         if (subsection) continue; // parse_scenario reads it after this table
-        if (!has_key(scenario, key) && waiting < entries.size()) {
+        if (!has_key(scenario, key) && waiting <= entries.size()) {
             ++waiting;
             entries.emplace_back(key, node);
             continue;

@@ -87,7 +87,8 @@ void Application::draw_sidebar() {
     Scenario scenario = run().scenario;
     const PanelContext context{*catalogue_, run().opened, theme_, items_, viewport_pane_.unavailable()};
     bool changed = false;
-    for (const auto kind : {SectionKind::domain, SectionKind::monitor, SectionKind::method}) {
+    for (const auto kind : all_sections) {
+        if (!has_section(scenario, kind)) continue;
         if (ImGui::CollapsingHeader(section_title(kind), ImGuiTreeNodeFlags_DefaultOpen))
             changed |= panel_.draw_section(kind, context, scenario);
         ImGui::Spacing();

@@ -32,9 +32,19 @@ Columns columns() {
 
 template <class AnyScenario>
 auto& section_of(AnyScenario& scenario, SectionKind kind) {
-    return kind == SectionKind::domain    ? scenario.domain
-           : kind == SectionKind::monitor ? scenario.monitor
-                                          : scenario.method;
+    switch (kind) {
+    case SectionKind::domain:
+        return scenario.domain;
+    case SectionKind::monitor:
+        return scenario.monitor;
+    case SectionKind::target:
+        return scenario.target;
+    case SectionKind::method:
+        return scenario.method;
+    case SectionKind::pde:
+        return scenario.pde;
+    }
+    check_failed("the section has a kind");
 }
 
 const char* section_key(SectionKind kind) {
@@ -43,8 +53,12 @@ const char* section_key(SectionKind kind) {
         return "domain";
     case SectionKind::monitor:
         return "monitor";
+    case SectionKind::target:
+        return "monitor.target";
     case SectionKind::method:
         return "method";
+    case SectionKind::pde:
+        return "pde";
     }
     return "";
 }
@@ -61,10 +75,12 @@ std::vector<TypeEntry> type_entries(const Catalogue& catalogue, SectionKind kind
     };
     if (kind == SectionKind::domain)
         add(catalogue.domains);
-    else if (kind == SectionKind::monitor)
+    else if (kind == SectionKind::monitor || kind == SectionKind::target)
         add(catalogue.monitors);
-    else
+    else if (kind == SectionKind::method)
         add(catalogue.methods);
+    else
+        add(catalogue.pdes);
     return entries;
 }
 
@@ -76,8 +92,12 @@ Section fresh_section(const Catalogue& catalogue, const Scenario& opened, Sectio
         return domain_section(catalogue, type);
     case SectionKind::monitor:
         return monitor_section(catalogue, type); // with the plane's rows; update_rows() adapts them
+    case SectionKind::target:
+        return monitor_section(catalogue, type, {}, section_key(kind));
     case SectionKind::method:
         return method_section(catalogue, type);
+    case SectionKind::pde:
+        return pde_section(catalogue, type);
     }
     return {};
 }
@@ -201,10 +221,18 @@ const char* section_title(SectionKind kind) {
         return "Domain";
     case SectionKind::monitor:
         return "Monitor";
+    case SectionKind::target:
+        return "Target density";
     case SectionKind::method:
         return "Method";
+    case SectionKind::pde:
+        return "PDE";
     }
     return "";
+}
+
+bool has_section(const Scenario& scenario, SectionKind kind) {
+    return !section_of(scenario, kind).type.empty();
 }
 
 std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& opened,
@@ -270,7 +298,14 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
     for (const auto& row : rows) {
         const Values* before =
             opened.type == section.type && has_same_row(opened.values, row) ? &opened.values : nullptr;
-        changed |= draw_row(context, row, before, section.values, &scenario);
+        const bool set = draw_row(context, row, before, section.values, &scenario);
+        changed |= set;
+        if (!set || row.role != ParameterRole::defines_rows) continue;
+        try {
+            update_rows(context.catalogue, scenario);
+        } catch (const InputError&) { // it is being typed; the run says what is wrong
+        }
+        break; // the rows are other ones now
     }
     ImGui::PopID();
     return changed;

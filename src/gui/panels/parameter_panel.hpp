@@ -16,10 +16,14 @@
 
 namespace gaspard {
 
-enum class SectionKind { domain, monitor, method };
+enum class SectionKind { domain, monitor, target, method, pde };
+inline constexpr SectionKind all_sections[] = {SectionKind::domain, SectionKind::monitor, SectionKind::target,
+                                               SectionKind::method, SectionKind::pde};
 
 /// "Domain", as a heading.
 const char* section_title(SectionKind kind);
+/// Whether the scenario has such a section; target and pde are there only for some problems.
+bool has_section(const Scenario& scenario, SectionKind kind);
 
 /// What the panels need besides the values that they edit.
 struct PanelContext {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -146,6 +147,9 @@ TEST_F(SurfaceMesh, ReadsStlAsTextAndWeldsItsCorners) {
     EXPECT_EQ(mesh.kind, triangle);
     EXPECT_EQ(mesh.cells, (Numbers{0, 1, 2, 1, 3, 2})); // 0 and -0 are one
     EXPECT_EQ(mesh.nodes[0], (Vec3{0.1, 0, 0}));
+    std::string capitals = stl_text;
+    for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    EXPECT_EQ(read("capitals.stl", capitals).cells, mesh.cells);
 }
 
 std::string binary_stl(const std::vector<std::array<Vec3, 3>>& triangles) {

@@ -174,7 +174,7 @@ TEST_F(ScenarioTest, SettingsAreChecked) {
 TEST_F(ScenarioTest, WhatDoesNotGoTogetherIsRefusedWithWhatDoes) {
     Catalogue smaller = catalogue;
     smaller.capabilities.front().monitors = {"constant"};
-    expect_in("possible there: monitors constant with methods relaxation",
+    expect_in("possible: monitors constant with methods relaxation",
               message_of([&] { check(smaller, default_scenario(smaller)); }));
     EXPECT_EQ(find_capability(smaller, default_scenario(smaller)), nullptr);
     EXPECT_NE(find_capability(catalogue, default_scenario(catalogue)), nullptr);

@@ -1,8 +1,10 @@
 // Sections and rows that only some problems have: monitor.target, pde, and rows that follow from values.
 #include "core/base/error.hpp"
 #include "core/scenario/toml.hpp"
+#include "core/session/comparison.hpp"
 #include "core/session/run.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <sstream>
 
@@ -163,6 +165,22 @@ TEST_F(SectionsTest, RowsFollowFromValues) {
     const Scenario before = scenario;
     EXPECT_THROW(set_value(*catalogue, scenario, "monitor.names", std::string("names")), InputError);
     EXPECT_EQ(scenario, before) << "all or nothing";
+}
+
+TEST_F(SectionsTest, ComparisonOffersMethodsWithOtherSections) {
+    const Scenario scenario = with({"method.type=relaxation"});
+    const auto methods = methods_for(*catalogue, scenario);
+    EXPECT_NE(std::find(methods.begin(), methods.end(), "quasi-newton"), methods.end());
+    EXPECT_EQ(with_method(*catalogue, scenario, "quasi-newton").pde.type, "heat");
+}
+
+TEST_F(SectionsTest, AnErrorNamesTheFirstUnknownKey) {
+    try {
+        with({"monitor.first=1", "monitor.second=1"});
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("monitor.first"), std::string::npos) << error.what();
+    }
 }
 
 TEST_F(SectionsTest, AMonitorIsMadeOnceAfterTheOperators) {

@@ -25,7 +25,7 @@ class SpringsApplicationTest : public ApplicationFixture {
     static Scenario springs(const Catalogue& catalogue) {
         Scenario scenario = default_scenario(catalogue);
         apply_settings(catalogue, scenario,
-                       {"domain.type=disk", "domain.cells=4", "monitor.type=bell", "method.type=springs",
+                       {"domain.type=disk", "domain.cells=4", "monitor.type=layer", "method.type=springs",
                         "method.max_iterations=40", "view.color=force"});
         return scenario;
     }
@@ -73,7 +73,7 @@ TEST_F(SpringsApplicationTest, ColoursAreThoseOfTheMethodAsLongAsItIsChosen) {
     }));
     EXPECT_EQ(shown().scene.colouring->label, "Strain [%]");
     Scenario other = run().scenario;
-    apply_settings(*catalogue, other, {"method.type=relaxation"});
+    apply_settings(*catalogue, other, {"method.type=relaxation", "monitor.type=bell"});
     application.document().change(run().id, other);
     ASSERT_TRUE(wait_until([&] { return look().text("color") == "monitor"; }));
     click("view.color");

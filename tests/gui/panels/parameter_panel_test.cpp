@@ -8,7 +8,7 @@
 namespace gaspard {
 namespace {
 
-/// One window with the three sections of a scenario, as the program shows them.
+/// One window with the sections of a scenario, as the program shows them.
 class PanelTest : public testing::Test {
   protected:
     explicit PanelTest()
@@ -19,8 +19,8 @@ class PanelTest : public testing::Test {
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize({380, 900});
         ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-        for (const auto kind : {SectionKind::domain, SectionKind::monitor, SectionKind::method})
-            if (panel.draw_section(kind, {catalogue, opened, theme, items}, scenario)) ++changes;
+        for (const auto kind : all_sections)
+            if (has_section(scenario, kind) && panel.draw_section(kind, {catalogue, opened, theme, items}, scenario)) ++changes;
         ImGui::End();
     }
     std::function<void()> drawing() {
@@ -225,6 +225,29 @@ TEST_F(PanelTest, AnotherDomainBringsWhatGoesWithIt) {
     EXPECT_EQ(changed->monitor.type, "bell");
     EXPECT_EQ(changed->method, scenario.method);
     EXPECT_FALSE(with_type(catalogue, opened, *changed, SectionKind::monitor, "ring").has_value());
+}
+
+TEST_F(PanelTest, OptionalSectionsAreThereIfTheProblemHasThem) {
+    settle();
+    EXPECT_EQ(items.count("pde.type") + items.count("monitor.target.type"), 0U);
+    catalogue.pdes.push_back({.name = "heat",
+                              .label = "Heat",
+                              .help = "diffusion",
+                              .equation = "",
+                              .rows = {{.key = "conductivity",
+                                        .label = "Conductivity",
+                                        .minimum = 0.1,
+                                        .maximum = 10,
+                                        .default_value = 1.0}}});
+    catalogue.capabilities.front().pdes = {"heat"};
+    catalogue.capabilities.front().targets = {"bell", "constant"};
+    update_rows(catalogue, scenario);
+    settle();
+    EXPECT_EQ(items.count("pde.conductivity"), 1U);
+    EXPECT_EQ(items.count("monitor.target.amplitude"), 1U);
+    pick("monitor.target.type", "constant");
+    EXPECT_EQ(scenario.target.type, "constant");
+    EXPECT_EQ(scenario.monitor.type, "ring");
 }
 
 } // namespace
