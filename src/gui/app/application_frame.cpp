@@ -117,7 +117,6 @@ void Application::draw_sidebar() {
 
 void Application::draw_view(const PanelContext& context) {
     Values& view = viewport().view;
-    update_view_rows(*catalogue_, run().scenario.method.type, view);
     const bool was_fixed = view.text("range") == "fixed";
     std::vector<std::string> keys = {"blend", "color", "map", "log", "range"};
     if (was_fixed) keys.insert(keys.end(), {"low", "high"});

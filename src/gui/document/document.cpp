@@ -68,6 +68,7 @@ DocumentRun& Document::add(const Scenario& scenario) {
     if (active_ == no_run) active_ = run.id;
     viewports_.push_back({.run = run.id, .view = scenario.view});
     recorded_.push_back(scenario.view);
+    update_views(run);
     return run;
 }
 
@@ -103,7 +104,10 @@ void Document::show(const FinishedRun& finished) {
 
 void Document::change(RunId run, const Scenario& scenario, bool dragging) {
     DocumentRun& entry = live(run);
+    const bool other_method = scenario.method.type != entry.scenario.method.type;
+    if (other_method) record_views();
     const RunValues before = values_of(entry);
+    const std::vector<EditPart> views = views_of(run);
     const std::uint64_t for_good = entry.changes.asked_for_good;
     post_change(entry, scenario);
     if (dragging) entry.changes.asked_for_good = for_good;
@@ -111,12 +115,29 @@ void Document::change(RunId run, const Scenario& scenario, bool dragging) {
     std::string key = "values " + std::to_string(static_cast<std::uint64_t>(run));
     for (const ValueChange& one : scenario_changes(before.scenario, after.scenario))
         key += dragging ? "" : " " + one.key;
-    record({.key = std::move(key), .before = {before}, .after = {after}, .settled = false});
+    Edit edit{.key = std::move(key), .before = {before}, .after = {after}, .settled = false};
+    if (other_method) { // it may have other fields to colour by
+        edit.before.insert(edit.before.end(), views.begin(), views.end());
+        for (EditPart& view : views_of(run)) edit.after.push_back(std::move(view));
+    }
+    record(std::move(edit));
+}
+
+/// Gives the views of a run the choices of its method, such as the fields to colour by.
+void Document::update_views(const DocumentRun& run) {
+    const std::string& type = run.scenario.method.type;
+    const bool known = std::any_of(catalogue_->methods.begin(), catalogue_->methods.end(),
+                                   [&](const MethodType& method) { return method.name == type; });
+    for (std::size_t i = 0; known && i < viewports_.size() && i < recorded_.size(); ++i)
+        if (viewports_[i].run == run.id)
+            for (Values* view : {&viewports_[i].view, &recorded_[i]})
+                update_view_rows(*catalogue_, type, *view);
 }
 
 void Document::post_change(DocumentRun& run, const Scenario& scenario) {
     run.scenario = scenario;
     run.name = describe_scenario(*catalogue_, run.opened, scenario);
+    update_views(run);
     run.changes.asked_for_good = ++run.changes.asked;
     run.solver->post(ChangeCommand{scenario, run.changes.asked});
 }
@@ -144,6 +165,7 @@ void Document::take_answer(DocumentRun& run) {
     } else if (run.status.scenario) { // back to the values that the solver works with
         run.scenario = *run.status.scenario;
         run.name = describe_scenario(*catalogue_, run.opened, run.scenario);
+        update_views(run);
         take_back_refused(run);
     }
     moves_.clear();

@@ -110,6 +110,7 @@ class Document {
     void take_answer(DocumentRun& run);
     void finish_opening(DocumentRun& run);
     void post_change(DocumentRun& run, const Scenario& scenario);
+    void update_views(const DocumentRun& run);
     void post_opening(DocumentRun& run, RunOpening opening);
 
     // in document_edits.cpp

@@ -87,6 +87,7 @@ void Document::finish_opening(DocumentRun& run) {
             if (state.viewport == i) view = state.view;
         viewports_[i].view = recorded_[i] = std::move(view);
     }
+    update_views(run);
     if (opening.from_history) return;
     edit.after = {values_of(run)};
     for (EditPart& view : views_of(run.id)) edit.after.push_back(std::move(view));

@@ -105,7 +105,7 @@ void EditHistory::withdraw(const RunValues& good) {
     for (const std::size_t i : refused)
         if (i != oldest) erase(i);
     *values_of(edits_[oldest].after, good.run) = good;
-    if (edits_[oldest].before == edits_[oldest].after) erase(oldest);
+    if (*values_of(edits_[oldest].before, good.run) == good) erase(oldest);
 }
 
 void EditHistory::forget(RunId run) {

@@ -82,5 +82,30 @@ TEST_F(SpringsApplicationTest, ColoursAreThoseOfTheMethodAsLongAsItIsChosen) {
     EXPECT_FALSE(there("view.color.reset")) << "what it was opened with is no colour here";
 }
 
+TEST_F(SpringsApplicationTest, UndoOfAnotherMethodRestoresTheFieldToColourBy) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
+    look().set("color", std::string("strain"));
+    frame();
+    const EditHistory& edits = application.document().edits();
+    ASSERT_EQ(edits.undo_count(), 1U);
+    Scenario other = run().scenario;
+    other.method = method_section(*catalogue, "relaxation");
+    application.document().change(run().id, other);
+    EXPECT_EQ(look().text("color"), "monitor") << "the method has no such field";
+    frame(), frame();
+    EXPECT_EQ(edits.undo_count(), 2U) << "the method and the colour are one edit";
+    EXPECT_EQ(edits.undo_label(), "method type");
+    application.press_key("Ctrl+Z");
+    EXPECT_EQ(look().text("color"), "strain");
+    frame(), frame();
+    EXPECT_TRUE(edits.can_redo());
+    application.press_key("Ctrl+Z");
+    EXPECT_EQ(look().text("color"), "force");
+    application.press_key("Ctrl+Y");
+    EXPECT_EQ(look().text("color"), "strain");
+    EXPECT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_EQ(run().status.scenario->method.type, "springs");
+}
+
 } // namespace
 } // namespace gaspard
