@@ -3,7 +3,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-# What a simulation needs; src/core/gaspard.hpp includes all of them. Nobody promises the others.
+# What a simulation needs; src/core/gaspard.hpp includes all of them. Other headers are not public.
 set(public_headers
   gaspard.hpp base/error.hpp base/field.hpp base/parameter.hpp base/points.hpp base/series.hpp base/version.hpp
   mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/space.hpp mesh/sphere_mesh.hpp mesh/surface_topology.hpp

@@ -2,20 +2,20 @@
 //
 // All that a simulation needs, in the order in which it needs it:
 //
-//   scenario/catalogue.hpp   what there is (domains, monitors, methods), and scenarios: plain, checked values
+//   scenario/catalogue.hpp   the available domains, monitors and methods; scenarios: plain, checked values
 //   scenario/toml.hpp        scenarios from built-in names and files
 //   monitor/function.hpp     a monitor from a function of your own
 //   session/run.hpp          a problem being solved; follow() and solve() move the mesh along
-//   session/snapshot.hpp     where the nodes stand, with fields and numbers
+//   session/snapshot.hpp     the positions of the nodes, with fields and numbers
 //   io/run_files.hpp         meshes, history and state as files
-//   io/state_file.hpp        the unknowns, to go on another day
+//   io/state_file.hpp        the unknowns, to continue later
 //   io/surface_mesh.hpp      surface meshes read from OBJ, OFF, PLY and STL
 //   mesh/surface_topology.hpp  edges, one-rings, boundary loops and orientation of a surface
 //
 // Coordinates are those of the domain (the unit square: 0 to 1 in x and y, z = 0; a sphere around the
-// origin), in double precision; lengths have no unit. xi is where a node stands in the uniform mesh, x where
-// it has moved to. Errors are exceptions (base/error.hpp); how an iteration ends is a value (RunStatus).
-// There is no global state: a run is used by one thread at a time, different runs by as many as one likes.
+// origin), in double precision; lengths have no unit. xi is the position of a node in the uniform mesh, x
+// its adapted position. Errors are exceptions (base/error.hpp); how an iteration ends is a value (RunStatus).
+// There is no global state: a run is used by one thread at a time, different runs by several threads.
 #pragma once
 
 #include "core/base/error.hpp"
