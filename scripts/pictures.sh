@@ -24,7 +24,7 @@ draw sphere-x16 sphere-x16 --size 1400x740 --set view.layout=front-and-rear --se
   --set view.theme=light
 draw sphere-cross sphere-cross --size 1200x900 --set view.theme=light --set view.histogram=false \
   --set view.camera="centre 0.05 0.02 -0.04 height 2.25 right -0.9272 0.3746 0 up -0.09 -0.2226 0.9707"
-draw sphere-map sphere-cross --size 1200x640 --set view.theme=light --set view.layout=map --set view.map_longitude=90
+draw sphere-map sphere-cross --size 1200x640 --set view.theme=light --set view.layout=projection --set view.projection_longitude=90
 
 # An animation: the camera moves once around the Möbius strip while the nodes move from ξ to x. ImageMagick (Debian's
 # package imagemagick) joins the frames.

@@ -224,7 +224,7 @@ class BadInput(Contract):
         self.refused(self.run_quick("--formats", "svg", "--set", close), "too small for an SVG")
         os.environ["GASPARD_OFFSCREEN"] = "nonsense"
         try:
-            self.refused(self.run_quick(), "GASPARD_OFFSCREEN")
+            self.refused(self.run_quick(render=True), "GASPARD_OFFSCREEN")
         finally:
             del os.environ["GASPARD_OFFSCREEN"]
 

@@ -206,19 +206,19 @@ const std::vector<Scene>& scenes() {
         {"interval-colours",
          [](OffscreenBackend backend) {
              return draw_with(interval_snapshot(20), backend,
-                              {{"color", "area"}, {"map", "plasma"}, {"log", "true"}});
+                              {{"color", "area"}, {"color_map", "plasma"}, {"log", "true"}});
          }},
         {"area-ember-light",
          [](OffscreenBackend backend) {
              return draw_with(
                  ring_snapshot(16), backend,
-                 {{"color", "area"}, {"map", "ember"}, {"theme", "light"}, {"histogram", "false"}});
+                 {{"color", "area"}, {"color_map", "ember"}, {"theme", "light"}, {"histogram", "false"}});
          }},
         {"jacobian-yellow-log",
          [](OffscreenBackend backend) {
              return draw_with(
                  ring_snapshot(16), backend,
-                 {{"color", "jacobian"}, {"map", "blue-yellow"}, {"log", "true"}, {"lines", "false"}});
+                 {{"color", "jacobian"}, {"color_map", "blue-yellow"}, {"log", "true"}, {"lines", "false"}});
          }},
         {"equidistribution",
          [](OffscreenBackend backend) {
@@ -228,7 +228,7 @@ const std::vector<Scene>& scenes() {
          [](OffscreenBackend backend) {
              return draw_with(ring_snapshot(16), backend,
                               {{"color", "displacement"},
-                               {"map", "grey"},
+                               {"color_map", "grey"},
                                {"range", "fixed"},
                                {"low", "0.01"},
                                {"high", "0.04"},
@@ -244,7 +244,7 @@ const std::vector<Scene>& scenes() {
          }},
         {"tangled-240",
          [](OffscreenBackend backend) {
-             return draw_with(tangled_snapshot(240), backend, {{"map", "plasma"}});
+             return draw_with(tangled_snapshot(240), backend, {{"color_map", "plasma"}});
          }},
         {"sphere-top",
          [](OffscreenBackend backend) {
@@ -266,8 +266,9 @@ const std::vector<Scene>& scenes() {
          [](OffscreenBackend backend) { return draw(banded_globe(icosahedral_globe(5, 2)), backend); }},
         {"globe-map",
          [](OffscreenBackend backend) {
-             return draw_with(xn_globe(cubed_globe(8, 2), 4), backend,
-                              {{"layout", "map"}, {"map_longitude", "160"}, {"pick", "cell 20"}});
+             return draw_with(
+                 xn_globe(cubed_globe(8, 2), 4), backend,
+                 {{"layout", "projection"}, {"projection_longitude", "160"}, {"pick", "cell 20"}});
          }},
         {"globe-exact",
          [](OffscreenBackend backend) {
@@ -275,7 +276,7 @@ const std::vector<Scene>& scenes() {
          }},
         {"globe-tangled",
          [](OffscreenBackend backend) {
-             return draw_with(tangled_globe(10), backend, {{"theme", "light"}, {"map", "grey"}});
+             return draw_with(tangled_globe(10), backend, {{"theme", "light"}, {"color_map", "grey"}});
          }},
         {"plot",
          [](OffscreenBackend backend) {

@@ -67,6 +67,12 @@ void check_range(const std::string& name, const ParameterRow& row, double value)
                          (row.help.empty() ? "" : " (" + row.help + ")"));
 }
 
+const std::string& present_choice(const ParameterRow& row, const std::string& word) {
+    for (const auto& [former, present] : row.former_choices)
+        if (former == word) return present;
+    return word;
+}
+
 } // namespace
 
 std::string format_number(double value) {
@@ -124,6 +130,14 @@ const ParameterRow* find_role(const std::vector<ParameterRow>& rows, ParameterRo
     const auto row =
         std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.role == role; });
     return row == rows.end() ? nullptr : &*row;
+}
+
+std::string present_key(const std::vector<ParameterRow>& rows, std::string_view key) {
+    for (const ParameterRow& row : rows)
+        if (row.key == key) return row.key;
+    for (const ParameterRow& row : rows)
+        if (!row.former_key.empty() && row.former_key == key) return row.key;
+    return {};
 }
 
 std::optional<Remedy> find_remedy(const Values& values) {
@@ -219,12 +233,14 @@ void Values::set(std::string_view key, const Value& value) {
         if (!std::holds_alternative<bool>(value)) wrong_kind();
         break;
     case ParameterKind::choice: {
-        const auto* word = std::get_if<std::string>(&value);
-        if (!word) wrong_kind();
-        if (std::find(row.choices.begin(), row.choices.end(), *word) == row.choices.end())
-            throw InputError(name + " = '" + *word + "' is unknown" + did_you_mean(*word, row.choices) +
+        const auto* given = std::get_if<std::string>(&value);
+        if (!given) wrong_kind();
+        const std::string& word = present_choice(row, *given);
+        if (std::find(row.choices.begin(), row.choices.end(), word) == row.choices.end())
+            throw InputError(name + " = '" + word + "' is unknown" + did_you_mean(word, row.choices) +
                              "; allowed: " + describe_range(row));
-        break;
+        values_[i] = word;
+        return;
     }
     case ParameterKind::text:
         if (!std::holds_alternative<std::string>(value)) wrong_kind();

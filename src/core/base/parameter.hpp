@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -46,10 +47,15 @@ struct ParameterRow {
     std::string point{};           ///< coordinates only: the point they belong to ("center")
     bool periodic = false;         ///< minimum and maximum are equivalent
     std::optional<Value> remedy{}; ///< the value that often helps if a run fails
+    std::string former_key{};      ///< of earlier versions; scenario files and --set may still use it
+    /// Earlier texts of choices, each with the present one; set and parse still accept them.
+    std::vector<std::pair<std::string, std::string>> former_choices{};
 };
 
 /// The first row with a role; null if there is none.
 const ParameterRow* find_role(const std::vector<ParameterRow>& rows, ParameterRole role);
+/// The key of the row with this key or, if there is none, with this former key; empty if there is none.
+std::string present_key(const std::vector<ParameterRow>& rows, std::string_view key);
 
 /// The values of one section, such as "monitor": one value per row, always within its range.
 class Values {

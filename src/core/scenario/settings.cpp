@@ -85,6 +85,7 @@ void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, st
                 refuse(scenario.monitor.values, "");
 }
 
+/// Accepts the keys of earlier versions (ParameterRow::former_key) as well.
 std::optional<Target> find_target(Scenario& scenario, std::string_view full_key) {
     const auto key_in = [&](const Values& values) {
         const std::string& name = values.section();
@@ -93,10 +94,13 @@ std::optional<Target> find_target(Scenario& scenario, std::string_view full_key)
     };
     for (Section* section : typed_sections(scenario)) {
         const std::string key = key_in(section->values);
-        if (key == "type" || section->values.has(key)) return Target{&section->values, section, key};
+        if (key == "type") return Target{&section->values, section, key};
+        if (const std::string present = present_key(section->values.rows(), key); !present.empty())
+            return Target{&section->values, section, present};
     }
     for (Values* values : {&scenario.view, &scenario.output})
-        if (const std::string key = key_in(*values); values->has(key)) return Target{values, nullptr, key};
+        if (const std::string key = present_key(values->rows(), key_in(*values)); !key.empty())
+            return Target{values, nullptr, key};
     return std::nullopt;
 }
 

@@ -32,12 +32,27 @@ ParameterRow real(const char* key, const char* label, double value, const char* 
             .help = help};
 }
 
+ParameterRow formerly(const char* key, ParameterRow row) {
+    row.former_key = key;
+    return row;
+}
+
 ParameterRow text(const char* key, const char* label, const char* help) {
     return {.key = key,
             .label = label,
             .kind = ParameterKind::text,
             .default_value = std::string(),
             .help = help};
+}
+
+ParameterRow layout_row() {
+    ParameterRow row =
+        choice("layout", "Layout", {"single", "side-by-side", "front-and-rear", "projection", "runs"},
+               "side-by-side: computational and physical mesh; front-and-rear: a mesh in "
+               "space from both sides; projection: a sphere in Hammer's equal-area "
+               "projection; runs: in the window, the meshes of all runs");
+    row.former_choices = {{"map", "projection"}};
+    return row;
 }
 
 ParameterRow pixels(const char* key, const char* label, std::int64_t value) {
@@ -114,9 +129,10 @@ std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further) {
          .maximum = 1,
          .default_value = 1.0,
          .help = "nodes are shown at ξ + t (x − ξ): 0 is the computational, 1 the physical mesh"},
-        choice("map", "Colour map",
-               {"automatic", "viridis", "plasma", "ember", "grey", "blue-yellow", "blue-red"},
-               "automatic: viridis, or blue-red around zero; blue-yellow is safe for colour-blind people"),
+        formerly("map", choice("color_map", "Colour map",
+                               {"automatic", "viridis", "plasma", "ember", "grey", "blue-yellow", "blue-red"},
+                               "automatic: viridis, or blue-red around zero; blue-yellow is safe for "
+                               "colour-blind people")),
         boolean("log", "Log scale", false, "logarithmic colour scale, for values that are not negative"),
         choice("range", "Range", {"automatic", "fixed"},
                "the values that the colours span: all values of the mesh, or low to high"),
@@ -125,17 +141,15 @@ std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further) {
         boolean("histogram", "Histogram", true, "histogram of the values, beside the legend"),
         boolean("lines", "Lines", true, "the cells' edges"),
         boolean("arrows", "Arrows", false, "from ξ to x, as many as fit"),
-        choice(
-            "layout", "Layout", {"single", "side-by-side", "front-and-rear", "map", "runs"},
-            "side-by-side: computational and physical mesh; front-and-rear: a mesh in space from both sides; "
-            "map: a sphere on Hammer's equal-area map; runs: in the window, the meshes of all runs"),
-        {.key = "map_longitude",
-         .label = "Map centre",
+        layout_row(),
+        {.key = "projection_longitude",
+         .label = "Projection centre",
          .unit = "°",
          .minimum = -180,
          .maximum = 180,
          .default_value = 0.0,
-         .help = "longitude of the middle of the map, degrees east"},
+         .help = "longitude of the centre of the projection, degrees east",
+         .former_key = "map_longitude"},
         choice("overlay", "Overlay", {"none", "exact"},
                "exact: the lines of the exact mesh over the computed one, where the exact map is known"),
         choice("direction", "Direction", direction_names(),
@@ -143,7 +157,8 @@ std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further) {
         text("camera", "Camera",
              "position of the camera, as copied from the window; empty: the whole mesh; axes alone "
              "('right 0 1 0 up 0 0 1'): the whole mesh from that direction"),
-        text("map_camera", "Map camera", "position of the camera over the map; empty: the whole map"),
+        formerly("map_camera", text("projection_camera", "Projection camera",
+                                    "position of the camera over the projection; empty: the whole sphere")),
         {.key = "spin",
          .label = "Spin",
          .unit = "°/s",

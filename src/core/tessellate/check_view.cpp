@@ -8,7 +8,7 @@
 namespace gaspard {
 
 void check_view(const Values& view, const Mesh* mesh) {
-    for (const char* key : {"camera", "map_camera"})
+    for (const char* key : {"camera", "projection_camera"})
         if (!view.text(key).empty()) parse_camera(view.text(key), {1, 1});
     const auto pick = parse_pick(view.text("pick"));
     if (pick && mesh != nullptr && !has(*mesh, *pick))
@@ -17,8 +17,9 @@ void check_view(const Values& view, const Mesh* mesh) {
                                                          : std::to_string(mesh->node_count()) + " nodes") +
                          ", counted from 0");
     const std::string& layout = view.text("layout");
-    if (mesh != nullptr && layout == "map" && !(radius_of_ball(*mesh) > 0))
-        throw InputError("view.layout = map is only for meshes on a sphere; use single or side-by-side");
+    if (mesh != nullptr && layout == "projection" && !(radius_of_ball(*mesh) > 0))
+        throw InputError(
+            "view.layout = projection is only for meshes on a sphere; use single or side-by-side");
     if (mesh != nullptr && layout == "front-and-rear" && mesh->space_dimension < 3)
         throw InputError(
             "view.layout = front-and-rear is only for meshes in space; use single or side-by-side");

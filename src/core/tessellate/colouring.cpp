@@ -117,7 +117,7 @@ std::string legend_text(const FieldInfo& info, int dimension) {
 } // namespace
 
 ColourChoice colour_choice(const Values& view) {
-    return {view.text("color"), view.text("map"), view.boolean("log"), view.text("range") == "fixed",
+    return {view.text("color"), view.text("color_map"), view.boolean("log"), view.text("range") == "fixed",
             view.real("low"),   view.real("high")};
 }
 

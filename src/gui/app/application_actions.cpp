@@ -189,8 +189,9 @@ std::vector<Action> Application::layout_actions() {
                       "Show the meshes of all runs side by side, or only the current one."),
         layout_action("front-and-rear", "Front and rear", "F",
                       "Show a mesh in space from both sides, or only from one."),
-        layout_action("map", "Map", "M", "Show a sphere as an equal-area map, or as a globe.")};
-    Action &runs = rows[1], &rear = rows[2], &map = rows[3];
+        layout_action("projection", "Projection", "M",
+                      "Show the sphere as an equal-area projection, or as a globe.")};
+    Action &runs = rows[1], &rear = rows[2], &projection = rows[3];
     runs.enabled = [this] { return document_.runs().size() > 1; };
     runs.reason = [this] {
         return "Meshes of all runs: there is only one; press " + describe_keys(action("keep")) +
@@ -198,8 +199,8 @@ std::vector<Action> Application::layout_actions() {
     };
     rear.enabled = [this] { return available("layout=front-and-rear"); };
     rear.reason = [] { return only_in_space("Front and rear"); };
-    map.enabled = [this] { return available("layout=map"); };
-    map.reason = [] { return "Map: only for meshes on a sphere."; };
+    projection.enabled = [this] { return available("layout=projection"); };
+    projection.reason = [] { return "Projection: only for meshes on a sphere."; };
     return rows;
 }
 
@@ -223,13 +224,13 @@ std::vector<Action> Application::show_actions() {
          .keys = {"S"},
          .help = "Start or stop rotating a mesh in space.",
          .run = [this] { viewport().view.set("spin", viewport().view.real("spin") != 0 ? 0.0 : usual_spin); },
-         .enabled = [this] { return in_space() && !action("map").is_checked(); },
+         .enabled = [this] { return in_space() && !action("projection").is_checked(); },
          .checked = [this] { return viewport().view.real("spin") != 0; },
          .reason =
              [this] {
-                 return action("map").is_checked()
-                            ? "Spin: only for a globe; press " + describe_keys(action("map")) +
-                                  " to show the map as a globe."
+                 return action("projection").is_checked()
+                            ? "Spin: only for a globe; press " + describe_keys(action("projection")) +
+                                  " to show a globe."
                             : only_in_space("Spin");
              }},
         {.name = "exact",

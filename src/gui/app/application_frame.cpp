@@ -118,13 +118,13 @@ void Application::draw_sidebar() {
 void Application::draw_view(const PanelContext& context) {
     Values& view = viewport().view;
     const bool was_fixed = view.text("range") == "fixed";
-    std::vector<std::string> keys = {"blend", "color", "map", "log", "range"};
+    std::vector<std::string> keys = {"blend", "color", "color_map", "log", "range"};
     if (was_fixed) keys.insert(keys.end(), {"low", "high"});
     for (const char* key : {"histogram", "lines", "arrows", "layout"}) keys.emplace_back(key);
-    const bool map = view.text("layout") == "map" && available("layout=map");
-    if (map) keys.insert(keys.end(), {"map_longitude", "map_camera"});
-    if (!map) keys.emplace_back("camera");
-    if (run().snapshot && run().snapshot->mesh->space_dimension == 3 && !map)
+    const bool projection = view.text("layout") == "projection" && available("layout=projection");
+    if (projection) keys.insert(keys.end(), {"projection_longitude", "projection_camera"});
+    if (!projection) keys.emplace_back("camera");
+    if (run().snapshot && run().snapshot->mesh->space_dimension == 3 && !projection)
         keys.insert(keys.end(), {"direction", "spin"});
     if (run().snapshot && run().snapshot->mesh->space_dimension == 3) keys.emplace_back("overlay");
     panel_.draw_rows(context, run().opened.view, view, keys);

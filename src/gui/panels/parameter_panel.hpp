@@ -33,7 +33,7 @@ struct PanelContext {
     /// Filled with "monitor.amplitude" (its slider or list), "monitor.amplitude.input",
     /// "monitor.amplitude.reset", "monitor.type", and "monitor.type=ring" while the list is open.
     ItemRectangles& items;
-    std::vector<std::string> unavailable{}; ///< other choices to grey out: "layout=map"
+    std::vector<std::string> unavailable{}; ///< other choices to grey out: "layout=projection"
 };
 
 class ParameterPanel {

@@ -180,7 +180,7 @@ void ViewportPane::look_as(DocumentViewport& viewport, const std::string& camera
 void ViewportPane::turn(Values& view) {
     const PlannedView& front = plan_->views.front();
     spinning_ = false;
-    if (front.scene.planar()) return; // a map does not rotate; the globe continues later
+    if (front.scene.planar()) return; // a projection does not rotate; the globe continues later
     const double rate = view.real("spin") * std::numbers::pi / 180;
     const std::string from = view.text("camera") + view.text("direction");
     if (from != spun_from_) spun_ = 0;

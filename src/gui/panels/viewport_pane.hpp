@@ -56,7 +56,7 @@ class ViewportPane {
     std::optional<HandleMove> take_handle_move() { return std::exchange(handle_move_, std::nullopt); }
     /// The mesh rotates by itself: the next frame differs from this one.
     bool spinning() const { return spinning_; }
-    /// Choices of the view that are not available for this mesh, such as "layout=map".
+    /// Choices of the view that are not available for this mesh, such as "layout=projection".
     std::vector<std::string> unavailable() const {
         return plan_ ? plan_->unavailable : std::vector<std::string>();
     }

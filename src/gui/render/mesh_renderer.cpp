@@ -329,7 +329,7 @@ void MeshRenderer::draw_lines(const Frame& frame, const LineSet& set, const Line
     gl_.Uniform4f(line_.ball, frame.ball.x, frame.ball.y, frame.ball.z, frame.ball.w);
     gl_.Uniform3f(line_.viewer, frame.viewer.x, frame.viewer.y, frame.viewer.z);
     gl_.Uniform2f(line_.limb, style.limb_begin, style.limb_end);
-    gl_.Uniform1f(line_.bent, shown_.map ? bent : 0);
+    gl_.Uniform1f(line_.bent, shown_.projection ? bent : 0);
     gl_.Uniform1i(line_.by_map, style.by_map ? 1 : 0);
     gl_.Uniform1i(line_.flat_cells, style.by_map && shown_.flat() ? 1 : 0);
     gl_.BindVertexArray(empty_array_.name());

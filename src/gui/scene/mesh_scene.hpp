@@ -41,8 +41,8 @@ struct MeshScene {
     std::shared_ptr<const MeshOverlay> overlay; ///< null: none
     std::shared_ptr<const Mesh> mesh;
     double ball = 0; ///< radius of the sphere around the origin that all nodes of the mesh lie on; 0: none
-    std::optional<MapProjection> map; ///< the scene is a map of that ball; its blend is 1
-    Box box;                          ///< around both meshes
+    std::optional<MapProjection> projection; ///< the scene is a projection of that ball; its blend is 1
+    Box box;                                 ///< around both meshes
     bool burst = false; ///< the physical mesh is far larger than the computational one: it has diverged
     Box home_box;       ///< what "home" shows: both meshes, or the computational one if the other has burst
     double blend = 1;   ///< 0 shows xi, 1 shows x

@@ -103,8 +103,8 @@ Scenario with_handle_at(const Scenario& scenario, const Handle& handle, Vec3 pla
 std::optional<Pixel> pixel_of(const Handle& handle, const PlannedView& shown) {
     const MeshScene& scene = shown.scene;
     if (scene.blend <= 0) return std::nullopt;
-    if (scene.map && handle.on_sphere)
-        return to_pixel(shown.camera, shown.size(), to_map(*scene.map, handle.place));
+    if (scene.projection && handle.on_sphere)
+        return to_pixel(shown.camera, shown.size(), to_map(*scene.projection, handle.place));
     if (handle.on_sphere != (scene.ball > 0)) return std::nullopt;
     if (!handle.on_sphere && !scene.planar()) return std::nullopt; // a surface in space
     if (!handle.on_sphere) return to_pixel(shown.camera, shown.size(), handle.place);
@@ -115,7 +115,7 @@ std::optional<Pixel> pixel_of(const Handle& handle, const PlannedView& shown) {
 std::optional<Vec3> place_under(const Handle& handle, const PlannedView& shown, Pixel pixel) {
     const MeshScene& scene = shown.scene;
     const Vec3 there = to_world(shown.camera, shown.size(), pixel);
-    if (scene.map) return from_map(*scene.map, there);
+    if (scene.projection) return from_map(*scene.projection, there);
     if (!handle.on_sphere) return there;
     const Vec3 viewer = towards_viewer(shown.camera);
     const Vec3 on_scene = (1 / scene.ball) * (there - dot(there, viewer) * viewer);

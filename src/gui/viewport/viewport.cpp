@@ -241,47 +241,49 @@ static void draw_notes(ImDrawList& list, const ViewportPlan& plan, ScreenRect av
     if (scene.overlay != nullptr) draw_note(list, available, theme.overlay, true, "exact mesh", theme, scale);
 }
 
-/// A line on the map through places at longitudes (from the map's middle) and latitudes in degrees.
-static std::vector<Vec3> map_line(const MapProjection& map, auto&& longitude_and_latitude) {
+/// A projected line through places at longitudes (from the centre) and latitudes in degrees.
+static std::vector<Vec3> projected_line(const MapProjection& projection, auto&& longitude_and_latitude) {
     constexpr int pieces = 72;
     constexpr double degree = std::numbers::pi / 180, inside = 1 - 1e-9; // of the cut, which is two lines
     std::vector<Vec3> line;
     for (int i = 0; i <= pieces; ++i) {
         const auto [east, north] = longitude_and_latitude(static_cast<double>(i) / pieces);
-        const double l = map.longitude + inside * east * degree, p = north * degree;
-        line.push_back(to_map(map, {std::cos(p) * std::cos(l), std::cos(p) * std::sin(l), std::sin(p)}));
+        const double l = projection.longitude + inside * east * degree, p = north * degree;
+        line.push_back(
+            to_map(projection, {std::cos(p) * std::cos(l), std::cos(p) * std::sin(l), std::sin(p)}));
     }
     return line;
 }
 
-/// Every thirty degrees, whole ones of longitude, wherever the map's middle is.
-static std::vector<std::vector<Vec3>> graticule_lines(const MapProjection& map) {
+/// Every thirty degrees, whole ones of longitude, wherever the centre is.
+static std::vector<std::vector<Vec3>> graticule_lines(const MapProjection& projection) {
     std::vector<std::vector<Vec3>> lines;
-    const double middle = map.longitude * 180 / std::numbers::pi;
+    const double middle = projection.longitude * 180 / std::numbers::pi;
     for (double north = -60; north <= 60; north += 30)
-        lines.push_back(map_line(map, [&](double t) { return std::pair(360 * t - 180, north); }));
+        lines.push_back(
+            projected_line(projection, [&](double t) { return std::pair(360 * t - 180, north); }));
     for (double longitude = -180; longitude < 180; longitude += 30) {
         const double east = std::remainder(longitude - middle, 360);
-        lines.push_back(map_line(map, [&](double t) { return std::pair(east, 180 * t - 90); }));
+        lines.push_back(projected_line(projection, [&](double t) { return std::pair(east, 180 * t - 90); }));
     }
     return lines;
 }
 
-/// The map's outline, longitudes and latitudes, and degrees beside them.
+/// The projection's outline, longitudes and latitudes, and degrees beside them.
 static void draw_graticule(ImDrawList& list, const PlannedView& shown, const Theme& theme, float scale) {
-    const MapProjection& map = *shown.scene.map;
+    const MapProjection& projection = *shown.scene.projection;
     const auto on_screen = [&](Vec3 place) {
         const Pixel p = to_pixel(shown.camera, shown.size(), place);
         return ImVec2{shown.rect.min.x + static_cast<float>(p.x), shown.rect.min.y + static_cast<float>(p.y)};
     };
     std::vector<ImVec2> outline;
-    for (const Vec3 place : map_outline(map)) outline.push_back(on_screen(place));
+    for (const Vec3 place : map_outline(projection)) outline.push_back(on_screen(place));
     const auto draw = [&](Colour ink, float opacity, float width) {
         list.AddPolyline(outline.data(), static_cast<int>(outline.size()), packed(ink, opacity),
                          ImDrawFlags_Closed, width * scale);
     };
     list.PushClipRect(shown.rect.min, shown.rect.max, true);
-    for (const auto& line : graticule_lines(map)) {
+    for (const auto& line : graticule_lines(projection)) {
         std::vector<ImVec2> points;
         for (const Vec3 place : line) points.push_back(on_screen(place));
         list.AddPolyline(points.data(), static_cast<int>(points.size()), packed(theme.accent, 0.4F), 0,
@@ -290,9 +292,10 @@ static void draw_graticule(ImDrawList& list, const PlannedView& shown, const The
     draw(theme.background, 1, 4);
     draw(theme.text, 0.85F, 1.6F);
     for (const double latitude : {-60.0, -30.0, 0.0, 30.0, 60.0}) {
-        const double radians = latitude * std::numbers::pi / 180, cut = map.longitude + std::numbers::pi;
-        Vec3 place = to_map(
-            map, {std::cos(radians) * std::cos(cut), std::cos(radians) * std::sin(cut), std::sin(radians)});
+        const double radians = latitude * std::numbers::pi / 180,
+                     cut = projection.longitude + std::numbers::pi;
+        Vec3 place = to_map(projection, {std::cos(radians) * std::cos(cut), std::cos(radians) * std::sin(cut),
+                                         std::sin(radians)});
         place.x = -std::abs(place.x);
         std::string text = short_number(std::abs(latitude), 3) + "°";
         if (latitude != 0) text += latitude > 0 ? " N" : " S";
@@ -308,7 +311,7 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
     list.PushClipRect(plan.rect.min, plan.rect.max, true);
     ScreenRect available = above_caption(plan, scale);
     for (const PlannedView& shown : plan.views) {
-        if (shown.scene.map) draw_graticule(list, shown, theme, scale);
+        if (shown.scene.projection) draw_graticule(list, shown, theme, scale);
         if (shown.scene.ball > 0 && shown.scene.mesh->kind.order > 1) // straight cells have none
             draw_rim(list, shown, theme, scale);
         if (plan.pick && has(*shown.scene.mesh, *plan.pick)) draw_mark(list, shown, *plan.pick, theme, scale);

@@ -10,8 +10,8 @@
 #include "core/tessellate/camera.hpp"
 #include "gui/base/screen_rect.hpp"
 #include "gui/base/theme.hpp"
-#include "gui/scene/map_scene.hpp"
 #include "gui/scene/picking.hpp"
+#include "gui/scene/projection_scene.hpp"
 
 #include <imgui.h>
 #include <memory>
@@ -60,7 +60,7 @@ struct ViewportPlan {
     PickFacts facts;       ///< of the pick
     std::string complaint; ///< what was wrong with the view's texts
     bool histogram = true;
-    std::vector<std::string> unavailable; ///< choices of the view that this mesh has not: "layout=map"
+    std::vector<std::string> unavailable; ///< choices of the view that this mesh has not: "layout=projection"
 };
 
 /// The point that a mesh rotates about.
@@ -99,7 +99,7 @@ class ViewportPlanner {
 
     SceneBuilder maker_;
     std::vector<SceneBuilder> other_makers_; ///< of the meshes beside it, in their order
-    MapSceneBuilder map_maker_;
+    ProjectionSceneBuilder projection_maker_;
     double spun_ = 0;
     struct Home {
         std::shared_ptr<const Mesh> of;

@@ -24,11 +24,12 @@ Insets insets_of(const ViewportPlan& plan, const MeshScene& scene, float scale) 
     insets.bottom = static_cast<double>(caption_height(plan.text, rect.width(), scale));
     if (scene.colouring != nullptr)
         insets.right = static_cast<double>(legend_width(*scene.colouring, plan.histogram, scale));
-    if (scene.map) insets.left = static_cast<double>(ImGui::CalcTextSize("30° N").x + 2 * margin * scale);
+    if (scene.projection)
+        insets.left = static_cast<double>(ImGui::CalcTextSize("30° N").x + 2 * margin * scale);
     // Where the legend's strip is free anyway beside a centred mesh, the mesh stays centred.
     const double free_side =
         (static_cast<double>(rect.width() - rect.height()) + insets.top + insets.bottom) / 2;
-    if (free_side > insets.right && !scene.map) insets.left = insets.right;
+    if (free_side > insets.right && !scene.projection) insets.left = insets.right;
     return insets;
 }
 
@@ -57,7 +58,7 @@ std::pair<ScreenRect, ScreenRect> halves(ScreenRect available) {
 std::string layout_of(const MeshScene& scene, const Values& view) {
     const std::string& wish = view.text("layout");
     if (wish == "runs") return "single"; // there are no others
-    const bool fits = wish == "map" ? scene.ball > 0 : wish != "front-and-rear" || !scene.planar();
+    const bool fits = wish == "projection" ? scene.ball > 0 : wish != "front-and-rear" || !scene.planar();
     return fits ? wish : "single";
 }
 
@@ -94,7 +95,7 @@ ScreenRect above_caption(const ViewportPlan& plan, float scale) {
     return available;
 }
 
-const char* camera_key(const MeshScene& scene) { return scene.map ? "map_camera" : "camera"; }
+const char* camera_key(const MeshScene& scene) { return scene.projection ? "projection_camera" : "camera"; }
 
 /// As far as the mesh has spun.
 Camera ViewportPlanner::turned(Camera camera, const MeshScene& scene) const {
@@ -114,7 +115,7 @@ Camera ViewportPlanner::camera_of(const MeshScene& scene, const Values& view, Si
         complaint = error.what();
     }
     if (wish && !shows_all(text)) return turned(*wish, scene);
-    if (scene.map) return planar_home(scene.box, size, insets);
+    if (scene.projection) return planar_home(scene.box, size, insets);
     const std::string& direction = wish ? text : view.text("direction");
     if (home_.of == scene.mesh && home_.size == size && home_.insets == insets &&
         home_.direction == direction)
@@ -136,8 +137,9 @@ Camera ViewportPlanner::camera_of(const MeshScene& scene, const Values& view, Si
 void ViewportPlanner::place_views(const MeshScene& scene, const Values& view, ViewportPlan& plan,
                                   float scale) {
     const std::string layout = layout_of(scene, view);
-    if (layout == "single" || layout == "map") {
-        const MeshScene shown = layout == "map" ? map_maker_.make(scene, view.real("map_longitude")) : scene;
+    if (layout == "single" || layout == "projection") {
+        const MeshScene shown =
+            layout == "projection" ? projection_maker_.make(scene, view.real("projection_longitude")) : scene;
         const Camera camera =
             camera_of(shown, view, size_of(plan.rect), insets_of(plan, shown, scale), plan.complaint);
         plan.views = {{shown, camera, plan.rect, plan.text.title}};
@@ -219,7 +221,7 @@ void ViewportPlanner::add_arrows(ViewportPlan& plan, float scale) {
         Arrows& arrows = arrows_[i];
         const Size size = shown.size();
         const double spacing = arrow_spacing * static_cast<double>(scale);
-        if (shown.scene.map) continue;
+        if (shown.scene.projection) continue;
         if (arrows.of != shown.scene.tessellation || !(arrows.camera == shown.camera) ||
             arrows.width != size.width || arrows.height != size.height || arrows.spacing != spacing)
             arrows = {shown.scene.tessellation,
@@ -257,7 +259,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
     plan.text = text;
     plan.histogram = view.boolean("histogram");
     if (scene.planar()) plan.unavailable.emplace_back("layout=front-and-rear");
-    if (scene.ball == 0) plan.unavailable.emplace_back("layout=map");
+    if (scene.ball == 0) plan.unavailable.emplace_back("layout=projection");
     if (!snapshot.exact) plan.unavailable.emplace_back("overlay=exact");
     if (view.text("layout") == "runs" && !others.empty())
         place_runs(scene, view, plan, others, scale);

@@ -50,6 +50,29 @@ TEST(Values, ParseEveryKindFromText) {
     EXPECT_FALSE(values.boolean("on"));
 }
 
+TEST(Values, TakeFormerChoicesAndGiveThePresentOnes) {
+    Values values("view", {{.key = "layout",
+                            .kind = ParameterKind::choice,
+                            .default_value = std::string("single"),
+                            .choices = {"single", "projection"},
+                            .former_choices = {{"map", "projection"}}}});
+    values.set("layout", std::string("map"));
+    EXPECT_EQ(values.text("layout"), "projection");
+    values.set("layout", std::string("single"));
+    values.parse("layout", "map");
+    EXPECT_EQ(values.text("layout"), "projection");
+}
+
+TEST(ParameterRows, AreFoundByTheirPresentKeyBeforeAFormerOne) {
+    const std::vector<ParameterRow> rows = {
+        {.key = "color_map", .former_key = "map"}, {.key = "low"}, {.key = "high", .former_key = "low"}};
+    EXPECT_EQ(present_key(rows, "color_map"), "color_map");
+    EXPECT_EQ(present_key(rows, "map"), "color_map");
+    EXPECT_EQ(present_key(rows, "low"), "low");
+    EXPECT_EQ(present_key(rows, "maps"), "");
+    EXPECT_EQ(present_key(rows, ""), "") << "most rows have no former key";
+}
+
 TEST(Values, TakeANumberOrAuto) {
     Values values("method", {{.key = "step_size",
                               .kind = ParameterKind::real_or_auto,

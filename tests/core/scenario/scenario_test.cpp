@@ -151,6 +151,35 @@ TEST_F(ScenarioTest, ErrorsNameFileLineAndNearestKey) {
     expect_in("test.toml:1: monitor is a section", parse_message("monitor = 3\n"));
 }
 
+TEST_F(ScenarioTest, FormerNamesAreReadAndPresentOnesWritten) {
+    const auto expect_present = [this](const Scenario& scenario) {
+        EXPECT_EQ(scenario.view.text("color_map"), "grey");
+        EXPECT_EQ(scenario.view.real("projection_longitude"), 90);
+        EXPECT_EQ(scenario.view.text("projection_camera"), "centre 1 0.5 height 2");
+        EXPECT_EQ(scenario.view.text("layout"), "projection");
+        const std::string written = to_toml(scenario);
+        for (const char* line :
+             {"\ncolor_map = 'grey'\n", "\nprojection_longitude = 90.0\n",
+              "\nprojection_camera = 'centre 1 0.5 height 2'\n", "\nlayout = 'projection'\n"})
+            expect_in(line, written);
+        for (const char* former : {"\nmap", "'map'"})
+            EXPECT_EQ(written.find(former), std::string::npos) << former;
+    };
+    expect_present(parse_scenario(catalogue,
+                                  "[view]\nmap = 'grey'\nmap_longitude = 90\n"
+                                  "map_camera = 'centre 1 0.5 height 2'\nlayout = 'map'\n",
+                                  "test.toml"));
+    Scenario scenario = default_scenario(catalogue);
+    apply_settings(catalogue, scenario,
+                   {"view.map=grey", "view.map_longitude=90", "view.map_camera=centre 1 0.5 height 2",
+                    "view.layout=map"});
+    expect_present(scenario);
+    expect_in("test.toml:2: view.color_map = 'gray' is unknown (did you mean 'grey'?)",
+              parse_message("[view]\nmap = 'gray'\n"));
+    expect_in("allowed: single, side-by-side, front-and-rear, projection, runs",
+              parse_message("[view]\nlayout = 'maps'\n"));
+}
+
 TEST_F(ScenarioTest, ReservedNamesAreErrorsOfTheirOwn) {
     for (const std::string text : {"[pde]\nepsilon = 1\n", "[time]\nend = 1\n",
                                    "[domain.target]\ntype = 'disk'\n", "[monitor.target]\ntype = 'ring'\n"})

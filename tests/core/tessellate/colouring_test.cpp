@@ -60,10 +60,10 @@ TEST(Colouring, EveryChoiceOfTheViewIsKnown) {
             }
     view.set("color", std::string("monitor"));
     for (const ParameterRow& row : view.rows())
-        if (row.key == "map") {
+        if (row.key == "color_map") {
             EXPECT_EQ(row.choices.size(), colour_maps().size() + 1);
             for (const std::string& choice : row.choices) {
-                view.set("map", choice);
+                view.set("color_map", choice);
                 const auto name = made(snapshot, colour_choice(view)).map->name;
                 EXPECT_EQ(name, choice == "automatic" ? "viridis" : choice);
             }

@@ -64,7 +64,8 @@ TEST_F(ActionsTest, ADisabledActionSaysWhyWhenItsKeyIsPressed) {
             EXPECT_TRUE(row.why_disabled().ends_with(".")) << row.why_disabled();
         }
     }
-    EXPECT_GE(disabled, 12) << "of a converged run in the plane: six directions, step, runs, map, spin ...";
+    EXPECT_GE(disabled, 12)
+        << "of a converged run in the plane: six directions, step, runs, projection, spin ...";
 }
 
 TEST_F(ActionsTest, ADisabledActionWithoutReasonIsSilent) {

@@ -293,7 +293,7 @@ INSTANTIATE_TEST_SUITE_P(
     Scenarios, RandomInput,
     testing::Values(InputCase{"plane-ring", {"domain.cells=12"}, 10000},
                     InputCase{"sphere-x4", {"domain.cells=4", "view.layout=front-and-rear"}, 5000},
-                    InputCase{"sphere-cross", {"domain.refinements=1", "view.layout=map"}, 5000},
+                    InputCase{"sphere-cross", {"domain.refinements=1", "view.layout=projection"}, 5000},
                     InputCase{"spline-patch", {"domain.cells=8"}, 5000},
                     InputCase{"spline-moebius", {"domain.cells=8", "view.arrows=true"}, 5000}),
     [](const auto& of) {

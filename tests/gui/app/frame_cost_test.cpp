@@ -8,7 +8,7 @@
 #include "gui/headless_ui.hpp"
 #include "gui/idle_gl.hpp"
 #include "gui/render/mesh_renderer.hpp"
-#include "gui/scene/map_scene.hpp"
+#include "gui/scene/projection_scene.hpp"
 #include "gui/scenes.hpp"
 
 #include <algorithm>
@@ -140,7 +140,7 @@ TEST(FrameCost, AGlobeOf81920TrianglesIsPleasantToWatch) {
     std::printf("81920 triangles of order 2: %.0f ms to make a tessellation\n", 1000 * making.cpu_seconds());
     for (const bool map : {false, true}) {
         SceneBuilder maker(cache);
-        MapSceneBuilder map_maker;
+        ProjectionSceneBuilder projection_maker;
         MeshRenderer renderer(gl);
         std::vector<double> fresh, same;
         std::size_t sent = 0;
@@ -152,7 +152,7 @@ TEST(FrameCost, AGlobeOf81920TrianglesIsPleasantToWatch) {
             const std::size_t before = renderer.uploaded_bytes();
             const Stopwatch watch;
             MeshScene scene = maker.make(snapshot, view("monitor"));
-            if (map) scene = map_maker.make(scene, 10);
+            if (map) scene = projection_maker.make(scene, 10);
             renderer.draw(scene, home(scene.box, {800, 800}), {0, 0, 800, 800}, 800, dark_theme(), 1);
             (i % 2 == 0 ? fresh : same).push_back(1000 * watch.cpu_seconds());
             if (i % 2 == 0)
@@ -162,7 +162,7 @@ TEST(FrameCost, AGlobeOf81920TrianglesIsPleasantToWatch) {
         }
         std::sort(fresh.begin(), fresh.end()), std::sort(same.begin(), same.end());
         std::printf("%s: %.2f ms of CPU for a new snapshot (%.1f MB sent), %.3f ms for the same again\n",
-                    map ? "map" : "globe", fresh[6], static_cast<double>(sent) / 1e6, same[6]);
+                    map ? "projection" : "globe", fresh[6], static_cast<double>(sent) / 1e6, same[6]);
         EXPECT_LT(fresh[6], map ? 50 : 16);
         EXPECT_LT(same[6], 1);
     }

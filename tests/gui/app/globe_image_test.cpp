@@ -48,10 +48,10 @@ TEST(WrongGlobe, IsFoundDifferent) {
     Snapshot unmoved = right;
     unmoved.x = unmoved.mesh->nodes;
     EXPECT_NE(difference(drawn(unmoved, {}), golden("globe-x2")), "");
-    const Settings others[] = {{{"layout", "map"}},
+    const Settings others[] = {{{"layout", "projection"}},
                                {{"layout", "front-and-rear"}},
                                {{"direction", "back"}},
-                               {{"layout", "map"}, {"map_longitude", "90"}},
+                               {{"layout", "projection"}, {"projection_longitude", "90"}},
                                {{"lines", "false"}}};
     std::vector<Image> views{drawn(right, {})};
     for (const Settings& settings : others) {
@@ -103,9 +103,9 @@ TEST(Globe, IsOpaqueAndRound) {
         Snapshot snapshot = xn_globe(cubed_globe(k, 2), 1.01);
         for (std::size_t i = 0; i < snapshot.x.size(); ++i)
             snapshot.fields[0].values[i] = snapshot.x[i].x > -0.3 ? 0 : 1;
-        const Image image =
-            drawn(snapshot, {{"camera", look}, {"lines", "false"}, {"map", "grey"}, {"histogram", "false"}},
-                  440, 440);
+        const Image image = drawn(
+            snapshot, {{"camera", look}, {"lines", "false"}, {"color_map", "grey"}, {"histogram", "false"}},
+            440, 440);
         const auto background = pixel(image, 2, 2);
         for (int y = 20; y < 400; y += 3)
             for (int x = 20; x < 350; x += 3) { // beside the legend
@@ -212,7 +212,7 @@ TEST(Globe, TangledCellsShowWhereTheyAre) {
     };
     const Snapshot snapshot = tangled_globe(10);
     EXPECT_GT(magenta(drawn(snapshot, {})), 3000);
-    EXPECT_GT(magenta(drawn(snapshot, {{"layout", "map"}})), 1500);
+    EXPECT_GT(magenta(drawn(snapshot, {{"layout", "projection"}})), 1500);
     // From behind only the note has the colour.
     const std::string behind = "centre 0 0 0 height 2.2 right 0 -1 0 up 0.5 0 0.866";
     const int swatch = magenta(drawn(snapshot, {{"camera", behind}}));

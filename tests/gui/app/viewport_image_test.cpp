@@ -65,11 +65,11 @@ TEST(WrongPicture, OfAnyOtherViewIsFoundDifferent) {
                                                             {"color", "jacobian"},
                                                             {"color", "displacement"},
                                                             {"color", "none"},
-                                                            {"map", "plasma"},
-                                                            {"map", "ember"},
-                                                            {"map", "grey"},
-                                                            {"map", "blue-yellow"},
-                                                            {"map", "blue-red"},
+                                                            {"color_map", "plasma"},
+                                                            {"color_map", "ember"},
+                                                            {"color_map", "grey"},
+                                                            {"color_map", "blue-yellow"},
+                                                            {"color_map", "blue-red"},
                                                             {"log", "true"},
                                                             {"range", "fixed"},
                                                             {"histogram", "false"},
@@ -86,7 +86,8 @@ TEST(WrongPicture, OfAnyOtherViewIsFoundDifferent) {
         for (std::size_t i = 0; i + 1 < views.size(); ++i)
             EXPECT_NE(difference(views.back(), views[i]), "") << key << "=" << text << " and picture " << i;
     }
-    EXPECT_EQ(difference(drawn(snapshot, {{"map", "viridis"}}), right), "") << "which is the automatic one";
+    EXPECT_EQ(difference(drawn(snapshot, {{"color_map", "viridis"}}), right), "")
+        << "which is the automatic one";
     EXPECT_EQ(difference(drawn(snapshot, {{"direction", "left"}}), right), "") << "a plane has one side";
 }
 
@@ -168,7 +169,7 @@ TEST(Picture, TangledCellsShowInEveryMapAndThemeEvenWhereCellsAreTiny) {
         for (const char* theme : {"dark", "light"})
             for (const ColourMap& map : colour_maps()) {
                 const std::vector<std::pair<std::string, std::string>> settings = {
-                    {"theme", theme}, {"map", std::string(map.name)}};
+                    {"theme", theme}, {"color_map", std::string(map.name)}};
                 const Image with = drawn(tangled_snapshot(n), settings),
                             without = drawn(ring_snapshot(n), settings);
                 EXPECT_GE(magenta(with) - magenta(without), 9)

@@ -137,7 +137,7 @@ TEST_F(Renderer, SendsOnlyWhatChanged) {
     EXPECT_EQ(sent_for(maker_.make(snapshot, view("area", 1))), points + cells) << "one number per cell";
     EXPECT_EQ(sent_for(maker_.make(snapshot, view("area", 0.5))), 0U);
     Values other = view("area", 1);
-    other.set("map", std::string("grey"));
+    other.set("color_map", std::string("grey"));
     EXPECT_GT(sent_for(maker_.make(snapshot, other)), 0U);
     MeshScene arrows = maker_.make(snapshot, other);
     arrows.arrows = std::make_shared<const std::vector<std::uint32_t>>(7, 3U);

@@ -60,17 +60,17 @@ TEST_F(GlobeTest, FrontAndRearTogetherShowEveryCellWhereItIs) {
 }
 
 TEST_F(GlobeTest, TheMapFindsEveryCellAtItsPlace) {
-    view_.set("layout", std::string("map"));
+    view_.set("layout", std::string("projection"));
     for (const double longitude : {0.0, 77.0, -180.0}) {
-        view_.set("map_longitude", longitude);
+        view_.set("projection_longitude", longitude);
         const Snapshot snapshot = xn_globe(cubed_globe(6, 2), 4);
         const ViewportPlan made = plan(snapshot);
         ASSERT_EQ(made.views.size(), 1U);
         const PlannedView& shown = made.views[0];
-        ASSERT_TRUE(shown.scene.map);
+        ASSERT_TRUE(shown.scene.projection);
         EXPECT_TRUE(shown.scene.planar());
         for (std::size_t cell = 0; cell < snapshot.mesh->cell_count(); ++cell) {
-            const Vec3 place = to_map(*shown.scene.map, middle_of_cell(snapshot, cell));
+            const Vec3 place = to_map(*shown.scene.projection, middle_of_cell(snapshot, cell));
             if (place.x * place.x / 8 + place.y * place.y / 2 > 0.97) continue; // rounds to beside the map
             const auto hit = pick_at(shown.scene, shown.camera, shown.size(),
                                      to_pixel(shown.camera, shown.size(), place), 0);
@@ -85,7 +85,7 @@ TEST_F(GlobeTest, TheMapFindsEveryCellAtItsPlace) {
 }
 
 TEST_F(GlobeTest, TheMapIsMadeAnewOnlyForAnotherMesh) {
-    view_.set("layout", std::string("map"));
+    view_.set("layout", std::string("projection"));
     Snapshot snapshot = xn_globe(cubed_globe(4, 2), 2);
     const auto first = plan(snapshot).views[0].scene;
     EXPECT_EQ(plan(snapshot).views[0].scene.tessellation, first.tessellation);
@@ -104,28 +104,29 @@ TEST_F(GlobeTest, TheMapIsMadeAnewOnlyForAnotherMesh) {
 TEST_F(GlobeTest, MapAndGlobeHaveCamerasOfTheirOwn) {
     const Snapshot snapshot = xn_globe(cubed_globe(4, 2), 2);
     view_.set("camera", std::string("centre 0 0 0 height 1 right 0 1 0 up 0 0 1"));
-    view_.set("map_camera", std::string("centre 1 0.5 height 2"));
+    view_.set("projection_camera", std::string("centre 1 0.5 height 2"));
     EXPECT_EQ(plan(snapshot).views[0].camera.up, (Vec3{0, 0, 1}));
-    view_.set("layout", std::string("map"));
+    view_.set("layout", std::string("projection"));
     EXPECT_EQ(plan(snapshot).views[0].camera.centre, (Vec3{1, 0.5, 0}));
-    view_.set("map_camera", std::string("here"));
+    view_.set("projection_camera", std::string("here"));
     EXPECT_NE(plan(snapshot).complaint, "");
 }
 
 TEST_F(GlobeTest, WhatAMeshHasNotIsUnavailableAndNotShown) {
-    for (const char* layout : {"map", "front-and-rear"}) {
+    for (const char* layout : {"projection", "front-and-rear"}) {
         view_.set("layout", std::string(layout));
         const ViewportPlan made = plan(ring_snapshot(6));
         EXPECT_EQ(made.views.size(), 1U);
-        EXPECT_FALSE(made.views[0].scene.map);
+        EXPECT_FALSE(made.views[0].scene.projection);
         const std::string sentence =
             message_of<InputError>([&] { check_view(view_, ring_snapshot(4).mesh.get()); });
         EXPECT_NE(sentence.find("use single or side-by-side"), std::string::npos) << sentence;
         EXPECT_NO_THROW(check_view(view_, sphere_snapshot(2).mesh.get()));
     }
     EXPECT_EQ(plan(ring_snapshot(6)).unavailable,
-              (std::vector<std::string>{"layout=front-and-rear", "layout=map", "overlay=exact"}));
-    EXPECT_EQ(plan(cube_snapshot(3)).unavailable, (std::vector<std::string>{"layout=map", "overlay=exact"}));
+              (std::vector<std::string>{"layout=front-and-rear", "layout=projection", "overlay=exact"}));
+    EXPECT_EQ(plan(cube_snapshot(3)).unavailable,
+              (std::vector<std::string>{"layout=projection", "overlay=exact"}));
     EXPECT_EQ(plan(beside_exact_globe(3)).unavailable, std::vector<std::string>());
     EXPECT_EQ(missing_note(view_, ring_snapshot(4)), "");
     view_.set("overlay", std::string("exact"));
@@ -186,7 +187,7 @@ TEST_F(GlobeTest, TheExactMeshLiesOverTheComputedOne) {
     view_.set("layout", std::string("side-by-side"));
     EXPECT_EQ(plan(snapshot).views[0].scene.overlay, nullptr) << "not over xi";
     EXPECT_NE(plan(snapshot).views[1].scene.overlay, nullptr);
-    view_.set("layout", std::string("map"));
+    view_.set("layout", std::string("projection"));
     const auto mapped = plan(snapshot).views[0].scene.overlay;
     ASSERT_NE(mapped, nullptr);
     EXPECT_EQ((*mapped->points)[0].z, 0);
@@ -323,7 +324,7 @@ TEST_F(GlobeApplicationTest, SpinsOnlyWhenAskedAndStaysWhereItStops) {
     frame();
     frame();
     EXPECT_FALSE(application.window_state().animating) << "a map does not turn";
-    EXPECT_EQ(look().text("map_camera"), "");
+    EXPECT_EQ(look().text("projection_camera"), "");
 }
 
 TEST_F(GlobeApplicationTest, KeysChangeTheLayoutAndWhatIsNotThereDoesNothing) {
@@ -334,18 +335,18 @@ TEST_F(GlobeApplicationTest, KeysChangeTheLayoutAndWhatIsNotThereDoesNothing) {
     EXPECT_TRUE(application.press_key("M"));
     frame();
     ASSERT_EQ(application.views().size(), 1U);
-    EXPECT_TRUE(shown().scene.map);
+    EXPECT_TRUE(shown().scene.projection);
     const std::string copied = (application.press_key("Ctrl+C"), ImGui::GetClipboardText());
     ui.drag(shown().rectangle, 0.4F, 0.6F, drawing());
-    EXPECT_NE(look().text("map_camera"), "");
+    EXPECT_NE(look().text("projection_camera"), "");
     EXPECT_EQ(look().text("camera"), "");
     EXPECT_TRUE(application.press_key("Ctrl+V"));
-    EXPECT_EQ(look().text("map_camera"), copied);
+    EXPECT_EQ(look().text("projection_camera"), copied);
     EXPECT_TRUE(application.press_key("H"));
-    EXPECT_EQ(look().text("map_camera"), "");
+    EXPECT_EQ(look().text("projection_camera"), "");
     EXPECT_TRUE(application.press_key("M"));
     frame();
-    EXPECT_FALSE(shown().scene.map);
+    EXPECT_FALSE(shown().scene.projection);
     EXPECT_FALSE(application.press_key("X")) << "no exact mesh is known";
     EXPECT_NE(application.messages().last().text.find("Exact mesh"), std::string::npos)
         << application.messages().last().text;

@@ -61,7 +61,7 @@ TEST_F(HandleTest, APixelMeansThePlaceThatIsSeenThere) {
     handle = monitor_handles(find_scenario(catalogue, "sphere-x2")).front();
     EXPECT_FALSE(pixel_of(handle, plane)) << "of another domain";
     const Snapshot globe = xn_globe(cubed_globe(4, 2), 2);
-    for (const char* layout : {"single", "map", "front-and-rear"}) {
+    for (const char* layout : {"single", "projection", "front-and-rear"}) {
         view_.set("layout", std::string(layout));
         int seen = 0;
         for (const PlannedView& shown : plan(globe).views)

@@ -1,4 +1,4 @@
-#include "gui/scene/map_scene.hpp"
+#include "gui/scene/projection_scene.hpp"
 
 #include "core/base/check.hpp"
 
@@ -18,39 +18,39 @@ std::shared_ptr<const Points> blended(const MeshScene& globe) {
 
 } // namespace
 
-MeshScene MapSceneBuilder::make(const MeshScene& globe, double longitude) {
+MeshScene ProjectionSceneBuilder::make(const MeshScene& globe, double longitude) {
     GASPARD_CHECK(globe.ball > 0);
     const MapProjection projection{globe.ball, longitude * std::numbers::pi / 180};
     const bool moved = globe.tessellation != globe_.tessellation || globe.physical != globe_.physical ||
                        globe.computational != globe_.computational || globe.blend != globe_.blend ||
-                       map_.map != projection;
+                       projected_.projection != projection;
     const bool coloured_anew = moved || globe.colouring != globe_.colouring;
     if (moved) {
         made_ = map_sphere(globe.tessellation, *blended(globe), projection, &made_);
-        map_.tessellation = made_.tessellation;
-        map_.computational = map_.physical = std::make_shared<const Points>(made_.points);
-        map_.map = projection;
+        projected_.tessellation = made_.tessellation;
+        projected_.computational = projected_.physical = std::make_shared<const Points>(made_.points);
+        projected_.projection = projection;
         const Vec3 half = globe.ball * std::numbers::sqrt2 * Vec3{2, 1, 0};
-        map_.box = map_.home_box = {-1 * half, half};
+        projected_.box = projected_.home_box = {-1 * half, half};
     }
     if (coloured_anew)
-        map_.point_values =
+        projected_.point_values =
             globe.point_values
                 ? std::make_shared<const std::vector<double>>(map_values(made_, *globe.point_values))
                 : nullptr;
     if (!globe.overlay)
-        map_.overlay = nullptr;
-    else if (map_.overlay == nullptr || globe.overlay != globe_.overlay || moved) {
+        projected_.overlay = nullptr;
+    else if (projected_.overlay == nullptr || globe.overlay != globe_.overlay || moved) {
         SphereMap lines = map_sphere(globe.overlay->tessellation, *globe.overlay->points, projection);
-        map_.overlay = std::make_shared<const MeshOverlay>(
+        projected_.overlay = std::make_shared<const MeshOverlay>(
             MeshOverlay{lines.tessellation, std::make_shared<const Points>(std::move(lines.points))});
     }
-    map_.colouring = globe.colouring;
-    map_.mesh = globe.mesh;
-    map_.tangled = globe.tangled;
-    map_.lines = globe.lines;
+    projected_.colouring = globe.colouring;
+    projected_.mesh = globe.mesh;
+    projected_.tangled = globe.tangled;
+    projected_.lines = globe.lines;
     globe_ = globe;
-    return map_;
+    return projected_;
 }
 
 } // namespace gaspard
