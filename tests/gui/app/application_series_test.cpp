@@ -89,12 +89,12 @@ TEST_F(SpringsApplicationTest, UndoOfAnotherMethodRestoresTheFieldToColourBy) {
     const EditHistory& edits = application.document().edits();
     ASSERT_EQ(edits.undo_count(), 1U);
     Scenario other = run().scenario;
-    other.method = method_section(*catalogue, "relaxation");
+    apply_settings(*catalogue, other, {"method.type=relaxation", "monitor.type=bell"});
     application.document().change(run().id, other);
     EXPECT_EQ(look().text("color"), "monitor") << "the method has no such field";
     frame(), frame();
     EXPECT_EQ(edits.undo_count(), 2U) << "the method and the colour are one edit";
-    EXPECT_EQ(edits.undo_label(), "method type");
+    EXPECT_EQ(edits.undo_label(), "monitor type, method type");
     application.press_key("Ctrl+Z");
     EXPECT_EQ(look().text("color"), "strain");
     frame(), frame();
