@@ -15,6 +15,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <deque>
 #include <imgui.h>
 #include <limits>
@@ -39,12 +40,23 @@ std::string last_glfw_error() {
     return text ? text : "no cause given";
 }
 
+bool is_set(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && *value != '\0';
+}
+
+[[noreturn]] void report_no_display(const std::string& cause) {
+    throw MachineError("No display: a window cannot be opened here (" + cause +
+                       "); use `gaspard run`, which needs none");
+}
+
 class GlfwSession {
   public:
     GlfwSession() {
-        if (!glfwInit())
-            throw MachineError("No display: a window cannot be opened here (" + last_glfw_error() +
-                               "); use `gaspard run`, which needs none");
+        // Without these GLFW 3.4 tries Wayland, whose library then prints messages of its own.
+        if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY") && !is_set("WAYLAND_SOCKET"))
+            report_no_display("neither DISPLAY nor WAYLAND_DISPLAY is set");
+        if (!glfwInit()) report_no_display(last_glfw_error());
     }
     ~GlfwSession() { glfwTerminate(); }
     GlfwSession(const GlfwSession&) = delete;
