@@ -135,6 +135,7 @@ void Document::update_views(const DocumentRun& run) {
 }
 
 void Document::post_change(DocumentRun& run, const Scenario& scenario) {
+    run.opening.reset(); // superseded: the solver goes on to these values
     run.scenario = scenario;
     run.name = describe_scenario(*catalogue_, run.opened, scenario);
     update_views(run);

@@ -1,6 +1,9 @@
 // Undo and redo of a document: what becomes an edit, and what it restores.
 #include "gui/document_fixture.hpp"
 
+#include <atomic>
+#include <thread>
+
 namespace gaspard {
 namespace {
 
@@ -167,6 +170,48 @@ TEST_F(DocumentEditsTest, UndoGoesOnWhileAScenarioIsOnItsWay) {
     ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
     EXPECT_EQ(run().opened, bell);
     EXPECT_EQ(run().scenario.monitor, bell.monitor);
+}
+
+TEST_F(DocumentEditsTest, ARedoSupersedesTheOpeningThatUndoHasAskedFor) {
+    open_and_solve();
+    const Scenario bell = find_scenario(*catalogue, "plane-bell");
+    document.replace(run().id, bell);
+    ASSERT_TRUE(wait_until([&] { return run().openings == 1; }));
+    std::atomic<int> gate = 0; // keeps the solver from working ahead, and the two changes apart
+    const auto hold_until = [&](int step) {
+        run().solver->post(InspectCommand{[&gate, step](gaspard::Run&, const Activity&) {
+            while (gate < step) std::this_thread::yield();
+        }});
+    };
+    hold_until(1);
+    document.undo();
+    hold_until(2);
+    document.redo();
+    const std::uint64_t undone = run().changes.asked - 1;
+    gate = 1;
+    EXPECT_TRUE(wait_until([&] { return run().changes.answered >= undone; }));
+    gate = 2;
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_EQ(run().opened, bell);
+    EXPECT_EQ(run().title, bell.title);
+    EXPECT_EQ(run().scenario.monitor, bell.monitor);
+    EXPECT_EQ(run().status.scenario->monitor, bell.monitor);
+    EXPECT_FALSE(document.edits().can_redo());
+}
+
+TEST_F(DocumentEditsTest, AChangeOfValuesSupersedesAnOpening) {
+    open_and_solve();
+    std::atomic<bool> open = false;
+    run().solver->post(InspectCommand{[&open](gaspard::Run&, const Activity&) {
+        while (!open) std::this_thread::yield();
+    }});
+    document.replace(run().id, find_scenario(*catalogue, "plane-bell"));
+    run().solver->post(InspectCommand{[](gaspard::Run&, const Activity&) {}});
+    set_amplitude(20);
+    open = true;
+    EXPECT_EQ(solved_amplitude(), 20);
+    EXPECT_EQ(run().opened, small_ring());
+    EXPECT_EQ(run().scenario.monitor, run().status.scenario->monitor);
 }
 
 TEST_F(DocumentEditsTest, ARefusedOpeningLeavesNoEdit) {
