@@ -54,6 +54,11 @@ void Document::record_views(std::string_view gesture) {
         recorded_.push_back(viewports_[i].view);
     for (std::size_t i = 0; i < viewports_.size(); ++i) {
         if (viewports_[i].view == recorded_[i]) continue;
+        const DocumentRun* run = runs_.find(viewports_[i].run);
+        if (run && run->opening && run->opening->from_history) { // the view that comes with it replaces this one
+            recorded_[i] = viewports_[i].view;
+            continue;
+        }
         const Values before = std::exchange(recorded_[i], viewports_[i].view);
         Edit edit{.key = "view " + std::to_string(i), .before = {state_of(i)}, .after = {state_of(i)}};
         auto& old = std::get<ViewportState>(edit.before.front()).view;

@@ -199,6 +199,26 @@ TEST_F(DocumentEditsTest, ARedoSupersedesTheOpeningThatUndoHasAskedFor) {
     EXPECT_FALSE(document.edits().can_redo());
 }
 
+TEST_F(DocumentEditsTest, AViewChangedWhileAnOpeningIsUndoneIsNoEdit) {
+    open_and_solve();
+    document.replace(run().id, find_scenario(*catalogue, "plane-bell"));
+    ASSERT_TRUE(wait_until([&] { return run().openings == 1; }));
+    std::atomic<bool> open = false;
+    run().solver->post(InspectCommand{[&open](gaspard::Run&, const Activity&) {
+        while (!open) std::this_thread::yield();
+    }});
+    document.undo();
+    view().set("color", std::string("area"));
+    document.record_views();
+    EXPECT_TRUE(document.edits().can_redo());
+    open = true;
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    document.record_views();
+    EXPECT_EQ(view().text("color"), "monitor") << "the view of the scenario that is restored";
+    EXPECT_EQ(undo_count(), 0U);
+    EXPECT_TRUE(document.edits().can_redo());
+}
+
 TEST_F(DocumentEditsTest, AChangeOfValuesSupersedesAnOpening) {
     open_and_solve();
     std::atomic<bool> open = false;
