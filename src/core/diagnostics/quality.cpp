@@ -1,7 +1,7 @@
 #include "core/diagnostics/quality.hpp"
 
 #include "core/base/check.hpp"
-#include "core/base/parallel.hpp"
+#include "core/base/team.hpp"
 #include "core/fem/cell_quadrature.hpp"
 
 #include <algorithm>
@@ -144,7 +144,9 @@ const MeshQuality& QualityMeter::measure(const Points& x, const Monitor& monitor
     const auto share = [&](std::size_t worker, std::size_t begin, std::size_t end) {
         measure_cells(begin, end, x, monitor, workers_[worker]);
     };
-    other_cpu_seconds_ = parallel_ranges(workers_.size(), cells, share);
+    Team team(workers_.size());
+    team.share(cells, share);
+    other_cpu_seconds_ = team.other_cpu_seconds();
     quality_.min_jacobian = workers_.front().min_jacobian;
     quality_.max_jacobian = workers_.front().max_jacobian;
     quality_.tangled_cells = 0;

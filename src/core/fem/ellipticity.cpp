@@ -1,6 +1,7 @@
 #include "core/fem/ellipticity.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/eigenvalues.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,9 +23,7 @@ struct Extremes {
         fastest.fill(-std::numeric_limits<double>::infinity());
     }
     void look(std::size_t lane, double m, double xx, double yy, double xy) {
-        const double mean = 1 + (xx + yy) / 2, half = (xx - yy) / 2;
-        const double away = std::sqrt(half * half + xy * xy);
-        const double low = mean - away, high = mean + away;
+        const auto [low, high] = symmetric_eigenvalues(1 + xx, xy, 1 + yy);
         convexity[lane] = low < convexity[lane] ? low : convexity[lane];
         slowest[lane] = m * low < slowest[lane] ? m * low : slowest[lane];
         fastest[lane] = m * high > fastest[lane] ? m * high : fastest[lane];

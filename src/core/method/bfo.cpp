@@ -1,6 +1,7 @@
 #include "core/method/bfo.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/eigenvalues.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,16 +13,6 @@ namespace gaspard {
 namespace {
 
 constexpr double delta = 2; // the factor in (5.5): d! for d = 2
-
-/// Smallest and largest eigenvalue of a symmetric matrix.
-struct Eigenvalues {
-    double smallest, largest;
-};
-inline Eigenvalues eigenvalues(double xx, double xy, double yy) {
-    const double mean = (xx + yy) / 2, half = (xx - yy) / 2;
-    const double radius = std::sqrt(half * half + xy * xy);
-    return {mean - radius, mean + radius};
-}
 
 // Dot product with eight independent partial sums, which the compiler can vectorise.
 double weighted_sum(std::span<const double> weights, const double* values) {
@@ -89,7 +80,7 @@ void Bfo::iterate(const JacobianSource& source, std::span<const double> phi, std
         source.values(y, psi_, std::span(f_).first(count));
         fill_g(count);
         for (std::size_t i = 0; shape && i < count; ++i) {
-            const auto [smallest, largest] = eigenvalues(xx_[i], xy_[i], yy_[i]);
+            const auto [smallest, largest] = symmetric_eigenvalues(xx_[i], xy_[i], yy_[i]);
             convexity = std::min(convexity, smallest);
             least = std::min(least, smallest / g_[i]);
             most = std::max(most, largest / g_[i]);

@@ -1,6 +1,7 @@
 #include "core/method/surface_equation.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/eigenvalues.hpp"
 
 #include <algorithm>
 #include <array>
@@ -69,33 +70,25 @@ Vec3 applied(Tensor a, Vec3 v) {
 /// A unit vector orthogonal to `xi`: g / |g|, or any if g is zero.
 Vec3 direction_of(Vec3 g, Vec3 xi) { return norm(g) < 1e-12 ? any_across(xi) : (1 / norm(g)) * g; }
 
-struct Eigenvalues {
-    double low, high;
-};
-
 /// Eigenvalues of the symmetric part of adj(A) D, with orthonormal bases of the tangent planes
 ///
 ///   at xi   (g/|g|, n),   n = xi x g/|g|
 ///   at x    (u, n),       u = cos|g| g/|g| - sin|g| xi
 ///
 /// D = diag(1, sin|g| / |g|) is the differential of the exponential map.
-Eigenvalues cofactor_eigenvalues(Tensor sigma, Vec3 xi, Vec3 g) {
+Eigenvalues2 cofactor_eigenvalues(Tensor sigma, Vec3 xi, Vec3 g) {
     const double length = norm(g), sinc = length > 1e-8 ? std::sin(length) / length : 1;
     const Vec3 along = direction_of(g, xi), across = cross(xi, along);
     const Vec3 u = std::cos(length) * along - std::sin(length) * xi;
     const Vec3 of_along = applied(sigma, along), of_across = applied(sigma, across);
     const double a = dot(u, of_along), b = dot(u, of_across), c = dot(across, of_along),
                  d = dot(across, of_across);
-    const double p = d, q = -(b * sinc + c) / 2, r = a * sinc;
-    const double mean = (p + r) / 2, away = std::hypot((p - r) / 2, q);
-    return {mean - away, mean + away};
+    return symmetric_eigenvalues(d, -(b * sinc + c) / 2, a * sinc);
 }
 
 /// The same on a flat surface: eigenvalues of the symmetric part of cof(I + sigma).
-Eigenvalues flat_cofactor_eigenvalues(Tensor sigma) {
-    const double p = 1 + sigma[4], q = -(sigma[1] + sigma[3]) / 2, r = 1 + sigma[0];
-    const double mean = (p + r) / 2, away = std::hypot((p - r) / 2, q);
-    return {mean - away, mean + away};
+Eigenvalues2 flat_cofactor_eigenvalues(Tensor sigma) {
+    return symmetric_eigenvalues(1 + sigma[4], -(sigma[1] + sigma[3]) / 2, 1 + sigma[0]);
 }
 
 } // namespace

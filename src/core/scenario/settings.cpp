@@ -211,8 +211,8 @@ void check_section(Scenario& scenario, std::string_view key) {
     };
     for (const auto& name : reserved)
         if (starts_with_key(key, name) && !present(name))
-            throw InputError((key == name ? "" : std::string(key) + ": ") + name + " is reserved and not available for domain '" +
-                             scenario.domain.type + "'");
+            throw InputError((key == name ? "" : std::string(key) + ": ") + name +
+                             " is reserved and not available for domain '" + scenario.domain.type + "'");
 }
 
 bool has_key(Scenario& scenario, std::string_view key) { return find_target(scenario, key).has_value(); }

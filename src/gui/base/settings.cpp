@@ -49,7 +49,7 @@ void read_window(Values& window, const toml::table& table, const std::string& or
             else if (const auto* words = node.as_string())
                 window.set(key.str(), words->get());
             else
-                throw InputError("window." + std::string(key.str()) + " wants a single value");
+                throw InputError("window." + std::string(key.str()) + " must be a single value");
         } catch (const InputError& error) {
             complaints.push_back(origin + ": " + error.what());
         }

@@ -212,7 +212,7 @@ std::unique_ptr<OffscreenContext> make_offscreen_context(OffscreenBackend backen
             reasons += (reasons.empty() ? "" : "; ") + std::string(error.what());
         }
     }
-    throw MachineError("no OpenGL for drawing pictures without a screen: " + reasons);
+    throw MachineError("cannot draw images without a display, because no OpenGL is available: " + reasons);
 }
 
 RenderTarget::RenderTarget(const Gl& gl, int width, int height, int samples)
@@ -223,7 +223,7 @@ RenderTarget::RenderTarget(const Gl& gl, int width, int height, int samples)
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     gl.GetIntegerv(GL_MAX_SAMPLES, &most_samples);
     if (std::max(width, height) > largest)
-        throw MachineError("this machine's OpenGL draws pictures of at most " + std::to_string(largest) +
+        throw MachineError("this machine's OpenGL draws images of at most " + std::to_string(largest) +
                            " pixels a side");
     const auto attach = [&](const GlRenderbuffer& buffer, GLenum point, GLenum format, GLint count) {
         gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.name());
