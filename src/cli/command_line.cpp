@@ -34,7 +34,9 @@ void add_run(CLI::App& app, RunArguments& run) {
     command->add_flag("--whole-window", run.whole_window, "Draw the whole window instead of the view");
     command->add_option("--max-iterations", run.max_iterations, "Maximum number of iterations")
         ->type_name("N");
-    command->add_option("--tolerance", run.tolerance, "Converged when the residual is below T")
+    command
+        ->add_option("--tolerance", run.tolerance,
+                     "Converged when the residual (Picard: the increment) is below T")
         ->type_name("T");
     command->add_option("--start", run.start, "Start from a state.bin file")->type_name("FILE");
     command->add_option("--threads", run.threads, "Maximum number of threads; does not affect the results")

@@ -2,11 +2,13 @@
 #include "cli/exit_code.hpp"
 #include "cli/interrupt_watch.hpp"
 #include "core/base/error.hpp"
+#include "core/base/join.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/image.hpp"
 #include "core/io/run_files.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/comparison.hpp"
+#include "core/session/report_columns.hpp"
 #include "core/session/run.hpp"
 #include "core/tessellate/check_view.hpp"
 #include "gui/app/viewport_image.hpp"
@@ -20,22 +22,12 @@ namespace gaspard {
 
 namespace {
 
-std::vector<std::string> split(const std::string& list) {
-    std::vector<std::string> names(1);
-    for (const char letter : list) {
-        if (letter == ',')
-            names.emplace_back();
-        else
-            names.back() += letter;
-    }
-    return names;
-}
-
 std::vector<std::string> chosen_methods(const Catalogue& catalogue, const Scenario& scenario,
                                         const std::optional<std::string>& list) {
     if (!list) return methods_for(catalogue, scenario);
     std::vector<std::string> names;
-    for (const std::string& name : split(*list)) {
+    for (const std::string_view part : split(*list, ",")) {
+        const std::string name(part);
         catalogue.method(name); // throws if it is unknown
         if (std::find(names.begin(), names.end(), name) != names.end())
             throw InputError("--methods names '" + name + "' twice");
@@ -46,34 +38,41 @@ std::vector<std::string> chosen_methods(const Catalogue& catalogue, const Scenar
 }
 
 void print_cells(const std::vector<std::string>& cells) {
+    static const std::vector<std::string> heads = comparison_heads();
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const char* cell = cells[i].c_str();
         if (i == 0)
             std::printf("%-14s", cell);
         else if (i + 1 < cells.size())
-            std::printf("%18s", cell);
+            std::printf("  %*s", static_cast<int>(std::max(heads[i].size(), std::size_t{10})), cell);
         else
             std::printf("  %s\n", cell);
     }
     std::fflush(stdout);
 }
 
-/// The results of all methods: residual curves and meshes.
+/// The results of all methods: residual curves and meshes. Residuals are those on the mesh of the run, which
+/// are the same measure for all methods; series of a method's own that end it are a plot of their own.
 struct Outcome {
-    Plot residual{"Residual", {"iteration", false}, {"normalised residual", true}, {}};
+    Plot residual{"Residual", {"iteration on the finest mesh", false}, {"normalised residual", true}, {}};
     Plot against_time{"Residual over time", {"CPU seconds", true}, {"normalised residual", true}, {}};
+    Plot criteria{"Other stopping criteria", {"iteration on the finest mesh", false}, {"", true}, {}};
     std::vector<Panel> meshes;
 
     void add(const std::string& method, Run& run, const std::string& status) {
-        Curve curve{method, {}, {}}, timed{method, {}, {}};
-        for (const StepReport& report : run.history()) {
-            curve.x.push_back(report.iteration), curve.y.push_back(report.residual);
-            if (report.cpu_seconds <= 0) continue;
-            timed.x.push_back(report.cpu_seconds), timed.y.push_back(report.residual);
+        const SeriesInfo* criterion = other_criterion(run.history().back());
+        Curve curve{method, {}, {}}, timed{method, {}, {}}, own;
+        if (criterion) own.label = method + ": " + criterion->name;
+        for (const auto& [iteration, report] : finest_reports(run.history())) {
+            curve.x.push_back(iteration), curve.y.push_back(report->residual);
+            if (criterion) own.x.push_back(iteration), own.y.push_back(*report->value(criterion->name));
+            if (report->cpu_seconds <= 0) continue;
+            timed.x.push_back(report->cpu_seconds), timed.y.push_back(report->residual);
         }
-        curve.colour = timed.colour = meshes.size();
+        curve.colour = timed.colour = own.colour = meshes.size();
         residual.curves.push_back(std::move(curve));
         against_time.curves.push_back(std::move(timed));
+        if (criterion) criteria.curves.push_back(std::move(own));
         meshes.emplace_back(MeshPanel{.title = method + ": " + status,
                                       .snapshot = run.snapshot(),
                                       .colour = "monitor",
@@ -82,6 +81,7 @@ struct Outcome {
     }
     Image draw() const {
         std::vector<Panel> panels{residual, against_time};
+        if (!criteria.curves.empty()) panels.emplace_back(criteria);
         panels.insert(panels.end(), meshes.begin(), meshes.end());
         const int columns = panels.size() > 4 ? 4 : 2;
         const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;

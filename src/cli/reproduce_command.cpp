@@ -14,10 +14,21 @@ namespace gaspard {
 namespace {
 
 void print_table(const std::vector<PublishedRow>& rows) {
-    std::printf("%-22s %-22s %14s %12s  %s\n", "row", "quantity", "ours", "published", "note");
-    for (const auto& row : rows)
-        std::printf("%-22s %-22s %14.7g %12s  %s\n", row.row.c_str(), row.quantity.c_str(), row.ours,
-                    row.published ? format_number(*row.published).c_str() : "", row.note.c_str());
+    std::printf("%-22s %-22s %14s %12s %12s  %s\n", "row", "quantity", "ours", "published", "difference",
+                "note");
+    std::size_t published = 0, different = 0;
+    for (const auto& row : rows) {
+        char number[40] = "";
+        if (const auto by = difference(row)) std::snprintf(number, sizeof number, "%+.2e", *by);
+        std::printf("%-22s %-22s %14.7g %12s %12s  %s\n", row.row.c_str(), row.quantity.c_str(), row.ours,
+                    row.published ? format_number(row.published->value).c_str() : "", number,
+                    full_note(row).c_str());
+        published += row.published ? 1 : 0;
+        different += differs(row) ? 1 : 0;
+    }
+    if (published > 0)
+        std::printf("%zu of %zu published numbers differ beyond the last digit printed\n", different,
+                    published);
 }
 
 // All panels in one row, 800 x 800 pixels each.

@@ -10,6 +10,7 @@
 #include "core/io/state_file.hpp"
 #include "core/io/svg.hpp"
 #include "core/scenario/toml.hpp"
+#include "core/session/report_columns.hpp"
 #include "core/session/run.hpp"
 #include "core/tessellate/check_view.hpp"
 #include "gui/app/viewport_image.hpp"
@@ -81,8 +82,11 @@ class ProgressLine {
 
 void print_outcome(const Run& run, const std::filesystem::path& folder) {
     const StepReport& last = run.history().back();
-    std::printf("%s after %d iterations: residual %.3e, equidistribution %.6e, %zu tangled cells, %.3f s\n",
-                std::string(status_name(last.status)).c_str(), last.iteration, last.residual,
+    std::printf("%s after %d iterations: residual %.3e, ", std::string(status_name(last.status)).c_str(),
+                last.iteration, last.residual);
+    if (const SeriesInfo* criterion = other_criterion(last))
+        std::printf("%s %.3e, ", criterion->name.c_str(), last.value(criterion->name).value_or(0));
+    std::printf("equidistribution %.6e, %zu tangled cells, %.3f s\n",
                 last.value("equidistribution").value_or(0), last.tangled_cells.value_or(0), last.seconds);
     if (!last.note.empty()) std::printf("%s\n", last.note.c_str());
     std::printf("files in %s\n", folder.string().c_str());

@@ -395,7 +395,7 @@ class Information(Contract):
         self.assertEqual(result.returncode, 0, result.stderr)
         with open(self.path("mcrae-fig2.csv")) as file:
             rows = list(csv.DictReader(file))
-        self.assertEqual(list(rows[0]), ["row", "quantity", "ours", "published", "note"])
+        self.assertEqual(list(rows[0]), ["row", "quantity", "ours", "published", "difference", "note"])
         self.assertEqual((rows[0]["row"], rows[0]["quantity"], rows[0]["ours"]), ("ring, n = 30", "iterations", "189"))
         self.assertGreater(os.path.getsize(self.path("mcrae-fig2.png")), 10000)
         for name in ("mcrae-fig2", "mcrae-fig3", "mcrae-fig13"):
@@ -407,10 +407,12 @@ class Information(Contract):
         with open(self.path("comparison.csv")) as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(list(rows[0]), ["method", "iterations", "inner_iterations", "cpu_seconds", "residual",
-                                         "equidistribution", "tangled_cells", "status"])
+                                         "equidistribution", "tangled_cells", "coarse_iterations", "criterion",
+                                         "criterion_value", "status"])
         self.assertEqual([row["method"] for row in rows], ["newton", "relaxation", "auto"])
         for row in rows:
             self.assertEqual(row["status"], "converged")
+            self.assertEqual((row["criterion"], row["criterion_value"]), ("residual", row["residual"]))
             self.assertIn(row["method"], result.stdout)
             self.assertAlmostEqual(float(row["equidistribution"]), float(rows[0]["equidistribution"]), places=6)
             with open(self.path(row["method"] + ".csv")) as file:
@@ -421,6 +423,22 @@ class Information(Contract):
         shutil.rmtree(self.out)
         for methods, part in (("newtn", "newton"), ("auto,auto", "twice"), ("", "method")):
             self.refused(gaspard("compare", "plane-ring", "--methods", methods, "--out", self.out), part)
+
+    def test_picard_has_the_residual_of_all_methods_and_ends_by_its_increment(self):
+        settings = ("--set", "domain.cells=16")
+        result = gaspard("run", "spline-circle", *settings, "--no-render", "--out", self.out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        last = self.history()[-1]
+        self.assertLess(float(last["increment"]), 1e-8)
+        self.assertEqual(float(last["residual"]), self.summary()["residual"])
+        self.assertIn("residual %.3e, increment %.3e" % (float(last["residual"]), float(last["increment"])), result.stdout)
+        # Newton's method measures the same map.
+        newton = gaspard("run", "spline-circle", *settings, "--set", "method.type=newton", "--no-render", "--start",
+                         self.path("state.bin"), "--out", self.path("newton"))
+        self.assertEqual(newton.returncode, 0, newton.stderr)
+        with open(self.path("newton/history.csv")) as file:
+            first = next(csv.DictReader(file))
+        self.assertAlmostEqual(float(first["residual"]), float(last["residual"]), delta=1e-13)
 
     def test_every_option_is_documented(self):
         with open(os.path.join(DOCS, "command-line.md")) as file:

@@ -1,6 +1,7 @@
 #include "core/base/parameter.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/join.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -91,11 +92,7 @@ std::string format_value(const Value& value) {
 }
 
 std::string describe_range(const ParameterRow& row) {
-    if (row.kind == ParameterKind::choice) {
-        std::string list;
-        for (const auto& choice : row.choices) list += (list.empty() ? "" : ", ") + choice;
-        return list;
-    }
+    if (row.kind == ParameterKind::choice) return join(row.choices, ", ");
     if (row.kind == ParameterKind::boolean) return "true, false";
     if (row.kind == ParameterKind::text) return "text";
     const auto bound = [&](double value) {

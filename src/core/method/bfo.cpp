@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/eigenvalues.hpp"
+#include "core/linear/reduce.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,17 @@ double weighted_sum(std::span<const double> weights, const double* values) {
 }
 
 } // namespace
+
+double norm_of_divergence(const SplineForm& form) {
+    auto workspace = form.make_workspace();
+    const std::size_t points = form.line().points.size();
+    const std::vector<double> two(points, 2.0);
+    std::vector<double> load(form.unknowns());
+    form.begin_load(workspace);
+    for (std::size_t y = 0; y < points; ++y) form.load_row(y, two.data(), workspace);
+    form.end_load(load, workspace);
+    return std::sqrt(dot(load, load));
+}
 
 Bfo::Bfo(std::shared_ptr<const SplineForm> form, double shift)
     : form_(std::move(form)), shift_(shift), workspace_(form_->make_workspace()) {

@@ -48,7 +48,11 @@ class Bfo {
     /// paper. Fills `shape` if it is not null.
     void iterate(const JacobianSource& source, std::span<const double> phi, std::span<double> next,
                  Shape* shape = nullptr);
-    /// r = A (next - phi) with next = T(phi) and A the matrix of the Poisson problem.
+    /// b, the right-hand side of the Poisson problem A next = b of the last iterate(); valid until the next
+    /// call of anything here.
+    std::span<const double> load() const { return load_; }
+    /// r = A (next - phi) with next = T(phi) and A the matrix of the Poisson problem. It equals load() minus
+    /// the load of the iteration that led to phi.
     void residual(std::span<const double> phi, std::span<const double> next, std::span<double> r);
     /// Solves A u = r.
     void poisson(std::span<const double> r, std::span<double> u);
@@ -79,5 +83,9 @@ class Bfo {
     std::vector<double> g_load_; ///< <G, v>
     double g_integral_ = 0;
 };
+
+/// |<v, 2>|, the l2 norm over all basis functions v, by which |r| is normalised: 2 is the divergence of the
+/// identity map.
+double norm_of_divergence(const SplineForm& form);
 
 } // namespace gaspard

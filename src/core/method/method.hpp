@@ -32,7 +32,7 @@ struct State {
 
 /// Results of evaluating one iterate.
 struct Evaluation {
-    double residual = 0;      ///< as MethodType::residual describes it
+    double residual = 0;      ///< as MethodType::residual describes it; of the mesh where the iteration ends
     SeriesValues series{};    ///< of Method::series(), those that every iterate has, in their order
     double step_size = 0;     ///< of the update that led here; 0 at the start
     int inner_iterations = 0; ///< of the linear solver, for that update
@@ -72,6 +72,9 @@ class Method {
 
 /// McRae et al. (5.1) divided by the norm of <v, theta>, and what corresponds to it elsewhere.
 SeriesInfo normalised_residual();
+/// A series of methods that start on coarser meshes: the mesh of the update that led to the iterate, 0 for
+/// the mesh of the run, 1 for the next coarser one, and so on; 0 where no update was made.
+SeriesInfo level_series();
 
 class NonlinearProblem; // core/method/nonlinear_problem.hpp
 
@@ -92,7 +95,10 @@ struct MethodType {
     std::string help;
     std::vector<ParameterRow> rows; ///< beyond those that every method has (tolerance, max_iterations, ...)
     SeriesInfo residual = normalised_residual(); ///< its name is "residual"
-    std::vector<FieldInfo> fields{};             ///< of nodes and cells: colours and files offer them
+    /// The run converges when this series is below method.tolerance: the residual, or one of Method::series()
+    /// that every iterate has.
+    std::string criterion = "residual";
+    std::vector<FieldInfo> fields{}; ///< of nodes and cells: colours and files offer them
     /// May take as long as a factorisation, and be stopped on the way (Interrupted).
     std::function<std::unique_ptr<Method>(const MethodContext&, const Values&)> make;
 };

@@ -14,6 +14,12 @@ constexpr double good_enough = 3e-2;   ///< residual below which a coarser mesh 
 constexpr int coarse_iterations = 150; ///< maximum number of iterations on a coarser mesh
 constexpr double hopeless = 100;       ///< residual above which a coarser mesh is given up
 
+/// As Nested::series() orders them.
+Evaluation with_level(Evaluation evaluation, std::size_t level) {
+    evaluation.series.push_back(static_cast<double>(level));
+    return evaluation;
+}
+
 } // namespace
 
 Nested::Nested(std::unique_ptr<NonlinearProblem> problem, std::unique_ptr<Stepper> stepper,
@@ -52,11 +58,11 @@ Evaluation Nested::evaluate(const ProblemData& data, const State& state, std::st
     select(static_cast<std::size_t>(of_state - levels_.begin()));
     may_go_down_ = true;
     look_at(data, here().unknowns(state));
-    if (level_ == 0) return now_.evaluation;
+    if (level_ == 0) return with_level(now_.evaluation, 0);
     // Report the residual on the finest mesh; a small residual on a coarser one must not end the run.
     const State fine = levels_[0]->adopt(here(), here().unknowns(state));
     prolonged_ = true;
-    return levels_[0]->evaluate(data, fine.arrays[0].values);
+    return with_level(levels_[0]->evaluate(data, fine.arrays[0].values), 0);
 }
 
 Evaluation Nested::step(const ProblemData& data, State& state, std::stop_token stop) {
@@ -66,6 +72,7 @@ Evaluation Nested::step(const ProblemData& data, State& state, std::stop_token s
         start_ = here().unknowns(state);
         go_to(levels_.size() - 1, start_, data, state);
     }
+    const std::size_t level_of_update = level_;
     auto& u = here().unknowns(state);
     now_ = stepper_->step(data, u, now_, stop);
     prolonged_ = false;
@@ -80,7 +87,7 @@ Evaluation Nested::step(const ProblemData& data, State& state, std::stop_token s
     evaluation.step_size = update.step_size;
     evaluation.inner_iterations = update.inner_iterations;
     evaluation.note = update.note;
-    return evaluation;
+    return with_level(std::move(evaluation), level_of_update);
 }
 
 const Points& Nested::positions() {
@@ -90,6 +97,12 @@ const Points& Nested::positions() {
         levels_[0]->move(fine.arrays[0].values);
     }
     return levels_[0]->positions();
+}
+
+std::vector<SeriesInfo> Nested::series() const {
+    std::vector<SeriesInfo> all = levels_[0]->series();
+    all.push_back(level_series());
+    return all;
 }
 
 std::vector<double> Nested::measures(const ProblemData& data) {

@@ -3,7 +3,7 @@
 // monitor, the iteration stays on the finest mesh. A Stepper makes the updates on each level.
 //
 // On a coarser level, the State has the layout of that level. One iteration is one update on any level; its
-// report refers to the level on which the iteration ends.
+// residual refers to the level on which the iteration ends, level_series() says on which it was made.
 #pragma once
 
 #include "core/method/stepper.hpp"
@@ -25,7 +25,8 @@ class Nested final : public Method {
     Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token stop) override;
     Evaluation step(const ProblemData& data, State& state, std::stop_token stop) override;
     const Points& positions() override;
-    std::vector<SeriesInfo> series() const override { return levels_[0]->series(); }
+    /// Those of the problem and level_series().
+    std::vector<SeriesInfo> series() const override;
     std::vector<double> measures(const ProblemData& data) override;
 
   private:

@@ -74,7 +74,11 @@ MethodType relaxation_method() {
 
 Values default_values(const MethodType& type) {
     auto rows = type.rows;
-    for (auto& row : common_method_rows()) rows.push_back(std::move(row));
+    for (auto& row : common_method_rows()) {
+        if (row.key == "tolerance" && type.criterion != type.residual.name)
+            row.help = "the run converges when the " + type.criterion + " is below this value";
+        rows.push_back(std::move(row));
+    }
     return Values("method", std::move(rows));
 }
 

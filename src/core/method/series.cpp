@@ -10,6 +10,12 @@ SeriesInfo normalised_residual() {
             .help = "normalised residual"};
 }
 
+SeriesInfo level_series() {
+    return {.name = "level",
+            .label = "Mesh level",
+            .help = "mesh of the update: 0 is the mesh of the run, 1 the next coarser one, and so on"};
+}
+
 SeriesInfo theta_series() {
     return {.name = "theta",
             .label = "Constant θ",

@@ -10,18 +10,6 @@ namespace {
 
 constexpr std::size_t coarsest = 16; // cells
 
-/// |<v, 2>|, the l2 norm over all basis functions v.
-double size_of_divergence(const SplineForm& form) {
-    auto workspace = form.make_workspace();
-    const std::size_t points = form.line().points.size();
-    const std::vector<double> two(points, 2.0);
-    std::vector<double> load(form.unknowns());
-    form.begin_load(workspace);
-    for (std::size_t y = 0; y < points; ++y) form.load_row(y, two.data(), workspace);
-    form.end_load(load, workspace);
-    return std::sqrt(dot(load, load));
-}
-
 } // namespace
 
 SplineEquation::SplineEquation(std::shared_ptr<const SplineDomain> domain, std::size_t cells)
@@ -29,7 +17,7 @@ SplineEquation::SplineEquation(std::shared_ptr<const SplineDomain> domain, std::
 
 SplineEquation::SplineEquation(std::shared_ptr<const SplineDomain> domain, std::unique_ptr<PatchForm> patch)
     : MongeAmpereEquation(patch->layout(), patch->form()->unknowns()), domain_(std::move(domain)),
-      patch_(std::move(patch)), bfo_(patch_->form()), unit_(size_of_divergence(*patch_->form())),
+      patch_(std::move(patch)), bfo_(patch_->form()), unit_(norm_of_divergence(*patch_->form())),
       whole_(size()), next_(size()), residual_(size()) {}
 
 std::optional<State> SplineEquation::adopt(const State& other, const Discretisation*) {

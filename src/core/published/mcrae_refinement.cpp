@@ -55,7 +55,7 @@ Plot refinement(const Workshop& workshop, const Sequence& sequence, const std::s
         if (!ours.y.empty()) {
             const bool finest = size == sequence.sizes.back();
             rows.push_back({sequence.title(size), "order", std::log2(ours.y.back() / measure),
-                            finest ? std::optional(sequence.paper_order) : std::nullopt,
+                            finest ? std::optional(printed(sequence.paper_order, 1)) : std::nullopt,
                             finest ? sequence.paper_says : "relative to the previous mesh"});
         }
         ours.x.push_back(width_of(run));
@@ -84,8 +84,8 @@ Reproduction figure12(const Workshop& workshop) {
         const std::string title = sequence->title(finest);
         result.rows.push_back({title, "iterations", static_cast<double>(last.iteration)});
         result.rows.push_back({title, "smallest Jacobian", *last.value("min_jacobian")});
-        result.rows.push_back({title, "tangled cells", static_cast<double>(*last.tangled_cells), 0,
-                               "the paper: no evidence whatsoever of mesh tangling"});
+        result.rows.push_back({title, "tangled cells", static_cast<double>(*last.tangled_cells),
+                               Printed{0, 0}, "the paper: no evidence whatsoever of mesh tangling"});
         const auto snapshot = run.snapshot();
         result.figure->panels.push_back({title, snapshot, cameras[0]});
         result.figure->panels.push_back({title + ", detail", snapshot, cameras[1]});

@@ -23,11 +23,24 @@ void add_numbers(const Run& run, const std::string& title, std::vector<Published
     rows.push_back({title, "tangled cells", static_cast<double>(*last.tangled_cells)});
 }
 
-/// A figure with one mesh, which is drawn from the front and from the rear.
+/// A mesh from a direction: the title of the panel after that of the mesh, and view.camera.
+struct Look {
+    std::string title, camera;
+};
+// The fine region of (5.10) is around 30 degrees north, 0 degrees east: (sqrt(3), 0, 1) / 2.
+const std::vector<Look> front_and_rear = {{", front", "right 0 1 0 up -0.5 0 0.8660254037844386"},
+                                          {", rear", "right 0 -1 0 up -0.5 0 0.8660254037844386"}};
+// The bands of (5.11) cross at (0, 1, 0) and (0, -1, 0).
+const std::vector<Look> crossing = {{"", "right -1 0 0 up 0 0 1"}};
+
+/// A figure of one mesh.
 Reproduction one_mesh(const Workshop& workshop, const std::string& scenario, const std::string& title,
-                      const std::string& caption) {
+                      const std::string& caption, const std::vector<Look>& looks) {
     Run run = solve(workshop, scenario, {only_the_last}, title);
-    Reproduction result{{}, Figure{caption, {{title, run.snapshot()}}}};
+    const auto snapshot = run.snapshot();
+    Reproduction result{{}, Figure{caption, {}}};
+    for (const Look& look : looks)
+        result.figure->panels.push_back({title + look.title, snapshot, look.camera});
     add_numbers(run, title, result.rows);
     return result;
 }
@@ -49,7 +62,7 @@ Reproduction figure8(const Workshop& workshop) {
             plot.curves.push_back(history_curve(run, cells + ", rms to exact", "exact_rms"));
             if (run.status() != RunStatus::converged)
                 result.rows.push_back({title, "iterations until divergence",
-                                       static_cast<double>(run.history().back().iteration), 10,
+                                       static_cast<double>(run.history().back().iteration), printed(10, 1),
                                        "the paper: wildly diverges after just some 10 iterations"});
         }
         result.figure->panels.push_back({plot.title, std::move(plot)});
@@ -78,18 +91,21 @@ Reproduction figure9(const Workshop& workshop) {
 } // namespace
 
 std::vector<Recipe> mcrae_sphere_recipes() {
-    const auto mesh = [](const std::string& scenario, const std::string& title, const std::string& caption) {
-        return [=](const Workshop& workshop) { return one_mesh(workshop, scenario, title, caption); };
+    const auto mesh = [](const std::string& scenario, const std::string& title, const std::string& caption,
+                         const std::vector<Look>& looks) {
+        return [=](const Workshop& workshop) { return one_mesh(workshop, scenario, title, caption, looks); };
     };
-    return {make_recipe("mcrae-fig5", "cubed-sphere X2 mesh, 6 x 16 x 16",
-                        mesh("sphere-x2", "X2", "Cubed-sphere X2 mesh (5.10), γ = (1/2)⁴")),
-            make_recipe("mcrae-fig6", "cubed-sphere X16 mesh, 6 x 16 x 16",
-                        mesh("sphere-x16", "X16", "Cubed-sphere X16 mesh (5.10), γ = (1/16)⁴")),
-            make_recipe("mcrae-fig7", "icosahedral mesh adapted to crossing bands, 5120 triangles",
-                        mesh("sphere-cross", "Cross", "Icosahedral mesh adapted to crossing bands (5.11)")),
-            make_recipe("mcrae-fig8", "convergence of the relaxation method on the cubed sphere, X2 and X16",
-                        figure8),
-            make_recipe("mcrae-fig9", "failure of bilinear cells, X16, with tangled cells", figure9)};
+    return {
+        make_recipe("mcrae-fig5", "cubed-sphere X2 mesh, 6 x 16 x 16",
+                    mesh("sphere-x2", "X2", "Cubed-sphere X2 mesh (5.10), γ = (1/2)⁴", front_and_rear)),
+        make_recipe("mcrae-fig6", "cubed-sphere X16 mesh, 6 x 16 x 16",
+                    mesh("sphere-x16", "X16", "Cubed-sphere X16 mesh (5.10), γ = (1/16)⁴", front_and_rear)),
+        make_recipe(
+            "mcrae-fig7", "icosahedral mesh adapted to crossing bands, 5120 triangles",
+            mesh("sphere-cross", "Cross", "Icosahedral mesh adapted to crossing bands (5.11)", crossing)),
+        make_recipe("mcrae-fig8", "convergence of the relaxation method on the cubed sphere, X2 and X16",
+                    figure8),
+        make_recipe("mcrae-fig9", "failure of bilinear cells, X16, with tangled cells", figure9)};
 }
 
 } // namespace gaspard

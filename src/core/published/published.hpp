@@ -14,13 +14,28 @@
 
 namespace gaspard {
 
+/// A number as a paper prints it.
+struct Printed {
+    double value = 0;
+    double last_digit = 0; ///< unit of the last digit; 0 for a count, which is printed exactly
+};
+/// A number printed with so many significant digits.
+Printed printed(double value, int digits);
+
 struct PublishedRow {
     std::string row;      ///< "ring, n = 60"
     std::string quantity; ///< "iterations"
     double ours = 0;
-    std::optional<double> published{}; ///< nullopt if the paper prints a curve without numbers
+    std::optional<Printed> published{}; ///< nullopt if the paper prints a curve without numbers
     std::string note{};
+    std::string reason{}; ///< why ours may differ by more than the last digit; empty where it is not known
 };
+/// ours - published; nullopt if nothing is published.
+std::optional<double> difference(const PublishedRow& row);
+/// Whether the difference exceeds a unit of the last digit printed.
+bool differs(const PublishedRow& row);
+/// The difference in percent and its reason if the row differs, then PublishedRow::note.
+std::string full_note(const PublishedRow& row);
 
 struct Reproduction {
     std::vector<PublishedRow> rows;
@@ -41,6 +56,7 @@ std::vector<Recipe> recipes();
 /// Throws InputError if the id is unknown; the message names the nearest.
 Recipe find_recipe(std::string_view id);
 
+/// Columns row, quantity, ours, published, difference, note (full_note()).
 std::string published_csv(const std::vector<PublishedRow>& rows);
 
 /// The recipes of McRae, Cotter, Budd, "Optimal-transport-based mesh adaptivity on the plane and sphere using

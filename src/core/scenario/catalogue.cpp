@@ -1,6 +1,7 @@
 #include "core/scenario/catalogue.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/join.hpp"
 #include "core/method/plane_equation.hpp"
 #include "core/method/spline_equation.hpp"
 #include "core/method/surface_equation.hpp"
@@ -21,20 +22,12 @@ const Type& find(const std::vector<Type>& types, std::string_view name, const ch
         if (type.name == name) return type;
         known.push_back(type.name);
     }
-    std::string list;
-    for (const auto& one : known) list += (list.empty() ? "" : ", ") + one;
     throw InputError("unknown " + std::string(what) + " '" + std::string(name) + "'" +
-                     did_you_mean(name, known) + "; available: " + list);
+                     did_you_mean(name, known) + "; available: " + join(known, ", "));
 }
 
 bool contains(const std::vector<std::string>& list, const std::string& word) {
     return std::find(list.begin(), list.end(), word) != list.end();
-}
-
-std::string join(const std::vector<std::string>& words) {
-    std::string list;
-    for (const auto& word : words) list += (list.empty() ? "" : ", ") + word;
-    return list;
 }
 
 Capability plane_capability() {
@@ -175,7 +168,8 @@ const Capability* find_capability(const Catalogue& catalogue, const Scenario& sc
     std::string possible, boundary;
     for (const auto& row : catalogue.capabilities) {
         if (row.domain != scenario.domain.type) continue;
-        possible += "; possible: monitors " + join(row.monitors) + " with methods " + join(row.methods);
+        possible +=
+            "; possible: monitors " + join(row.monitors, ", ") + " with methods " + join(row.methods, ", ");
         if (!row.boundaries.empty())
             boundary = " with boundary '" + scenario.domain.values.text("boundary") + "'";
     }

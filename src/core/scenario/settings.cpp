@@ -1,5 +1,6 @@
 // Setting values of a scenario by their full keys, from TOML or the command line.
 #include "core/base/check.hpp"
+#include "core/base/join.hpp"
 #include "core/scenario/catalogue.hpp"
 
 #include <algorithm>
@@ -61,9 +62,9 @@ bool same_rows(const std::vector<ParameterRow>& a, const std::vector<ParameterRo
 }
 
 std::string list_keys(const Values& values) {
-    std::string list;
-    for (const auto& row : values.rows()) list += (list.empty() ? "" : ", ") + row.key;
-    return list;
+    std::vector<std::string_view> keys;
+    for (const auto& row : values.rows()) keys.push_back(row.key);
+    return join(keys, ", ");
 }
 
 /// Throws a specific InputError if the key belongs to another domain, or to this monitor on another domain.
@@ -74,10 +75,10 @@ void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, st
                          where + "; available: " + list_keys(here));
     };
     if (section == "domain") {
-        std::string owners;
+        std::vector<std::string> owners;
         for (const auto& type : catalogue.domains)
-            if (has_row(type.rows, key)) owners += (owners.empty() ? "'" : " and '") + type.name + "'";
-        if (!owners.empty()) refuse(scenario.domain.values, ", but for " + owners);
+            if (has_row(type.rows, key)) owners.push_back("'" + type.name + "'");
+        if (!owners.empty()) refuse(scenario.domain.values, ", but for " + join(owners, " and "));
     }
     if (section == "monitor" && scenario.monitor.type != own_monitor)
         for (const auto kind : {SpaceKind::euclidean, SpaceKind::sphere})

@@ -1,5 +1,7 @@
 #include "core/session/comparison.hpp"
 
+#include "core/method/method.hpp"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -45,9 +47,14 @@ ComparisonRow comparison_row(const std::string& method, const std::vector<StepRe
     if (history.empty()) return row;
     for (const StepReport& report : history) row.inner_iterations += report.inner_iterations;
     const StepReport& last = history.back();
+    const auto reports = finest_reports(history);
+    const FinestReport finest = reports.empty() ? FinestReport{0, &last} : reports.back();
     row.iterations = last.iteration;
+    row.coarse_iterations = last.iteration - finest.iteration;
     row.cpu_seconds = last.cpu_seconds;
-    row.residual = last.residual;
+    row.residual = finest.report->residual;
+    row.criterion = last.series->all()[last.series->criterion()].name;
+    row.criterion_value = last.value(last.series->criterion()).value_or(0);
     row.status = last.status;
     const auto measured = std::find_if(history.rbegin(), history.rend(),
                                        [](const StepReport& report) { return report.measured(); });
@@ -57,19 +64,34 @@ ComparisonRow comparison_row(const std::string& method, const std::vector<StepRe
     return row;
 }
 
+std::vector<FinestReport> finest_reports(const std::vector<StepReport>& history) {
+    std::vector<FinestReport> finest;
+    int iteration = history.empty() ? 0 : history.front().iteration, before = iteration;
+    for (const StepReport& report : history) {
+        if (report.value(level_series().name).value_or(0) == 0) {
+            iteration += report.iteration - before;
+            finest.push_back({iteration, &report});
+        }
+        before = report.iteration;
+    }
+    return finest;
+}
+
 std::vector<std::string> comparison_heads() {
-    return {"method",   "iterations",       "inner iterations", "CPU seconds",
-            "residual", "equidistribution", "tangled cells",    "status"};
+    return {"method",   "iterations", "on coarser meshes", "inner iterations", "CPU seconds",
+            "residual", "criterion",  "equidistribution",  "tangled cells",    "status"};
 }
 
 std::vector<std::string> comparison_cells(const ComparisonRow& row) {
     if (row.status == RunStatus::preparing)
-        return {row.method, "", "", "", "", "", "", std::string(status_name(row.status))};
+        return {row.method, "", "", "", "", "", "", "", "", std::string(status_name(row.status))};
     return {row.method,
             std::to_string(row.iterations),
+            std::to_string(row.coarse_iterations),
             std::to_string(row.inner_iterations),
             fixed(row.cpu_seconds, 3),
             two_digits(row.residual),
+            row.criterion + " " + two_digits(row.criterion_value),
             row.equidistribution ? fixed(*row.equidistribution, 6) : "",
             row.tangled_cells ? std::to_string(*row.tangled_cells) : "",
             std::string(status_name(row.status))};
@@ -77,14 +99,16 @@ std::vector<std::string> comparison_cells(const ComparisonRow& row) {
 
 std::string comparison_csv(const std::vector<ComparisonRow>& rows) {
     std::string text =
-        "method,iterations,inner_iterations,cpu_seconds,residual,equidistribution,tangled_cells,status\n";
+        "method,iterations,inner_iterations,cpu_seconds,residual,equidistribution,tangled_cells,"
+        "coarse_iterations,criterion,criterion_value,status\n";
     for (const ComparisonRow& row : rows)
         text += row.method + ',' + std::to_string(row.iterations) + ',' +
                 std::to_string(row.inner_iterations) + ',' + format_number(row.cpu_seconds) + ',' +
                 format_number(row.residual) + ',' +
                 (row.equidistribution ? format_number(*row.equidistribution) : "") + ',' +
                 (row.tangled_cells ? std::to_string(*row.tangled_cells) : "") + ',' +
-                std::string(status_name(row.status)) + '\n';
+                std::to_string(row.coarse_iterations) + ',' + row.criterion + ',' +
+                format_number(row.criterion_value) + ',' + std::string(status_name(row.status)) + '\n';
     return text;
 }
 

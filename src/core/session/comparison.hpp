@@ -21,16 +21,28 @@ Scenario with_method(const Catalogue& catalogue, const Scenario& scenario, const
 /// The results of one method.
 struct ComparisonRow {
     std::string method;
-    int iterations = 0;
-    int inner_iterations = 0; ///< total iterations of the linear solver
-    double cpu_seconds = 0;   ///< CPU time of the iteration
-    double residual = 0;
+    int iterations = 0;        ///< on all meshes
+    int coarse_iterations = 0; ///< of these, updates made on coarser meshes (level_series)
+    int inner_iterations = 0;  ///< total iterations of the linear solver
+    double cpu_seconds = 0;    ///< CPU time of the iteration
+    double residual = 0;       ///< on the mesh of the run; the same measure for all methods
+    /// The series by which the method ends (MethodType::criterion), and its last value.
+    std::string criterion = "residual";
+    double criterion_value = 0;
     std::optional<double> equidistribution{};
     std::optional<std::size_t> tangled_cells{};
     RunStatus status = RunStatus::preparing;
 };
 /// The row for the history of a run; an empty history gives a row with status preparing.
 ComparisonRow comparison_row(const std::string& method, const std::vector<StepReport>& history);
+
+/// The reports whose residuals can be compared, those on the mesh of the run: the start, and each update made
+/// there. `iteration` counts these updates; coarser meshes are left out.
+struct FinestReport {
+    int iteration = 0;
+    const StepReport* report; ///< of the history
+};
+std::vector<FinestReport> finest_reports(const std::vector<StepReport>& history);
 
 /// Column headings of the table, and the cells of a row as text.
 std::vector<std::string> comparison_heads();

@@ -1,6 +1,7 @@
 #include "core/session/report_columns.hpp"
 
 #include "core/base/csv.hpp"
+#include "core/base/join.hpp"
 
 #include <algorithm>
 
@@ -24,6 +25,11 @@ void add_columns(std::vector<std::string>& columns, std::span<const StepReport> 
     }
 }
 
+const SeriesInfo* other_criterion(const StepReport& report) {
+    const SeriesTable& table = *report.series;
+    return table.criterion() == SeriesTable::residual() ? nullptr : &table.all()[table.criterion()];
+}
+
 std::string report_cell(const StepReport& report, std::string_view column) {
     if (column == "iteration") return std::to_string(report.iteration);
     if (column == "tangled_cells") return report.tangled_cells ? std::to_string(*report.tangled_cells) : "";
@@ -36,22 +42,12 @@ std::string report_cell(const StepReport& report, std::string_view column) {
     return format_number(report.value(column));
 }
 
-std::string csv_head(const std::vector<std::string>& columns) {
-    std::string text;
-    for (const std::string& column : columns) {
-        if (!text.empty()) text += ',';
-        text += column;
-    }
-    return text;
-}
+std::string csv_head(const std::vector<std::string>& columns) { return join(columns, ","); }
 
 std::string csv_row(const StepReport& report, const std::vector<std::string>& columns) {
-    std::string text;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        if (i > 0) text += ',';
-        text += report_cell(report, columns[i]);
-    }
-    return text;
+    std::vector<std::string> cells;
+    for (const std::string& column : columns) cells.push_back(report_cell(report, column));
+    return join(cells, ",");
 }
 
 } // namespace gaspard

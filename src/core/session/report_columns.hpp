@@ -17,6 +17,9 @@ std::vector<std::string> report_columns(std::span<const std::string_view> always
 /// Adds the further columns of another run.
 void add_columns(std::vector<std::string>& columns, std::span<const StepReport> history);
 
+/// The series by which the run ends (MethodType::criterion), where that is not the residual; else null.
+const SeriesInfo* other_criterion(const StepReport& report);
+
 /// One cell: of a series, or iteration, tangled_cells, inner_iterations, seconds, cpu_seconds, status, note
 /// (quoted for CSV where needed). Empty where there is no value.
 std::string report_cell(const StepReport& report, std::string_view column);

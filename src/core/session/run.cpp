@@ -17,9 +17,9 @@ namespace gaspard {
 namespace {
 
 // A run has diverged if a bounded series (theta) exceeds divergence_factor times its first value, or the
-// residual exceeds divergence_factor times max(1, first residual).
+// criterion (the residual, MethodType::criterion) exceeds divergence_factor times max(1, its first value).
 constexpr double divergence_factor = 1e3;
-constexpr double worthwhile = 0.999; // an improvement is a residual below this fraction of the best one
+constexpr double worthwhile = 0.999; // an improvement is a criterion below this fraction of the best one
 constexpr int patience = 200;        // iterations without improvement after which a run has stalled
 
 } // namespace
@@ -107,7 +107,7 @@ void Run::name_series() {
     if (exact_)
         for (SeriesInfo& one : exact_series()) diagnostics.push_back(std::move(one));
     auto table = std::make_shared<const SeriesTable>(method_type().residual, std::move(diagnostics),
-                                                     method_->series());
+                                                     method_->series(), method_type().criterion);
     if (!series_ || series_->all() != table->all()) series_ = std::move(table);
 }
 
@@ -123,7 +123,7 @@ void Run::begin(State state, const Evaluation& evaluation) {
 
 void Run::restart_judging() {
     judged_from_ = best_iteration_ = history_.empty() ? 0 : history_.back().iteration;
-    first_residual_ = best_residual_ = std::numeric_limits<double>::infinity();
+    first_ = best_ = std::numeric_limits<double>::infinity();
 }
 
 void Run::reset() {
@@ -240,11 +240,12 @@ bool Run::out_of_bounds(const StepReport& report) const {
 RunStatus Run::judge(const StepReport& report, std::string& note) {
     const Values& method = problem_.scenario.method.values;
     if (std::exchange(not_finite_, false)) return RunStatus::diverged;
-    if (std::isinf(first_residual_)) first_residual_ = report.residual, first_values_ = report.values;
-    if (report.residual < worthwhile * best_residual_)
-        best_residual_ = report.residual, best_iteration_ = report.iteration;
-    if (report.residual < method.real("tolerance")) return RunStatus::converged;
-    if (report.residual > divergence_factor * std::max(1.0, first_residual_) || out_of_bounds(report)) {
+    const auto criterion = report.value(series_->criterion());
+    GASPARD_CHECK(criterion.has_value());
+    if (std::isinf(first_)) first_ = *criterion, first_values_ = report.values;
+    if (*criterion < worthwhile * best_) best_ = *criterion, best_iteration_ = report.iteration;
+    if (*criterion < method.real("tolerance")) return RunStatus::converged;
+    if (*criterion > divergence_factor * std::max(1.0, first_) || out_of_bounds(report)) {
         const Values& domain = problem_.scenario.domain.values;
         note = "the iteration diverged; ";
         if (const auto remedy = find_remedy(domain)) note += describe(domain, *remedy) + " or ";
@@ -254,7 +255,8 @@ RunStatus Run::judge(const StepReport& report, std::string& note) {
     if (report.iteration - judged_from_ >= method.integer("max_iterations"))
         return RunStatus::iteration_limit;
     if (report.iteration - best_iteration_ >= patience) {
-        note = "the residual has not decreased for " + std::to_string(patience) + " iterations";
+        note = "the " + series_->all()[series_->criterion()].name + " has not decreased for " +
+               std::to_string(patience) + " iterations";
         if (const auto remedy = find_remedy(method)) note += "; " + describe(method, *remedy) + " may help";
         return RunStatus::stalled;
     }

@@ -114,7 +114,7 @@ class Run {
     bool measured_ = false;                     ///< the meter's last measurement is of the present iterate
     bool not_finite_ = false;
     // What the end is judged by; begins anew when values change.
-    double first_residual_ = 0, best_residual_ = 0;
+    double first_ = 0, best_ = 0;      ///< values of the criterion (SeriesTable::criterion)
     std::vector<double> first_values_; ///< of the series
     int judged_from_ = 0, best_iteration_ = 0;
     int epoch_ = 0;

@@ -10,8 +10,8 @@
 namespace gaspard {
 
 SeriesTable::SeriesTable(SeriesInfo residual, std::vector<SeriesInfo> diagnostics,
-                         std::vector<SeriesInfo> of_method)
-    : step_size_(diagnostics.size() + 1) {
+                         std::vector<SeriesInfo> of_method, std::string_view criterion)
+    : step_size_(diagnostics.size() + 1), criterion_(0) {
     GASPARD_CHECK(residual.name == "residual");
     all_.push_back(std::move(residual));
     const auto append = [this](std::vector<SeriesInfo>& more) {
@@ -26,6 +26,9 @@ SeriesTable::SeriesTable(SeriesInfo residual, std::vector<SeriesInfo> diagnostic
                     .column = false});
     append(of_method);
     for (std::size_t i = 0; i < all_.size(); ++i) GASPARD_CHECK(find(all_[i].name) == i); // names are unique
+    const auto place = find(criterion);
+    GASPARD_CHECK(place && !all_[*place].measured); // every iterate has it
+    criterion_ = *place;
 }
 
 std::optional<std::size_t> SeriesTable::find(std::string_view name) const {

@@ -1,6 +1,6 @@
 // The results of a run as immutable values, for the window, the output files and the tests.
 //
-//   residual          what the method makes small (MethodType::residual)
+//   residual          of the equation, normalised (MethodType::residual), the same measure for all methods
 //   equidistribution  standard deviation / mean over the cells of M_i, McRae et al. (5.2):
 //                     integral of m over physical cell i / measure of computational cell i
 //   Jacobian          det dx/dxi of a physical cell; a cell is tangled where it is <= 0 anywhere
@@ -23,9 +23,9 @@ namespace gaspard {
 enum class RunStatus {
     preparing,       ///< operators are being prepared
     running,         ///< further steps are possible
-    converged,       ///< the residual is below method.tolerance
+    converged,       ///< the residual (MethodType::criterion) is below method.tolerance
     iteration_limit, ///< method.max_iterations was reached
-    stalled,         ///< the residual has not decreased for many iterations
+    stalled,         ///< the criterion has not decreased for many iterations
     diverged,        ///< residual or theta became too large, or not finite
     tangled,         ///< the final mesh has tangled cells, regardless of the residual
     interrupted,     ///< stopped on request

@@ -12,12 +12,15 @@ namespace gaspard {
 
 namespace {
 
-/// Progress of a run, by the logarithm of its residual.
+/// Progress of a run, by the logarithm of the series that ends it.
 double share_done(const DocumentRun& run) {
     if (!run.live() || run.ended()) return 1;
     if (run.history.empty()) return 0;
     const double tolerance = run.scenario.method.values.real("tolerance");
-    const double first = run.history.front().residual, now = run.history.back().residual;
+    const auto criterion = [](const StepReport& report) {
+        return report.value(report.series->criterion()).value_or(0);
+    };
+    const double first = criterion(run.history.front()), now = criterion(run.history.back());
     if (!(first > tolerance) || !(now > 0)) return 0;
     return std::clamp(std::log(first / now) / std::log(first / tolerance), 0.0, 1.0);
 }

@@ -1,5 +1,6 @@
 #include "gui/document/value_changes.hpp"
 
+#include "core/base/join.hpp"
 #include "core/tessellate/ticks.hpp"
 
 #include <cctype>
@@ -78,12 +79,10 @@ std::vector<ValueChange> section_changes(const std::string& section, const Value
 
 std::string name_changes(const std::vector<ValueChange>& changes) {
     if (changes.size() > 3) return std::to_string(changes.size()) + " values";
-    std::string text;
-    for (const ValueChange& change : changes) {
-        text += (text.empty() ? "" : ", ") + change.label;
-        if (change.key.ends_with(".type")) text += " type";
-    }
-    return text;
+    std::vector<std::string> names;
+    for (const ValueChange& change : changes)
+        names.push_back(change.label + (change.key.ends_with(".type") ? " type" : ""));
+    return join(names, ", ");
 }
 
 std::string scenario_title(const Scenario& scenario) {
@@ -91,47 +90,34 @@ std::string scenario_title(const Scenario& scenario) {
 }
 
 std::string describe_changes(const std::vector<ValueChange>& changes) {
-    std::string text;
+    std::vector<std::string> texts;
     for (const ValueChange& change : changes)
-        text += (text.empty() ? "" : ", ") + change.label + " " + change.before + " to " + change.after;
-    return text;
+        texts.push_back(change.label + " " + change.before + " to " + change.after);
+    return join(texts, ", ");
 }
 
 std::string describe_scenario(const Catalogue& catalogue, const Scenario& opened, const Scenario& scenario) {
-    std::string text = monitor_label(catalogue, scenario);
+    std::vector<std::string> texts = {monitor_label(catalogue, scenario)};
     for (const ValueChange& change : value_changes(opened, scenario))
-        if (change.key != "monitor.type") text += ", " + change.label + " " + change.after;
-    return text;
+        if (change.key != "monitor.type") texts.push_back(change.label + " " + change.after);
+    return join(texts, ", ");
 }
-
-namespace {
-
-std::vector<std::string> parts_of(std::string_view text) {
-    std::vector<std::string> parts;
-    constexpr std::string_view between = ", ";
-    for (std::size_t end = 0; (end = text.find(between)) != std::string_view::npos;
-         text.remove_prefix(end + between.size()))
-        parts.emplace_back(text.substr(0, end));
-    parts.emplace_back(text);
-    return parts;
-}
-
-} // namespace
 
 std::vector<std::string> what_differs(const std::vector<std::string>& texts) {
     if (texts.size() < 2) return texts;
-    std::map<std::string, std::size_t> holders; // how many texts have a part
+    std::map<std::string_view, std::size_t> holders; // how many texts have a part
     for (const std::string& text : texts) {
-        const std::vector<std::string> parts = parts_of(text);
-        for (const std::string& part : std::set<std::string>(parts.begin(), parts.end())) ++holders[part];
+        const auto parts = split(text, ", ");
+        for (const std::string_view part : std::set<std::string_view>(parts.begin(), parts.end()))
+            ++holders[part];
     }
     std::vector<std::string> found;
     for (const std::string& text : texts) {
-        const std::vector<std::string> parts = parts_of(text);
-        std::string rest;
-        for (const std::string& part : parts)
-            if (holders[part] < texts.size()) rest += (rest.empty() ? "" : ", ") + part;
-        found.push_back(rest.empty() ? parts.front() : rest);
+        const auto parts = split(text, ", ");
+        std::vector<std::string_view> rest;
+        for (const std::string_view part : parts)
+            if (holders[part] < texts.size()) rest.push_back(part);
+        found.push_back(rest.empty() ? std::string(parts.front()) : join(rest, ", "));
     }
     return found;
 }

@@ -1,6 +1,7 @@
 #include "gui/panels/plot_choice.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/join.hpp"
 #include "gui/document/value_changes.hpp"
 #include "gui/plot/plot_curves.hpp"
 
@@ -14,15 +15,6 @@ namespace gaspard {
 namespace {
 
 constexpr std::string_view axis_name(bool logarithmic) { return logarithmic ? "log" : "linear"; }
-
-std::vector<std::string_view> split(std::string_view text) {
-    std::vector<std::string_view> words;
-    for (std::size_t comma = 0; (comma = text.find(',')) != std::string_view::npos;
-         text.remove_prefix(comma + 1))
-        words.push_back(text.substr(0, comma));
-    words.push_back(text);
-    return words;
-}
 
 std::optional<Abscissa> abscissa_of(std::string_view name) {
     for (const Abscissa one : abscissas())
@@ -142,7 +134,7 @@ std::string format_choice(const PlotChoice& choice) {
 }
 
 std::optional<PlotChoice> parse_choice(std::string_view text) {
-    const auto words = split(text);
+    const auto words = split(text, ",");
     if (words.size() != 4) return std::nullopt;
     const auto abscissa = abscissa_of(words[1]);
     const auto log_x = logarithmic_of(words[2]), log_y = logarithmic_of(words[3]);

@@ -1,5 +1,6 @@
 #include "gui/panels/status_bar.hpp"
 
+#include "core/session/report_columns.hpp"
 #include "core/tessellate/ticks.hpp"
 
 #include <algorithm>
@@ -75,6 +76,10 @@ std::vector<StatusCell> status_cells(const DocumentRun& run) {
         const StepReport* report = series.info.measured ? measured : now;
         const auto value = report ? report->value(name) : std::nullopt;
         cells.push_back({series.info.label, value ? short_number(*value) : none});
+        const SeriesInfo* criterion = now ? other_criterion(*now) : nullptr;
+        if (series.info.name != "residual" || !criterion) continue;
+        const auto end = now->value(criterion->name);
+        cells.push_back({criterion->label, end ? short_number(*end) : none});
     }
     const auto tangled = measured ? measured->tangled_cells : std::nullopt;
     cells.push_back({"Tangled cells", tangled ? std::to_string(*tangled) : none,

@@ -1,5 +1,6 @@
 #include "gui/viewport/viewport.hpp"
 
+#include "core/session/report_columns.hpp"
 #include "core/tessellate/ticks.hpp"
 #include "gui/viewport/legend.hpp"
 #include "gui/viewport/viewport_text.hpp"
@@ -183,6 +184,9 @@ std::vector<std::string> caption_parts(const ViewportText& text) {
     if (!text.subject.empty()) parts.push_back(text.subject);
     parts.push_back("iteration " + std::to_string(report.iteration));
     parts.push_back("residual " + short_number(report.residual, 3));
+    if (const SeriesInfo* criterion = other_criterion(report))
+        if (const auto value = report.value(criterion->name))
+            parts.push_back(criterion->name + " " + short_number(*value, 3));
     if (const auto value = report.value("equidistribution"))
         parts.push_back("equidistribution " + short_number(*value, 4));
     if (report.tangled_cells.value_or(0) > 0)

@@ -1,5 +1,6 @@
 // Picard's and Newton's method on patches: what must hold whatever the mesh.
 #include "core/base/error.hpp"
+#include "core/io/run_files.hpp"
 #include "core/method/manufactured.hpp"
 #include "core/method/spline_equation.hpp"
 #include "core/method/spline_map.hpp"
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
+#include <tuple>
 
 namespace gaspard {
 namespace {
@@ -246,14 +248,101 @@ TEST(Newton, OnAPatchReportsItsMeasures) {
     const auto picard = measures("picard");
     for (const std::string method : {"newton", "accelerated"}) {
         const auto other = measures(method);
-        const auto& all = picard.series->all();
-        ASSERT_EQ(other.series->all().size(), all.size()) << method;
-        ASSERT_EQ(all.size() - picard.series->first_of_method(), 8U) << "theta and seven measures";
-        for (std::size_t i = picard.series->first_of_method(); i < all.size(); ++i) {
-            EXPECT_EQ(other.series->all()[i].name, all[i].name);
-            EXPECT_NEAR(other.value(i).value(), picard.value(i).value(), 1e-5) << all[i].name;
+        const auto& all = other.series->all();
+        ASSERT_EQ(all.size() - other.series->first_of_method(), 9U) << "theta, seven measures, the level";
+        for (std::size_t i = other.series->first_of_method(); i < all.size(); ++i) {
+            ASSERT_TRUE(picard.value(all[i].name)) << all[i].name;
+            EXPECT_NEAR(other.value(i).value(), *picard.value(all[i].name), 1e-5) << all[i].name;
         }
     }
+}
+
+// ---- the residual is the same measure for all methods, the increment a series of its own
+
+TEST(Picard, ReportsTheResidualOfTheEquationThatNewtonSolves) {
+    gaspard::Run run(catalogue(), scenario("spline-two-circles", {"domain.cells=16", "method.type=picard"}));
+    const auto of_newton = [&] {
+        return gaspard::Run(catalogue(),
+                            scenario("spline-two-circles", {"domain.cells=16", "method.type=newton"}),
+                            {.start = run.state()})
+            .history()
+            .front()
+            .residual;
+    };
+    for (int i = 0; i < 12; ++i) {
+        const double expected = of_newton();
+        EXPECT_NEAR(run.history().back().residual, expected, 1e-9 * expected) << i;
+        run.step();
+    }
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::converged);
+    EXPECT_NEAR(run.history().back().residual, of_newton(), 1e-13);
+}
+
+TEST(PicardMixed, ReportsTheResidualOfItsEquation) {
+    const std::vector<std::string> settings = {"domain.cells=8", "method.type=picard-mixed"};
+    gaspard::Run run(catalogue(), scenario("spline-circle", settings));
+    // At the identity map div Psi = 2 and det = 1: r_w = <2 - s G, w> with G^2 = 4 + 2 (f - 1).
+    const auto domain = std::make_shared<SplineDomain>(3, 8, square_map());
+    const PatchForm patch(domain, Formulation::mixed, 8);
+    const SplineForm& form = *patch.form();
+    const auto& [at, weights] = std::tie(form.line().points, form.line().weights);
+    const Section& section = run.scenario().monitor;
+    const auto monitor = monitor_type(section.type).make(section.values, {Space{}});
+    const std::size_t n = at.size();
+    Points points(n * n);
+    std::vector<double> rho(n * n), g(n * n);
+    for (std::size_t i = 0; i < n * n; ++i) points.set(i, {at[i % n], at[i / n], 0});
+    monitor->values(points, rho);
+    double sigma = 0, integral = 0;
+    for (std::size_t i = 0; i < n * n; ++i) sigma += weights[i % n] * weights[i / n] * rho[i];
+    for (std::size_t i = 0; i < n * n; ++i) {
+        g[i] = std::sqrt(4 + 2 * (sigma / rho[i] - 1));
+        integral += weights[i % n] * weights[i / n] * g[i];
+    }
+    for (double& value : g) value = 2 - 2 / integral * value; // the flux of the identity is 2
+    const auto load = [&](const std::vector<double>& values) {
+        auto workspace = form.make_workspace();
+        std::vector<double> b(form.unknowns());
+        form.begin_load(workspace);
+        for (std::size_t y = 0; y < n; ++y) form.load_row(y, &values[y * n], workspace);
+        form.end_load(b, workspace);
+        double squares = 0;
+        for (const double one : b) squares += one * one;
+        return std::sqrt(squares);
+    };
+    const double expected = load(g) / load(std::vector<double>(n * n, 2.0));
+    EXPECT_NEAR(run.history().front().residual, expected, 1e-9 * expected);
+    for (int i = 0; i < 6; ++i) run.step(); // the residual of a step is that of its result as a start
+    const gaspard::Run again(catalogue(), scenario("spline-circle", settings), {.start = run.state()});
+    const double residual = again.history().front().residual;
+    EXPECT_NEAR(run.history().back().residual, residual, 1e-9 * residual);
+}
+
+std::string help_of_tolerance(const std::string& method) {
+    const Values values = method_section(*catalogue(), method).values;
+    for (const ParameterRow& row : values.rows())
+        if (row.key == "tolerance") return row.help;
+    return {};
+}
+
+TEST(Picard, EndsByTheIncrementWhichIsASeriesOfItsName) {
+    for (const std::string method : {"picard", "picard-mixed"}) {
+        gaspard::Run run(catalogue(),
+                         scenario("spline-circle", {"domain.cells=32", "method.type=" + method}));
+        run.solve();
+        const auto& history = run.history();
+        const StepReport &last = history.back(), &before = history[history.size() - 2];
+        EXPECT_EQ(last.series->all()[last.series->criterion()].name, "increment");
+        EXPECT_LT(last.value("increment").value(), 1e-8);
+        EXPECT_GE(before.value("increment").value(), 1e-8);
+        const std::string csv = history_csv(history), head = csv.substr(0, csv.find('\n'));
+        EXPECT_NE(head.find(",increment"), std::string::npos) << head;
+        EXPECT_NE(head.find(",level"), std::string::npos) << head;
+        EXPECT_EQ(help_of_tolerance(method), "the run converges when the increment is below this value");
+    }
+    EXPECT_EQ(help_of_tolerance("newton"),
+              "the run converges when the normalised residual is below this value");
 }
 
 TEST_P(Equations, TakeStatesOfOtherMeshesAndForms) {

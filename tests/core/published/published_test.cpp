@@ -1,17 +1,54 @@
 #include "core/base/error.hpp"
 #include "core/published/published.hpp"
+#include "core/tessellate/camera.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace gaspard {
 namespace {
 
 TEST(Published, CsvLeavesUnprintedNumbersEmptyAndQuotes) {
-    const std::string csv = published_csv({{"a", "x, y", 0.5, 2.0, "say \"so\""}, {"b", "z", 1e-8}});
-    EXPECT_EQ(csv, "row,quantity,ours,published,note\n"
-                   "a,\"x, y\",0.5,2,\"say \"\"so\"\"\"\n"
-                   "b,z,1e-08,,\n");
+    const std::string csv =
+        published_csv({{"a", "x, y", 1.5, printed(2.0, 1), "say \"so\""}, {"b", "z", 1e-8}});
+    EXPECT_EQ(csv, "row,quantity,ours,published,difference,note\n"
+                   "a,\"x, y\",1.5,2,-0.5,\"say \"\"so\"\"\"\n"
+                   "b,z,1e-08,,,\n");
+}
+
+TEST(Published, DifferencesBeyondTheLastDigitHaveANote) {
+    // The second of these is 1.1 units of the last digit away, the first 0.9.
+    EXPECT_FALSE(differs({"a", "x", 1.8219e-3, printed(1.821e-3, 4)}));
+    const PublishedRow beyond{"a", "x", 1.8221e-3, printed(1.821e-3, 4)};
+    EXPECT_TRUE(differs(beyond));
+    EXPECT_NEAR(*difference(beyond), 1.1e-6, 1e-15);
+    EXPECT_EQ(full_note(beyond), "differs beyond the last digit printed (+0.06 %): cause unknown");
+    const PublishedRow half{"a", "x", 1, printed(-2, 2), "a note", "a reason"};
+    EXPECT_EQ(full_note(half), "differs beyond the last digit printed (+1.5e+02 %): a reason; a note");
+    EXPECT_EQ(full_note({"a", "x", 1, std::nullopt, "a note", "a reason"}), "a note");
+    EXPECT_FALSE(differs({"a", "iterations", 35, Printed{35, 0}}));
+    EXPECT_TRUE(differs({"a", "iterations", 36, Printed{35, 0}})) << "counts are exact";
+    EXPECT_EQ(full_note({"a", "tangled cells", 1, Printed{0, 0}}),
+              "differs beyond the last digit printed: cause unknown");
+}
+
+TEST(Published, EveryDifferenceOfATableIsNoted) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const Reproduction result = find_recipe("bahari-table9").make(catalogue, [](const std::string&) {}, {});
+    std::size_t different = 0;
+    for (const PublishedRow& row : result.rows) {
+        const bool noted = full_note(row).find("beyond the last digit") != std::string::npos;
+        EXPECT_EQ(noted, differs(row));
+        if (!differs(row)) continue;
+        ++different;
+        EXPECT_EQ(row.quantity, "Err");
+        if (row.row == "p = 5, n = 128") {
+            EXPECT_NEAR(*difference(row) / row.published->value, -0.507, 1e-3);
+            EXPECT_NE(full_note(row).find("(-51 %)"), std::string::npos) << full_note(row);
+        }
+    }
+    EXPECT_EQ(different, 5U);
 }
 
 TEST(Published, AnUnknownIdNamesTheNearest) {
@@ -47,10 +84,19 @@ TEST(Published, Figure2IsTwoUntangledMeshes) {
         }
 }
 
+/// Where the middle of a panel's picture is on the unit sphere.
+Vec3 middle_of(const FigurePanel& panel) {
+    EXPECT_TRUE(shows_all(panel.camera)) << panel.camera;
+    return towards_viewer(parse_camera(panel.camera, {800, 800}));
+}
+
 TEST(Published, Figure5IsTheX2MeshWithItsDeviationFromTheExactOne) {
     const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
     const Reproduction result = find_recipe("mcrae-fig5").make(catalogue, [](const std::string&) {}, {});
-    ASSERT_EQ(result.figure->panels.size(), 1u);
+    ASSERT_EQ(result.figure->panels.size(), 2u); // front and rear, the fine region in the middle
+    const double root = std::sqrt(3.0);
+    EXPECT_LT(norm(middle_of(result.figure->panels[0]) - Vec3{root / 2, 0, 0.5}), 1e-12);
+    EXPECT_LT(norm(middle_of(result.figure->panels[1]) - Vec3{-root / 2, 0, -0.5}), 1e-12);
     const auto& snapshot = std::get<std::shared_ptr<const Snapshot>>(result.figure->panels.front().content);
     EXPECT_EQ(snapshot->mesh->cell_count(), 1536u);
     EXPECT_EQ(snapshot->report.iteration, 32);
@@ -59,6 +105,17 @@ TEST(Published, Figure5IsTheX2MeshWithItsDeviationFromTheExactOne) {
     });
     ASSERT_NE(row, result.rows.end());
     EXPECT_NEAR(row->ours, 4.42e-4, 1e-6);
+}
+
+TEST(Published, Figure7HasTheCrossingInTheMiddle) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const Reproduction result = find_recipe("mcrae-fig7").make(catalogue, [](const std::string&) {}, {});
+    ASSERT_EQ(result.figure->panels.size(), 1u);
+    const Vec3 middle = middle_of(result.figure->panels[0]);
+    const double root = std::sqrt(3.0);
+    for (const Vec3 pole :
+         {Vec3{root / 2, 0, 0.5}, Vec3{-root / 2, 0, 0.5}}) // the bands are 90 degrees from them
+        EXPECT_NEAR(dot(middle, pole), 0, 1e-12);
 }
 
 TEST(Published, Figure9IsATangledMesh) {

@@ -4,9 +4,11 @@
 #include "core/session/run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <sstream>
+#include <utility>
 
 namespace gaspard {
 namespace {
@@ -68,6 +70,59 @@ TEST_F(Comparison, TheTableSaysWhatTheHistoriesSay) {
     EXPECT_EQ(std::count(head.begin(), head.end(), ','), std::count(first.begin(), first.end(), ','));
     EXPECT_TRUE(first.starts_with("relaxation," + std::to_string(rows[0].iterations) + ",0,")) << first;
     EXPECT_TRUE(first.ends_with(",converged")) << first;
+}
+
+TEST_F(Comparison, OneMeasureForAllMethodsAndTheirOwnByName) {
+    Scenario scenario = find_scenario(*catalogue, "spline-circle");
+    apply_settings(*catalogue, scenario, {"domain.cells=64"});
+    const auto solved = [&](const std::string& method) {
+        gaspard::Run run(catalogue, with_method(*catalogue, scenario, method));
+        run.solve();
+        // What Newton's method says of the same map is the residual in the table.
+        const gaspard::Run newton(catalogue, with_method(*catalogue, scenario, "newton"),
+                                  {.start = run.state()});
+        const ComparisonRow row = comparison_row(method, run.history());
+        EXPECT_NEAR(row.residual, newton.history().front().residual, 1e-13) << method;
+        return row;
+    };
+    const ComparisonRow picard = solved("picard"), newton = solved("newton");
+    EXPECT_EQ(picard.criterion, "increment");
+    EXPECT_LT(picard.criterion_value, 1e-8);
+    EXPECT_GT(std::abs(picard.criterion_value - picard.residual), 1e-10) << "two measures";
+    EXPECT_EQ(newton.criterion, "residual");
+    EXPECT_EQ(newton.criterion_value, newton.residual);
+    EXPECT_TRUE(comparison_cells(picard)[6].starts_with("increment ")) << comparison_cells(picard)[6];
+    EXPECT_TRUE(comparison_cells(newton)[6].starts_with("residual ")) << comparison_cells(newton)[6];
+}
+
+TEST_F(Comparison, IterationsOnCoarserMeshesAreCountedByThemselves) {
+    for (const auto& [name, method] : {std::pair{"spline-circle", "picard"},
+                                       {"spline-circle", "picard-mixed"},
+                                       {"plane-bell", "newton"},
+                                       {"plane-bell", "accelerated"}}) {
+        Scenario scenario = find_scenario(*catalogue, name);
+        apply_settings(*catalogue, scenario, {"domain.cells=64"});
+        gaspard::Run run(catalogue, with_method(*catalogue, scenario, method));
+        int coarse = 0; // updates made from a state of a coarser mesh
+        while (run.status() == RunStatus::running) {
+            const bool first = run.history().size() == 1; // goes to the coarsest mesh within the step
+            const bool below = run.state().layout.find("n=64") == std::string::npos;
+            run.step();
+            if (first || below) ++coarse;
+        }
+        const ComparisonRow row = comparison_row(method, run.history());
+        EXPECT_EQ(row.coarse_iterations, coarse) << method;
+        EXPECT_GT(coarse, 1) << method;
+        EXPECT_GT(row.iterations, coarse) << method;
+        const auto finest = finest_reports(run.history());
+        ASSERT_EQ(finest.size(), static_cast<std::size_t>(row.iterations - coarse) + 1) << method;
+        for (std::size_t i = 0; i < finest.size(); ++i) EXPECT_EQ(finest[i].iteration, static_cast<int>(i));
+    }
+    Scenario scenario = find_scenario(*catalogue, "spline-circle");
+    apply_settings(*catalogue, scenario, {"domain.cells=64", "method.start=identity"});
+    gaspard::Run run(catalogue, scenario);
+    run.solve();
+    EXPECT_EQ(comparison_row("picard", run.history()).coarse_iterations, 0);
 }
 
 TEST_F(Comparison, WhatHasNotBegunHasNoNumbers) {

@@ -1,4 +1,5 @@
 // Several methods on one problem in the window: solved one after the other, seen together.
+#include "core/tessellate/ticks.hpp"
 #include "gui/application_fixture.hpp"
 #include "gui/panels/plot_choice.hpp"
 #include "gui/panels/status_bar.hpp"
@@ -127,6 +128,25 @@ TEST_F(CompareTest, AMethodThatCannotBeginSaysSo) {
         return line.notice.error && line.notice.text.find("gone.json") != std::string::npos;
     })) << application.messages().log().text();
     EXPECT_FALSE(application.messages().error().open()) << "the present run is none the worse";
+}
+
+TEST_F(CompareTest, SplinesHaveOneMeasureAndPicardItsOwnByName) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    run().scenario = find_scenario(*catalogue, "spline-circle");
+    set_value(*catalogue, run().scenario, "domain.cells", std::int64_t{16});
+    application.document().compare({"picard", "newton"});
+    ASSERT_TRUE(wait_until([&] { return !application.document().comparison().running(); }));
+    const auto rows = application.document().comparison().rows();
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[0].criterion, "increment");
+    EXPECT_LT(rows[0].criterion_value, 1e-8);
+    EXPECT_GT(rows[0].residual, 1e-7) << "by which Picard's iteration is not there yet";
+    EXPECT_EQ(rows[1].criterion, "residual");
+    EXPECT_LT(rows[1].residual, 1e-8);
+    const auto cells = status_cells(application.document().runs()[1]);
+    EXPECT_EQ(cells[2].label, "Residual");
+    EXPECT_EQ(cells[3].label, "Increment");
+    EXPECT_EQ(cells[3].value, short_number(rows[0].criterion_value));
 }
 
 TEST_F(CompareTest, ShippedScenariosOpenWithTheMethodThatChooses) {
