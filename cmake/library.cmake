@@ -1,12 +1,12 @@
 # The core as a shared library for other programs: libgaspard, its headers, find_package(Gaspard) with the target
-# Gaspard::gaspard. What the library is made with (toml++, JSON, TinyGLTF, stb, OpenMesh) stays inside of it.
+# Gaspard::gaspard. What the library is made with (toml++, JSON, pugixml, TinyGLTF, stb, OpenMesh) stays inside of it.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # What a simulation needs; src/core/gaspard.hpp includes all of them. Other headers are not public.
 set(public_headers
   gaspard.hpp base/error.hpp base/field.hpp base/parameter.hpp base/points.hpp base/series.hpp base/version.hpp
-  mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/space.hpp mesh/sphere_mesh.hpp mesh/surface_topology.hpp
+  mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/patch_list.hpp mesh/space.hpp mesh/sphere_mesh.hpp mesh/surface_topology.hpp
   monitor/function.hpp monitor/monitor.hpp monitor/problem_data.hpp monitor/tensor.hpp
   method/method.hpp
   scenario/catalogue.hpp scenario/output_rows.hpp scenario/pde_type.hpp scenario/scenario.hpp scenario/toml.hpp session/run.hpp session/series_table.hpp session/snapshot.hpp
@@ -31,7 +31,7 @@ target_include_directories(gaspard_library INTERFACE
   $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(gaspard_library PUBLIC Threads::Threads
   PRIVATE $<BUILD_INTERFACE:gaspard_options> $<BUILD_INTERFACE:tomlplusplus::tomlplusplus>
-    $<BUILD_INTERFACE:TinyGLTF::TinyGLTF> $<BUILD_INTERFACE:PkgConfig::STB> $<BUILD_INTERFACE:PkgConfig::NETCDF> $<BUILD_INTERFACE:OpenMeshCore>)
+    $<BUILD_INTERFACE:pugixml::pugixml> $<BUILD_INTERFACE:TinyGLTF::TinyGLTF> $<BUILD_INTERFACE:PkgConfig::STB> $<BUILD_INTERFACE:PkgConfig::NETCDF> $<BUILD_INTERFACE:OpenMeshCore>)
 if(NOT GASPARD_SANITIZER)
   target_link_options(gaspard_library PRIVATE LINKER:-z,defs) # complete in itself
 endif()

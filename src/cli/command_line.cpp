@@ -9,11 +9,14 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 
 namespace gaspard {
 
 namespace {
+
+constexpr const char* scenario_help = "A built-in name, a .toml file, or - for standard input";
 
 void add_settings(CLI::App& command, std::vector<std::string>& settings) {
     command.add_option("--set", settings, "Set a value, such as monitor.amplitude=20 (repeatable)")
@@ -24,7 +27,7 @@ void add_settings(CLI::App& command, std::vector<std::string>& settings) {
 
 void add_run(CLI::App& app, RunArguments& run) {
     CLI::App* command = app.add_subcommand("run", "Solve without a window and write the results to files");
-    command->add_option("SCENARIO", run.scenario, "A built-in name or a .toml file")->required();
+    command->add_option("SCENARIO", run.scenario, scenario_help)->required();
     add_settings(*command, run.settings);
     command->add_option("--out", run.out, "Output folder (default: ./gaspard-out/SCENARIO)")
         ->type_name("DIR");
@@ -47,13 +50,41 @@ void add_run(CLI::App& app, RunArguments& run) {
 
 void add_compare(CLI::App& app, CompareArguments& compare) {
     CLI::App* command = app.add_subcommand("compare", "Compare methods on one problem: a table and an image");
-    command->add_option("SCENARIO", compare.scenario, "A built-in name or a .toml file")->required();
+    command->add_option("SCENARIO", compare.scenario, scenario_help)->required();
     add_settings(*command, compare.settings);
     command->add_option("--methods", compare.methods, "Comma-separated list of methods (default: all)")
         ->type_name("LIST");
     command->add_option("--out", compare.out, "Output folder (default: ./gaspard-out/SCENARIO-methods)")
         ->type_name("DIR");
     command->add_flag("--no-render", compare.no_render, "Do not draw an image");
+}
+
+/// Empty values are mistakes, such as those of an unset variable in a script.
+void refuse_empty_values(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& value : option->results())
+            if (value.empty()) throw InputError(option->get_name() + " is empty; see gaspard --help");
+}
+
+/// The arguments that no option takes, with the nearest option of the command.
+std::string unexpected(const CLI::App& app) {
+    const auto commands = app.get_subcommands();
+    const CLI::App& command = commands.empty() ? app : *commands.front();
+    std::vector<std::string> known, extras = app.remaining(true);
+    for (const CLI::Option* option : command.get_options()) known.push_back(option->get_name());
+    const std::string first = extras.empty() ? std::string() : extras.front();
+    return "unexpected argument '" + first + "'" +
+           (first.starts_with('-') ? did_you_mean(first.substr(0, first.find('=')), known) : "");
+}
+
+/// One sentence for an error of the parser.
+std::string sentence(const CLI::ParseError& error) {
+    const std::string text = error.what();
+    const std::string option = text.substr(0, text.find_first_of(": ")); // "--out: 1 required DIR missing"
+    if (dynamic_cast<const CLI::RequiredError*>(&error)) return option + " is missing";
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return option + " needs one value";
+    if (dynamic_cast<const CLI::ConversionError*>(&error)) return "a flag such as --quiet takes no value";
+    return "invalid arguments";
 }
 
 int dispatch(int argc, char** argv) {
@@ -69,7 +100,7 @@ int dispatch(int argc, char** argv) {
     RunArguments run;
     bool reproduce_without_picture = false;
     std::string show_scenario;
-    app.add_option("SCENARIO", scenario, "A built-in name or a .toml file");
+    app.add_option("SCENARIO", scenario, scenario_help);
     add_settings(app, settings);
     app.add_option("--size", size, "Size of the window in pixels")->type_name("WxH");
     add_run(app, run);
@@ -79,7 +110,7 @@ int dispatch(int argc, char** argv) {
     list->add_option("WHAT", what,
                      "scenarios, domains, monitors, methods, formats, view or output (default: all)");
     CLI::App* show = app.add_subcommand("show", "Print the complete scenario as TOML, including defaults");
-    show->add_option("SCENARIO", show_scenario, "A built-in name or a .toml file")->required();
+    show->add_option("SCENARIO", show_scenario, scenario_help)->required();
     add_settings(*show, show_settings);
     CLI::App* reproduce = app.add_subcommand("reproduce", "Reproduce a published table or figure");
     reproduce->add_option("ID", id, "Table or figure, such as mcrae-fig2 (default: list all)");
@@ -95,12 +126,13 @@ int dispatch(int argc, char** argv) {
         for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
         const bool known_command = !app.get_subcommands().empty();
         const std::string meant = known_command ? "" : did_you_mean(scenario, commands);
-        if (meant.empty()) throw InputError(std::string(error.what()) + "; see gaspard --help");
+        if (meant.empty()) throw InputError(unexpected(app) + "; see gaspard --help");
         throw InputError("unknown command '" + scenario + "'" + meant + "; see gaspard --help");
     } catch (const CLI::ParseError& error) {
-        std::cerr << "gaspard: " << error.what() << "; see gaspard --help\n";
-        return exit_input;
+        throw InputError(sentence(error) + "; see gaspard --help");
     }
+    refuse_empty_values(app);
+    for (const CLI::App* command : app.get_subcommands()) refuse_empty_values(*command);
     if (const auto commands = app.get_subcommands(); !commands.empty())
         for (const char* option : {"SCENARIO", "--set", "--size"})
             if (app.get_option(option)->count() > 0)
@@ -131,6 +163,9 @@ int run_command_line(int argc, char** argv) {
         return exit_input;
     } catch (const std::bad_alloc&) {
         std::cerr << "gaspard: not enough memory\n";
+    } catch (const std::filesystem::filesystem_error& error) {
+        std::cerr << "gaspard: cannot use " << error.path1().string() << ": " << error.code().message()
+                  << "\n";
     } catch (const std::exception& error) {
         std::cerr << "gaspard: " << error.what() << "\n";
     }

@@ -14,9 +14,7 @@ struct RunArguments {
     std::string scenario;
     std::vector<std::string> settings; ///< key=value
     std::string out;                   ///< empty: ./gaspard-out/SCENARIO
-    std::optional<std::string> formats, size, start;
-    std::optional<long long> max_iterations, threads, seed;
-    std::optional<double> tolerance;
+    std::optional<std::string> formats, size, start, max_iterations, threads, seed, tolerance;
     bool no_render = false, whole_window = false, quiet = false;
 };
 
@@ -39,7 +37,8 @@ int reproduce_command(std::shared_ptr<const Catalogue> catalogue, const std::str
 int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string& scenario,
                    const std::vector<std::string>& settings, const std::optional<std::string>& size);
 
-/// Sets view.width and view.height from a text such as "1200x900". Throws InputError if it is malformed.
-void apply_size(Scenario& scenario, const std::string& size);
+/// The settings of view.width and view.height from a text such as "1200x900". Throws InputError if it is
+/// malformed.
+std::vector<std::string> size_settings(const std::string& size);
 
 } // namespace gaspard

@@ -1,16 +1,16 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt_watch.hpp"
+#include "cli/scenario_input.hpp"
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
+#include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/image.hpp"
 #include "core/io/run_files.hpp"
-#include "core/scenario/toml.hpp"
 #include "core/session/comparison.hpp"
 #include "core/session/report_columns.hpp"
 #include "core/session/run.hpp"
-#include "core/tessellate/check_view.hpp"
 #include "gui/app/viewport_image.hpp"
 #include "gui/gl/offscreen.hpp"
 
@@ -93,14 +93,14 @@ struct Outcome {
 
 int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArguments& arguments) {
     const InterruptWatch interrupt;
-    Scenario scenario = find_scenario(*catalogue, arguments.scenario);
-    apply_settings(*catalogue, scenario, arguments.settings);
-    check(*catalogue, scenario);
-    check_view(scenario.view);
+    ScenarioInput input = load_input(*catalogue, arguments.scenario, arguments.settings);
+    check_input(*catalogue, input);
+    const Scenario& scenario = input.scenario;
     const auto methods = chosen_methods(*catalogue, scenario, arguments.methods);
     const std::filesystem::path folder =
         arguments.out.empty() ? std::filesystem::path("gaspard-out") / (scenario.name + "-methods")
-                              : std::filesystem::path(arguments.out);
+                              : user_path(arguments.out);
+    check_domain(*catalogue, input);
     if (!arguments.no_render) check_offscreen_choice();
     check_writable(folder);
     std::vector<ComparisonRow> rows;

@@ -1,7 +1,6 @@
 #include "cli/commands.hpp"
+#include "cli/scenario_input.hpp"
 #include "core/base/error.hpp"
-#include "core/io/formats.hpp"
-#include "core/scenario/toml.hpp"
 
 #include <iostream>
 
@@ -102,10 +101,11 @@ int list_command(const Catalogue& catalogue, const std::string& what) {
 
 int show_command(const Catalogue& catalogue, const std::string& name,
                  const std::vector<std::string>& settings) {
-    Scenario scenario = find_scenario(catalogue, name);
-    apply_settings(catalogue, scenario, settings);
-    check(catalogue, scenario);
-    std::cout << to_toml(scenario);
+    ScenarioInput input = load_input(catalogue, name, settings);
+    check_input(catalogue, input);
+    check_domain(catalogue, input);
+    const Scenario& scenario = input.scenario;
+    std::cout << to_toml(scenario.folder.empty() ? scenario : with_absolute_paths(scenario));
     return 0;
 }
 

@@ -2,6 +2,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/interrupt_watch.hpp"
 #include "core/base/error.hpp"
+#include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/image.hpp"
 #include "core/published/published.hpp"
@@ -56,7 +57,7 @@ int reproduce_command(std::shared_ptr<const Catalogue> catalogue, const std::str
     }
     const Recipe recipe = find_recipe(id);
     const std::filesystem::path folder =
-        out.empty() ? std::filesystem::path("gaspard-out") / id : std::filesystem::path(out);
+        out.empty() ? std::filesystem::path("gaspard-out") / id : user_path(out);
     check_writable(folder);
     const InterruptWatch interrupt;
     try {

@@ -1,18 +1,16 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt_watch.hpp"
+#include "cli/scenario_input.hpp"
 #include "core/base/error.hpp"
 #include "core/base/stopwatch.hpp"
+#include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
-#include "core/io/formats.hpp"
 #include "core/io/image.hpp"
 #include "core/io/run_files.hpp"
 #include "core/io/state_file.hpp"
-#include "core/io/svg.hpp"
-#include "core/scenario/toml.hpp"
 #include "core/session/report_columns.hpp"
 #include "core/session/run.hpp"
-#include "core/tessellate/check_view.hpp"
 #include "gui/app/viewport_image.hpp"
 #include "gui/app/whole_window.hpp"
 #include "gui/gl/offscreen.hpp"
@@ -29,30 +27,42 @@ namespace gaspard {
 
 namespace {
 
-Scenario scenario_of(const Catalogue& catalogue, const RunArguments& arguments) {
-    Scenario scenario = find_scenario(catalogue, arguments.scenario);
-    apply_settings(catalogue, scenario, arguments.settings);
-    if (arguments.tolerance) scenario.method.values.set("tolerance", *arguments.tolerance);
-    if (arguments.max_iterations)
-        scenario.method.values.set("max_iterations", std::int64_t{*arguments.max_iterations});
-    if (arguments.formats) scenario.output.set("formats", *arguments.formats);
-    if (arguments.size) apply_size(scenario, *arguments.size);
+/// Options are settings under another name; they take precedence over --set.
+std::vector<std::string> settings_of(const RunArguments& arguments) {
+    std::vector<std::string> settings = arguments.settings;
+    const auto add = [&](const char* key, const std::optional<std::string>& value) {
+        if (value) settings.push_back(std::string(key) + "=" + *value);
+    };
+    add("method.tolerance", arguments.tolerance);
+    add("method.max_iterations", arguments.max_iterations);
+    add("output.formats", arguments.formats);
+    if (arguments.size)
+        for (std::string& setting : size_settings(*arguments.size)) settings.push_back(std::move(setting));
+    return settings;
+}
+
+ScenarioInput input_of(const Catalogue& catalogue, const RunArguments& arguments) {
+    ScenarioInput input = load_input(catalogue, arguments.scenario, settings_of(arguments));
     if (arguments.seed) {
-        const ParameterRow* row = find_role(scenario.monitor.values.rows(), ParameterRole::seed);
+        Values& monitor = input.scenario.monitor.values;
+        const ParameterRow* row = find_role(monitor.rows(), ParameterRole::seed);
         if (!row)
-            throw InputError("--seed does not apply: the monitor of scenario '" + scenario.name +
+            throw InputError("--seed does not apply: the monitor of scenario '" + input.scenario.name +
                              "' uses no random numbers");
-        scenario.monitor.values.set(row->key, std::int64_t{*arguments.seed});
+        monitor.parse(row->key, *arguments.seed);
     }
-    return scenario;
+    check_input(catalogue, input);
+    return input;
 }
 
 int threads_of(const RunArguments& arguments) {
-    const long long all = std::max(1u, std::thread::hardware_concurrency());
-    const long long threads = arguments.threads.value_or(all);
-    if (threads < 1 || threads > 1024)
-        throw InputError("--threads = " + std::to_string(threads) + " is out of range: 1 to 1024");
-    return static_cast<int>(threads);
+    if (!arguments.threads) return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    const std::string& text = *arguments.threads;
+    int threads = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), threads);
+    if (code != std::errc{} || end != text.data() + text.size() || threads < 1 || threads > 1024)
+        throw InputError("--threads must be an integer from 1 to 1024, not '" + text + "'");
+    return threads;
 }
 
 // A progress line on the terminal, overwritten at most ten times a second.
@@ -89,6 +99,8 @@ void print_outcome(const Run& run, const std::filesystem::path& folder) {
     std::printf("equidistribution %.6e, %zu tangled cells, %.3f s\n",
                 last.value("equidistribution").value_or(0), last.tangled_cells.value_or(0), last.seconds);
     if (!last.note.empty()) std::printf("%s\n", last.note.c_str());
+    if (const auto patches = run.discretisation().patches())
+        std::printf("%s; domain.patch selects another\n", patches->note.c_str());
     std::printf("files in %s\n", folder.string().c_str());
 }
 
@@ -109,41 +121,31 @@ void draw_view(std::shared_ptr<const Catalogue> catalogue, Run& run, const std::
 
 } // namespace
 
-void apply_size(Scenario& scenario, const std::string& size) {
+std::vector<std::string> size_settings(const std::string& size) {
     const auto cross = size.find('x');
-    std::int64_t width = 0, height = 0;
-    const auto read = [](std::string_view text, std::int64_t& number) {
-        const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
-        return code == std::errc{} && end == text.data() + text.size();
+    const auto is_number = [](std::string_view text) {
+        return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
     };
     const std::string_view text = size;
-    if (cross == std::string::npos || !read(text.substr(0, cross), width) ||
-        !read(text.substr(cross + 1), height))
+    if (cross == std::string::npos || !is_number(text.substr(0, cross)) || !is_number(text.substr(cross + 1)))
         throw InputError("--size must be WIDTHxHEIGHT, such as 1200x900, not '" + size + "'");
-    scenario.view.set("width", width);
-    scenario.view.set("height", height);
+    return {"view.width=" + size.substr(0, cross), "view.height=" + size.substr(cross + 1)};
 }
 
 int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& arguments) {
     const InterruptWatch interrupt;
     // Check all input before the first iteration.
-    const Scenario scenario = scenario_of(*catalogue, arguments);
-    check(*catalogue, scenario);
-    check_view(scenario.view);
-    const auto formats = formats_of(*catalogue, scenario);
+    const ScenarioInput input = input_of(*catalogue, arguments);
+    const Scenario& scenario = input.scenario;
     RunOptions options{.threads = threads_of(arguments)};
-    if (arguments.start) options.start = read_state(*arguments.start);
+    if (arguments.start) options.start = read_state(user_path(*arguments.start));
     const std::filesystem::path folder = arguments.out.empty()
                                              ? std::filesystem::path("gaspard-out") / scenario.name
-                                             : std::filesystem::path(arguments.out);
+                                             : user_path(arguments.out);
 
     try {
         Run run(catalogue, scenario, std::move(options), {}, interrupt.token());
-        check_view(scenario.view, run.discretisation().mesh().get());
-        if (std::any_of(formats.begin(), formats.end(), [](const auto* one) { return one->name == "svg"; }))
-            check_svg_camera(run.discretisation().mesh()->nodes, scenario.view.text("camera"),
-                             static_cast<double>(scenario.view.integer("height")) /
-                                 static_cast<double>(scenario.view.integer("width")));
+        check_with_mesh(input, *run.discretisation().mesh());
         if (!arguments.no_render) check_offscreen_choice();
         check_writable(folder); // after all checks of the input
         {
@@ -159,7 +161,7 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
         if (!arguments.quiet) print_outcome(run, folder);
         std::exception_ptr failure; // rethrown after the other files are written
         try {
-            write_run_files(folder, run, formats);
+            write_run_files(folder, run, input.formats);
         } catch (const MachineError&) {
             failure = std::current_exception();
         }

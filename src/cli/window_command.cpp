@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
+#include "cli/scenario_input.hpp"
 #include "core/base/error.hpp"
-#include "core/scenario/toml.hpp"
+#include "core/base/user_path.hpp"
 #include "core/tessellate/check_view.hpp"
 #include "gui/app/window.hpp"
 #include "gui/document/document.hpp"
@@ -52,21 +53,22 @@ int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string
     const std::filesystem::path file = settings_file();
     WindowOptions options;
     options.settings = read_settings(file, options.complaints);
-    Scenario scenario = find_scenario(*catalogue, name);
-    if (!name.ends_with(".toml")) {
+    const bool from_file = is_scenario_file(name);
+    ScenarioInput input = load_input(*catalogue, name, {});
+    Scenario& scenario = input.scenario;
+    if (!from_file && name != "-") {
         Scenario chosen = for_window(*catalogue, scenario);
         if (!needs_own_method(settings, scenario, chosen)) scenario = std::move(chosen);
     }
     restore_view(*catalogue, scenario, options.settings.window);
-    apply_settings(*catalogue, scenario, settings);
-    check(*catalogue, scenario);
-    check_view(scenario.view);
+    change_input(*catalogue, input, settings);
+    check_input(*catalogue, input);
     if (size) {
-        apply_size(scenario, *size);
+        apply_settings(*catalogue, scenario, size_settings(*size));
         for (const char* key : {"width", "height"}) options.settings.window.set(key, scenario.view.at(key));
         options.settings.window.set("maximized", false);
     }
-    if (name.ends_with(".toml")) remember_recent(options.settings, name);
+    if (from_file) remember_recent(options.settings, user_path(name));
     save_settings(file, run_window(std::move(catalogue), scenario, options));
     return 0;
 }

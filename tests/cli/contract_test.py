@@ -457,6 +457,128 @@ class Information(Contract):
                 self.assertIn("`" + name + "`", text, page)
 
 
+class Files(Contract):
+    """Where scenarios and patches come from."""
+    SQUARE = {"degrees": [1, 1], "knots": [[0, 0, 1, 1]] * 2, "control_points": [[0, 0], [1, 0], [0, 1], [1, 1]]}
+    SCENARIO = "[domain]\ntype = 'spline-patch'\ncells = 8\nfile = '%s'\n" \
+               "[monitor]\ntype = 'constant'\n[method]\ntype = 'picard'\n"
+
+    def file(self, name, text):
+        path = os.path.join(self.folder.name, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w") as file:
+            file.write(text)
+        return path
+
+    def quick(self, *arguments, **options):
+        return subprocess.run([PROGRAM, "run", *arguments, "--out", self.out, "--no-render", "--formats", "obj"],
+                              text=True, capture_output=True, timeout=60, **options)
+
+    def gismo(self, count):
+        geometry = """<Geometry type="TensorBSpline2" id="%d"><Basis type="TensorBSplineBasis2">
+            <Basis type="BSplineBasis"><KnotVector degree="1">0 0 1 1</KnotVector></Basis>
+            <Basis type="BSplineBasis"><KnotVector degree="1">0 0 1 1</KnotVector></Basis></Basis>
+            <coefs geoDim="2">%d 0 %d 0 %d 1 %d 1</coefs></Geometry>"""
+        each = [geometry % (100 + i, i, i + 1, i, i + 1) for i in range(count)]
+        return "<xml>" + "".join(each) + "</xml>"
+
+    def test_paths_are_relative_to_the_scenario(self):
+        self.file("sub/p.json", json.dumps(self.SQUARE))
+        scenario = self.file("sub/mine.toml", self.SCENARIO % "p.json")
+        for cwd in ("/", self.folder.name, os.path.dirname(scenario)):
+            self.assertEqual(self.quick(scenario, cwd=cwd).returncode, 0, cwd)
+        shutil.rmtree(self.out)
+        # On the command line they are relative to the working directory.
+        self.file("q.json", json.dumps(self.SQUARE))
+        result = self.quick(scenario, "--set", "domain.file=q.json", cwd=self.folder.name)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        shutil.rmtree(self.out)
+        self.refused(self.quick(scenario, "--set", "domain.file=q.json", cwd=os.path.dirname(scenario)), "sub/q.json")
+        shown = gaspard("show", scenario)
+        self.assertIn(os.path.join(self.folder.name, "sub", "p.json"), shown.stdout)
+        again = self.file("elsewhere/again.toml", shown.stdout)
+        self.assertEqual(self.quick(again).returncode, 0)
+
+    def test_the_home_folder_is_expanded(self):
+        self.file("p.json", json.dumps(self.SQUARE))
+        self.file("mine.TOML", self.SCENARIO % "~/p.json")
+        environment = dict(os.environ, HOME=self.folder.name)
+        result = self.quick("~/mine.TOML", env=environment)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        del environment["HOME"]
+        shutil.rmtree(self.out)
+        self.refused(self.quick("~/mine.TOML", env=environment), "HOME is not set")
+
+    def test_a_scenario_from_standard_input(self):
+        self.file("p.json", json.dumps(self.SQUARE))
+        result = self.quick("-", input=self.SCENARIO % "p.json", cwd=self.folder.name)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.summary()["scenario"], "stdin")
+        pipe = os.path.join(self.folder.name, "pipe")
+        os.mkfifo(pipe)
+        with subprocess.Popen(["sh", "-c", '"$0" show - < "$1"', PROGRAM, pipe], stdout=subprocess.PIPE,
+                              text=True) as shown:
+            with open(pipe, "w") as writer:
+                writer.write("[domain]\ncells = 8\n")
+            self.assertIn("\ncells = 8\n", shown.communicate(timeout=20)[0])
+        shutil.rmtree(self.out)
+        self.refused(self.quick("-", input="[domain]\ncells = 0\n"), "stdin:2: domain.cells = 0")
+
+    def test_show_looks_at_files_and_view(self):
+        scenario = self.file("mine.toml", self.SCENARIO % "gone.json" + "[view]\ncamera = 'from afar'\n")
+        for command in ("show", "run", "compare"):
+            self.refused(gaspard(command, scenario), "mine.toml:10: view.camera: the camera 'from afar'")
+            self.refused(gaspard(command, scenario, "--set", "view.camera="), os.path.join(self.folder.name, "gone.json"))
+        scenario = self.file("formats.toml", "[output]\nformats = 'obj,gld'\n")
+        for command in ("show", "run", "compare"):
+            self.refused(gaspard(command, scenario), "formats.toml:2: output.formats: unknown format 'gld'", "'glb'")
+        self.refused(gaspard("compare", "plane-ring", "--set", "view.layout=projection", "--out", self.out), "projection")
+
+    def test_empty_values_are_refused(self):
+        for option in ("--out", "--tolerance", "--max-iterations", "--threads", "--seed", "--start", "--formats", "--size"):
+            self.refused(gaspard("run", "plane-ring", option, ""), option + " is empty")
+        self.refused(gaspard("run", ""), "SCENARIO is empty")
+        self.refused(gaspard("compare", "plane-ring", "--out="), "--out")
+        self.refused(gaspard("reproduce", "mcrae-fig2", "--out", ""), "--out is empty")
+        self.refused(gaspard("run", "plane-ring", "--out"), "--out needs one value")
+        self.refused(gaspard("run", "plane-ring", "--tolerence", "1"), "'--tolerance'")
+        self.refused(gaspard("run", "plane-ring", "--quiet=maybe"), "takes no value")
+        self.refused(gaspard("run", "plane-ring", "--tolerance", "small", "--out", self.out), "must be a number", "'small'")
+        self.refused(gaspard("run", "plane-ring", "--threads", "1.5", "--out", self.out), "--threads must be an integer")
+
+    def test_one_patch_of_several(self):
+        many = self.file("many.xml", self.gismo(12))
+        scenario = self.file("mine.toml", self.SCENARIO % "many.xml")
+        for which, note in (("", "patch 1 of 12 (TensorBSpline2, id 100)"), ("3", "patch 3 of 12 (TensorBSpline2, id 102)"),
+                            ("id:111", "patch 12 of 12 (TensorBSpline2, id 111)")):
+            result = self.quick(scenario, "--set", "domain.patch=" + which)
+            self.assertIn(note, result.stdout)
+            self.assertEqual(self.summary()["patch"], note)
+        shutil.rmtree(self.out)
+        self.refused(self.quick(scenario, "--set", "domain.patch=13"), "many.xml has 12 patches", "from 1 to 12")
+        inline = self.file("inline.toml", (self.SCENARIO % "many.xml").replace("cells = 8", "cells = 8\npatch = 2"))
+        self.assertIn("patch 2 of 12", self.quick(inline).stdout)
+        self.assertTrue(os.path.exists(many))
+
+    def test_bad_patches_are_one_sentence_with_their_name(self):
+        text = json.dumps(self.SQUARE)
+        for name, content, part in (
+                ("large.json", text.replace("[1, 1]]", "[1e400, 1]]"), "1e400"),
+                ("key.json", text.replace("}", ', "weight": [1]}'), "did you mean 'weights'?"),
+                ("folding.json", text.replace("[0, 1], [1, 1]]}", "[1, 1], [0, 1]]}"), "folds"),
+                ("packed.xml.gz", "\x1f", "none of the kinds")):
+            scenario = self.file("mine.toml", self.SCENARIO % name)
+            self.file(name, content)
+            self.refused(self.quick(scenario), os.path.join(self.folder.name, name), part)
+
+    def test_endless_files_stop(self):
+        os.symlink("/dev/zero", os.path.join(self.folder.name, "zero.toml"))
+        self.refused(self.quick(os.path.join(self.folder.name, "zero.toml")), "larger than 4 MiB")
+        scenario = self.file("mine.toml", self.SCENARIO % "/dev/urandom")
+        self.refused(self.quick(scenario), "/dev/urandom", "larger than 32 MiB")
+        self.refused(self.quick("plane-ring", "--start", "/dev/zero"), "/dev/zero", "larger than 256 MiB")
+
+
 if __name__ == "__main__":
     PROGRAM = os.path.abspath(sys.argv.pop(1))
     unittest.main()

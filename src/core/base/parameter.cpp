@@ -240,6 +240,11 @@ void Values::set(std::string_view key, const Value& value) {
         return;
     }
     case ParameterKind::text:
+        if (const auto* whole = std::get_if<std::int64_t>(&value);
+            whole && row.role == ParameterRole::patch) {
+            values_[i] = std::to_string(*whole);
+            return;
+        }
         if (!std::holds_alternative<std::string>(value)) wrong_kind();
         break;
     }

@@ -28,6 +28,8 @@ enum class ParameterRole {
     longitude,
     seed,           ///< of the random number generator
     control_points, ///< of a spline patch, as text
+    file,           ///< a path, relative to the folder of the scenario's file
+    patch,          ///< which patch of a file; an integer is accepted as text
     defines_rows,   ///< other rows depend on its value, so it is set before them
 };
 

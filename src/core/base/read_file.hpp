@@ -1,12 +1,17 @@
 // Reading a whole file.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 namespace gaspard {
 
-/// Returns the file's bytes. Throws InputError if the file cannot be read (missing, a folder, no permission).
-std::string read_file(const std::filesystem::path& file);
+/// The largest file that is read unless the caller says otherwise: 256 MiB.
+inline constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 28;
+
+/// Returns the file's bytes; reads pipes to their end. Throws InputError if the file cannot be read (missing,
+/// a folder, no permission) or has more than `limit` bytes, as endless devices such as /dev/zero do.
+std::string read_file(const std::filesystem::path& file, std::uintmax_t limit = largest_file);
 
 } // namespace gaspard

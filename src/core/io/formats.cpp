@@ -179,10 +179,15 @@ std::vector<const Format*> parse_formats(std::string_view list) {
 
 std::vector<const Format*> formats_of(const Catalogue& catalogue, const Scenario& scenario) {
     const bool is_spline = catalogue.domain(scenario.domain.type).spline_patch;
-    auto chosen = parse_formats(scenario.output.text("formats"));
+    std::vector<const Format*> chosen;
+    try {
+        chosen = parse_formats(scenario.output.text("formats"));
+    } catch (const InputError& error) {
+        throw InputError("output.formats: " + std::string(error.what()));
+    }
     for (const Format* format : chosen)
         if (format->splines_only && !is_spline)
-            throw InputError("format '" + format->name + "' requires a spline patch; domain '" +
+            throw InputError("output.formats: format '" + format->name + "' requires a spline patch; domain '" +
                              scenario.domain.type + "' is not one");
     return chosen;
 }

@@ -86,6 +86,7 @@ std::string summary_json(Run& run) {
     json["method"] = section_json(scenario.method);
     for (const Section* section : {&scenario.target, &scenario.pde})
         if (!section->type.empty()) json[section->values.section()] = section_json(*section);
+    if (const auto patches = run.discretisation().patches()) json["patch"] = patches->note;
     json["cells"] = run.discretisation().mesh()->cell_count();
     json["unknowns"] = run.discretisation().unknowns();
     json["status"] = status_name(last.status);

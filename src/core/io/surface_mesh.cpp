@@ -18,9 +18,7 @@ std::string bytes_of(const std::filesystem::path& file) {
     const auto status = std::filesystem::status(file, trouble);
     if (!std::filesystem::exists(status) || std::filesystem::is_directory(status)) return read_file(file);
     if (!std::filesystem::is_regular_file(status)) throw InputError("it is not a regular file");
-    if (std::filesystem::file_size(file) > largest_surface_file)
-        throw InputError("it is larger than " + std::to_string(largest_surface_file >> 20) + " MiB");
-    return read_file(file);
+    return read_file(file, largest_surface_file);
 }
 
 SurfaceFile parse(const std::filesystem::path& file, std::string_view bytes) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/mesh/mesh.hpp"
+#include "core/mesh/patch_list.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -23,6 +24,8 @@ class Discretisation {
     virtual std::shared_ptr<const Mesh> mesh() const = 0;
     /// The control points of a planar patch if the user may move them; otherwise null.
     virtual std::shared_ptr<const Points> control_points() const { return nullptr; }
+    /// The patches of the domain's file if it has several; otherwise null.
+    virtual std::shared_ptr<const PatchList> patches() const { return nullptr; }
     /// Number of unknowns.
     virtual std::size_t unknowns() const = 0;
 };

@@ -68,7 +68,8 @@ Capability spline_capability(const std::string& domain_type) {
             .methods = {"picard", "picard-mixed", "newton", "accelerated", "auto"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 if (context.progress) context.progress(0, "preparing the patch");
-                return make_spline_domain(context.scenario.domain.type, context.scenario.domain.values);
+                return make_spline_domain(context.scenario.domain.type, context.scenario.domain.values,
+                                          context.scenario.folder);
             },
             .problem = problem_on<SplineEquation, SplineDomain>};
 }

@@ -25,7 +25,8 @@ struct Scenario {
     Section target{}; ///< "monitor.target": the density on the target domain
     Section pde{};    ///< "pde": the PDE that is solved on the mesh
     Values view, output;
-    /// Base of relative paths among the values; empty: the working directory.
+    /// Base of relative paths among the values (ParameterRole::file): the folder of the scenario's file; empty:
+    /// the working directory.
     std::filesystem::path folder{};
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };

@@ -1,6 +1,7 @@
 // Setting values of a scenario by their full keys, from TOML or the command line.
 #include "core/base/check.hpp"
 #include "core/base/join.hpp"
+#include "core/base/user_path.hpp"
 #include "core/scenario/catalogue.hpp"
 
 #include <algorithm>
@@ -155,6 +156,17 @@ void update_monitor_rows(const Catalogue& catalogue, const Space& space, Section
     section.values = std::move(values);
 }
 
+/// A path on the command line is relative to the working directory, also if the scenario has a folder.
+std::string working_path(const Scenario& scenario, const Values& values, const std::string& key,
+                         const std::string& text) {
+    const auto row = std::find_if(values.rows().begin(), values.rows().end(),
+                                  [&](const ParameterRow& one) { return one.key == key; });
+    const bool file = row != values.rows().end() && row->role == ParameterRole::file;
+    return file && is_path(text) && !scenario.folder.empty()
+               ? std::filesystem::absolute(user_path(text)).string()
+               : text;
+}
+
 /// Adds, keeps or removes a section that only some domains and methods have; `offered`: its possible types.
 template <class Make>
 void update_optional(Section& section, const std::vector<std::string>& offered, const Make& make) {
@@ -261,7 +273,7 @@ void apply_settings(const Catalogue& catalogue, Scenario& scenario,
         if (target.section && target.key == "type") {
             set_type(catalogue, scenario, *target.section, text);
         } else {
-            target.values->parse(target.key, text);
+            target.values->parse(target.key, working_path(scenario, *target.values, target.key, text));
             if (target.section) update_rows(catalogue, scenario);
         }
     }

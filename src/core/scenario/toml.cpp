@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
+#include "core/base/user_path.hpp"
 #include "core_assets.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ Value to_value(const toml::node& node, const std::string& key) {
 /// Sets every key of one table, its type first. Keys that do not exist yet are postponed, because they may
 /// depend on the values of others. Errors name file and line.
 void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::table& table,
-                  const std::string& section, const std::string& origin) {
+                  const std::string& section, const std::string& origin, ScenarioSource& source) {
     std::deque<std::pair<std::string, const toml::node*>> entries;
     for (const auto& [key, node] : table) entries.emplace_back(section + "." + std::string(key.str()), &node);
     std::stable_partition(entries.begin(), entries.end(),
@@ -54,6 +55,7 @@ void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::ta
         try {
             check_key(catalogue, scenario, key); // has specific messages for reserved and unknown sections
             set_value(catalogue, scenario, key, to_value(*node, key));
+            source.lines[key] = node->source().begin.line;
         } catch (const InputError& error) {
             throw InputError(place(origin, node->source()) + error.what());
         }
@@ -83,13 +85,17 @@ void write_section(std::ostream& out, const std::string& type, const Values& val
 
 } // namespace
 
-Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const std::string& origin) {
+Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const std::string& origin,
+                        ScenarioSource* source) {
+    ScenarioSource found{origin, {}};
     const std::vector<std::string> sections = {"domain", "method", "monitor", "pde", "view", "output"};
     toml::table document;
     try {
         document = toml::parse(text, origin);
     } catch (const toml::parse_error& error) {
-        throw InputError(place(origin, error.source()) + std::string(error.description()));
+        const std::string_view what = error.description(); // " (TOML_MAX_...)" is the parser's own name
+        throw InputError(place(origin, error.source()) + "TOML syntax error: " +
+                         std::string(what.substr(0, what.find(" (TOML"))));
     }
     Scenario scenario = default_scenario(catalogue);
     scenario.name = std::filesystem::path(origin).stem().string();
@@ -114,17 +120,45 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
     // Domain and method first: the available sections and rows depend on them.
     for (const auto& name : sections) {
         if (const auto* table = document[name].as_table())
-            read_section(catalogue, scenario, *table, name, origin);
+            read_section(catalogue, scenario, *table, name, origin, found);
         if (name != "monitor") continue;
         if (const auto* table = document[name]["target"].as_table())
-            read_section(catalogue, scenario, *table, "monitor.target", origin);
+            read_section(catalogue, scenario, *table, "monitor.target", origin, found);
     }
+    if (source != nullptr) *source = std::move(found);
     return scenario;
 }
 
-Scenario load_scenario(const Catalogue& catalogue, const std::filesystem::path& file) {
-    Scenario scenario = parse_scenario(catalogue, read_file(file), file.string());
+Scenario load_scenario(const Catalogue& catalogue, const std::filesystem::path& file,
+                       ScenarioSource* source) {
+    Scenario scenario =
+        parse_scenario(catalogue, read_file(file, largest_scenario_file), file.string(), source);
     scenario.folder = file.parent_path();
+    return scenario;
+}
+
+std::string with_place(const ScenarioSource& source, const std::string& message) {
+    const auto is_named = [&](const std::string& key) {
+        const auto at = message.find(key);
+        const auto after = at + key.size();
+        return at != std::string::npos && (after == message.size() || message[after] == ' ' ||
+                                           message[after] == ':' || message[after] == ',');
+    };
+    for (const auto& [key, line] : source.lines)
+        if (is_named(key)) return source.name + ":" + std::to_string(line) + ": " + message;
+    return message;
+}
+
+bool is_scenario_file(std::string_view name_or_file) { return has_extension(name_or_file, ".toml"); }
+
+Scenario with_absolute_paths(Scenario scenario) {
+    for (Section* section :
+         {&scenario.domain, &scenario.monitor, &scenario.target, &scenario.method, &scenario.pde})
+        for (const ParameterRow& row : std::vector<ParameterRow>(section->values.rows()))
+            if (const std::string text = row.role == ParameterRole::file ? section->values.text(row.key) : "";
+                is_path(text))
+                section->values.set(row.key,
+                                    std::filesystem::absolute(user_path(text, scenario.folder)).string());
     return scenario;
 }
 
@@ -172,14 +206,16 @@ std::vector<BuiltinScenario> builtin_scenarios() {
     return scenarios;
 }
 
-Scenario find_scenario(const Catalogue& catalogue, const std::string& name_or_file) {
+Scenario find_scenario(const Catalogue& catalogue, const std::string& name_or_file, ScenarioSource* source) {
+    if (name_or_file == "-")
+        return parse_scenario(catalogue, read_file("/dev/stdin", largest_scenario_file), "stdin", source);
     std::vector<std::string> names;
     for (const auto& builtin : builtin_scenarios()) {
         if (builtin.name == name_or_file)
-            return parse_scenario(catalogue, builtin.toml, name_or_file + ".toml");
+            return parse_scenario(catalogue, builtin.toml, name_or_file + ".toml", source);
         names.emplace_back(builtin.name);
     }
-    if (name_or_file.ends_with(".toml")) return load_scenario(catalogue, name_or_file);
+    if (is_scenario_file(name_or_file)) return load_scenario(catalogue, user_path(name_or_file), source);
     throw InputError("unknown scenario '" + name_or_file + "'" + did_you_mean(name_or_file, names) +
                      "; see `gaspard list scenarios`, or give a file whose name ends in .toml");
 }

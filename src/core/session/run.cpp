@@ -301,7 +301,9 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         problem_ = std::move(problem);
         return {};
     }
-    const bool new_domain = !(problem.scenario.domain == old.domain);
+    const bool other_files = find_role(old.domain.values.rows(), ParameterRole::file) != nullptr &&
+                             problem.scenario.folder != old.folder;
+    const bool new_domain = !(problem.scenario.domain == old.domain) || other_files;
     const bool new_method = new_domain || problem.scenario.method.type != old.method.type;
     // After divergence or tangling, restart from the last untangled mesh, for example with a smaller step.
     const bool back = status() == RunStatus::diverged || status() == RunStatus::tangled;
@@ -351,6 +353,7 @@ std::shared_ptr<const Snapshot> Run::snapshot() {
     snapshot->x = method_->positions();
     snapshot->exact = exact_;
     snapshot->control = discretisation_->control_points();
+    snapshot->patches = discretisation_->patches();
     Field monitor{mesh_colour("monitor"), std::vector<double>(snapshot->x.size())};
     data_.monitor->values(snapshot->x, monitor.values);
     const FieldInfo mass{.name = "mass", .label = "cell mass", .symbol = "Mᵢ", .place = FieldPlace::cell};

@@ -9,6 +9,7 @@
 #include "core/base/field.hpp"
 #include "core/base/points.hpp"
 #include "core/mesh/mesh.hpp"
+#include "core/mesh/patch_list.hpp"
 #include "core/session/series_table.hpp"
 
 #include <cstdint>
@@ -68,6 +69,7 @@ struct Snapshot {
     std::shared_ptr<const Points>
         exact{}; ///< where they would stand in the exact solution; null where unknown
     std::shared_ptr<const Points> control{}; ///< control points that may be moved; null where there are none
+    std::shared_ptr<const PatchList> patches{}; ///< of a file with several; otherwise null
     std::vector<Field> fields; ///< monitor (of nodes), mass (M_i) and jacobian (of cells), the method's own
     StepReport report;
     std::uint64_t version = 0; ///< increases with every iterate

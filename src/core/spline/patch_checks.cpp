@@ -19,6 +19,20 @@ void not_a_patch(const std::string& origin, const std::string& what) {
     throw InputError(origin + " is not a valid patch: " + what);
 }
 
+namespace {
+
+/// An inner knot that occurs degree + 1 times or more often: there the patch is not continuous.
+void refuse_torn(const KnotVector& space, const std::string& which, const std::string& origin) {
+    const auto& t = space.knots;
+    const auto p = static_cast<std::size_t>(space.degree);
+    for (std::size_t i = 0; i + p < t.size(); ++i)
+        if (t[i] > t.front() && t[i] < t.back() && t[i] == t[i + p])
+            not_a_patch(origin, "it is torn at the knot " + format_number(t[i]) + " of knots[" + which +
+                                    "]: for degree " + std::to_string(p) +
+                                    " an inner knot may occur at most " + std::to_string(p) +
+                                    (p == 1 ? " time" : " times"));
+}
+
 KnotVector checked_direction(double degree, std::vector<double> knots, const std::string& which,
                              const std::string& origin) {
     if (!(degree >= 1 && degree <= highest_degree) || degree != std::floor(degree))
@@ -26,6 +40,7 @@ KnotVector checked_direction(double degree, std::vector<double> knots, const std
     for (const double knot : knots)
         if (!std::isfinite(knot)) not_a_patch(origin, "knots[" + which + "] must be finite numbers");
     KnotVector space{static_cast<int>(degree), std::move(knots)};
+    if (std::is_sorted(space.knots.begin(), space.knots.end())) refuse_torn(space, which, origin);
     if (!space.knots.empty()) {
         const double first = space.knots.front(), last = space.knots.back(), length = last - first;
         for (double& knot : space.knots) knot = knot == last ? (length > 0 ? 1 : 0) : (knot - first) / length;
@@ -44,8 +59,24 @@ KnotVector checked_direction(double degree, std::vector<double> knots, const std
     return space;
 }
 
-void check_patch(const SplinePatch& patch, const std::string& origin) {
+void check_weights(const std::vector<double>& weights, std::size_t count, const std::string& origin) {
+    if (weights.size() != count)
+        not_a_patch(origin, "there must be as many weights as control points, but there are " +
+                                std::to_string(weights.size()) + " for " + std::to_string(count));
+    for (const double w : weights)
+        if (!(w >= 1e-6 && w <= 1e6))
+            not_a_patch(origin, "weights must be positive (1e-6 to 1e6), but one is " + format_number(w));
+}
+
+} // namespace
+
+SplinePatch make_patch(PatchParts parts, const std::string& origin) {
+    SplinePatch patch;
+    for (std::size_t d = 0; d < 2; ++d)
+        patch.space.directions.push_back(
+            checked_direction(parts.degrees[d], std::move(parts.knots[d]), std::to_string(d), origin));
     const std::size_t n = patch.space.size();
+    patch.control = std::move(parts.control);
     if (patch.control.size() != n)
         not_a_patch(origin, "the knots require " + std::to_string(n) + " control points, but there are " +
                                 std::to_string(patch.control.size()));
@@ -54,10 +85,33 @@ void check_patch(const SplinePatch& patch, const std::string& origin) {
             if (!(std::abs(c) <= largest_coordinate))
                 not_a_patch(origin, "control point " + std::to_string(i) + " has a coordinate larger than " +
                                         format_number(largest_coordinate));
-    if (patch.weights.size() != n) not_a_patch(origin, "there must be as many weights as control points");
-    for (const double w : patch.weights)
-        if (!(w >= 1e-6 && w <= 1e6))
-            not_a_patch(origin, "weights must be positive (1e-6 to 1e6), but one is " + format_number(w));
+    patch.weights = std::move(parts.weights);
+    if (patch.weights.empty()) patch.weights.assign(n, 1.0);
+    check_weights(patch.weights, n, origin);
+    return patch;
+}
+
+Points points_in_rows(const std::vector<double>& coordinates, std::size_t dimension) {
+    Points points(coordinates.size() / dimension);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double* c = &coordinates[dimension * i];
+        points.set(i, {c[0], c[1], dimension == 3 ? c[2] : 0});
+    }
+    return points;
+}
+
+Points points_in_columns(const std::vector<double>& coordinates, std::size_t dimension) {
+    const std::size_t n = coordinates.size() / dimension;
+    Points points(n);
+    for (std::size_t i = 0; i < n; ++i)
+        points.set(i, {coordinates[i], coordinates[n + i], dimension == 3 ? coordinates[2 * n + i] : 0});
+    return points;
+}
+
+void divide_by_weights(PatchParts& parts, const std::string& origin) {
+    check_weights(parts.weights, parts.control.size(), origin);
+    for (std::size_t i = 0; i < parts.control.size(); ++i)
+        parts.control.set(i, (1 / parts.weights[i]) * parts.control[i]);
 }
 
 void check_regular(const PatchMap& map, const std::string& origin) {

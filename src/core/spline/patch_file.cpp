@@ -1,12 +1,13 @@
 #include "core/spline/patch_file.hpp"
 
-#include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
-#include "core/spline/patch_checks.hpp"
+#include "core/base/user_path.hpp"
+#include "core/spline/patch_json.hpp"
+#include "core/spline/patch_text.hpp"
 #include "core/spline/patch_xml.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -14,73 +15,65 @@ namespace gaspard {
 
 namespace {
 
-using Json = nlohmann::json;
+/// How the content of a kind of file begins, after blanks.
+struct FileKind {
+    std::string_view begins;
+    FoundPatch (*read)(const PatchText&); ///< null: it is not read
+    std::string_view name;                ///< of a kind that is not read
+};
 
-const Json& member(const Json& json, const char* key, const std::string& origin) {
-    if (!json.is_object()) not_a_patch(origin, "it must be an object with degrees, knots and control_points");
-    const auto found = json.find(key);
-    if (found == json.end() || !found->is_array())
-        not_a_patch(origin, "it has no list '" + std::string(key) + "'");
-    return *found;
-}
+constexpr std::array<FileKind, 18> kinds = {{
+    {"{", &read_json_patch, {}},
+    {"[", &read_json_patch, {}},
+    {"<", &read_gismo, {}},
+    {"\xef\xbb\xbf<", &read_gismo, {}}, // byte order marks: UTF-8, UTF-16
+    {"\xff\xfe", &read_gismo, {}},
+    {"\xfe\xff", &read_gismo, {}},
+    {"MFEM NURBS mesh", &read_mfem, {}},
+    {"# nurbs mesh v.", &read_geopdes, {}},
+    {"\x1f\x8b", nullptr, "a gzip-compressed file; decompress it first (gunzip)"},
+    {"PK\x03\x04", nullptr, "a zip archive or a file of numpy (.npz)"},
+    {"MFEM", nullptr, "an MFEM file, but not an MFEM NURBS mesh"},
+    {"ISO-10303-21", nullptr, "a STEP file"},
+    {"3D Geometry File Format", nullptr, "a Rhino file (.3dm)"},
+    {"CASCADE Topology", nullptr, "an OpenCASCADE file (.brep)"},
+    {"DBRep_DrawableShape", nullptr, "an OpenCASCADE file (.brep)"},
+    {"glTF", nullptr, "a glTF file"},
+    {"ply", nullptr, "a PLY file, a mesh and not a spline"},
+    {"solid", nullptr, "an STL file, a mesh and not a spline"},
+}};
 
-std::vector<double> numbers(const Json& json, const std::string& what, const std::string& origin) {
-    if (!json.is_array()) not_a_patch(origin, what + " must be a list of numbers");
-    std::vector<double> all;
-    for (const auto& one : json) {
-        if (!one.is_number() || !std::isfinite(one.get<double>()))
-            not_a_patch(origin, what + " must be a list of finite numbers");
-        all.push_back(one.get<double>());
-    }
-    return all;
+std::string_view without_blanks(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    return text;
 }
 
 } // namespace
 
-SplinePatch parse_patch(std::string_view text, const std::string& origin) {
-    Json json;
-    try {
-        json = Json::parse(text);
-    } catch (const Json::parse_error& error) {
-        not_a_patch(origin, "JSON syntax error at character " + std::to_string(error.byte));
+FoundPatch parse_patch(const PatchText& file) {
+    const std::string_view begin = without_blanks(file.text);
+    if (begin.empty()) cannot_read(file.origin, "it is empty");
+    for (const FileKind& kind : kinds) {
+        if (!begin.starts_with(kind.begins)) continue;
+        if (kind.read == nullptr) cannot_read(file.origin, "it is " + std::string(kind.name));
+        return kind.read(file);
     }
-    const Json &degrees = member(json, "degrees", origin), &knots = member(json, "knots", origin);
-    if (degrees.size() != 2 || knots.size() != 2)
-        not_a_patch(origin, "degrees and knots must have two entries, one per direction");
-    SplinePatch patch;
-    for (std::size_t d = 0; d < 2; ++d) {
-        const std::string which = std::to_string(d);
-        patch.space.directions.push_back(
-            checked_direction(degrees[d].is_number() ? degrees[d].get<double>() : 0,
-                              numbers(knots[d], "knots[" + which + "]", origin), which, origin));
-    }
-    const Json& control = member(json, "control_points", origin);
-    patch.control = Points(control.size());
-    for (std::size_t i = 0; i < control.size(); ++i) {
-        const std::string what = "control_points[" + std::to_string(i) + "]";
-        const auto point = numbers(control[i], what, origin);
-        if (point.size() != 2 && point.size() != 3)
-            not_a_patch(origin, what + " must have two or three coordinates");
-        patch.control.set(i, {point[0], point[1], point.size() == 3 ? point[2] : 0});
-    }
-    patch.weights.assign(control.size(), 1.0);
-    if (json.contains("weights")) patch.weights = numbers(json["weights"], "weights", origin);
-    check_patch(patch, origin);
-    return patch;
+    cannot_read(file.origin,
+                "it is none of the kinds of patch file that are read: JSON of Gaspard, geomdl or "
+                "splinepy, XML of G+Smo, NURBS meshes of MFEM, geometries of GeoPDEs");
 }
 
-SplinePatch read_patch(const std::filesystem::path& file) {
-    const std::string text = read_file(file);
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    return ending == ".xml" ? parse_patch_xml(text, file.string()) : parse_patch(text, file.string());
+FoundPatch read_patch(const std::filesystem::path& file, const std::string& which) {
+    const std::string text = read_file(file, largest_patch_file);
+    return parse_patch({text, file.string(), which});
 }
 
-SplinePatch find_patch(const std::string& json_or_file) {
-    const auto begin = json_or_file.find_first_not_of(" \t\r\n");
-    if (begin == std::string::npos) return nurbs_disk();
-    return json_or_file[begin] == '{' ? parse_patch(json_or_file, "domain.file") : read_patch(json_or_file);
+FoundPatch find_patch(const std::string& json_or_file, const std::filesystem::path& folder,
+                      const std::string& which) {
+    if (is_path(json_or_file)) return read_patch(user_path(json_or_file, folder), which);
+    if (!without_blanks(json_or_file).empty()) return parse_patch({json_or_file, "domain.file", which});
+    choose_patch({{"disk", {}, {}}}, {{}, "the built-in disk", which});
+    return {nurbs_disk(), "the built-in disk"};
 }
 
 std::string patch_json(const SplinePatch& patch) {

@@ -1,4 +1,5 @@
-// Patch files. JSON:
+// Patch files. The content tells the kind, not the name: Gaspard's JSON, G+Smo's XML, MFEM's NURBS meshes,
+// GeoPDEs' geometries, and the JSON of geomdl and splinepy. Our own JSON:
 //
 //   { "degrees": [2, 2],
 //     "knots": [[0, 0, 0, 1, 1, 1], [0, 0, 0, 1, 1, 1]],
@@ -6,19 +7,25 @@
 //     "weights": [w, ...] }                                  optional; default 1
 #pragma once
 
-#include "core/spline/spline_patch.hpp"
+#include "core/spline/patch_choice.hpp"
 
+#include <cstdint>
 #include <filesystem>
-#include <string_view>
+#include <string>
 
 namespace gaspard {
 
-/// Throws InputError that names what is missing or wrong, and where. Knots are scaled to [0, 1].
-SplinePatch parse_patch(std::string_view json, const std::string& origin);
-/// Reads JSON, or G+Smo's XML if the name ends in .xml.
-SplinePatch read_patch(const std::filesystem::path& file);
-/// Reads a patch from JSON text or from the file of that name; the empty string is nurbs_disk().
-SplinePatch find_patch(const std::string& json_or_file);
+/// The largest patch file that is read: 32 MiB.
+inline constexpr std::uintmax_t largest_patch_file = std::uintmax_t{1} << 25;
+
+/// Reads a patch from the text of a file of any kind. Throws InputError that names what is missing or wrong,
+/// and where, or the kind of a file that cannot be read. Knots are scaled to [0, 1].
+FoundPatch parse_patch(const PatchText& file);
+/// The same, from a file. `which` is domain.patch (patch_choice.hpp).
+FoundPatch read_patch(const std::filesystem::path& file, const std::string& which = {});
+/// The patch of domain.file: JSON text, or a path relative to `folder`; the empty string is nurbs_disk().
+FoundPatch find_patch(const std::string& json_or_file, const std::filesystem::path& folder = {},
+                      const std::string& which = {});
 /// Reads back to the same patch.
 std::string patch_json(const SplinePatch& patch);
 

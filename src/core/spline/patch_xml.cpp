@@ -1,114 +1,212 @@
 #include "core/spline/patch_xml.hpp"
 
+#include "core/base/error.hpp"
+#include "core/base/number_text.hpp"
 #include "core/base/parameter.hpp"
 #include "core/spline/patch_checks.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <optional>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <new>
+#include <pugixml.hpp>
 
 namespace gaspard {
 
 namespace {
 
-/// The content of an element and the text of its opening tag. Nested elements of the same name are not
-/// handled: in these files only <Basis> is nested, and it is never looked up.
-struct Element {
-    std::string_view tag, content;
-    std::size_t end = 0; ///< position after the element in the searched text
-};
+using Node = pugi::xml_node;
 
-std::optional<Element> find_element(std::string_view text, const std::string& name, std::size_t from = 0) {
-    for (std::size_t at = from; (at = text.find("<" + name, at)) != std::string_view::npos; ++at) {
-        const std::size_t after = at + 1 + name.size();
-        if (after < text.size() && text[after] != '>' && text[after] != ' ' && text[after] != '\n' &&
-            text[after] != '\t' && text[after] != '\r')
-            continue; // a longer name with this prefix
-        const std::size_t open = text.find('>', at);
-        const std::size_t close = text.find("</" + name, open == std::string_view::npos ? at : open);
-        if (close == std::string_view::npos) return std::nullopt;
-        return Element{text.substr(at, open - at), text.substr(open + 1, close - open - 1), close};
-    }
-    return std::nullopt;
+constexpr double most_knots = 1e6; // of a uniform knot vector
+
+/// Whitespace between comments counts, since it separates numbers.
+constexpr unsigned parse_options = pugi::parse_default | pugi::parse_ws_pcdata;
+
+void load(pugi::xml_document& document, const PatchText& file) {
+    const auto result = document.load_buffer(file.text.data(), file.text.size(), parse_options);
+    if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
+    if (result.status == pugi::status_no_document_element) cannot_read(file.origin, "it has no XML element");
+    if (result) return;
+    const auto at =
+        std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), file.text.size());
+    const auto line =
+        1 + std::count(file.text.begin(), file.text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    cannot_read(file.origin, "XML syntax error at line " + std::to_string(line));
 }
 
-std::string attribute(std::string_view tag, const std::string& name) {
-    const std::size_t at = tag.find(name + "=\"");
-    if (at == std::string_view::npos) return {};
-    const std::size_t begin = at + name.size() + 2;
-    return std::string(tag.substr(begin, tag.find('"', begin) - begin));
-}
-
-std::vector<double> numbers(std::string_view text, const std::string& what, const std::string& origin) {
-    std::vector<double> all;
-    const char *at = text.data(), *const end = at + text.size();
-    while (true) {
-        while (at != end && (*at == ' ' || *at == '\n' || *at == '\t' || *at == '\r')) ++at;
-        if (at == end) return all;
-        double value = 0;
-        const auto [next, error] = std::from_chars(at, end, value);
-        if (error != std::errc()) not_a_patch(origin, what + " must be a list of numbers");
-        all.push_back(value);
-        at = next;
-    }
-}
-
-std::string without_comments(std::string_view xml) {
-    std::string text(xml);
-    for (std::size_t begin; (begin = text.find("<!--")) != std::string::npos;) {
-        const std::size_t end = text.find("-->", begin);
-        text.erase(begin, end == std::string::npos ? end : end + 3 - begin);
-    }
+/// All text of an element, without that of its children.
+std::string text_of(const Node& node) {
+    std::string text;
+    for (const Node& child : node)
+        if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) text += child.value();
     return text;
 }
 
-/// The first geometry with two directions.
-Element geometry(std::string_view text, const std::string& origin) {
-    std::size_t from = 0;
-    while (const auto found = find_element(text, "Geometry", from)) {
-        const std::string type = attribute(found->tag, "type");
-        if (type == "TensorBSpline2" || type == "TensorNurbs2") return *found;
-        from = found->end;
-    }
-    not_a_patch(origin, "it has no <Geometry> of type TensorBSpline2 or TensorNurbs2");
+/// The next node in document order; within `node` only if `inside`.
+Node next_node(const Node& node, const Node& root, bool inside) {
+    if (inside && node.first_child()) return node.first_child();
+    for (Node at = node; at && at != root; at = at.parent())
+        if (at.next_sibling()) return at.next_sibling();
+    return {};
 }
 
-Element child(const Element& parent, const std::string& name, const std::string& origin) {
-    if (const auto found = find_element(parent.content, name)) return *found;
-    not_a_patch(origin, "the geometry has no <" + name + ">");
+/// Elements below `root` with a name, in document order.
+std::vector<Node> elements(const Node& root, std::string_view name) {
+    std::vector<Node> found;
+    for (Node at = root.first_child(); at; at = next_node(at, root, true))
+        if (name == at.name()) found.push_back(at);
+    return found;
+}
+
+struct Refused {
+    std::string_view name, what;
+};
+
+/// Elements that are geometries of another kind, and what they are. Geometries inside of them are parts.
+constexpr std::array<Refused, 5> other_elements = {{
+    {"MultiPatch", "a list of patches: choose one of them"},
+    {"TrimSurface", "a trimmed surface"},
+    {"PlanarDomain", "a planar domain given by its boundary curves"},
+    {"Solid", "a solid given by trimmed surfaces"},
+    {"Mesh", "a mesh, not a spline"},
+}};
+
+/// Why a <Geometry> of this type is not read; empty if it is.
+std::string refusal_of(std::string_view type) {
+    if (type == "TensorBSpline2" || type == "TensorNurbs2") return {};
+    if (type == "BSpline" || type == "Nurbs" || type == "TensorBSpline1" || type == "TensorNurbs1")
+        return "a curve, not a surface";
+    if (type == "TensorBSpline3" || type == "TensorNurbs3") return "a solid, not a surface";
+    if (type.starts_with("THBSpline"))
+        return "a truncated hierarchical spline (THB); convert it to tensor form";
+    if (type.starts_with("HBSpline")) return "a hierarchical spline (HB); convert it to tensor form";
+    return "a geometry of another kind (Gaspard reads TensorBSpline2 and TensorNurbs2)";
+}
+
+struct Found {
+    PatchEntry entry;
+    Node node;
+};
+
+std::vector<Found> geometries(const pugi::xml_document& document) {
+    std::vector<Found> all;
+    const auto add = [&](const Node& node, std::string_view kind, std::string refusal) {
+        all.push_back({{std::string(kind), node.attribute("id").value(), std::move(refusal)}, node});
+    };
+    bool inside = true;
+    for (Node at = document.first_child(); at; at = next_node(at, document, inside)) {
+        const std::string_view name = at.name();
+        inside = true;
+        if (name == "Geometry") {
+            const std::string_view type = at.attribute("type").value();
+            add(at, type.empty() ? "Geometry without type" : type, refusal_of(type));
+            inside = false;
+        }
+        for (const Refused& other : other_elements)
+            if (name == other.name) {
+                add(at, name, std::string(other.what));
+                inside = name == "MultiPatch"; // its patches may be in it or beside it
+            }
+    }
+    return all;
+}
+
+/// The numbers of an element: text, or base64 of the attribute `format`, such as B64Float64.
+std::vector<double> numbers(const Node& node, const std::string& origin) {
+    const std::string what = "<" + std::string(node.name()) + ">";
+    std::string format = node.attribute("format").value();
+    std::transform(format.begin(), format.end(), format.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    try {
+        if (format.empty() || format == "ascii") return parse_numbers(text_of(node), what);
+        if (format.starts_with("b64")) return decode_numbers(text_of(node), format.substr(3), what);
+    } catch (const InputError& error) {
+        not_a_patch(origin, error.what());
+    }
+    not_a_patch(origin, what + " has the unknown format '" + node.attribute("format").value() + "'");
+}
+
+/// A number in an attribute; `missing` if there is none or it is not a number.
+double number(const Node& node, const char* attribute, double missing) {
+    const std::string text = node.attribute(attribute).value();
+    const auto begin = text.find_first_not_of(" \t\r\n"), end = text.find_last_not_of(" \t\r\n");
+    if (begin == std::string::npos) return missing;
+    return parse_number(std::string_view(text).substr(begin, end - begin + 1)).value_or(missing);
+}
+
+/// csize basis functions on equal cells of [0, 1].
+std::vector<double> uniform(double degree, double csize, const std::string& origin) {
+    if (!(csize <= most_knots) || !(csize > degree) || csize != std::floor(csize) || !(degree >= 1))
+        not_a_patch(origin, "<KnotVector mode=\"uniform\"> must have a csize above its degree");
+    const auto p = static_cast<std::size_t>(degree), cells = static_cast<std::size_t>(csize) - p;
+    std::vector<double> knots(p, 0.0);
+    for (std::size_t i = 0; i <= cells; ++i)
+        knots.push_back(static_cast<double>(i) / static_cast<double>(cells));
+    knots.insert(knots.end(), p, 1.0);
+    return knots;
+}
+
+Node child(const Node& parent, const char* name, const std::string& origin) {
+    if (const Node found = parent.child(name)) return found;
+    not_a_patch(origin, "<" + std::string(parent.name()) + "> has no <" + name + ">");
+}
+
+void read_coefs(PatchParts& parts, const Node& geometry, const std::string& origin) {
+    const Node coefs = child(geometry, "coefs", origin);
+    const double dimension = number(coefs, "geoDim", 0);
+    if (dimension != 2 && dimension != 3) not_a_patch(origin, "<coefs> must have geoDim=\"2\" or \"3\"");
+    const auto d = static_cast<std::size_t>(dimension);
+    const auto values = numbers(coefs, origin);
+    if (values.size() % d != 0) not_a_patch(origin, "the length of <coefs> is not a multiple of geoDim");
+    const std::string_view order = coefs.attribute("order").value();
+    if (!order.empty() && order != "coordinates")
+        not_a_patch(origin, "<coefs> has the unknown order '" + std::string(order) + "'");
+    parts.control = order.empty() ? points_in_rows(values, d) : points_in_columns(values, d);
+}
+
+SplinePatch read_geometry(const Node& geometry, bool rational, const std::string& origin) {
+    if (geometry.child("transform"))
+        not_a_patch(origin,
+                    "it has a <transform>, which is not applied; transform the control points instead");
+    const Node basis = child(geometry, "Basis", origin);
+    const auto lines = elements(basis, "KnotVector");
+    if (lines.size() != 2)
+        not_a_patch(origin, "it must have two <KnotVector>, but has " + std::to_string(lines.size()));
+    PatchParts parts;
+    for (std::size_t d = 0; d < 2; ++d) {
+        parts.degrees[d] = number(lines[d], "degree", 0);
+        parts.knots[d] = std::string_view(lines[d].attribute("mode").value()) == "uniform"
+                             ? uniform(parts.degrees[d], number(lines[d], "csize", 0), origin)
+                             : numbers(lines[d], origin);
+    }
+    read_coefs(parts, geometry, origin);
+    const Node weights = basis.child("weights");
+    if (rational != static_cast<bool>(weights))
+        not_a_patch(origin, rational ? "its <Basis> has no <weights>" : "a TensorBSpline2 has no <weights>");
+    if (rational) {
+        parts.weights = numbers(weights, origin);
+        if (parts.weights.empty()) not_a_patch(origin, "there must be as many weights as control points");
+    }
+    return make_patch(std::move(parts), origin);
 }
 
 } // namespace
 
-SplinePatch parse_patch_xml(std::string_view xml, const std::string& origin) {
-    const std::string text = without_comments(xml);
-    const Element whole = geometry(text, origin);
-    SplinePatch patch;
-    std::size_t from = 0;
-    for (const char* which : {"0", "1"}) {
-        const auto found = find_element(whole.content, "KnotVector", from);
-        if (!found) not_a_patch(origin, "the geometry must have two <KnotVector>");
-        const std::string degree = attribute(found->tag, "degree");
-        const auto parsed = numbers(degree, "degree", origin);
-        patch.space.directions.push_back(checked_direction(parsed.size() == 1 ? parsed[0] : 0,
-                                                           numbers(found->content, "<KnotVector>", origin),
-                                                           which, origin));
-        from = found->end;
-    }
-    const Element coefs = child(whole, "coefs", origin);
-    const auto values = numbers(coefs.content, "<coefs>", origin);
-    const std::string dimension = attribute(coefs.tag, "geoDim");
-    if (dimension != "2" && dimension != "3") not_a_patch(origin, "<coefs> must have geoDim=\"2\" or \"3\"");
-    const std::size_t d = dimension == "2" ? 2 : 3, n = values.size() / d;
-    if (values.size() % d != 0) not_a_patch(origin, "the length of <coefs> is not a multiple of geoDim");
-    patch.control = Points(n);
-    for (std::size_t i = 0; i < n; ++i)
-        patch.control.set(i, {values[d * i], values[d * i + 1], d == 3 ? values[d * i + 2] : 0});
-    patch.weights.assign(n, 1.0);
-    if (const auto weights = find_element(whole.content, "weights"))
-        patch.weights = numbers(weights->content, "<weights>", origin);
-    check_patch(patch, origin);
-    return patch;
+FoundPatch read_gismo(const PatchText& file) {
+    pugi::xml_document document;
+    load(document, file);
+    const auto found = geometries(document);
+    if (found.empty())
+        cannot_read(file.origin, "it has no <Geometry> of type TensorBSpline2 or TensorNurbs2 (G+Smo); its "
+                                 "root element is <" +
+                                     std::string(document.document_element().name()) + ">");
+    std::vector<PatchEntry> entries;
+    for (const Found& one : found) entries.push_back(one.entry);
+    ChosenPatch chosen = choose_patch(entries, file);
+    const Found& one = found[chosen.entry];
+    SplinePatch patch = read_geometry(one.node, one.entry.kind == "TensorNurbs2", chosen.origin);
+    return {std::move(patch), std::move(chosen.origin), std::move(chosen.patches)};
 }
 
 std::string patch_xml(const SplinePatch& patch) {

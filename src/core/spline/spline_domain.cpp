@@ -83,8 +83,9 @@ DomainType domain_type(const char* name, const char* label, const char* help,
 } // namespace
 
 SplineDomain::SplineDomain(int degree, std::size_t cells, std::shared_ptr<const PatchMap> map,
-                           std::shared_ptr<const Points> control)
-    : degree_(degree), cells_(cells), map_(std::move(map)), control_(std::move(control)) {
+                           std::shared_ptr<const Points> control, std::shared_ptr<const PatchList> patches)
+    : degree_(degree), cells_(cells), map_(std::move(map)), control_(std::move(control)),
+      patches_(std::move(patches)) {
     GASPARD_CHECK(map_ != nullptr && cells_ >= 1 && degree_ >= 2 && degree_ <= highest_degree);
     mesh_ = std::make_shared<const Mesh>(patch_mesh(cells_, node_lines(), *map_));
 }
@@ -111,8 +112,17 @@ std::vector<DomainType> spline_domains() {
          .kind = ParameterKind::text,
          .default_value = std::string(),
          .help =
-             "patch file, JSON (docs/splines.md) or G+Smo .xml, or the JSON text itself; if empty, the unit "
-             "disk as a NURBS patch"});
+             "patch file, such as JSON or G+Smo's XML (docs/splines.md), or the JSON text itself; if empty, "
+             "the unit disk as a NURBS patch",
+         .role = ParameterRole::file});
+    with_file.push_back(
+        {.key = "patch",
+         .label = "Patch",
+         .kind = ParameterKind::text,
+         .default_value = std::string(),
+         .help = "which patch of a file that has several: its number, from 1, or id:ID with its id "
+                 "in the file; if empty, the first",
+         .role = ParameterRole::patch});
     with_file.push_back(
         {.key = "control_points",
          .label = "Control points",
@@ -127,24 +137,27 @@ std::vector<DomainType> spline_domains() {
     return types;
 }
 
-std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, const Values& values) {
+std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, const Values& values,
+                                                       const std::filesystem::path& folder) {
     const auto degree = static_cast<int>(values.integer("degree"));
     const auto cells = static_cast<std::size_t>(values.integer("cells"));
     for (const auto& one : shipped())
         if (type == one.name) return std::make_shared<SplineDomain>(degree, cells, one.map());
     GASPARD_CHECK(type == from_file);
-    SplinePatch patch = find_patch(values.text("file"));
+    FoundPatch found = find_patch(values.text("file"), folder, values.text("patch"));
+    SplinePatch& patch = found.patch;
     const bool flat = patch_map(patch)->space_dimension() == 2;
     if (const std::string& points = values.text("control_points"); !points.empty()) {
         if (!flat)
-            throw InputError(
-                "domain.control_points requires a planar patch, but that of domain.file is in space");
+            throw InputError("domain.control_points requires a planar patch, but that of " + found.origin +
+                             " is in space");
         patch.control = parse_control_points(points, patch.control.size());
+        found.origin = "domain.control_points";
     }
     auto control = flat ? std::make_shared<const Points>(patch.control) : nullptr;
     const auto map = patch_map(std::move(patch));
-    check_regular(*map, values.text("control_points").empty() ? "domain.file" : "domain.control_points");
-    return std::make_shared<SplineDomain>(degree, cells, map, std::move(control));
+    check_regular(*map, found.origin);
+    return std::make_shared<SplineDomain>(degree, cells, map, std::move(control), std::move(found.patches));
 }
 
 } // namespace gaspard

@@ -7,6 +7,7 @@
 #include "core/spline/patch_map.hpp"
 #include "core/spline/spline_forms.hpp"
 
+#include <filesystem>
 #include <string>
 
 namespace gaspard {
@@ -14,11 +15,13 @@ namespace gaspard {
 class SplineDomain final : public Discretisation {
   public:
     SplineDomain(int degree, std::size_t cells, std::shared_ptr<const PatchMap> map,
-                 std::shared_ptr<const Points> control = nullptr);
+                 std::shared_ptr<const Points> control = nullptr,
+                 std::shared_ptr<const PatchList> patches = nullptr);
 
     /// Quadrilaterals of order 2; (2 n + 1)^2 nodes on the patch, xi1 fastest.
     std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
     std::shared_ptr<const Points> control_points() const override { return control_; }
+    std::shared_ptr<const PatchList> patches() const override { return patches_; }
     /// Unknowns of the standard form.
     std::size_t unknowns() const override;
 
@@ -33,12 +36,14 @@ class SplineDomain final : public Discretisation {
     std::size_t cells_;
     std::shared_ptr<const PatchMap> map_;
     std::shared_ptr<const Points> control_;
+    std::shared_ptr<const PatchList> patches_;
     std::shared_ptr<const Mesh> mesh_;
 };
 
 /// Square, disk, quarter annulus, part of a torus, Möbius strip, and a patch from a file.
 std::vector<DomainType> spline_domains();
-/// Throws InputError if the patch is invalid.
-std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, const Values& values);
+/// `folder` is the base of a relative path. Throws InputError if the patch is invalid.
+std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, const Values& values,
+                                                       const std::filesystem::path& folder = {});
 
 } // namespace gaspard

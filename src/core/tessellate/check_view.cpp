@@ -9,7 +9,11 @@ namespace gaspard {
 
 void check_view(const Values& view, const Mesh* mesh) {
     for (const char* key : {"camera", "projection_camera"})
-        if (!view.text(key).empty()) parse_camera(view.text(key), {1, 1});
+        try {
+            if (!view.text(key).empty()) parse_camera(view.text(key), {1, 1});
+        } catch (const InputError& error) {
+            throw InputError("view." + std::string(key) + ": " + error.what());
+        }
     const auto pick = parse_pick(view.text("pick"));
     if (pick && mesh != nullptr && !has(*mesh, *pick))
         throw InputError("view.pick = '" + view.text("pick") + "': the mesh has " +

@@ -81,6 +81,10 @@ void Application::note_what_is_missing() {
     looked_for_missing_ = run().snapshot->mesh;
     const std::string note = missing_note(viewport().view, *run().snapshot);
     if (!note.empty()) messages_.say({note, false});
+    const auto& patches = run().snapshot->patches;
+    const std::string patch = patches ? run().scenario.domain.values.text("file") + ": " + patches->note : "";
+    if (patch != patch_note_ && !patch.empty()) messages_.say({patch, false});
+    patch_note_ = patch;
 }
 
 /// Whether a text field that is being edited handles the key itself.

@@ -149,6 +149,7 @@ class Application {
     OpenDialog open_dialog_;
     std::string closing_note_; ///< of the last end, which is in the log
     std::shared_ptr<const Mesh> looked_for_missing_;
+    std::string patch_note_; ///< "p.xml: patch 1 of 312 ...", as last said
     std::uint64_t openings_seen_ = 0;
     std::filesystem::path opening_file_; ///< of the scenario on its way; empty: a built-in one
     Menus menus_;

@@ -85,7 +85,10 @@ void Application::arrange() {
 void Application::draw_sidebar() {
     begin_part("##sidebar", layout_.sidebar, ImGuiWindowFlags_None); // it may have to scroll
     Scenario scenario = run().scenario;
-    const PanelContext context{*catalogue_, run().opened, theme_, items_, viewport_pane_.unavailable()};
+    const std::shared_ptr<const Snapshot> snapshot = run().snapshot; // while the panel shows its patches
+    const PatchList* patches = snapshot && run().changes.settled() ? snapshot->patches.get() : nullptr;
+    const PanelContext context{*catalogue_, run().opened, theme_, items_, viewport_pane_.unavailable(),
+                               patches};
     bool changed = false;
     for (const auto kind : all_sections) {
         if (!has_section(scenario, kind)) continue;

@@ -1,6 +1,7 @@
 #include "gui/app/file_tasks.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/run_files.hpp"
 #include "core/io/svg.hpp"
@@ -12,13 +13,18 @@
 namespace gaspard {
 
 void FileTasks::open(const std::filesystem::path& file) {
-    const auto absolute = std::filesystem::absolute(file);
-    writer_.run([catalogue = catalogue_, arrivals = arrivals_, absolute] {
-        if (absolute.extension() != ".toml")
+    writer_.run([catalogue = catalogue_, arrivals = arrivals_, file] {
+        const auto absolute = std::filesystem::absolute(user_path(file.string()));
+        if (!is_scenario_file(absolute.string()))
             throw InputError(absolute.string() + " is not a scenario file: its name does not end in .toml");
-        Scenario scenario = load_scenario(*catalogue, absolute);
-        check(*catalogue, scenario);
-        check_view(scenario.view);
+        ScenarioSource source;
+        Scenario scenario = load_scenario(*catalogue, absolute, &source);
+        try {
+            check(*catalogue, scenario);
+            check_view(scenario.view);
+        } catch (const InputError& error) {
+            throw InputError(with_place(source, error.what()));
+        }
         std::lock_guard lock(arrivals->mutex);
         arrivals->newest = {std::move(scenario), absolute};
         return "Opening " + absolute.string();
@@ -47,12 +53,13 @@ void FileTasks::export_run(DocumentRun& run) {
 }
 
 void FileTasks::save_scenario(const Scenario& scenario) {
-    writer_.run([folder = folder(scenario), name = scenario.name, text = to_toml(scenario)] {
-        check_writable(folder);
-        const auto file = free_name(folder, name, ".toml");
-        write_atomically(file, text);
-        return "Saved " + file.string();
-    });
+    writer_.run(
+        [folder = folder(scenario), name = scenario.name, text = to_toml(with_absolute_paths(scenario))] {
+            check_writable(folder);
+            const auto file = free_name(folder, name, ".toml");
+            write_atomically(file, text);
+            return "Saved " + file.string();
+        });
 }
 
 void FileTasks::save_image(const Scenario& scenario, const std::string& name, Image image) {

@@ -365,8 +365,7 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
     }
     case ParameterKind::text: {
         ImGui::SetNextItemWidth(wide);
-        draw_text(row, key, values);
-        remember_item(context.items, key);
+        draw_text(context, row, key, values);
         break;
     }
     }
@@ -384,10 +383,29 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
     return values.at(row.key) != before;
 }
 
+/// A list of patches, whose values are their numbers from 1.
+static void draw_patches(const PanelContext& context, const PatchList& patches, const std::string& key,
+                         const ParameterRow& row, Values& values) {
+    const bool open = ImGui::BeginCombo("##patch", patches.labels[patches.chosen].c_str());
+    remember_item(context.items, key);
+    if (!open) return;
+    for (std::size_t i = 0; i < patches.labels.size(); ++i) {
+        const std::string number = std::to_string(i + 1);
+        if (ImGui::Selectable(patches.labels[i].c_str(), i == patches.chosen)) values.set(row.key, number);
+        remember_item(context.items, key + "=" + number);
+    }
+    ImGui::EndCombo();
+}
+
 /// A text takes effect when its field is left, since a part of a name would be invalid.
-void ParameterPanel::draw_text(const ParameterRow& row, const std::string& key, Values& values) {
+void ParameterPanel::draw_text(const PanelContext& context, const ParameterRow& row, const std::string& key,
+                               Values& values) {
+    if (row.role == ParameterRole::patch && context.patches != nullptr)
+        return draw_patches(context, *context.patches, key, row, values);
     std::string shown = typing_ == key ? typed_text_ : values.text(row.key);
-    if (ImGui::InputText("##text", &shown)) typing_ = key, typed_text_ = shown;
+    const bool edited = ImGui::InputText("##text", &shown);
+    remember_item(context.items, key);
+    if (edited) typing_ = key, typed_text_ = shown;
     if (typing_ != key || ImGui::IsItemActive()) return;
     typing_.clear();
     values.set(row.key, typed_text_);

@@ -6,6 +6,7 @@
 // greyed out.
 #pragma once
 
+#include "core/mesh/patch_list.hpp"
 #include "core/scenario/catalogue.hpp"
 #include "gui/base/item_rectangles.hpp"
 #include "gui/base/theme.hpp"
@@ -34,6 +35,8 @@ struct PanelContext {
     /// "monitor.amplitude.reset", "monitor.type", and "monitor.type=ring" while the list is open.
     ItemRectangles& items;
     std::vector<std::string> unavailable{}; ///< other choices to grey out: "layout=projection"
+    const PatchList* patches =
+        nullptr; ///< of the domain's file, to choose from ("domain.patch=3"); may be null
 };
 
 class ParameterPanel {
@@ -45,7 +48,8 @@ class ParameterPanel {
                    const std::vector<std::string>& keys);
 
   private:
-    void draw_text(const ParameterRow& row, const std::string& key, Values& values);
+    void draw_text(const PanelContext& context, const ParameterRow& row, const std::string& key,
+                   Values& values);
     bool draw_row(const PanelContext& context, const ParameterRow& row, const Values* opened, Values& values,
                   const Scenario* scenario);
     void draw_number_or_auto(const PanelContext& context, const ParameterRow& row, const std::string& key,

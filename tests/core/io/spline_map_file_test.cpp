@@ -59,8 +59,8 @@ double patch_error(const std::string& domain, const std::string& method, int deg
                    "monitor.amplitude=2", "monitor.sharpness=5", "method.start=identity",
                    "domain.degree=" + std::to_string(degree), "domain.cells=" + std::to_string(cells)});
     write_run_files(folder.path(), run, parse_formats("patch"));
-    const SplinePatch patch = read_patch(folder.path() / "adapted-patch.json");
-    EXPECT_EQ(read_patch(folder.path() / "adapted-patch.xml"), patch);
+    const SplinePatch patch = read_patch(folder.path() / "adapted-patch.json").patch;
+    EXPECT_EQ(read_patch(folder.path() / "adapted-patch.xml").patch, patch);
     const auto snapshot = run.snapshot();
     const auto side = static_cast<std::size_t>(2 * cells + 1);
     Points xi(side * side), x;

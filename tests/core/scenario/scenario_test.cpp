@@ -142,7 +142,7 @@ TEST_F(ScenarioTest, ErrorsNameFileLineAndNearestKey) {
     expect_in("test.toml:2: domain.cells must be an integer", parse_message("[domain]\ncells = \"many\"\n"));
     expect_in("test.toml:2: monitor.amplitude must be a finite number",
               parse_message("[monitor]\namplitude = nan\n"));
-    expect_in("test.toml:2: ", parse_message("[monitor]\namplitude = = 3\n"));
+    expect_in("test.toml:2: TOML syntax error: ", parse_message("[monitor]\namplitude = = 3\n"));
     expect_in("test.toml:1: unknown section or key 'monitr' (did you mean 'monitor'?)",
               parse_message("[monitr]\n"));
     expect_in("test.toml:2: unknown monitor.type 'rong' (did you mean 'ring'?)",
@@ -213,6 +213,37 @@ TEST_F(ScenarioTest, UnknownScenariosAndFilesAreNamed) {
     expect_in("'plane-ring'", message_of([&] { find_scenario(catalogue, "plane-rng"); }));
     expect_in("cannot read", message_of([&] { find_scenario(catalogue, "/nowhere/x.toml"); }));
     expect_in("cannot read", message_of([&] { load_scenario(catalogue, "/tmp"); }));
+}
+
+TEST_F(ScenarioTest, PathsAreMadeAbsolute) {
+    Scenario scenario =
+        parse_scenario(catalogue, "[domain]\ntype = 'spline-patch'\nfile = 'p.json'\n", "a.toml");
+    const auto file_of = [](const Scenario& one) { return one.domain.values.text("file"); };
+    EXPECT_EQ(file_of(with_absolute_paths(scenario)), (std::filesystem::current_path() / "p.json").string());
+    scenario.folder = "/there";
+    EXPECT_EQ(file_of(with_absolute_paths(scenario)), "/there/p.json");
+    apply_settings(catalogue, scenario, {"domain.file=q.json"});
+    EXPECT_EQ(file_of(scenario), (std::filesystem::current_path() / "q.json").string())
+        << "a setting is relative to the working directory";
+    for (const char* text : {"", "{\"degrees\": []}", "/absolute.json"}) {
+        set_value(catalogue, scenario, "domain.file", std::string(text));
+        EXPECT_EQ(file_of(with_absolute_paths(scenario)), text);
+    }
+}
+
+TEST_F(ScenarioTest, APlaceIsNamedForTheKeysOfAFile) {
+    ScenarioSource source;
+    parse_scenario(catalogue, "[view]\n\ncamera = 'from afar'\n", "a.toml", &source);
+    EXPECT_EQ(with_place(source, "view.camera: no"), "a.toml:3: view.camera: no");
+    EXPECT_EQ(with_place(source, "view.camera_height: no"), "view.camera_height: no");
+    EXPECT_EQ(with_place(source, "view.layout: no"), "view.layout: no");
+}
+
+TEST_F(ScenarioTest, APatchMayBeAnInteger) {
+    const Scenario scenario =
+        parse_scenario(catalogue, "[domain]\ntype = 'spline-patch'\npatch = 3\n", "a.toml");
+    EXPECT_EQ(scenario.domain.values.text("patch"), "3");
+    expect_in("must be a string", parse_message("[view]\ncamera = 3\n"));
 }
 
 TEST_F(ScenarioTest, EveryRowIsFitForASliderAndATooltip) {

@@ -1,8 +1,6 @@
 #include "core/base/error.hpp"
 #include "core/spline/control_points.hpp"
 #include "core/spline/patch_file.hpp"
-#include "core/spline/patch_xml.hpp"
-#include "core/spline/spline_domain.hpp"
 #include "support/messages.hpp"
 
 #include <cmath>
@@ -97,75 +95,6 @@ TEST(SplinePatches, StayTheSameWhenKnotsAreInserted) {
     for (std::size_t i = 0; i < xi.size(); ++i) EXPECT_LT(norm(before[i] - after[i]), 1e-14);
 }
 
-TEST(PatchFile, ReadsBack) {
-    const SplinePatch disk = nurbs_disk();
-    EXPECT_EQ(parse_patch(patch_json(disk), "disk.json"), disk);
-}
-
-TEST(PatchFile, ScalesKnotsAndDefaultsWeightsToOne) {
-    const SplinePatch patch = parse_patch(
-        R"({"degrees": [1, 1], "knots": [[2, 2, 3, 4, 4], [0, 0, 5, 5]],
-            "control_points": [[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1, 7]]})",
-        "strip.json");
-    EXPECT_EQ(patch.space.directions[0].knots, (std::vector<double>{0, 0, 0.5, 1, 1}));
-    EXPECT_EQ(patch.weights, std::vector<double>(6, 1.0));
-    EXPECT_EQ(patch_map(patch)->space_dimension(), 3);
-}
-
-const std::string smo = R"(<?xml version="1.0" encoding="UTF-8"?>
-<xml>
- <!-- <Geometry type="TensorBSpline2"> of which nothing counts </Geometry> -->
- <Geometry type="BSpline" id="3"><Basis type="BSplineBasis"><KnotVector degree="1">0 0 1 1</KnotVector></Basis>
-  <coefs geoDim="1">0 1</coefs></Geometry>
- <Geometry type="TensorNurbs2" id="0">
-  <Basis type="TensorNurbsBasis2">
-   <Basis type="TensorBSplineBasis2">
-    <Basis type="BSplineBasis" index="0">
-     <KnotVector degree="1">0 0 2 2 </KnotVector>
-    </Basis>
-    <Basis type="BSplineBasis" index="1">
-     <KnotVector degree="2">0 0 0 1 1 1 </KnotVector>
-    </Basis>
-   </Basis>
-   <weights>
-1
-1
-0.7071067811865476
-0.7071067811865476
-1
-1
-</weights>
-  </Basis>
-  <coefs geoDim="2">1 0 
-2 0 
-1 1 
-2 2 
-0 1 
-0 2 
-</coefs>
- </Geometry>
-</xml>
-)";
-
-TEST(PatchXml, ReadsTheFormatOfGSmo) { // quarter annulus of radii 1 and 2
-    const SplinePatch patch = parse_patch_xml(smo, "annulus.xml");
-    EXPECT_EQ(patch.space.directions[0].knots, (std::vector<double>{0, 0, 1, 1}));
-    EXPECT_EQ(patch.space.directions[1].degree, 2);
-    const Points xi = random_points(100, 8);
-    Points x;
-    patch_map(patch)->points(xi, x);
-    for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(norm(x[i]), 1 + xi.x[i], 1e-14);
-}
-
-TEST(PatchXml, ReadsBackWhatItWrites) {
-    SplinePatch patch = nurbs_disk();
-    EXPECT_EQ(parse_patch_xml(patch_xml(patch), "disk.xml"), patch);
-    patch.weights.assign(patch.weights.size(), 1.0);
-    patch.control.z[3] = 0.1;
-    EXPECT_EQ(parse_patch_xml(patch_xml(patch), "surface.xml"), patch);
-    EXPECT_NE(patch_xml(patch).find("TensorBSpline2"), std::string::npos);
-}
-
 TEST(PatchThrough, InterpolatesAtTheGrevillePoints) {
     // Polynomials of the degree in each direction are reproduced for any knots.
     const std::vector<double> breaks = {0, 0.2, 0.5, 1};
@@ -194,78 +123,6 @@ TEST(ControlPoints, ReadBackAndReportErrors) {
             << wrong;
     EXPECT_EQ(message_of<InputError>([] { parse_control_points("1 2, 3 4", 9); }),
               "domain.control_points lists 2 points, but the patch has 9");
-}
-
-TEST(PatchXml, ReportsErrors) {
-    const auto complaint = [](const std::string& from, const std::string& to) {
-        std::string text = smo;
-        text.replace(text.find(from), from.size(), to);
-        return message_of<InputError>([&] { parse_patch_xml(text, "bad.xml"); });
-    };
-    const auto expect = [&](const std::string& from, const std::string& to, const std::string& part) {
-        const std::string message = complaint(from, to);
-        EXPECT_NE(message.find("bad.xml"), std::string::npos) << message;
-        EXPECT_NE(message.find(part), std::string::npos) << message;
-    };
-    expect("TensorNurbs2", "TensorNurbs3", "TensorBSpline2");
-    expect("degree=\"2\"", "degree=\"8\"", "1 to 7");
-    expect("degree=\"2\"", "order=\"2\"", "1 to 7");
-    expect("0 0 0 1 1 1", "0 0 0 1 1 x", "list of numbers");
-    expect("0 0 0 1 1 1", "0 0 1 1 1", "knots[1]");
-    expect("0 1 \n0 2", "0 1 \n0", "not a multiple");
-    expect("0.7071067811865476\n", "", "as many weights");
-    expect("</coefs>\n </Geometry>", "</Geometry>", "coefs");
-}
-
-TEST(PatchFile, IsRejectedIfItFoldsOrHasNoArea) {
-    Values values("domain", spline_domains().back().rows);
-    const auto with_corners = [&](const std::string& corners) {
-        values.set("file", R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": )" +
-                               corners + "}");
-        return make_spline_domain("spline-patch", values);
-    };
-    EXPECT_NO_THROW(with_corners("[[0,0],[1,0],[0,1],[1,1]]"));
-    EXPECT_NO_THROW(with_corners("[[1,0],[0,0],[1,1],[0,1]]")); // reversed orientation
-    EXPECT_NO_THROW(with_corners("[[0,0,1],[0,1,0],[1,0,0],[1,1,1]]"));
-    for (const char* bad :
-         {"[[0,0],[1,0],[1,1],[0,1]]", "[[1,0],[1,0],[1,1],[1,1]]", "[[0,0,1],[0,0,2],[0,0,3],[0,0,4]]"})
-        EXPECT_NE(message_of<InputError>([&] { with_corners(bad); }).find("folds or has no area"),
-                  std::string::npos);
-    values.set("file", std::string());
-    EXPECT_NO_THROW(make_spline_domain("spline-patch", values)); // singular only at its corners
-}
-
-TEST(PatchFile, ReportsErrors) {
-    const std::vector<std::pair<std::string, std::string>> cases = {
-        {"{", "JSON syntax error at character 2"},
-        {"[]", "object"},
-        {R"({"degrees": [1, 1]})", "'knots'"},
-        {R"({"degrees": [1], "knots": [[0,0,1,1]], "control_points": []})", "two"},
-        {R"({"degrees": [9, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": []})", "1 to 7"},
-        {R"({"degrees": [1, 2], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": []})", "knots[1]"},
-        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,0,0]], "control_points": []})", "knots[1]"},
-        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[]], "control_points": []})", "knots[1]"},
-        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": [[0,0]]})",
-         "4 control points"},
-        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": [[0,0],[1,0],[0,1],[1]]})",
-         "control_points[3]"},
-        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": [[0,0],[1,0],[0,1],[1,"a"]]})",
-         "control_points[3]"},
-        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": [[0,0],[1,0],[0,1],[1,1]],
-             "weights": [1, 1, 1, 0]})",
-         "positive"},
-        {R"({"degrees": [1, 1], "knots": [[0,0,1,1],[0,0,1,1]], "control_points": [[0,0],[1,0],[0,1],[1,1]],
-             "weights": [1, 1]})",
-         "as many weights"}};
-    for (const auto& [text, part] : cases) {
-        const std::string message = message_of<InputError>([&] { parse_patch(text, "bad.json"); });
-        EXPECT_NE(message.find("bad.json"), std::string::npos) << message;
-        EXPECT_NE(message.find(part), std::string::npos) << message;
-    }
-    EXPECT_THROW(read_patch("/"), InputError);
-    EXPECT_EQ(find_patch(" \n" + patch_json(nurbs_disk())), nurbs_disk());
-    EXPECT_NE(message_of<InputError>([] { read_patch("/no/such/file.json"); }).find("/no/such"),
-              std::string::npos);
 }
 
 } // namespace

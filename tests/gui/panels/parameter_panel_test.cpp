@@ -20,7 +20,9 @@ class PanelTest : public testing::Test {
         ImGui::SetNextWindowSize({380, 900});
         ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
         for (const auto kind : all_sections)
-            if (has_section(scenario, kind) && panel.draw_section(kind, {catalogue, opened, theme, items}, scenario)) ++changes;
+            if (has_section(scenario, kind) &&
+                panel.draw_section(kind, {catalogue, opened, theme, items, {}, patches}, scenario))
+                ++changes;
         ImGui::End();
     }
     std::function<void()> drawing() {
@@ -43,6 +45,7 @@ class PanelTest : public testing::Test {
     Theme theme = dark_theme();
     ParameterPanel panel;
     ItemRectangles items;
+    const PatchList* patches = nullptr;
     int changes = 0;
 };
 
@@ -118,6 +121,21 @@ TEST_F(PanelTest, ATypedTextIsTakenWhenTheFieldIsLeft) {
     ui.click(items.at("domain.cells.input"), drawing());
     settle();
     EXPECT_EQ(scenario.domain.values.text("file"), "disk.json");
+    EXPECT_EQ(changes, 1);
+}
+
+TEST_F(PanelTest, ThePatchesOfAFileAreAList) {
+    scenario.domain = domain_section(catalogue, "spline-patch");
+    settle();
+    ui.click(items.at("domain.patch"), drawing());
+    settle();
+    EXPECT_FALSE(items.count("domain.patch=1")) << "a file with one patch has a text field";
+    const PatchList list{{"1: TensorNurbs2, id 7", "2: TensorBSpline2, id 8"}, 0, "patch 1 of 2"};
+    patches = &list;
+    ui.click(items.at("domain.cells.input"), drawing());
+    settle();
+    pick("domain.patch", "2");
+    EXPECT_EQ(scenario.domain.values.text("patch"), "2");
     EXPECT_EQ(changes, 1);
 }
 

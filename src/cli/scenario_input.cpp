@@ -1,0 +1,72 @@
+#include "cli/scenario_input.hpp"
+
+#include "core/base/error.hpp"
+#include "core/io/svg.hpp"
+#include "core/session/run.hpp"
+#include "core/tessellate/check_view.hpp"
+
+#include <algorithm>
+
+namespace gaspard {
+
+namespace {
+
+template <class Check>
+void with_place_of(const ScenarioSource& source, const Check& check_values) {
+    try {
+        check_values();
+    } catch (const InputError& error) {
+        throw InputError(with_place(source, error.what()));
+    }
+}
+
+} // namespace
+
+ScenarioInput load_input(const Catalogue& catalogue, const std::string& name,
+                         const std::vector<std::string>& settings) {
+    ScenarioInput input;
+    input.scenario = find_scenario(catalogue, name, &input.source);
+    change_input(catalogue, input, settings);
+    return input;
+}
+
+void change_input(const Catalogue& catalogue, ScenarioInput& input,
+                  const std::vector<std::string>& settings) {
+    apply_settings(catalogue, input.scenario, settings);
+    for (const std::string& setting : settings)
+        input.source.lines.erase(setting.substr(0, setting.find('=')));
+}
+
+void check_input(const Catalogue& catalogue, ScenarioInput& input) {
+    with_place_of(input.source, [&] {
+        check(catalogue, input.scenario);
+        check_view(input.scenario.view);
+        input.formats = formats_of(catalogue, input.scenario);
+    });
+}
+
+void check_domain(const Catalogue& catalogue, const ScenarioInput& input) {
+    const Values& view = input.scenario.view;
+    const bool needs_mesh = find_role(input.scenario.domain.values.rows(), ParameterRole::file) != nullptr ||
+                            !is_default(view, "pick") || !is_default(view, "layout") ||
+                            !is_default(view, "camera");
+    if (needs_mesh) check_with_mesh(input, *prepare(check(catalogue, input.scenario), {}, {})->mesh());
+}
+
+void check_with_mesh(const ScenarioInput& input, const Mesh& mesh) {
+    with_place_of(input.source, [&] {
+        const Values& view = input.scenario.view;
+        check_view(view, &mesh);
+        const auto is_svg = [](const Format* one) { return one->name == "svg"; };
+        if (std::none_of(input.formats.begin(), input.formats.end(), is_svg)) return;
+        const double aspect =
+            static_cast<double>(view.integer("height")) / static_cast<double>(view.integer("width"));
+        try {
+            check_svg_camera(mesh.nodes, view.text("camera"), aspect);
+        } catch (const InputError& error) {
+            throw InputError("view.camera: " + std::string(error.what()));
+        }
+    });
+}
+
+} // namespace gaspard
