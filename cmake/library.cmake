@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 
 # What a simulation needs; src/core/gaspard.hpp includes all of them. Other headers are not public.
 set(public_headers
-  gaspard.hpp base/error.hpp base/field.hpp base/parameter.hpp base/points.hpp base/series.hpp base/version.hpp
+  gaspard.hpp base/box.hpp base/error.hpp base/field.hpp base/parameter.hpp base/points.hpp base/series.hpp base/version.hpp
   mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/patch_list.hpp mesh/space.hpp mesh/sphere_mesh.hpp mesh/surface_topology.hpp
   monitor/function.hpp monitor/monitor.hpp monitor/problem_data.hpp monitor/tensor.hpp
   method/method.hpp

@@ -123,6 +123,20 @@ Values::Values(std::string section, std::vector<ParameterRow> rows)
     for (const auto& row : rows_) set(row.key, row.default_value); // checks that the default is in range
 }
 
+std::vector<ParameterRow> without_ranges(std::vector<ParameterRow> rows) {
+    for (ParameterRow& row : rows)
+        if (row.kind == ParameterKind::real) {
+            row.minimum = -std::numeric_limits<double>::infinity();
+            row.maximum = std::numeric_limits<double>::infinity();
+        }
+    return rows;
+}
+
+bool redefines_rows(const ParameterRow& row) {
+    return row.role == ParameterRole::defines_rows || row.role == ParameterRole::file ||
+           row.role == ParameterRole::patch;
+}
+
 const ParameterRow* find_role(const std::vector<ParameterRow>& rows, ParameterRole role) {
     const auto row =
         std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.role == role; });

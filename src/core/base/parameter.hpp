@@ -24,6 +24,7 @@ enum class ParameterRole {
     none,
     x, ///< with role y and the same `point`: a draggable point of the plane
     y,
+    z,        ///< the third coordinate of such a point, of a surface in space
     latitude, ///< with role longitude and the same `point`: a draggable point of the sphere
     longitude,
     seed,           ///< of the random number generator
@@ -48,12 +49,19 @@ struct ParameterRow {
     ParameterRole role = ParameterRole::none;
     std::string point{};           ///< coordinates only: the point they belong to ("center")
     bool periodic = false;         ///< minimum and maximum are equivalent
+    /// The value stands for (value - origin) / measure, a number that does not depend on size and place of the
+    /// domain. It is kept when the domain changes.
+    double origin = 0, measure = 1;
     std::optional<Value> remedy{}; ///< the value that often helps if a run fails
     std::string former_key{};      ///< of earlier versions; scenario files and --set may still use it
     /// Earlier texts of choices, each with the present one; set and parse still accept them.
     std::vector<std::pair<std::string, std::string>> former_choices{};
 };
 
+/// The same rows, whose real numbers may have any value.
+std::vector<ParameterRow> without_ranges(std::vector<ParameterRow> rows);
+/// Whether rows of the scenario may depend on the value of this row.
+bool redefines_rows(const ParameterRow& row);
 /// The first row with a role; null if there is none.
 const ParameterRow* find_role(const std::vector<ParameterRow>& rows, ParameterRole role);
 /// The key of the row with this key or, if there is none, with this former key; empty if there is none.

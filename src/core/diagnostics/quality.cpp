@@ -84,9 +84,11 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
         for (std::size_t s = 0; s < samples_.size(); ++s) {
             const Tangents reference = tangents(worker.reference_nodes, samples_[s]);
             const double physical = signed_measure(tangents(worker.nodes, samples_[s]), reference);
-            const double jacobian = physical / signed_measure(reference, reference);
-            smallest = smaller(smallest, jacobian);
-            largest = larger(largest, jacobian);
+            const double before = signed_measure(reference, reference);
+            if (std::abs(before) > degenerate_measure * std::abs(cell_measure_[i])) {
+                smallest = smaller(smallest, physical / before);
+                largest = larger(largest, physical / before);
+            }
             if (s >= quadrature_points_) continue;
             Vec3 point;
             for (std::size_t k = 0; k < worker.nodes.size(); ++k)

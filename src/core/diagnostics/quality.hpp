@@ -6,7 +6,8 @@
 //
 //   Jacobian = det dx/dxi of the map from computational to physical cell, at sample points, corners included
 //
-// A cell is tangled if its Jacobian is <= 0 or NaN at any sample point.
+// A cell is tangled if its Jacobian is <= 0 or NaN at any sample point. Points at which the computational
+// cell is degenerate (degenerate_measure in mesh/cell_measure.hpp) are left out.
 #pragma once
 
 #include "core/base/series.hpp"

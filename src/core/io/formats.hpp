@@ -30,7 +30,8 @@ void write_obj(const std::filesystem::path& file, const Mesh& mesh, const Points
 void write_obj(const std::filesystem::path& file, const Tessellation& shape, const Points& positions);
 
 /// Binary glTF 2.0, single precision: triangles coloured by the monitor and edges as lines. POSITION is x;
-/// the morph target is xi - x with default weight 0, and an animation moves from xi to x.
+/// the morph target is xi - x with default weight 0, and an animation moves from xi to x. Far from the
+/// origin, positions are relative to the middle of the mesh, which is the translation of the node.
 void write_glb(const std::filesystem::path& file, const Snapshot& snapshot);
 /// The same with another tessellation.
 void write_glb(const std::filesystem::path& file, const Snapshot& snapshot, const Tessellation& shape);

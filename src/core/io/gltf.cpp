@@ -20,6 +20,30 @@ namespace {
 /// Three numbers per vertex.
 using Triples = std::vector<float>;
 
+/// The origin of the positions in the file, which the node's translation adds again: the middle of the mesh,
+/// x and xi, if it is so far from the origin that single precision would round its shape, else zero.
+Vec3 local_origin(const Points& x, const Points& xi) {
+    constexpr double far = 4; // sizes of the mesh
+    Vec3 middle;
+    double size = 0, farthest = 0;
+    for (const auto coordinate : {&Points::x, &Points::y, &Points::z}) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Points* points : {&x, &xi})
+            for (const double c : points->*coordinate) low = std::min(low, c), high = std::max(high, c);
+        size = std::max(size, high - low);
+        farthest = std::max({farthest, std::abs(low), std::abs(high)});
+        (coordinate == &Points::x   ? middle.x
+         : coordinate == &Points::y ? middle.y
+                                    : middle.z) = low + (high - low) / 2;
+    }
+    return farthest > far * size ? middle : Vec3{};
+}
+
+Points relative_to(Vec3 origin, Points points) {
+    for (std::size_t i = 0; i < points.size(); ++i) points.set(i, points[i] - origin);
+    return points;
+}
+
 Triples single_precision(const Points& points) {
     Triples triples;
     triples.reserve(3 * points.size());
@@ -162,7 +186,7 @@ void add_animation(tinygltf::Model& model, Packer& packer) {
     model.animations.push_back(animation);
 }
 
-void add_scene(tinygltf::Model& model, tinygltf::Mesh mesh) {
+void add_scene(tinygltf::Model& model, tinygltf::Mesh mesh, Vec3 origin) {
     model.asset.version = "2.0";
     model.asset.generator = "Gaspard " + std::string(version());
     mesh.name = "adapted";
@@ -171,6 +195,7 @@ void add_scene(tinygltf::Model& model, tinygltf::Mesh mesh) {
     tinygltf::Node node;
     node.name = "adapted";
     node.mesh = 0;
+    if (!(origin == Vec3{})) node.translation = {origin.x, origin.y, origin.z};
     model.nodes.push_back(node);
     tinygltf::Scene scene;
     scene.nodes = {0};
@@ -190,12 +215,13 @@ tinygltf::Primitive primitive(int mode, int indices, int material, int position,
 
 tinygltf::Model build_model(const Snapshot& snapshot, const Tessellation& shape) {
     const Points x = shown_points(shape, snapshot.x);
-    const Points back = shown_points(shape, snapshot.mesh->nodes) - x;
+    const Points xi = shown_points(shape, snapshot.mesh->nodes);
+    const Vec3 origin = local_origin(x, xi);
 
     tinygltf::Model model;
     Packer packer(model);
-    const int position = packer.positions(single_precision(x));
-    const int displacement = packer.positions(single_precision(back));
+    const int position = packer.positions(single_precision(relative_to(origin, x)));
+    const int displacement = packer.positions(single_precision(xi - x));
     const std::vector<double> white = {1, 1, 1, 1},
                               ink = {static_cast<double>(dark_ink), static_cast<double>(dark_ink),
                                      static_cast<double>(dark_ink), 1};
@@ -221,7 +247,7 @@ tinygltf::Model build_model(const Snapshot& snapshot, const Tessellation& shape)
         if (has_faces) mesh.primitives.back().attributes["COLOR_0"] = packer.vertices(ink_on(colours));
     }
     add_animation(model, packer);
-    add_scene(model, std::move(mesh));
+    add_scene(model, std::move(mesh), origin);
     return model;
 }
 

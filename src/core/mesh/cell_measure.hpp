@@ -17,8 +17,9 @@ using Tangents = std::array<Vec3, 3>;
 template <class Node>
 Tangents cell_tangents(int dimension, std::span<const Vec3> gradients, const Node& node) {
     Tangents t{};
+    const Vec3 origin = node(0); // the gradients add up to zero; this keeps digits far from the origin
     for (std::size_t k = 0; k < gradients.size(); ++k) {
-        const Vec3 g = gradients[k], p = node(k);
+        const Vec3 g = gradients[k], p = node(k) - origin;
         t[0] = t[0] + g.x * p;
         if (dimension > 1) t[1] = t[1] + g.y * p;
         if (dimension > 2) t[2] = t[2] + g.z * p;
@@ -36,5 +37,10 @@ inline double signed_measure(int dimension, int space_dimension, const Tangents&
     if (dimension == 3) return dot(normal, of[2]);
     return std::copysign(norm(normal), dot(normal, cross(reference[0], reference[1])));
 }
+
+/// The largest reference measure, relative to that of the whole cell, of a point at which the computational
+/// cell counts as degenerate: its edge is a single point there, or its edges are parallel. No Jacobian is
+/// defined at such a point.
+inline constexpr double degenerate_measure = 1e-12;
 
 } // namespace gaspard

@@ -5,6 +5,7 @@
 #include "core/mesh/space.hpp"
 #include "core/mesh/sphere_mesh.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ struct DomainType {
     std::string help;
     std::vector<ParameterRow> rows;
     std::function<Space(const Values&)> space;
+    /// The same for a domain that lies where its file says; `folder` is the base of relative paths. Does not
+    /// throw: if the file is invalid, which the run reports, the ranges of monitors are as wide as possible.
+    std::function<Space(const Values&, const std::filesystem::path& folder)> find_space{};
     /// True if its meshes are images of a spline patch, so that spline formats can be written.
     bool spline_patch = false;
 };

@@ -1,9 +1,11 @@
-// How distances between points of a domain are measured; monitors with a centre depend on it.
+// How distances between points of a domain are measured, and where it lies; monitors depend on both.
 #pragma once
 
-#include "core/base/points.hpp"
+#include "core/base/box.hpp"
 
+#include <optional>
 #include <string_view>
+#include <vector>
 
 namespace gaspard {
 
@@ -15,6 +17,16 @@ enum class SpaceKind {
 
 struct Space {
     SpaceKind kind = SpaceKind::euclidean;
+    int dimension = 2; ///< of the Euclidean space around a patch: 3 for a surface in space
+    /// Around a domain of any size and place (a patch from a file): built-in monitors are scaled to it
+    /// (monitor/placement.hpp). Without it they are those of the unit square, whatever the domain.
+    std::optional<Box> box{};
+    /// With a box: a point of the domain around which monitors are placed by default; in the plane the middle
+    /// of the box.
+    Vec3 middle{};
+    /// Boxes that the ranges of centres and lengths have to cover in any case.
+    std::vector<Box> reach{};
+    friend bool operator==(const Space&, const Space&) = default;
 };
 
 /// Name for messages: "a periodic square".

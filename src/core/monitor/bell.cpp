@@ -9,6 +9,7 @@ MonitorType bell_monitor() {
         .label = "Bell",
         .help = "small cells around a point",
         .equation = "m(x) = 1 + A sech^2( B |x - c|^2 )",
+        .figure = MonitorFigure::unit_square,
         .rows =
             [](const Space& space) {
                 const bool sphere = space.kind == SpaceKind::sphere;

@@ -92,6 +92,7 @@ MonitorType circle_monitor() {
             .label = "Circle",
             .help = "small cells along a circle, where m has a crease",
             .equation = "m(x) = 1 + A exp( -B | |x - c|^2 - r^2 | )",
+            .figure = MonitorFigure::unit_square,
             .rows =
                 [](const Space&) {
                     std::vector<ParameterRow> rows = {amplitude_row(1000, 5, "on the circle"),
@@ -121,6 +122,7 @@ MonitorType three_circles_monitor() {
         .help = "a large circle and two small ones in the unit disk, like a head with ears",
         .equation =
             "m(x) = 1 + sum_i A exp( -B | |x - c_i|^2 - r_i^2 | ) + A_m exp( -B | |x - c_m|^2 - r_m^2 | )",
+        .figure = MonitorFigure::unit_disk,
         .rows =
             [](const Space&) {
                 ParameterRow mouth = positive_amplitude(0, "on the mouth");
@@ -145,6 +147,7 @@ MonitorType two_circles_monitor() {
         .label = "Two circles",
         .help = "small cells along two large circles (spheres in space) that intersect",
         .equation = "m(x) = 1 + sum_i A sech^2( B (|x - c_i|^2 - r^2) ), c_i = (+-sqrt(3)/2, 1/2, c3)",
+        .figure = MonitorFigure::unit_disk,
         .rows =
             [](const Space&) {
                 return std::vector<ParameterRow>{positive_amplitude(5, "on the circles"),
@@ -165,7 +168,9 @@ MonitorType two_circles_monitor() {
                                                   .default_value = 0.0,
                                                   .help = "z coordinate of both centres, for surfaces in "
                                                           "space; 1/2 on the Möbius strip of the "
-                                                          "paper"}};
+                                                          "paper",
+                                                  .role = ParameterRole::z,
+                                                  .point = "center"}};
             },
         .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
             const double a = v.real("amplitude"), r = v.real("radius"), z = v.real("center_z");

@@ -15,7 +15,7 @@ std::vector<ParameterRow> center_in_space_rows(Vec3 centre) {
                             .point = "center"};
     };
     return {row("x", "c₁", centre.x, ParameterRole::x), row("y", "c₂", centre.y, ParameterRole::y),
-            row("z", "c₃", centre.z, ParameterRole::none)};
+            row("z", "c₃", centre.z, ParameterRole::z)};
 }
 
 Vec3 center_in_space(const Values& values) {

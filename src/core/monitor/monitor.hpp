@@ -52,13 +52,22 @@ struct MonitorContext {
     std::stop_token stop{};
 };
 
+/// Where rows and formula of a monitor are written. On a domain with a box (Space::box), the figure is scaled
+/// and moved to it; see monitor/placement.hpp.
+enum class MonitorFigure {
+    none,        ///< in the coordinates of the domain, wherever it lies
+    unit_square, ///< for [0, 1]^2
+    unit_disk,   ///< for the unit disk
+};
+
 /// A type of monitor as the user sees it. To add one, write a file with its rows and `make`, and add a line
 /// to monitors.cpp.
 struct MonitorType {
     std::string name;
     std::string label;
     std::string help;
-    std::string equation;                                        ///< as in the source, with the rows' symbols
+    std::string equation; ///< as in the source, with the rows' symbols
+    MonitorFigure figure = MonitorFigure::none;
     std::function<std::vector<ParameterRow>(const Space&)> rows; ///< points have different keys on a sphere
     /// Exactly one of these two is set, for a scalar or a tensor monitor. They throw InputError.
     std::function<std::shared_ptr<const Monitor>(const Values&, const MonitorContext&)> make{};

@@ -70,7 +70,6 @@ ParameterRow sharpness_row(double value, const std::string& half_height, const s
 
 std::vector<ParameterRow> center_rows(const Space& space) {
     if (space.kind == SpaceKind::sphere) return place_rows("center", "Centre", 30, 0);
-    const bool periodic = space.kind == SpaceKind::periodic_square;
     const auto row = [&](const char* key, const char* label, const char* symbol, ParameterRole role) {
         return ParameterRow{.key = key,
                             .label = label,
@@ -78,13 +77,19 @@ std::vector<ParameterRow> center_rows(const Space& space) {
                             .minimum = 0,
                             .maximum = 1,
                             .default_value = 0.5,
-                            .help = "position of the centre in [0, 1] x [0, 1]",
+                            .help = "position of the centre",
                             .role = role,
                             .point = "center",
-                            .periodic = periodic};
+                            .periodic = space.kind == SpaceKind::periodic_square};
     };
-    return {row("center_x", "Centre x", "c₁", ParameterRole::x),
-            row("center_y", "Centre y", "c₂", ParameterRole::y)};
+    std::vector<ParameterRow> rows = {row("center_x", "Centre x", "c₁", ParameterRole::x),
+                                      row("center_y", "Centre y", "c₂", ParameterRole::y)};
+    if (space.dimension == 3) {
+        rows.push_back(row("center_z", "Centre z", "c₃", ParameterRole::z));
+        rows.back().minimum = -10, rows.back().maximum = 10;
+        rows.back().default_value = 0.0;
+    }
+    return rows;
 }
 
 std::shared_ptr<const Monitor> make_sech_monitor(const Values& values, double radius, const Space& space) {
@@ -96,7 +101,8 @@ std::shared_ptr<const Monitor> make_sech_monitor(const Values& values, double ra
         SechMonitor::Parameters{values.real("amplitude"),
                                 values.real("sharpness"),
                                 radius * radius,
-                                {values.real("center_x"), values.real("center_y"), 0}},
+                                {values.real("center_x"), values.real("center_y"),
+                                 values.has("center_z") ? values.real("center_z") : 0}},
         space);
 }
 

@@ -46,7 +46,7 @@ void check_amplitude(double amplitude, double least);
 ParameterRow amplitude_row(double maximum, double value, const std::string& where);
 ParameterRow sharpness_row(double value, const std::string& half_height,
                            const std::string& unit = "1/length^2");
-/// Rows for the centre: x and y in the square, latitude and longitude on the sphere.
+/// Rows for the centre: x, y and, for a surface in space, z; on the sphere latitude and longitude.
 std::vector<ParameterRow> center_rows(const Space& space);
 
 /// The monitor for the values of these rows; on the sphere, angles replace distances. `radius` is a separate

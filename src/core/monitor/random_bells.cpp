@@ -40,6 +40,7 @@ MonitorType random_bells_monitor() {
             .label = "Random bells",
             .help = "small cells around random points, determined by a seed",
             .equation = "m(x) = 1 + sum_i A_i sech^2( B_i |x - c_i|^2 )",
+            .figure = MonitorFigure::unit_square,
             .rows =
                 [](const Space& space) {
                     const bool sphere = space.kind == SpaceKind::sphere;

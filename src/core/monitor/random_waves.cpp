@@ -100,6 +100,7 @@ MonitorType random_waves_monitor() {
             .label = "Random waves",
             .help = "a random smooth field, determined by a seed",
             .equation = "m(x) = C^g, g = sum_i a_i cos( k_i . x + p_i ) scaled to [0, 1]",
+            .figure = MonitorFigure::unit_square,
             .rows =
                 [](const Space& space) {
                     const bool sphere = space.kind == SpaceKind::sphere;

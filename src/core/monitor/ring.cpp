@@ -11,6 +11,7 @@ MonitorType ring_monitor() {
         .label = "Ring",
         .help = "small cells along a circle",
         .equation = "m(x) = 1 + A sech^2( B (|x - c|^2 - r^2) )",
+        .figure = MonitorFigure::unit_square,
         .rows =
             [](const Space& space) {
                 const bool sphere = space.kind == SpaceKind::sphere;

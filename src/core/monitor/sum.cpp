@@ -47,7 +47,7 @@ void add_rows(std::vector<ParameterRow>& rows, const MonitorType& type, const Sp
 
 std::shared_ptr<const Monitor> make_part(const MonitorType& type, const Values& values,
                                          const MonitorContext& context) {
-    Values own("monitor", type.rows(context.space));
+    Values own("monitor", without_ranges(type.rows(context.space)));
     for (const auto& row : own.rows()) own.set(row.key, values.at(type.name + "_" + row.key));
     return type.make(own, context);
 }
@@ -59,6 +59,7 @@ MonitorType ring_and_bell_monitor() {
             .label = "Ring and bell",
             .help = "the sum of a ring and a bell, each with its own parameters",
             .equation = "m(x) = ring(x) + bell(x) - 1",
+            .figure = MonitorFigure::unit_square,
             .rows =
                 [](const Space& space) {
                     std::vector<ParameterRow> rows;

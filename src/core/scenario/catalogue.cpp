@@ -5,6 +5,7 @@
 #include "core/method/plane_equation.hpp"
 #include "core/method/spline_equation.hpp"
 #include "core/method/surface_equation.hpp"
+#include "core/monitor/placement.hpp"
 #include "core/scenario/output_rows.hpp"
 #include "core/scenario/problem_on.hpp"
 #include "core/scenario/view_rows.hpp"
@@ -110,9 +111,8 @@ Section domain_section(const Catalogue& catalogue, std::string_view type) {
 Section monitor_section(const Catalogue& catalogue, std::string_view type, const Space& space,
                         const std::string& section) {
     const MonitorType& monitor = catalogue.monitor(type);
-    auto rows = monitor.rows(space);
-    if (monitor.further_rows)
-        for (auto& row : monitor.further_rows(Values(section, rows), space)) rows.push_back(std::move(row));
+    auto rows = rows_on(monitor, space);
+    for (auto& row : further_rows_on(monitor, Values(section, rows), space)) rows.push_back(std::move(row));
     return {std::string(type), Values(section, std::move(rows))};
 }
 
@@ -196,7 +196,7 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
     const auto make = [&](const Section& section) {
         const MonitorType& type = catalogue.monitor(section.type);
         return type.make_tensor ? tensor_problem(type.make_tensor(section.values, context))
-                                : scalar_problem(type.make(section.values, context));
+                                : scalar_problem(make_on(type, section.values, context));
     };
     ProblemData data = own ? scalar_problem(std::move(own)) : make(scenario.monitor);
     if (!scenario.target.type.empty()) data.target = make(scenario.target).monitor;

@@ -77,7 +77,7 @@ Scenario default_scenario(const Catalogue& catalogue);
 Space space_of(const Catalogue& catalogue, const Scenario& scenario);
 /// Updates the rows of every section: monitors depend on the space of the domain, further rows on values, and
 /// the sections monitor.target and pde on domain and method. Values set by the user are kept if the key still
-/// exists and allows them.
+/// exists and allows them; where the domain has another size or place, they are scaled and moved with it.
 void update_rows(const Catalogue& catalogue, Scenario& scenario);
 
 /// Updates the rows of the view for a method. Values set by the user are kept if the method allows them.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/parameter.hpp"
+#include "core/mesh/space.hpp"
 
 #include <filesystem>
 #include <string>
@@ -17,6 +18,14 @@ struct Section {
     friend bool operator==(const Section&, const Section&) = default;
 };
 
+/// Where a domain lies that a file describes, kept by update_rows(), so that the file is read only when the
+/// values of the domain have changed. It follows from the other values, so that any two are equal.
+struct DomainPlace {
+    std::string of; ///< the domain's values
+    Space space;
+    friend bool operator==(const DomainPlace&, const DomainPlace&) { return true; }
+};
+
 struct Scenario {
     std::string name;        ///< "plane-ring"; for a file its name without extension
     std::string title;       ///< one line, shown to the user
@@ -28,6 +37,7 @@ struct Scenario {
     /// Base of relative paths among the values (ParameterRole::file): the folder of the scenario's file; empty:
     /// the working directory.
     std::filesystem::path folder{};
+    DomainPlace place{};
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 

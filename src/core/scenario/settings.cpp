@@ -2,6 +2,7 @@
 #include "core/base/check.hpp"
 #include "core/base/join.hpp"
 #include "core/base/user_path.hpp"
+#include "core/monitor/placement.hpp"
 #include "core/scenario/catalogue.hpp"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ bool same_rows(const std::vector<ParameterRow>& a, const std::vector<ParameterRo
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
         return one.key == other.key && one.minimum == other.minimum && one.maximum == other.maximum &&
                one.default_value == other.default_value && one.unit == other.unit &&
-               one.choices == other.choices;
+               one.origin == other.origin && one.measure == other.measure && one.choices == other.choices;
     });
 }
 
@@ -129,12 +130,18 @@ void set_type(const Catalogue& catalogue, Scenario& scenario, Section& section, 
     update_rows(catalogue, scenario);
 }
 
-/// Copies values that differ from the default, if the key still exists and allows them.
+/// Copies values that differ from the default, if the key still exists and allows them; on a domain of
+/// another size, lengths and places are scaled.
 void carry_over(const Values& before, Values& after) {
     for (const auto& row : after.rows()) {
         if (!before.has(row.key) || is_default(before, row.key)) continue;
+        const auto& rows = before.rows();
+        const auto old = std::find_if(rows.begin(), rows.end(),
+                                      [&](const ParameterRow& one) { return one.key == row.key; });
+        Value value = before.at(row.key);
+        if (auto* real = std::get_if<double>(&value)) *real = transferred(*old, row, *real);
         try {
-            after.set(row.key, before.at(row.key));
+            after.set(row.key, value);
         } catch (const InputError&) { // out of the new range: keep the default
         }
     }
@@ -144,11 +151,11 @@ void update_monitor_rows(const Catalogue& catalogue, const Space& space, Section
     if (section.type.empty() || section.type == own_monitor) return;
     const MonitorType& type = catalogue.monitor(section.type);
     const std::string name = section.values.section();
-    Values values(name, type.rows(space));
+    Values values(name, rows_on(type, space));
     if (type.further_rows) {
         carry_over(section.values, values);
         auto rows = values.rows();
-        for (auto& row : type.further_rows(values, space)) rows.push_back(std::move(row));
+        for (auto& row : further_rows_on(type, values, space)) rows.push_back(std::move(row));
         values = Values(name, std::move(rows));
     }
     if (same_rows(values.rows(), section.values.rows())) return;
@@ -178,12 +185,31 @@ void update_optional(Section& section, const std::vector<std::string>& offered, 
 
 } // namespace
 
+/// All that find_space() may depend on.
+static std::string place_key(const Scenario& scenario) {
+    std::string key = scenario.domain.type + '\n' + scenario.folder.string();
+    for (const ParameterRow& row : scenario.domain.values.rows())
+        if (row.key != "cells" && row.key != "degree")
+            key += '\n' + format_value(scenario.domain.values.at(row.key));
+    return key;
+}
+
+static DomainPlace find_place(const Catalogue& catalogue, const Scenario& scenario) {
+    const DomainType& type = catalogue.domain(scenario.domain.type);
+    const Values& values = scenario.domain.values;
+    if (!type.find_space) return {{}, type.space(values)};
+    std::string key = place_key(scenario);
+    if (key == scenario.place.of) return scenario.place;
+    return {std::move(key), type.find_space(values, scenario.folder)};
+}
+
 Space space_of(const Catalogue& catalogue, const Scenario& scenario) {
-    return catalogue.domain(scenario.domain.type).space(scenario.domain.values);
+    return find_place(catalogue, scenario).space;
 }
 
 void update_rows(const Catalogue& catalogue, Scenario& scenario) {
-    const Space space = space_of(catalogue, scenario);
+    scenario.place = find_place(catalogue, scenario);
+    const Space& space = scenario.place.space;
     std::vector<std::string> targets, pdes;
     for (const Capability& row : catalogue.capabilities) {
         if (row.domain != scenario.domain.type) continue;
@@ -256,8 +282,11 @@ void apply_settings(const Catalogue& catalogue, Scenario& scenario,
             throw InputError("--set must be key=value, not '" + setting + "'");
         pairs.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
     }
-    std::stable_partition(pairs.begin(), pairs.end(),
-                          [](const auto& pair) { return pair.first.ends_with(".type"); });
+    const auto domain_first = std::stable_partition(
+        pairs.begin(), pairs.end(), [](const auto& pair) { return pair.first.ends_with(".type"); });
+    // Then the domain, to which ranges and values of the monitor refer.
+    std::stable_partition(domain_first, pairs.end(),
+                          [](const auto& pair) { return pair.first.starts_with("domain."); });
     // Some keys exist only after another one is set (the constants of a formula); they are postponed.
     for (std::size_t waiting = 0; !pairs.empty();) {
         auto [key, text] = std::move(pairs.front());

@@ -86,7 +86,7 @@ void write_section(std::ostream& out, const std::string& type, const Values& val
 } // namespace
 
 Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const std::string& origin,
-                        ScenarioSource* source) {
+                        ScenarioSource* source, const std::filesystem::path& folder) {
     ScenarioSource found{origin, {}};
     const std::vector<std::string> sections = {"domain", "method", "monitor", "pde", "view", "output"};
     toml::table document;
@@ -99,6 +99,7 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
     }
     Scenario scenario = default_scenario(catalogue);
     scenario.name = std::filesystem::path(origin).stem().string();
+    scenario.folder = folder; // before the sections: ranges of monitors depend on the patch in the file
     for (const auto& [key, node] : document) {
         const std::string name(key.str());
         try {
@@ -131,10 +132,8 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
 
 Scenario load_scenario(const Catalogue& catalogue, const std::filesystem::path& file,
                        ScenarioSource* source) {
-    Scenario scenario =
-        parse_scenario(catalogue, read_file(file, largest_scenario_file), file.string(), source);
-    scenario.folder = file.parent_path();
-    return scenario;
+    return parse_scenario(catalogue, read_file(file, largest_scenario_file), file.string(), source,
+                          file.parent_path());
 }
 
 std::string with_place(const ScenarioSource& source, const std::string& message) {

@@ -21,9 +21,10 @@ struct ScenarioSource {
 std::string with_place(const ScenarioSource& source, const std::string& message);
 
 /// Throws InputError with file and line if the TOML is invalid, a key is unknown (the message names the
-/// nearest known key) or a value is out of range. `origin` is the file name in messages.
+/// nearest known key) or a value is out of range. `origin` is the file name in messages, `folder` the base of
+/// relative paths (Scenario::folder).
 Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const std::string& origin,
-                        ScenarioSource* source = nullptr);
+                        ScenarioSource* source = nullptr, const std::filesystem::path& folder = {});
 /// The largest scenario file that is read: 4 MiB.
 inline constexpr std::uintmax_t largest_scenario_file = std::uintmax_t{1} << 22;
 /// Reads and parses a file. Throws InputError.

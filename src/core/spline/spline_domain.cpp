@@ -1,14 +1,51 @@
 #include "core/spline/spline_domain.hpp"
 
+#include "core/base/box.hpp"
 #include "core/base/check.hpp"
+#include "core/base/error.hpp"
 #include "core/spline/control_points.hpp"
 #include "core/spline/patch_checks.hpp"
 #include "core/spline/patch_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
 
 namespace gaspard {
 
 namespace {
 
+/// Where an edge of the patch is a single point (the tip of a cone), rounding leaves nodes that differ. They
+/// become equal, so that their cells have no area there, exactly.
+void join_collapsed_nodes(std::size_t side, Points& nodes) {
+    double largest = 0;
+    for (const auto* coordinate : {&nodes.x, &nodes.y, &nodes.z})
+        for (const double c : *coordinate) largest = std::max(largest, std::abs(c));
+    const double rounding = 64 * std::numeric_limits<double>::epsilon() * largest;
+    const auto join = [&](std::size_t first, std::size_t step) {
+        for (std::size_t k = 1; k < side; ++k) {
+            const std::size_t here = first + k * step;
+            if (norm(nodes[here] - nodes[here - step]) <= rounding) nodes.set(here, nodes[here - step]);
+        }
+    };
+    join(0, 1), join((side - 1) * side, 1), join(0, side), join(side - 1, side);
+}
+
+/// Whether F reverses the orientation of a patch in the plane; of a surface in space, orientation is free.
+bool mirrored(std::size_t side, const Points& nodes, int space_dimension) {
+    if (space_dimension == 3) return false;
+    double area = 0;
+    for (std::size_t j = 0; j + 1 < side; ++j)
+        for (std::size_t i = 0; i + 1 < side; ++i) {
+            const std::size_t k = j * side + i;
+            area += cross(nodes[k + side + 1] - nodes[k], nodes[k + side] - nodes[k + 1]).z;
+        }
+    return area < 0;
+}
+
+/// The cells of a mirrored patch list their nodes with both directions exchanged, so that they are
+/// anticlockwise in the plane. Parameters, and with them the map, are those of the patch.
 Mesh patch_mesh(std::size_t cells, const std::vector<double>& line, const PatchMap& map) {
     const std::size_t side = line.size();
     Points xi(side * side);
@@ -19,13 +56,17 @@ Mesh patch_mesh(std::size_t cells, const std::vector<double>& line, const PatchM
               .nodes = {},
               .cells = {}};
     map.points(xi, mesh.nodes);
+    join_collapsed_nodes(side, mesh.nodes);
+    const bool exchanged = mirrored(side, mesh.nodes, mesh.space_dimension);
     mesh.cells.reserve(9 * cells * cells);
     constexpr std::size_t local[9][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0},
                                          {2, 1}, {1, 2}, {0, 1}, {1, 1}}; // VTK's order
     for (std::size_t row = 0; row < cells; ++row)
         for (std::size_t column = 0; column < cells; ++column)
-            for (const auto& [i, j] : local)
+            for (const auto& [a, b] : local) {
+                const std::size_t i = exchanged ? b : a, j = exchanged ? a : b;
                 mesh.cells.push_back(static_cast<std::int32_t>((2 * row + j) * side + 2 * column + i));
+            }
     return mesh;
 }
 
@@ -50,6 +91,31 @@ const std::vector<Shipped>& shipped() {
     return all;
 }
 
+/// Around points of the patch, its edges included.
+Box box_around(const PatchMap& map) {
+    constexpr std::size_t side = 65;
+    Points xi(side * side), x;
+    for (std::size_t i = 0; i < xi.size(); ++i)
+        xi.set(i,
+               {static_cast<double>(i % side) / (side - 1), static_cast<double>(i / side) / (side - 1), 0});
+    map.points(xi, x);
+    return bounding_box(x);
+}
+
+Vec3 middle_of(const PatchMap& map) {
+    Points xi(1), x;
+    xi.set(0, {0.5, 0.5, 0});
+    map.points(xi, x);
+    return x[0];
+}
+
+/// The space of a patch whose file is invalid: monitors may have any size and place.
+Space anywhere() {
+    constexpr double large = 1e12, small = 1e-12;
+    const auto cube = [](double half) { return Box{{-half, -half, -half}, {half, half, half}}; };
+    return {.dimension = 3, .reach = {cube(large), cube(small)}};
+}
+
 std::vector<ParameterRow> rows() {
     return {{.key = "cells",
              .label = "Cells per side",
@@ -70,14 +136,41 @@ std::vector<ParameterRow> rows() {
              .help = "spline degree; the splines have p − 1 continuous derivatives"}};
 }
 
-DomainType domain_type(const char* name, const char* label, const char* help,
-                       std::vector<ParameterRow> rows) {
-    return {.name = name,
-            .label = label,
-            .help = help,
+DomainType domain_type(const Shipped& one, std::vector<ParameterRow> rows) {
+    const auto map = one.map();
+    const Space space{.dimension = map->space_dimension(), .reach = {box_around(*map)}};
+    return {.name = one.name,
+            .label = one.label,
+            .help = one.help,
             .rows = std::move(rows),
-            .space = [](const Values&) { return Space{SpaceKind::euclidean}; },
+            .space = [space](const Values&) { return space; },
             .spline_patch = true};
+}
+
+/// A patch from a file has its box. The unit disk without a file is a built-in patch like the others. Moved
+/// control points extend the ranges only, so that a monitor stays where it is while they are dragged.
+Space space_of_patch(const Values& values, const std::filesystem::path& folder) {
+    try {
+        const std::string &file = values.text("file"), &points = values.text("control_points");
+        SplinePatch patch = find_patch(file, folder, values.text("patch")).patch;
+        const auto map = patch_map(patch);
+        Space space{.dimension = map->space_dimension()};
+        const Box box = box_around(*map);
+        if (!(longest_side(box) > 0)) return anywhere();
+        if (file.find_first_not_of(" \t\r\n") == std::string::npos) {
+            space.reach = {box};
+        } else {
+            space.box = box;
+            space.middle = space.dimension == 3 ? middle_of(*map) : box.centre();
+        }
+        if (points.empty()) return space;
+        patch.control = parse_control_points(points, patch.control.size());
+        space.reach.push_back(box_around(*patch_map(patch)));
+        return space;
+    } catch (const InputError&) {
+    } catch (const MachineError&) {
+    }
+    return anywhere();
 }
 
 } // namespace
@@ -104,7 +197,7 @@ std::vector<double> SplineDomain::node_lines() const {
 
 std::vector<DomainType> spline_domains() {
     std::vector<DomainType> types;
-    for (const auto& one : shipped()) types.push_back(domain_type(one.name, one.label, one.help, rows()));
+    for (const auto& one : shipped()) types.push_back(domain_type(one, rows()));
     std::vector<ParameterRow> with_file = rows();
     with_file.push_back(
         {.key = "file",
@@ -131,9 +224,13 @@ std::vector<DomainType> spline_domains() {
          .help = "control points of a planar patch, \"x y, x y, ...\", instead of the file's; in the window, "
                  "drag them",
          .role = ParameterRole::control_points});
-    types.push_back(domain_type(from_file, "Patch from a file",
-                                "a spline or NURBS patch with control points, in the plane or in space",
-                                with_file));
+    types.push_back({.name = from_file,
+                     .label = "Patch from a file",
+                     .help = "a spline or NURBS patch with control points, in the plane or in space",
+                     .rows = std::move(with_file),
+                     .space = [](const Values& values) { return space_of_patch(values, {}); },
+                     .find_space = space_of_patch,
+                     .spline_patch = true});
     return types;
 }
 

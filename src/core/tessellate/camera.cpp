@@ -1,7 +1,6 @@
 #include "core/tessellate/camera.hpp"
 
 #include "core/base/error.hpp"
-#include "core/base/finite_range.hpp"
 #include "core/base/parameter.hpp"
 #include "core/scenario/view_directions.hpp"
 
@@ -18,9 +17,6 @@ namespace gaspard {
 namespace {
 
 constexpr double half_turn = std::numbers::pi;
-
-Vec3 minimum(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
-Vec3 maximum(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
 /// What is seen of something, along the camera's axes.
 struct Extent {
@@ -114,20 +110,6 @@ std::optional<double> number_of(std::string_view word) {
 }
 
 } // namespace
-
-Box bounding_box(const Points& points) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const auto x = finite_range(points.x), y = finite_range(points.y), z = finite_range(points.z);
-    if (x && y && z) return {{x->first, y->first, z->first}, {x->second, y->second, z->second}};
-    const auto finite = [](Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); };
-    Box box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (const Vec3 p = points[i]; finite(p))
-            box.low = minimum(box.low, p), box.high = maximum(box.high, p);
-    return box.low.x <= box.high.x ? box : Box{};
-}
-
-Box merge(const Box& a, const Box& b) { return {minimum(a.low, b.low), maximum(a.high, b.high)}; }
 
 Camera planar_home(const Box& box, Size size, Insets insets) {
     Camera camera;

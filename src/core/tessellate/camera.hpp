@@ -4,6 +4,7 @@
 // `Size`. A planar camera looks down the z axis with x to the right and y up; a spatial one has other axes.
 #pragma once
 
+#include "core/base/box.hpp"
 #include "core/base/points.hpp"
 
 #include <string>
@@ -24,17 +25,6 @@ struct Insets {
     double left = 0, top = 0, right = 0, bottom = 0;
     friend bool operator==(const Insets&, const Insets&) = default;
 };
-
-struct Box {
-    Vec3 low, high;
-    Vec3 centre() const { return 0.5 * (low + high); }
-    /// Length of the diagonal.
-    double size() const { return norm(high - low); }
-    friend bool operator==(const Box&, const Box&) = default;
-};
-/// The smallest box around all finite points; a box at the origin if there is none.
-Box bounding_box(const Points& points);
-Box merge(const Box& a, const Box& b);
 
 struct Camera {
     Vec3 centre;         ///< the world point in the middle of the view

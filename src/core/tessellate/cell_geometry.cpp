@@ -4,6 +4,7 @@
 #include "core/fem/cell_quadrature.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -152,13 +153,20 @@ std::vector<double> CellGeometry::jacobians(const Points& x) const {
             straight_jacobians<4>(*mesh_, x, found);
         return found;
     }
+    std::vector<Tangents> reference(nodes_.size());
+    std::vector<double> before(nodes_.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
-        double smallest = std::numeric_limits<double>::infinity();
-        for (const Sample& sample : nodes_) {
-            const Tangents reference = tangents(mesh_->cell(i), mesh_->nodes, sample);
-            smallest = smaller(smallest, signed_measure(tangents(mesh_->cell(i), x, sample), reference) /
-                                             signed_measure(reference, reference));
+        double smallest = std::numeric_limits<double>::infinity(), whole = 0;
+        for (std::size_t s = 0; s < nodes_.size(); ++s) {
+            reference[s] = tangents(mesh_->cell(i), mesh_->nodes, nodes_[s]);
+            before[s] = signed_measure(reference[s], reference[s]);
+            whole = std::max(whole, std::abs(before[s]));
         }
+        for (std::size_t s = 0; s < nodes_.size(); ++s)
+            if (std::abs(before[s]) > degenerate_measure * whole)
+                smallest =
+                    smaller(smallest,
+                            signed_measure(tangents(mesh_->cell(i), x, nodes_[s]), reference[s]) / before[s]);
         found[i] = smallest;
     }
     return found;

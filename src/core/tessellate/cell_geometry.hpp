@@ -25,7 +25,8 @@ class CellGeometry {
     std::vector<double> measures(const Points& x) const;
     /// Minimum over the nodes of det dx/dxi, for every cell. On lines and surfaces in space it is negative if
     /// the cell faces away from the computational cell; on a sphere, where cells move around it, if one of
-    /// the two faces outward and the other inward.
+    /// the two faces outward and the other inward. Nodes at which the computational cell is degenerate are
+    /// left out.
     std::vector<double> jacobians(const Points& x) const;
     /// Indices of the cells whose Jacobian is <= 0 or NaN, ascending; faster than
     /// tangled_cells(jacobians(x)).

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 namespace gaspard {
 
@@ -247,17 +248,26 @@ void draw_line_cells(const Mesh& mesh, int cuts, PointMaker& points, Tessellatio
 
 /// The largest distance of an edge's midpoint node from the midpoint of its chord, relative to the edge's
 /// length, over all edges that are not folded. With c pieces per edge the error is smaller by a factor c^2.
+/// An edge that is almost a point, at the tip of a patch, counts by the size of its cell.
 static double largest_bulge(const Mesh& mesh, const Points& x) {
+    constexpr double short_edge = 0.01; // of the cell's longest
     double largest = 0;
-    for (std::size_t c = 0; c < mesh.cell_count(); ++c)
-        for (const auto& edge : cell_edges(mesh.kind)) {
+    for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
+        const auto chord = [&](const std::vector<int>& edge) {
             const auto node = [&](std::size_t k) {
                 return x[static_cast<std::size_t>(mesh.cell(c)[static_cast<std::size_t>(edge[k])])];
             };
-            const Vec3 a = node(0), b = node(1), away = node(2) - 0.5 * (a + b);
-            const double bulge = norm(away) / norm(b - a);
+            const Vec3 a = node(0), b = node(1);
+            return std::pair(norm(b - a), norm(node(2) - 0.5 * (a + b)));
+        };
+        double longest = 0;
+        for (const auto& edge : cell_edges(mesh.kind)) longest = std::max(longest, chord(edge).first);
+        for (const auto& edge : cell_edges(mesh.kind)) {
+            const auto [length, away] = chord(edge);
+            const double bulge = away / std::max(length, short_edge * longest);
             if (bulge > largest && bulge < 0.5) largest = bulge;
         }
+    }
     return largest;
 }
 

@@ -300,7 +300,7 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
             opened.type == section.type && has_same_row(opened.values, row) ? &opened.values : nullptr;
         const bool set = draw_row(context, row, before, section.values, &scenario);
         changed |= set;
-        if (!set || row.role != ParameterRole::defines_rows) continue;
+        if (!set || !redefines_rows(row)) continue;
         try {
             update_rows(context.catalogue, scenario);
         } catch (const InputError&) { // it is being typed; the run says what is wrong

@@ -20,10 +20,8 @@ const ParameterRow& row_of(const Values& values, const std::string& key) {
 
 double rounded(double value, double digits) { return std::round(value * digits) / digits; }
 
-/// The step of dragged values: 1e-4 of the larger side of a patch, rounded to a power of ten.
-double rounded_within(const Points& patch, double value) {
-    const Box box = bounding_box(patch);
-    const double span = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+/// The step of dragged values: 1e-4 of a length, rounded to a power of ten.
+double rounded_within(double span, double value) {
     if (!(span > 0)) return value;
     const double decimals = 4 - std::floor(std::log10(span));
     const double factor = std::pow(10.0, std::abs(decimals)); // a whole number, so that texts stay short
@@ -84,7 +82,8 @@ Scenario with_handle_at(const Scenario& scenario, const Handle& handle, Vec3 pla
     Scenario moved = scenario;
     if (handle.control) {
         Points control = *handle.control;
-        control.set(handle.number, {rounded_within(control, place.x), rounded_within(control, place.y), 0});
+        const double side = longest_side(bounding_box(control));
+        control.set(handle.number, {rounded_within(side, place.x), rounded_within(side, place.y), 0});
         moved.domain.values.set(handle.first, format_control_points(control));
         return moved;
     }
@@ -95,8 +94,10 @@ Scenario with_handle_at(const Scenario& scenario, const Handle& handle, Vec3 pla
         put(values, handle.second, rounded(std::atan2(place.y, place.x) / degree, 100));
         return moved;
     }
-    put(values, handle.first, rounded(place.x, 10000));
-    put(values, handle.second, rounded(place.y, 10000));
+    const double side =
+        row_of(values, handle.first).measure; // of the square for which the monitor is written
+    put(values, handle.first, rounded_within(side, place.x));
+    put(values, handle.second, rounded_within(side, place.y));
     return moved;
 }
 

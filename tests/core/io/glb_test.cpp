@@ -11,9 +11,12 @@
 #include "support/temporary_folder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <assimp/Importer.hpp>
 #include <assimp/scene.h>
+#include <bit>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace gaspard {
 namespace {
@@ -203,6 +206,53 @@ TEST_F(GlbTest, BoundsOfPositionsAreExact) {
     }
     const Json& target = glb.json["accessors"][primitive["targets"][0]["POSITION"].get<std::size_t>()];
     EXPECT_TRUE(target.contains("min") && target.contains("max"));
+}
+
+/// The positions of an accessor, from the file's bytes.
+std::vector<Vec3> positions_in(const std::string& bytes, const Json& json, std::size_t accessor) {
+    const Json& view = json["bufferViews"][json["accessors"][accessor]["bufferView"].get<std::size_t>()];
+    const std::size_t begin = 20 + word(bytes, 12) + 8 + view.value("byteOffset", std::size_t{0});
+    const auto number = [&](std::size_t i) {
+        return static_cast<double>(std::bit_cast<float>(word(bytes, begin + 4 * i)));
+    };
+    std::vector<Vec3> points(json["accessors"][accessor]["count"].get<std::size_t>());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = {number(3 * i), number(3 * i + 1), number(3 * i + 2)};
+    return points;
+}
+
+TEST_F(GlbTest, KeepsItsShapeFarFromTheOrigin) {
+    Snapshot snapshot = snapshot_of(unit_square_mesh(64));
+    Mesh far = *snapshot.mesh;
+    for (std::size_t i = 0; i < far.node_count(); ++i) {
+        far.nodes.set(i, far.nodes[i] + Vec3{5e5, 4e6, 0});
+        snapshot.x.set(i, snapshot.x[i] + Vec3{5e5, 4e6, 0});
+    }
+    snapshot.mesh = std::make_shared<const Mesh>(far);
+    const Glb glb(file_, snapshot);
+    const std::string bytes = read_file(file_);
+    const Json& translation = glb.json["nodes"][0]["translation"];
+    ASSERT_EQ(translation.size(), 3u);
+    const Vec3 origin{translation[0].get<double>(), translation[1].get<double>(),
+                      translation[2].get<double>()};
+    const Json& primitive = glb.json["meshes"][0]["primitives"][0];
+    const auto position =
+        positions_in(bytes, glb.json, primitive["attributes"]["POSITION"].get<std::size_t>());
+    const auto target = positions_in(bytes, glb.json, primitive["targets"][0]["POSITION"].get<std::size_t>());
+    ASSERT_EQ(position.size(), 4225u);
+    std::set<std::array<double, 3>> distinct;
+    for (std::size_t i = 0; i < position.size(); ++i) {
+        EXPECT_LT(norm(origin + position[i] - snapshot.x[i]), 1e-6);
+        EXPECT_LT(norm(origin + position[i] + target[i] - far.nodes[i]), 1e-6)
+            << "where the animation begins";
+        distinct.insert({position[i].x, position[i].y, position[i].z});
+    }
+    EXPECT_EQ(distinct.size(), 4225u);
+}
+
+TEST_F(GlbTest, HasNoTranslationNearTheOrigin) {
+    const Glb glb(file_, snapshot_of(unit_square_mesh(4)));
+    EXPECT_FALSE(glb.json["nodes"][0].contains("translation"));
 }
 
 TEST_F(GlbTest, ManyVerticesUseWiderIndices) {

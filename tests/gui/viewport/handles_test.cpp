@@ -51,6 +51,22 @@ TEST_F(HandleTest, MovesRoundAPeriodicPlaneAndStaysWithinWalls) {
     }
 }
 
+TEST_F(HandleTest, MovesOverAPatchOfAnySizeInStepsThatFitIt) {
+    const auto dragged = [&](double side, Vec3 place) {
+        const std::string s = format_number(side);
+        const Scenario patch =
+            with("spline-circle",
+                 {"domain.type=spline-patch", R"(domain.file={"degrees":[1,1],"knots":[[0,0,1,1],[0,0,1,1]],)"
+                                              R"("control_points":[[0,0],[)" +
+                                                  s + ",0],[0," + s + "],[" + s + "," + s + "]]}"});
+        const auto handle = monitor_handles(patch).front();
+        EXPECT_EQ(handle.place, (Vec3{side / 2, side / 2, 0}));
+        return monitor_handles(with_handle_at(patch, handle, place)).front().place;
+    };
+    EXPECT_EQ(dragged(2000, {1500.04, 300.06, 0}), (Vec3{1500, 300.1, 0}));
+    EXPECT_EQ(dragged(0.002, {0.00150004, 0.00030006, 0}), (Vec3{0.0015, 0.0003001, 0}));
+}
+
 TEST_F(HandleTest, APixelMeansThePlaceThatIsSeenThere) {
     Handle handle = monitor_handles(find_scenario(catalogue, "plane-ring")).front();
     const PlannedView plane = plan(ring_snapshot(8)).views[0];
