@@ -27,11 +27,19 @@ double larger(double a, double b) { return std::isnan(b) || b > a ? b : a; }
 
 QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int points, const Space& space)
     : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)), workers_(checked(threads)) {
+    points = std::max(points, mesh_->kind.order); // so that areas in the plane are exact
     if (FlatSquares::fits(*mesh_)) flat_.emplace(points);
     if (space.kind == SpaceKind::sphere) sphere_.emplace(mesh_->kind, points);
     for (const auto& [point, weight] : cell_quadrature(mesh_->kind.shape, points)) add_sample(point, weight);
     quadrature_points_ = samples_.size();
     for (const Vec3 node : reference_nodes(mesh_->kind)) add_sample(node, 0);
+    if (mesh_->kind.shape == CellShape::quadrilateral && mesh_->kind.order > 2) {
+        quadrature_cell_.emplace(mesh_->kind.order, gauss_legendre(points).points);
+        std::vector<double> nodes; // of an edge; the order of samples without weight is of no importance
+        for (int k = 0; k <= mesh_->kind.order; ++k)
+            nodes.push_back(static_cast<double>(k) / mesh_->kind.order);
+        node_cell_.emplace(mesh_->kind.order, nodes);
+    }
 
     const std::size_t cells = mesh_->cell_count();
     std::vector<Vec3> nodes(static_cast<std::size_t>(nodes_per_cell(mesh_->kind)));
@@ -73,6 +81,21 @@ double QualityMeter::signed_measure(const Tangents& of, const Tangents& referenc
     return gaspard::signed_measure(dimension_, mesh_->space_dimension, of, reference);
 }
 
+void QualityMeter::find_places(std::span<const Vec3> nodes, std::vector<PlaceInCell>& places,
+                               TensorCell::Workspace& workspace) const {
+    places.resize(samples_.size());
+    if (quadrature_cell_) {
+        quadrature_cell_->evaluate(nodes, std::span(places).first(quadrature_points_), workspace);
+        node_cell_->evaluate(nodes, std::span(places).subspan(quadrature_points_), workspace);
+        return;
+    }
+    for (std::size_t s = 0; s < samples_.size(); ++s) {
+        places[s] = {{}, tangents(nodes, samples_[s])};
+        for (std::size_t k = 0; s < quadrature_points_ && k < nodes.size(); ++k)
+            places[s].x = places[s].x + samples_[s].values[k] * nodes[k];
+    }
+}
+
 void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
                                  Worker& worker) {
     worker.points.resize((end - begin) * quadrature_points_);
@@ -81,19 +104,18 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
         gather(i, x, worker.nodes);
         gather(i, mesh_->nodes, worker.reference_nodes);
         double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
+        find_places(worker.nodes, worker.places, worker.tensor);
+        find_places(worker.reference_nodes, worker.reference_places, worker.tensor);
         for (std::size_t s = 0; s < samples_.size(); ++s) {
-            const Tangents reference = tangents(worker.reference_nodes, samples_[s]);
-            const double physical = signed_measure(tangents(worker.nodes, samples_[s]), reference);
+            const Tangents& reference = worker.reference_places[s].tangents;
+            const double physical = signed_measure(worker.places[s].tangents, reference);
             const double before = signed_measure(reference, reference);
             if (std::abs(before) > degenerate_measure * std::abs(cell_measure_[i])) {
                 smallest = smaller(smallest, physical / before);
                 largest = larger(largest, physical / before);
             }
             if (s >= quadrature_points_) continue;
-            Vec3 point;
-            for (std::size_t k = 0; k < worker.nodes.size(); ++k)
-                point = point + samples_[s].values[k] * worker.nodes[k];
-            worker.points.set(at, point);
+            worker.points.set(at, worker.places[s].x);
             worker.factor[at++] = samples_[s].weight * physical;
         }
         note_cell(i, smallest, largest, worker);

@@ -13,6 +13,7 @@
 #include "core/base/series.hpp"
 #include "core/diagnostics/flat_squares.hpp"
 #include "core/diagnostics/sphere_cells.hpp"
+#include "core/diagnostics/tensor_cell.hpp"
 #include "core/mesh/cell_measure.hpp"
 #include "core/monitor/monitor.hpp"
 
@@ -36,6 +37,9 @@ struct MeshQuality {
 std::vector<SeriesInfo> quality_series();
 SeriesValues values_of(const MeshQuality& quality);
 
+/// Beside these, for a map that is known everywhere: how many cells of the mesh fold.
+SeriesInfo folded_drawn_cells_series();
+
 /// Measures a mesh. Holds the reference quadrature, the measures of the computational cells and a workspace.
 ///
 /// Sign of the Jacobian on lines and surfaces in space: negative where the physical cell faces away from the
@@ -43,8 +47,8 @@ SeriesValues values_of(const MeshQuality& quality);
 /// parts contribute negatively to M_i, so that the sum of the M_i is conserved.
 class QualityMeter {
   public:
-    /// `points`: Gauss points per direction for the integral of m. With 6, the relative error of the ring's
-    /// equidistribution is 3e-7 at n = 30 and 1e-8 from n = 60 on.
+    /// `points`: Gauss points per direction for the integral of m; at least the order of the cells is used.
+    /// With 6, the relative error of the ring's equidistribution is 3e-7 at n = 30 and 1e-8 from n = 60 on.
     /// `threads` share the cells; the result does not depend on their number.
     explicit QualityMeter(std::shared_ptr<const Mesh> mesh, int threads = 1, int points = 6,
                           const Space& space = {});
@@ -63,6 +67,9 @@ class QualityMeter {
     };
 
     void add_sample(Vec3 point, double weight);
+    /// The samples of a cell, at xi or at x.
+    void find_places(std::span<const Vec3> nodes, std::vector<PlaceInCell>& places,
+                     TensorCell::Workspace& workspace) const;
     void gather(std::size_t cell, const Points& x, std::span<Vec3> nodes) const;
     Tangents tangents(std::span<const Vec3> nodes, const Sample& sample) const;
     double signed_measure(const Tangents& of, const Tangents& reference) const;
@@ -71,6 +78,8 @@ class QualityMeter {
         std::vector<Vec3> nodes, reference_nodes; ///< x and xi of one cell
         Points points;                            ///< quadrature points of a batch of cells
         std::vector<double> factor, monitor;
+        std::vector<PlaceInCell> places, reference_places; ///< of the samples of one cell
+        TensorCell::Workspace tensor;
         FlatSquares::Workspace flat;
         SphereCellMeter::Workspace sphere;
         double min_jacobian = 0, max_jacobian = 0;
@@ -90,6 +99,7 @@ class QualityMeter {
     int dimension_;
     std::optional<FlatSquares> flat_; ///< if all cells are such
     std::optional<SphereCellMeter> sphere_;
+    std::optional<TensorCell> quadrature_cell_, node_cell_; ///< of quadrilaterals of high order
     std::vector<Sample> samples_;
     std::size_t quadrature_points_ = 0; ///< number of quadrature points, the first samples
     std::vector<double> cell_measure_;  ///< of the computational cells

@@ -32,6 +32,13 @@ SeriesValues values_of(const MeshQuality& quality) {
     return {quality.equidistribution, quality.max_jacobian, quality.min_jacobian};
 }
 
+SeriesInfo folded_drawn_cells_series() {
+    return {.name = "folded_drawn_cells",
+            .label = "Drawn cells that fold",
+            .help = "cells of the mesh, which approximate the map, with a Jacobian of 0 or less",
+            .measured = true};
+}
+
 std::vector<SeriesInfo> exact_series() {
     const auto plot = [](const char* part) {
         return SharedPlot{"exact_rms", "Distance to exact mesh", part};

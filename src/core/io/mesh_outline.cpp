@@ -36,7 +36,10 @@ struct EdgesAtNodes {
 Side side_of_face(const Facets& faces, std::size_t face, std::size_t i) {
     const auto nodes = faces[face];
     const auto corners = static_cast<std::size_t>(faces.corners);
-    return {nodes[i], nodes[(i + 1) % corners], faces.kind.order == 2 ? nodes[corners + i] : -1};
+    Side side{nodes[i], nodes[(i + 1) % corners], faces.kind.order - 1};
+    const auto& edge = cell_edges(faces.kind)[i]; // the ends, then the nodes between
+    for (std::size_t k = 2; k < edge.size(); ++k) side.through[k - 2] = nodes[index(edge[k])];
+    return side;
 }
 
 class Chainer {

@@ -4,6 +4,7 @@
 
 #include "core/io/facets.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -11,10 +12,19 @@
 
 namespace gaspard {
 
-/// A directed edge from node to node, through a middle node if it is curved (-1: straight).
+/// A directed edge from node to node, through further nodes if it is curved.
 struct Side {
-    std::int32_t from = 0, to = 0, middle = -1;
-    Side reversed() const { return {to, from, middle}; }
+    std::int32_t from = 0, to = 0;
+    std::int32_t between = 0; ///< the number of further nodes
+    std::array<std::int32_t, highest_order - 1> through{};
+    std::span<const std::int32_t> inside() const {
+        return std::span(through).first(static_cast<std::size_t>(between));
+    }
+    Side reversed() const {
+        Side other{to, from, between, through};
+        std::reverse(other.through.begin(), other.through.begin() + between);
+        return other;
+    }
     friend bool operator==(const Side&, const Side&) = default;
 };
 

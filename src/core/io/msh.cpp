@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gaspard {
 
@@ -18,12 +19,37 @@ namespace {
 
 constexpr int point_type = 15;
 
-/// Which of our nodes Gmsh wants at each place. It differs from VTK in the edges and faces of curved solids.
+/// Gmsh numbers a quadrilateral's nodes ring by ring from outside: corners, then edges around it.
+std::vector<int> rings(int order) {
+    const auto ours = [order](int i, int j) { // column, row
+        const auto nodes = reference_nodes({CellShape::quadrilateral, order});
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+            if (std::lround(order * nodes[k].x) == i && std::lround(order * nodes[k].y) == j)
+                return static_cast<int>(k);
+        check_failed("every column and row of a cell has a node");
+    };
+    std::vector<int> all;
+    for (int low = 0, high = order; low <= high; ++low, --high) {
+        if (low == high) all.push_back(ours(low, low));
+        if (low >= high) break;
+        for (const auto& [i, j] : {std::pair(low, low), {high, low}, {high, high}, {low, high}})
+            all.push_back(ours(i, j));
+        for (int k = low + 1; k < high; ++k) all.push_back(ours(k, low));
+        for (int k = low + 1; k < high; ++k) all.push_back(ours(high, k));
+        for (int k = high - 1; k > low; --k) all.push_back(ours(k, high));
+        for (int k = high - 1; k > low; --k) all.push_back(ours(low, k));
+    }
+    return all;
+}
+
+/// Which of our nodes Gmsh wants at each place. It differs from VTK in the edges and faces of curved solids,
+/// and in edges and interiors from order 3 on.
 std::vector<int> gmsh_order(CellKind kind) {
     if (kind == CellKind{CellShape::hexahedron, 2})
         return {0,  1,  2,  3,  4,  5,  6,  7,                  // corners
                 8,  11, 16, 9,  17, 10, 18, 19, 12, 15, 13, 14, // edges
                 24, 22, 20, 21, 23, 25, 26};                    // faces, interior
+    if (kind.shape == CellShape::quadrilateral) return rings(kind.order);
     std::vector<int> same;
     for (int i = 0; i < nodes_per_cell(kind); ++i) same.push_back(i);
     return same;

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/version.hpp"
+#include "core/diagnostics/quality.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/spline_map_file.hpp"
 #include "core/io/state_file.hpp"
@@ -94,6 +95,8 @@ std::string summary_json(Run& run) {
     json["residual"] = last.residual;
     for (const char* name : {"equidistribution", "theta"}) json[name] = or_null(last.value(name));
     json["tangled_cells"] = or_null(last.tangled_cells);
+    if (const auto folded = last.value(folded_drawn_cells_series().name))
+        json["folded_drawn_cells"] = static_cast<std::size_t>(*folded);
     for (const char* name : {"min_jacobian", "max_jacobian", "exact_rms", "exact_rms_nodes"})
         json[name] = or_null(last.value(name));
     add_measures(json, last);

@@ -84,10 +84,35 @@ struct Drawing {
     PagePoint node(std::int32_t number) const { return view.page(scene.x[static_cast<std::size_t>(number)]); }
     void go(SvgPath& path, const Side& side) const {
         const PagePoint to = node(side.to);
-        if (side.middle < 0) return path.line(to);
-        // The parabola through the middle node.
-        const PagePoint from = node(side.from), middle = node(side.middle);
+        if (side.between == 0) return path.line(to);
+        if (side.between > 1) return go_in_pieces(path, side);
+        parabola(path, node(side.from), node(side.through[0]), to);
+    }
+    /// The parabola through a point in the middle.
+    static void parabola(SvgPath& path, PagePoint from, PagePoint middle, PagePoint to) {
         path.curve({2 * middle.x - (from.x + to.x) / 2, 2 * middle.y - (from.y + to.y) / 2}, to);
+    }
+    /// Of a higher order, parabolas that follow the curve.
+    void go_in_pieces(SvgPath& path, const Side& side) const {
+        const CellKind kind{CellShape::line, side.between + 1};
+        const auto count = static_cast<std::size_t>(nodes_per_cell(kind));
+        std::vector<double> values(count);
+        std::vector<Vec3> gradients(count);
+        const auto at = [&](double t) {
+            shape_functions(kind, {t, 0, 0}, values, gradients);
+            PagePoint sum;
+            for (std::size_t k = 0; k < count; ++k) {
+                const PagePoint p = node(k == 0 ? side.from : k == 1 ? side.to : side.through[k - 2]);
+                sum = {sum.x + values[k] * p.x, sum.y + values[k] * p.y};
+            }
+            return sum;
+        };
+        PagePoint from = node(side.from);
+        for (int piece = 0; piece < side.between; ++piece) {
+            const PagePoint to = piece + 1 == side.between ? node(side.to) : at((piece + 1.0) / side.between);
+            parabola(path, from, at((piece + 0.5) / side.between), to);
+            from = to;
+        }
     }
     void add(SvgPath& path, const std::vector<Side>& line, bool closed) const {
         path.move(node(line.front().from));
@@ -308,9 +333,14 @@ std::vector<bool> shown_parts(const SvgScene& scene, const SvgView& view) {
     std::vector<bool> shown(scene.size(), true);
     if (!view.cropped) return shown;
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        const Side line = scene.lines.empty() ? Side{} : scene.lines[i];
-        const std::array ends = {line.from, line.to, line.middle};
-        shown[i] = view.shows(scene.x, scene.lines.empty() ? std::span(scene.faces[i]) : std::span(ends));
+        if (scene.lines.empty()) {
+            shown[i] = view.shows(scene.x, scene.faces[i]);
+            continue;
+        }
+        const Side& line = scene.lines[i];
+        std::vector<std::int32_t> nodes = {line.from, line.to};
+        nodes.insert(nodes.end(), line.inside().begin(), line.inside().end());
+        shown[i] = view.shows(scene.x, nodes);
     }
     return shown;
 }

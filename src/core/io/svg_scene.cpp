@@ -46,8 +46,12 @@ void add_tangled(SvgScene& scene, const Mesh& mesh, const std::vector<std::uint3
 
 std::vector<Side> lines_of(const Mesh& mesh) {
     std::vector<Side> lines;
-    for (std::size_t c = 0; c < mesh.cell_count(); ++c)
-        lines.push_back({mesh.cell(c)[0], mesh.cell(c)[1], mesh.kind.order == 2 ? mesh.cell(c)[2] : -1});
+    for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
+        const auto nodes = mesh.cell(c);
+        Side line{nodes[0], nodes[1], mesh.kind.order - 1};
+        std::copy(nodes.begin() + 2, nodes.end(), line.through.begin());
+        lines.push_back(line);
+    }
     return lines;
 }
 
@@ -160,7 +164,6 @@ bool SvgView::shows(const Points& x, std::span<const std::int32_t> nodes) const 
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double left = infinity, right_end = -infinity, top = infinity, bottom = -infinity;
     for (const std::int32_t node : nodes) {
-        if (node < 0) continue; // a straight side has no middle node
         const PagePoint p = page(x[index(node)]);
         left = std::min(left, p.x), right_end = std::max(right_end, p.x);
         top = std::min(top, p.y), bottom = std::max(bottom, p.y);
@@ -183,7 +186,7 @@ std::vector<std::uint32_t> painters_order(const SvgScene& scene, const SvgView& 
         nearness.push_back(dot(viewer, face_centre(scene, f)));
         const Vec3 normal = face_normal(scene, f);
         // A part of a curved face may be seen although its corners turn away.
-        const double limit = scene.faces.kind.order == 2 ? -0.5 * norm(normal) : 0;
+        const double limit = scene.faces.kind.order > 1 ? -0.5 * norm(normal) : 0;
         // A cell turned inside out is seen where its neighbours are.
         if (!scene.closed || scene.tangled[f] || outward * dot(viewer, normal) > limit)
             order.push_back(static_cast<std::uint32_t>(f));

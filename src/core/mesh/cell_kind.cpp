@@ -1,6 +1,8 @@
-// Lagrange shape functions of order 1 and 2 and the local numbering of nodes, edges and faces (as in VTK).
+// Lagrange shape functions and the local numbering of nodes, edges and faces (as in VTK).
 #include "core/base/check.hpp"
 #include "core/mesh/mesh.hpp"
+
+#include <cmath>
 
 namespace gaspard {
 
@@ -43,8 +45,42 @@ std::vector<Vec3> cube_nodes(int order) {
     return nodes;
 }
 
-const std::vector<CellTable>& cell_tables() {
-    static const std::vector<CellTable> tables = {
+/// A line with equidistant nodes.
+CellTable line_of_order(int order) {
+    CellTable cell{{CellShape::line, order}, "line", 1, 2, {{0, 0, 0}, {1, 0, 0}}, {{0, 1}}, {}};
+    for (int i = 1; i < order; ++i) {
+        cell.nodes.push_back({static_cast<double>(i) / order, 0, 0});
+        cell.edges[0].push_back(i + 1);
+    }
+    return cell;
+}
+
+/// VTK's Lagrange quadrilateral.
+CellTable quadrilateral_of_order(int order) {
+    CellTable cell{{CellShape::quadrilateral, order},
+                   "quadrilateral",
+                   2,
+                   4,
+                   {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                   {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
+                   {}};
+    const auto place = [order](int i) { return static_cast<double>(i) / order; };
+    for (std::size_t e = 0; e < 4; ++e) {
+        for (int i = 1; i < order; ++i) {
+            const double fixed = e == 1 || e == 2 ? 1 : 0;
+            cell.nodes.push_back(e % 2 == 0 ? Vec3{place(i), fixed, 0} : Vec3{fixed, place(i), 0});
+        }
+        const int first = 4 + static_cast<int>(e) * (order - 1);
+        for (int i = 0; i + 1 < order; ++i) // the last two edges run against s and t
+            cell.edges[e].push_back(e < 2 ? first + i : first + order - 2 - i);
+    }
+    for (int j = 1; j < order; ++j)
+        for (int i = 1; i < order; ++i) cell.nodes.push_back({place(i), place(j), 0});
+    return cell;
+}
+
+std::vector<CellTable> make_cell_tables() {
+    std::vector<CellTable> tables = {
         {{CellShape::line, 1}, "line", 1, 2, {{0, 0, 0}, {1, 0, 0}}, {{0, 1}}, {}},
         {{CellShape::line, 2}, "line", 1, 2, {{0, 0, 0}, {1, 0, 0}, {.5, 0, 0}}, {{0, 1, 2}}, {}},
         {{CellShape::triangle, 1},
@@ -109,6 +145,15 @@ const std::vector<CellTable>& cell_tables() {
           {3, 7, 19}},
          cube_faces},
     };
+    for (int order = 3; order <= highest_order; ++order) {
+        tables.push_back(line_of_order(order));
+        tables.push_back(quadrilateral_of_order(order));
+    }
+    return tables;
+}
+
+const std::vector<CellTable>& cell_tables() {
+    static const std::vector<CellTable> tables = make_cell_tables();
     return tables;
 }
 
@@ -118,12 +163,23 @@ const CellTable& table(CellKind kind) {
     check_failed("the kind of cell is in the table");
 }
 
-// Lagrange polynomials on [0,1] of the node at `node` (0, 1/2 or 1): value and derivative.
+// Lagrange polynomials on [0,1] of the node at `node` (a multiple of 1/order): value and derivative.
 struct ValueAndSlope {
     double value, slope;
 };
 ValueAndSlope lagrange(int order, double node, double s) {
     if (order == 1) return node == 0 ? ValueAndSlope{1 - s, -1} : ValueAndSlope{s, 1};
+    if (order > 2) {
+        const auto own = std::lround(node * order);
+        ValueAndSlope product{1, 0};
+        for (int i = 0; i <= order; ++i) {
+            if (i == own) continue;
+            const auto distance = static_cast<double>(own - i);
+            const double factor = (order * s - i) / distance, slope = order / distance;
+            product = {product.value * factor, product.slope * factor + product.value * slope};
+        }
+        return product;
+    }
     if (node == 0) return {(1 - s) * (1 - 2 * s), 4 * s - 3};
     if (node == 1) return {s * (2 * s - 1), 4 * s - 1};
     return {4 * s * (1 - s), 4 - 8 * s};

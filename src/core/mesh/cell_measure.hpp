@@ -39,8 +39,8 @@ inline double signed_measure(int dimension, int space_dimension, const Tangents&
 }
 
 /// The largest reference measure, relative to that of the whole cell, of a point at which the computational
-/// cell counts as degenerate: its edge is a single point there, or its edges are parallel. No Jacobian is
-/// defined at such a point.
-inline constexpr double degenerate_measure = 1e-12;
+/// cell counts as degenerate: its edge is a single point there, or its edges are parallel, which polynomials
+/// reproduce to their order only. The ratio of measures says nothing at such a point.
+inline constexpr double degenerate_measure = 1e-2;
 
 } // namespace gaspard

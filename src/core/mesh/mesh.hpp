@@ -1,4 +1,5 @@
-// Cells of dimension 1 to 3 and order 1 or 2, and a mesh of cells of one kind, in plain arrays.
+// Cells of dimension 1 to 3 and order 1 or 2, lines and quadrilaterals up to order 7, and a mesh of cells of
+// one kind, in plain arrays.
 //
 // A Mesh is the computational mesh with nodes xi. The physical mesh has the same cells and other positions x
 // of the same nodes. A periodic domain is unwrapped: it has nodes on both sides, which only the function
@@ -16,10 +17,14 @@ namespace gaspard {
 
 enum class CellShape { line, triangle, quadrilateral, hexahedron };
 
-/// Shape and order of a cell. Nodes are numbered as in VTK: corners, edges, faces, interior.
+inline constexpr int highest_order = 7; ///< of lines and quadrilaterals; 2 for other shapes
+
+/// Shape and order of a cell. Nodes are equidistant and numbered as in VTK: corners, edges, faces, interior.
+/// Of a quadrilateral of order 3 or higher (a Lagrange cell), those on edges run in the direction of s or t,
+/// those of the interior by rows.
 struct CellKind {
     CellShape shape = CellShape::quadrilateral;
-    /// 1: straight edges; 2: one more node per edge, and per face and cell of quadrilaterals and hexahedra
+    /// 1: straight edges; k: k - 1 more nodes per edge, (k - 1)^2 per face of quadrilaterals and hexahedra
     int order = 1;
 
     friend bool operator==(const CellKind&, const CellKind&) = default;
@@ -37,7 +42,7 @@ std::span<const Vec3> reference_nodes(CellKind kind);
 /// entries; gradients[i] = (d/ds, d/dt, d/du) with (s, t, u) the reference coordinates.
 void shape_functions(CellKind kind, Vec3 point, std::span<double> values, std::span<Vec3> gradients);
 
-/// The edges of one cell as local node numbers: two per edge of order 1, three (end, end, middle) of order 2.
+/// The edges of one cell as local node numbers: the ends, then those between, from the first end on.
 std::span<const std::vector<int>> cell_edges(CellKind kind);
 /// The faces of a three-dimensional cell as local corner numbers, counter-clockwise as seen from outside;
 /// empty for lines and surface cells.

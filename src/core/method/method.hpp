@@ -7,6 +7,7 @@
 #include "core/mesh/discretisation.hpp"
 #include "core/monitor/problem_data.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -60,6 +61,11 @@ class Method {
     virtual std::vector<SeriesInfo> series() const { return {}; }
     /// The values, of the state last evaluated, of those series() that are `measured`, in their order.
     virtual std::vector<double> measures(const ProblemData&) { return {}; }
+    /// Whether the method knows its map everywhere, not only at nodes. The mesh is then tangled where the map
+    /// folds, whatever its cells, which only approximate the map.
+    virtual bool knows_map() const { return false; }
+    /// Requires knows_map(): the cells in which the map of the state last evaluated folds, ascending.
+    virtual std::vector<std::uint32_t> folded_cells() { return {}; }
     /// The values, of the state last evaluated, of MethodType::fields, in their order.
     virtual std::vector<std::vector<double>> fields(const ProblemData&) { return {}; }
     /// New values of the method's own parameters; the state stays.

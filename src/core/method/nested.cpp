@@ -110,6 +110,11 @@ std::vector<double> Nested::measures(const ProblemData& data) {
     return levels_[0]->measures(data);
 }
 
+std::vector<std::uint32_t> Nested::folded_cells() {
+    positions();
+    return levels_[0]->folded_cells();
+}
+
 void Nested::select(std::size_t level) {
     level_ = level;
     stepper_->begin(here(), level == 0 ? tolerance_ : enough_);

@@ -28,6 +28,8 @@ class Nested final : public Method {
     /// Those of the problem and level_series().
     std::vector<SeriesInfo> series() const override;
     std::vector<double> measures(const ProblemData& data) override;
+    bool knows_map() const override { return levels_[0]->knows_map(); }
+    std::vector<std::uint32_t> folded_cells() override;
 
   private:
     NonlinearProblem& here() { return *levels_[level_]; }

@@ -11,6 +11,8 @@
 
 #include "core/method/method.hpp"
 
+#include <cstdint>
+
 namespace gaspard {
 
 /// Properties of an iterate, in addition to its residual, by which methods accept steps.
@@ -66,6 +68,9 @@ class NonlinearProblem {
     /// What is reported of an iterate, and the values of the `measured` series; as for Method.
     virtual std::vector<SeriesInfo> series() const { return {}; }
     virtual std::vector<double> measures(const ProblemData&) { return {}; }
+    /// As for Method.
+    virtual bool knows_map() const { return false; }
+    virtual std::vector<std::uint32_t> folded_cells() { return {}; }
     /// The residual vector r, not normalised.
     virtual std::span<const double> residual() const = 0;
     virtual IterateShape shape() const = 0;

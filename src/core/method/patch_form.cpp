@@ -77,6 +77,9 @@ const std::vector<PatchMeasure>& patch_measures() {
          "smallest Jacobian of Ψ on a grid of 100 × 100 points", &PatchMeasures::min_jacobian},
         {"max_jacobian_psi", "Max. Jacobian of Ψ", "max det", linear,
          "largest Jacobian of Ψ on a grid of 100 × 100 points", &PatchMeasures::max_jacobian},
+        {"bound_jacobian_psi", "Bound of the Jacobian of Ψ", "min det", linear,
+         "lower bound of the Jacobian of Ψ on the whole square, within 1e-6 of its largest value",
+         &PatchMeasures::bound_jacobian},
         {"border_error", "Border error", "|(Ψ − ξ) · n|", logarithmic,
          "largest distance of Ψ from the border on a grid of 100 × 100 points",
          &PatchMeasures::border_error}};
@@ -144,9 +147,18 @@ void PatchForm::positions(std::span<const double> whole, Points& x) {
     domain_->map()->points(psi_, x);
 }
 
+const JacobianBounds& PatchForm::jacobian(std::span<const double> whole) {
+    if (!std::equal(whole.begin(), whole.end(), whole_of_jacobian_.begin(), whole_of_jacobian_.end())) {
+        jacobian_ = bound_jacobian(form_->map(whole), domain_->cells());
+        whole_of_jacobian_.assign(whole.begin(), whole.end());
+    }
+    return jacobian_;
+}
+
 PatchMeasures PatchForm::measure(const Monitor& monitor, std::span<const double> whole) {
     const PatchSource of_patch = source(monitor);
     PatchMeasures result;
+    result.bound_jacobian = jacobian(whole).bound;
     const SplineLine& line = form_->line();
     const std::size_t n = line.points.size();
     std::vector<double> xx(n), xy(n), yy(n), f(n);

@@ -4,6 +4,7 @@
 
 #include "core/method/method.hpp"
 #include "core/method/patch_source.hpp"
+#include "core/spline/jacobian_bounds.hpp"
 #include "core/spline/spline_domain.hpp"
 
 #include <optional>
@@ -33,7 +34,8 @@ struct PatchMeasures {
     double qual_f = 0;       ///< sqrt( integral of |Psi - xi|^2 / f ), (5.6)
     double min_jacobian = 0; ///< min det on the inner points of a 100 x 100 grid
     double max_jacobian = 0;
-    double border_error = 0; ///< max |(Psi - xi) . n| on the boundary of that grid
+    double bound_jacobian = 0; ///< lower bound of det on the whole square (core/spline/jacobian_bounds.hpp)
+    double border_error = 0;   ///< max |(Psi - xi) . n| on the boundary of that grid
 };
 /// As reports name them, and their values in the same order.
 std::vector<SeriesInfo> patch_series();
@@ -62,6 +64,8 @@ class PatchForm {
     void positions(std::span<const double> whole, Points& x);
 
     PatchMeasures measure(const Monitor& monitor, std::span<const double> whole);
+    /// Bounds of det grad Psi on the cells of the domain's mesh. The reference is valid until the next call.
+    const JacobianBounds& jacobian(std::span<const double> whole);
 
   private:
     std::shared_ptr<const SplineDomain> domain_;
@@ -72,6 +76,8 @@ class PatchForm {
     SplineGrid nodes_;
     SplineForm::Workspace workspace_;
     Points psi_;
+    JacobianBounds jacobian_;
+    std::vector<double> whole_of_jacobian_; ///< the argument of the last call of jacobian()
 };
 
 } // namespace gaspard

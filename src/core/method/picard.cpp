@@ -140,6 +140,10 @@ class Picard final : public Method {
     std::vector<double> measures(const ProblemData& data) override {
         return values_of(levels_[level_].form->measure(*data.monitor, whole_));
     }
+    bool knows_map() const override { return true; }
+    std::vector<std::uint32_t> folded_cells() override {
+        return levels_[level_].form->jacobian(whole_).folded;
+    }
 
   private:
     struct Level {

@@ -42,6 +42,8 @@ class Relaxation final : public Method {
     const Points& positions() override { return problem_->positions(); }
     std::vector<SeriesInfo> series() const override { return problem_->series(); }
     std::vector<double> measures(const ProblemData& data) override { return problem_->measures(data); }
+    bool knows_map() const override { return problem_->knows_map(); }
+    std::vector<std::uint32_t> folded_cells() override { return problem_->folded_cells(); }
 
   private:
     std::unique_ptr<NonlinearProblem> problem_;

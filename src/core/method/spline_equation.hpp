@@ -29,6 +29,8 @@ class SplineEquation final : public MongeAmpereEquation {
     std::vector<double> measures(const ProblemData& data) override {
         return values_of(patch_->measure(*data.monitor, shown_));
     }
+    bool knows_map() const override { return true; }
+    std::vector<std::uint32_t> folded_cells() override { return patch_->jacobian(shown_).folded; }
     void move(std::span<const double> phi) override;
     std::span<const double> residual() const override { return residual_; }
     Ellipticity ellipticity() const override { return {shape_.convexity, shape_.slowest, shape_.fastest}; }

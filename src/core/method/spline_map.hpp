@@ -10,11 +10,6 @@
 
 namespace gaspard {
 
-struct SplineFunction {
-    TensorSpace space;
-    std::vector<double> coefficients; ///< the first direction varies fastest
-};
-
 /// The components of Psi, exactly; nullopt if the state is not that of a patch.
 ///
 ///   standard form   psi1 in S^{p-1} (x) S^p,       psi2 in S^p (x) S^{p-1}       (derivatives of Phi)

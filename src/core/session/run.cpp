@@ -106,6 +106,7 @@ void Run::name_series() {
     std::vector<SeriesInfo> diagnostics = quality_series();
     if (exact_)
         for (SeriesInfo& one : exact_series()) diagnostics.push_back(std::move(one));
+    if (method_->knows_map()) diagnostics.push_back(folded_drawn_cells_series());
     auto table = std::make_shared<const SeriesTable>(method_type().residual, std::move(diagnostics),
                                                      method_->series(), method_type().criterion);
     if (!series_ || series_->all() != table->all()) series_ = std::move(table);
@@ -211,7 +212,17 @@ void Run::record(const Evaluation& evaluation, int iteration, std::string note) 
     const auto every = problem_.scenario.method.values.integer("diagnostics_every");
     if (is_final(report.status) || iteration % every == 0) measure(report);
     if (is_final(report.status) && *report.tangled_cells > 0) report.status = RunStatus::tangled;
+    if (is_final(report.status)) note_folds(report);
     history_.push_back(std::move(report));
+}
+
+/// Where cells fold although the map, by which the mesh is judged, does not.
+void Run::note_folds(StepReport& report) const {
+    const double drawn = report.value(folded_drawn_cells_series().name).value_or(0);
+    if (drawn == 0 || *report.tangled_cells > 0) return;
+    report.note += (report.note.empty() ? "" : "; ") + format_number(drawn) + " of " +
+                   std::to_string(discretisation_->mesh()->cell_count()) +
+                   " drawn cells fold; the map does not";
 }
 
 /// The values that every iterate has; those that are measured stay empty.
@@ -266,13 +277,17 @@ RunStatus Run::judge(const StepReport& report, std::string& note) {
 void Run::measure(StepReport& report) {
     if (measured_) return;
     const MeshQuality& quality = meter_->measure(method_->positions(), *data_.monitor);
-    report.tangled_cells = quality.tangled_cells;
+    tangled_.reset();
+    if (method_->knows_map())
+        tangled_ = std::make_shared<const std::vector<std::uint32_t>>(method_->folded_cells());
+    report.tangled_cells = tangled_ ? tangled_->size() : quality.tangled_cells;
     auto next = report.values.begin(); // as name_series() has them: the diagnostics, then the method's
     for (const double value : values_of(quality)) *next++ = value;
     if (exact_)
         for (const double value :
              values_of(exact_deviation(*discretisation_->mesh(), method_->positions(), *exact_)))
             *next++ = value;
+    if (tangled_) *next++ = static_cast<double>(quality.tangled_cells);
     const std::vector<double> measures = method_->measures(data_);
     auto measure = measures.begin();
     for (std::size_t i = report.series->first_of_method(); i < report.series->all().size(); ++i, ++next)
@@ -282,7 +297,7 @@ void Run::measure(StepReport& report) {
         }
     GASPARD_CHECK(measure == measures.end());
     measured_ = true;
-    if (quality.tangled_cells == 0) last_untangled_ = state_;
+    if (*report.tangled_cells == 0) last_untangled_ = state_;
 }
 
 void Run::complete() { measure(history_.back()); }
@@ -351,6 +366,7 @@ std::shared_ptr<const Snapshot> Run::snapshot() {
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->mesh = discretisation_->mesh();
     snapshot->x = method_->positions();
+    snapshot->tangled = tangled_;
     snapshot->exact = exact_;
     snapshot->control = discretisation_->control_points();
     snapshot->patches = discretisation_->patches();

@@ -91,6 +91,7 @@ class Run {
     void name_series();
     const MethodType& method_type() const;
     void record(const Evaluation& evaluation, int iteration, std::string note);
+    void note_folds(StepReport& report) const;
     void take_series(const SeriesValues& values, StepReport& report) const;
     void measure(StepReport& report);
     void add_fields_of_method(Snapshot& snapshot);
@@ -110,8 +111,9 @@ class Run {
     State state_, last_finite_;
     State last_untangled_; ///< among the iterates with diagnostics
     std::vector<StepReport> history_;
-    std::shared_ptr<const SeriesTable> series_; ///< of the reports to come
-    bool measured_ = false;                     ///< the meter's last measurement is of the present iterate
+    std::shared_ptr<const SeriesTable> series_;                 ///< of the reports to come
+    std::shared_ptr<const std::vector<std::uint32_t>> tangled_; ///< as in Snapshot, when last measured
+    bool measured_ = false; ///< the meter's last measurement is of the present iterate
     bool not_finite_ = false;
     // What the end is judged by; begins anew when values change.
     double first_ = 0, best_ = 0;      ///< values of the criterion (SeriesTable::criterion)

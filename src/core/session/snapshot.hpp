@@ -3,7 +3,8 @@
 //   residual          of the equation, normalised (MethodType::residual), the same measure for all methods
 //   equidistribution  standard deviation / mean over the cells of M_i, McRae et al. (5.2):
 //                     integral of m over physical cell i / measure of computational cell i
-//   Jacobian          det dx/dxi of a physical cell; a cell is tangled where it is <= 0 anywhere
+//   Jacobian          det dx/dxi of a physical cell; a cell is tangled where it is <= 0 anywhere, or, if the
+//                     method knows its map everywhere, where the map folds
 #pragma once
 
 #include "core/base/field.hpp"
@@ -68,6 +69,8 @@ struct Snapshot {
     Points x;                         ///< where the nodes stand, in the mesh's numbering
     std::shared_ptr<const Points>
         exact{}; ///< where they would stand in the exact solution; null where unknown
+    /// Cells in which the map folds, ascending; null if only the cells are known.
+    std::shared_ptr<const std::vector<std::uint32_t>> tangled{};
     std::shared_ptr<const Points> control{}; ///< control points that may be moved; null where there are none
     std::shared_ptr<const PatchList> patches{}; ///< of a file with several; otherwise null
     std::vector<Field> fields; ///< monitor (of nodes), mass (M_i) and jacobian (of cells), the method's own

@@ -46,27 +46,28 @@ bool mirrored(std::size_t side, const Points& nodes, int space_dimension) {
 
 /// The cells of a mirrored patch list their nodes with both directions exchanged, so that they are
 /// anticlockwise in the plane. Parameters, and with them the map, are those of the patch.
-Mesh patch_mesh(std::size_t cells, const std::vector<double>& line, const PatchMap& map) {
+Mesh patch_mesh(std::size_t cells, int order, const std::vector<double>& line, const PatchMap& map) {
     const std::size_t side = line.size();
+    const CellKind kind{CellShape::quadrilateral, order};
     Points xi(side * side);
     for (std::size_t j = 0; j < side; ++j)
         for (std::size_t i = 0; i < side; ++i) xi.set(j * side + i, {line[i], line[j], 0});
-    Mesh mesh{.kind = {CellShape::quadrilateral, 2},
-              .space_dimension = map.space_dimension(),
-              .nodes = {},
-              .cells = {}};
+    Mesh mesh{.kind = kind, .space_dimension = map.space_dimension(), .nodes = {}, .cells = {}};
     map.points(xi, mesh.nodes);
     join_collapsed_nodes(side, mesh.nodes);
     const bool exchanged = mirrored(side, mesh.nodes, mesh.space_dimension);
-    mesh.cells.reserve(9 * cells * cells);
-    constexpr std::size_t local[9][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0},
-                                         {2, 1}, {1, 2}, {0, 1}, {1, 1}}; // VTK's order
+    const auto step = static_cast<std::size_t>(order);
+    std::vector<std::size_t> local; // numbers of a cell's nodes, relative to its first
+    for (const Vec3 node : reference_nodes(kind)) {
+        const auto i = static_cast<std::size_t>(std::lround(order * (exchanged ? node.y : node.x)));
+        const auto j = static_cast<std::size_t>(std::lround(order * (exchanged ? node.x : node.y)));
+        local.push_back(j * side + i);
+    }
+    mesh.cells.reserve(local.size() * cells * cells);
     for (std::size_t row = 0; row < cells; ++row)
         for (std::size_t column = 0; column < cells; ++column)
-            for (const auto& [a, b] : local) {
-                const std::size_t i = exchanged ? b : a, j = exchanged ? a : b;
-                mesh.cells.push_back(static_cast<std::int32_t>((2 * row + j) * side + 2 * column + i));
-            }
+            for (const std::size_t node : local)
+                mesh.cells.push_back(static_cast<std::int32_t>(step * (row * side + column) + node));
     return mesh;
 }
 
@@ -180,7 +181,7 @@ SplineDomain::SplineDomain(int degree, std::size_t cells, std::shared_ptr<const 
     : degree_(degree), cells_(cells), map_(std::move(map)), control_(std::move(control)),
       patches_(std::move(patches)) {
     GASPARD_CHECK(map_ != nullptr && cells_ >= 1 && degree_ >= 2 && degree_ <= highest_degree);
-    mesh_ = std::make_shared<const Mesh>(patch_mesh(cells_, node_lines(), *map_));
+    mesh_ = std::make_shared<const Mesh>(patch_mesh(cells_, degree_, node_lines(), *map_));
 }
 
 std::size_t SplineDomain::unknowns() const {
@@ -189,9 +190,10 @@ std::size_t SplineDomain::unknowns() const {
 }
 
 std::vector<double> SplineDomain::node_lines() const {
-    std::vector<double> line(2 * cells_ + 1);
+    const std::size_t pieces = static_cast<std::size_t>(degree_) * cells_;
+    std::vector<double> line(pieces + 1);
     for (std::size_t i = 0; i < line.size(); ++i)
-        line[i] = static_cast<double>(i) / static_cast<double>(2 * cells_);
+        line[i] = static_cast<double>(i) / static_cast<double>(pieces);
     return line;
 }
 

@@ -18,7 +18,8 @@ class SplineDomain final : public Discretisation {
                  std::shared_ptr<const Points> control = nullptr,
                  std::shared_ptr<const PatchList> patches = nullptr);
 
-    /// Quadrilaterals of order 2; (2 n + 1)^2 nodes on the patch, xi1 fastest.
+    /// Quadrilaterals whose order is the degree p, so that they carry Psi exactly and F(Psi) to order p + 1;
+    /// (p n + 1)^2 nodes on the patch, xi1 fastest.
     std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
     std::shared_ptr<const Points> control_points() const override { return control_; }
     std::shared_ptr<const PatchList> patches() const override { return patches_; }

@@ -16,6 +16,7 @@
 
 #include "core/linear/fast_diagonalisation.hpp"
 #include "core/spline/line_table.hpp"
+#include "core/spline/tensor_space.hpp"
 
 #include <array>
 #include <memory>
@@ -95,6 +96,8 @@ class SplineForm {
     double mean(std::span<const double> phi) const;
     double norm_without_mean(std::span<const double> phi) const;
 
+    /// Psi of phi as splines.
+    virtual std::array<SplineFunction, 2> map(std::span<const double> phi) const = 0;
     /// The potential whose map is the identity.
     virtual std::vector<double> identity() const = 0;
     /// The univariate space of phi.

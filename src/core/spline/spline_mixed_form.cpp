@@ -68,19 +68,16 @@ class MixedForm final : public SplineForm {
     // Sums along x: psi1 with B and its derivative, psi2 with the functions of S^p-1.
     void expand(std::span<const double> phi, Border border, const SplineGrid& grid, std::size_t fields,
                 Workspace& workspace) const override {
-        const auto below = static_cast<Index>(size()), above = below + 1;
-        workspace.first.resize(static_cast<std::size_t>(below * above));
-        workspace.second.resize(workspace.first.size());
-        const Eigen::Map<const MatrixXd> potential(phi.data(), below, below);
-        Eigen::Map<MatrixXd> first(workspace.first.data(), above, below),
-            second(workspace.second.data(), below, above);
-        first = border == Border::given ? lift_x_ : MatrixXd::Zero(above, below);
-        second = border == Border::given ? lift_y_ : MatrixXd::Zero(below, above);
-        first.middleRows(1, above - 2).noalias() -= gradient_ * potential;
-        second.middleCols(1, above - 2).noalias() -= potential * gradient_.transpose();
+        find_map(phi, border, workspace.first, workspace.second);
         sum_along_x(grid.upper, 0, workspace.first, size(), workspace.half[0], workspace);
         if (fields > 2) sum_along_x(grid.upper, 1, workspace.first, size(), workspace.half[1], workspace);
         sum_along_x(grid.lower, 0, workspace.second, size() + 1, workspace.half[2], workspace);
+    }
+    std::array<SplineFunction, 2> map(std::span<const double> phi) const override {
+        std::array<SplineFunction, 2> psi{SplineFunction{{{line_.upper, line_.lower}}, {}},
+                                          SplineFunction{{{line_.lower, line_.upper}}, {}}};
+        find_map(phi, Border::given, psi[0].coefficients, psi[1].coefficients);
+        return psi;
     }
     // The solution of the Poisson problem with div Psi = 2.
     std::vector<double> identity() const override {
@@ -96,6 +93,20 @@ class MixedForm final : public SplineForm {
     const LineTable& tests() const override { return quadrature_.lower; }
 
   private:
+    /// The coefficients of psi1 and psi2.
+    void find_map(std::span<const double> phi, Border border, std::vector<double>& psi1,
+                  std::vector<double>& psi2) const {
+        const auto below = static_cast<Index>(size()), above = below + 1;
+        psi1.resize(static_cast<std::size_t>(below * above));
+        psi2.resize(psi1.size());
+        const Eigen::Map<const MatrixXd> potential(phi.data(), below, below);
+        Eigen::Map<MatrixXd> first(psi1.data(), above, below), second(psi2.data(), below, above);
+        first = border == Border::given ? lift_x_ : MatrixXd::Zero(above, below);
+        second = border == Border::given ? lift_y_ : MatrixXd::Zero(below, above);
+        first.middleRows(1, above - 2).noalias() -= gradient_ * potential;
+        second.middleCols(1, above - 2).noalias() -= potential * gradient_.transpose();
+    }
+
     MatrixXd gradient_, lift_x_, lift_y_;
 };
 

@@ -32,6 +32,10 @@ class StandardForm final : public SplineForm {
         for (int d = 0; d < (fields > 2 ? 3 : 2); ++d)
             sum_along_x(grid.upper, d, phi, size(), workspace.half[static_cast<std::size_t>(d)], workspace);
     }
+    std::array<SplineFunction, 2> map(std::span<const double> phi) const override {
+        const SplineFunction potential{{{line_.upper, line_.upper}}, {phi.begin(), phi.end()}};
+        return {derivative(potential, 0), derivative(potential, 1)};
+    }
     // The potential (x^2 + y^2) / 2.
     std::vector<double> identity() const override {
         const auto square = square_coefficients(line_.upper);

@@ -66,6 +66,25 @@ double evaluate(const TensorSpace& space, std::span<const double> coefficients, 
     return sum;
 }
 
+SplineFunction derivative(const SplineFunction& of, std::size_t d) {
+    GASPARD_CHECK(of.coefficients.size() == of.space.size() && d < of.space.directions.size() && d < 2);
+    const KnotVector& line = of.space.directions[d];
+    SplineFunction result{of.space, {}};
+    result.space.directions[d] = derivative_space(line);
+    result.coefficients.resize(result.space.size());
+    const std::size_t step = d == 0 ? 1 : of.space.directions[0].size(), n = line.size();
+    const std::size_t lines = of.coefficients.size() / n; // all of them along x, or along y of a plane
+    GASPARD_CHECK(d == 0 || lines == step);
+    std::vector<double> along(n);
+    for (std::size_t l = 0; l < lines; ++l) {
+        const std::size_t first = d == 0 ? l * n : l, first_of_result = d == 0 ? l * (n - 1) : l;
+        for (std::size_t i = 0; i < n; ++i) along[i] = of.coefficients[first + i * step];
+        const auto slopes = derivative_coefficients(line, along);
+        for (std::size_t i = 0; i + 1 < n; ++i) result.coefficients[first_of_result + i * step] = slopes[i];
+    }
+    return result;
+}
+
 std::vector<double> insert_knots(const TensorSpace& coarse, std::span<const double> coefficients,
                                  const TensorSpace& fine) {
     GASPARD_CHECK(coarse.directions.size() == fine.directions.size() && coefficients.size() == coarse.size());

@@ -19,9 +19,17 @@ struct TensorSpace {
     friend bool operator==(const TensorSpace&, const TensorSpace&) = default;
 };
 
+/// A function of such a space.
+struct SplineFunction {
+    TensorSpace space;
+    std::vector<double> coefficients; ///< the first direction varies fastest
+};
+
 /// The mixed derivative of the given orders at a point.
 double evaluate(const TensorSpace& space, std::span<const double> coefficients, Vec3 point,
                 std::array<int, 3> orders = {0, 0, 0});
+/// The derivative along one direction of a function whose continuity allows it, in one or two directions.
+SplineFunction derivative(const SplineFunction& of, std::size_t direction);
 /// Coefficients in `fine`, which refines `coarse` in every direction, of the same function.
 std::vector<double> insert_knots(const TensorSpace& coarse, std::span<const double> coefficients,
                                  const TensorSpace& fine);

@@ -12,7 +12,8 @@ namespace gaspard {
 
 namespace {
 
-constexpr int quadrature_points = 3; // per direction; exact for cells of order 2 in the plane
+/// Per direction; exact for cells in the plane.
+int quadrature_points(CellKind kind) { return std::max(3, kind.order); }
 
 /// Areas of the parallelograms spanned at each corner of a straight-edged planar cell by its two edges.
 /// Inlined, so that the result stays in registers.
@@ -81,7 +82,7 @@ CellGeometry::CellGeometry(std::shared_ptr<const Mesh> mesh)
         return made;
     };
     for (const Vec3 node : reference_nodes(mesh_->kind)) nodes_.push_back(sample(node, 0));
-    for (const auto& [point, weight] : cell_quadrature(mesh_->kind.shape, quadrature_points))
+    for (const auto& [point, weight] : cell_quadrature(mesh_->kind.shape, quadrature_points(mesh_->kind)))
         quadrature_.push_back(sample(point, weight));
     turns_left_ = straight_in_the_plane() && tangled_in_the_plane(mesh_->nodes).empty();
 }

@@ -148,6 +148,7 @@ const std::vector<double>& ColouringMaker::jacobians(const Snapshot& snapshot) {
 }
 
 std::vector<std::uint32_t> ColouringMaker::tangled(const Snapshot& snapshot) {
+    if (snapshot.tangled) return *snapshot.tangled;
     see(snapshot);
     if (snapshot.field("jacobian") != nullptr || !jacobian_.empty())
         return tangled_cells(jacobians(snapshot));

@@ -51,7 +51,8 @@ class ColouringMaker {
     std::optional<Colouring> make(const Snapshot& snapshot, const ColourChoice& choice);
     /// Notes what was measured; needed for snapshots that make() does not see.
     void see(const Snapshot& snapshot);
-    /// Cells with a Jacobian of zero or less at any sampled point, in ascending order.
+    /// Where the map folds, if that is known; else cells with a Jacobian of zero or less at any sampled
+    /// point. Ascending.
     std::vector<std::uint32_t> tangled(const Snapshot& snapshot);
 
     /// Of every cell.

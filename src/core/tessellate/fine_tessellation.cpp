@@ -136,7 +136,9 @@ class Cutter {
 
     bool bends(std::uint32_t cell, Vec3 a, Vec3 b, double allowed) {
         const auto from = at(cell, a), to = at(cell, b);
-        for (const double t : {0.25, 0.5, 0.75}) {
+        const int parts = mesh_.kind.order > 2 ? 2 * (mesh_.kind.order + 1) : 4;
+        for (int k = 1; k < parts; ++k) {
+            const double t = static_cast<double>(k) / parts;
             const auto between = at(cell, (1 - t) * a + t * b);
             for (std::size_t i = 0; i < 2; ++i)
                 if (distance_to_chord(between[i] - from[i], to[i] - from[i]) > allowed) return true;

@@ -3,9 +3,10 @@
 // The bulge of a piece of a curve p between the parameters a and b is the largest distance from its chord of
 // the points
 //
-//   p((1 - t) a + t b),   t = 1/4, 1/2, 3/4.
+//   p((1 - t) a + t b),   t = 1/4, 1/2, 3/4,
 //
-// (Edges of order 2 are parabolas and bulge most at t = 1/2.) An edge is bisected until its pieces are within
+// or, for an order k > 2, of the 2 k + 1 points that divide it evenly. (Edges of order 2 are parabolas and
+// bulge most at t = 1/2.) An edge is bisected until its pieces are within
 // the tolerance; a face is divided into a grid, which is refined in either direction until its lines are. A
 // triangle of a quadratic surface whose sides ij bulge by d_ij is within
 //

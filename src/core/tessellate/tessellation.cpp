@@ -101,9 +101,9 @@ class PointMaker {
     std::uint32_t make(std::uint32_t cell, Vec3 where) {
         shape_functions(mesh_.kind, where, values_, gradients_);
         for (std::size_t j = 0; j < values_.size(); ++j) {
-            if (values_[j] == 0) continue;
+            if (std::abs(values_[j]) < rounding) continue;
             out_.nodes.push_back(node(cell, static_cast<int>(j)));
-            out_.weights.push_back(values_[j]);
+            out_.weights.push_back(std::abs(values_[j] - 1) < rounding ? 1 : values_[j]);
         }
         out_.starts.push_back(static_cast<std::uint32_t>(out_.nodes.size()));
         return static_cast<std::uint32_t>(out_.point_count++);
@@ -111,6 +111,7 @@ class PointMaker {
 
   private:
     static constexpr std::uint32_t unmade = 0xffffffff;
+    static constexpr double rounding = 1e-13; ///< of shape functions at nodes, where they are 0 or 1
 
     const Mesh& mesh_;
     int cuts_;
@@ -246,19 +247,24 @@ void draw_line_cells(const Mesh& mesh, int cuts, PointMaker& points, Tessellatio
 
 } // namespace
 
-/// The largest distance of an edge's midpoint node from the midpoint of its chord, relative to the edge's
-/// length, over all edges that are not folded. With c pieces per edge the error is smaller by a factor c^2.
-/// An edge that is almost a point, at the tip of a patch, counts by the size of its cell.
+/// The largest distance of a node on an edge from its place on the chord, relative to the edge's length, over
+/// all edges that are not folded. With c pieces per edge the error is smaller by a factor c^2. An edge that is
+/// almost a point, at the tip of a patch, counts by the size of its cell.
 static double largest_bulge(const Mesh& mesh, const Points& x) {
     constexpr double short_edge = 0.01; // of the cell's longest
     double largest = 0;
     for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
-        const auto chord = [&](const std::vector<int>& edge) {
+        const auto chord = [&](const std::vector<int>& edge) { // its length, and the largest distance from it
             const auto node = [&](std::size_t k) {
                 return x[static_cast<std::size_t>(mesh.cell(c)[static_cast<std::size_t>(edge[k])])];
             };
             const Vec3 a = node(0), b = node(1);
-            return std::pair(norm(b - a), norm(node(2) - 0.5 * (a + b)));
+            double away = 0;
+            for (std::size_t k = 2; k < edge.size(); ++k) {
+                const double t = static_cast<double>(k - 1) / static_cast<double>(edge.size() - 1);
+                away = std::max(away, norm(node(k) - ((1 - t) * a + t * b)));
+            }
+            return std::pair(norm(b - a), away);
         };
         double longest = 0;
         for (const auto& edge : cell_edges(mesh.kind)) longest = std::max(longest, chord(edge).first);
@@ -276,11 +282,13 @@ int cuts_for(const Mesh& mesh, const Points& x) {
     constexpr double tolerance = 1e-3;         // relative to the edge's length
     constexpr double few = 60e3, many = 600e3; // numbers of triangles
     constexpr std::array<int, 8> steps = {1, 2, 3, 4, 6, 8, 12, 16};
+    const int order = mesh.kind.order;
     const int pieces = corners_per_cell(mesh.kind) == 3 ? 1 : 2; // triangles per undivided cell
     const double cells = static_cast<double>(mesh.cell_count()) * pieces;
     const double needed = std::sqrt(largest_bulge(mesh, x) / tolerance);
-    int cuts = 2; // shows every node of an edge
-    for (const int step : steps) {
+    int cuts = 2;
+    for (int step : steps) {
+        if (order > 2) step *= order; // shows every node of an edge
         const double triangles = cells * step * step;
         const bool wanted = step <= 8 && triangles <= few;
         if (step > cuts && (wanted || cuts < needed) && triangles <= many) cuts = step;

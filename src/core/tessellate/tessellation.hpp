@@ -42,7 +42,7 @@ struct Tessellation {
     std::optional<std::uint32_t> node_of(std::uint32_t point) const;
 };
 
-/// `cuts`: pieces per curved edge (order 2 only). For solids, the boundary faces and their edges.
+/// `cuts`: pieces per curved edge (order 2 and higher). For solids, the boundary faces and their edges.
 Tessellation tessellate(const Mesh& mesh, int cuts = 8);
 
 /// The number of pieces per edge for nodes at `x`: enough that no edge deviates from its curve by more than

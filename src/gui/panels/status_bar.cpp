@@ -82,8 +82,11 @@ std::vector<StatusCell> status_cells(const DocumentRun& run) {
         cells.push_back({criterion->label, end ? short_number(*end) : none});
     }
     const auto tangled = measured ? measured->tangled_cells : std::nullopt;
-    cells.push_back({"Tangled cells", tangled ? std::to_string(*tangled) : none,
-                     tangled && *tangled > 0 ? Tone::bad : Tone::plain});
+    const auto drawn = measured ? measured->value("folded_drawn_cells") : std::nullopt;
+    std::string count = tangled ? std::to_string(*tangled) : none;
+    if (drawn && *drawn > static_cast<double>(tangled.value_or(0)))
+        count += " (" + short_number(*drawn) + " drawn fold)";
+    cells.push_back({"Tangled cells", count, tangled && *tangled > 0 ? Tone::bad : Tone::plain});
     cells.push_back({"Iterations / s", rate ? short_number(*rate) : none});
     return cells;
 }

@@ -1,8 +1,10 @@
 #include "core/base/error.hpp"
 #include "core/diagnostics/quality.hpp"
-#include "support/polynomials.hpp"
+#include "core/fem/cell_quadrature.hpp"
 #include "core/monitor/radial.hpp"
+#include "core/spline/spline_domain.hpp"
 #include "support/built_in.hpp"
+#include "support/polynomials.hpp"
 #include "support/small_meshes.hpp"
 
 #include <algorithm>
@@ -400,6 +402,66 @@ TEST(Quality, OfAReversedFaceInSpaceIsTangled) {
     EXPECT_EQ(q.tangled_cells, 2u);
     EXPECT_NEAR(q.max_jacobian, 1, 1e-14);
     EXPECT_NEAR(q.min_jacobian, -2 * std::hypot(0.4, 0.01), 1e-13);
+}
+
+/// From shape functions at every point, one after the other.
+MeshQuality slow_quality(const Mesh& mesh, const Points& x, const Monitor& monitor) {
+    const auto count = static_cast<std::size_t>(nodes_per_cell(mesh.kind));
+    auto samples = cell_quadrature(mesh.kind.shape, std::max(6, mesh.kind.order));
+    for (const Vec3 node : reference_nodes(mesh.kind)) samples.push_back({node, 0});
+    std::vector<double> values(count), m(1);
+    std::vector<Vec3> gradients(count);
+    MeshQuality result;
+    for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
+        double mass = 0, area = 0, smallest = 1e300;
+        for (const CellPoint& sample : samples) {
+            shape_functions(mesh.kind, sample.point, values, gradients);
+            const auto tangents = [&](const Points& of) {
+                return cell_tangents(2, gradients, [&](std::size_t k) {
+                    return of[static_cast<std::size_t>(mesh.cell(c)[k])];
+                });
+            };
+            const Tangents from = tangents(mesh.nodes);
+            const double before = signed_measure(2, mesh.space_dimension, from, from),
+                         after = signed_measure(2, mesh.space_dimension, tangents(x), from);
+            smallest = std::min(smallest, after / before);
+            Points at(1);
+            for (std::size_t k = 0; k < count; ++k)
+                at.set(0, at[0] + values[k] * x[static_cast<std::size_t>(mesh.cell(c)[k])]);
+            monitor.values(at, m);
+            mass += sample.weight * after * m[0];
+            area += sample.weight * before;
+        }
+        result.cell_mass.push_back(mass / area);
+        result.cell_jacobian.push_back(smallest);
+    }
+    return result;
+}
+
+TEST(Quality, OfCellsOfHighOrderIsThatOfTheirShapeFunctions) {
+    for (const int order : {3, 7})
+        for (const auto& map : {quarter_annulus_map(), torus_part_map()}) {
+            const Mesh mesh = *SplineDomain(order, 3, map).mesh();
+            const Points x = moved_by(mesh, [](Vec3 p) {
+                return Vec3{p.x + 0.05 * p.y * p.y, p.y - 0.04 * p.x * p.y, p.z + 0.03 * p.x};
+            });
+            const MeshQuality ours = quality(mesh, x, Linear()), expected = slow_quality(mesh, x, Linear());
+            for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
+                EXPECT_NEAR(ours.cell_mass[c], expected.cell_mass[c], 1e-11);
+                EXPECT_NEAR(ours.cell_jacobian[c], expected.cell_jacobian[c], 1e-11);
+            }
+        }
+}
+
+// At the corners of the disk the patch has no area: what polynomials make of it there is no Jacobian.
+TEST(Quality, PointsWhereThePatchIsSingularDoNotCount) {
+    const Mesh mesh = *SplineDomain(3, 16, disk_map()).mesh();
+    Points x = mesh.nodes;
+    x.x.back() -= 1e-5, x.y.back() -= 1e-5; // the node at such a corner
+    const MeshQuality q = quality(mesh, x, *one);
+    EXPECT_EQ(q.tangled_cells, 0u);
+    EXPECT_GT(q.min_jacobian, 0.8);
+    EXPECT_LT(q.max_jacobian, 1.5);
 }
 
 TEST(Quality, RejectsInvalidArguments) {

@@ -1,6 +1,7 @@
 // Boundary facets of meshes of every kind, and the names of sides.
 #include "core/io/facets.hpp"
 #include "core/io/mesh_outline.hpp"
+#include "core/spline/spline_domain.hpp"
 #include "support/small_meshes.hpp"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ TEST(Facets, ABoxHasNamedSides) {
                          {"left", 1}, {"right", 1}, {"front", 2}, {"back", 2}, {"bottom", 2}, {"top", 2}}));
 }
 
-Side joined(const std::vector<Side>& line) { return {line.front().from, line.back().to, -1}; }
+Side joined(const std::vector<Side>& line) { return {line.front().from, line.back().to}; }
 
 void expect_connected(const std::vector<Side>& line) {
     for (std::size_t i = 1; i < line.size(); ++i) EXPECT_EQ(line[i - 1].to, line[i].from);
@@ -104,6 +105,24 @@ TEST(Outline, EveryEdgeIsInOneLineOnly) {
                             std::find(edges.begin(), edges.end(), side.reversed()) != edges.end());
         }
         EXPECT_EQ(count, edges.size());
+    }
+}
+
+TEST(Outline, SidesOfHighOrderGoThroughTheirNodesInOrder) {
+    for (const int order : {2, 3, 7}) {
+        const Mesh mesh = *SplineDomain(order, 2, square_map()).mesh();
+        const auto edges = all_edges(mesh);
+        EXPECT_EQ(edges.size(), 12u);
+        for (const Side& edge : edges)
+            for (const Side& side : {edge, edge.reversed()}) {
+                ASSERT_EQ(side.inside().size(), static_cast<std::size_t>(order - 1));
+                const auto at = [&](std::int32_t node) { return mesh.nodes[static_cast<std::size_t>(node)]; };
+                const Vec3 step = (1.0 / order) * (at(side.to) - at(side.from));
+                for (std::size_t k = 0; k < side.inside().size(); ++k)
+                    EXPECT_LT(
+                        norm(at(side.inside()[k]) - at(side.from) - (static_cast<double>(k) + 1) * step),
+                        1e-15);
+            }
     }
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/io/formats.hpp"
+#include "core/spline/spline_domain.hpp"
 #include "fixtures/fixture_meshes.hpp"
 #include "support/comma_locale.hpp"
 #include "support/middle_nodes.hpp"
@@ -272,6 +273,58 @@ TEST(Msh, CellsOfASphereHaveAllTheirMiddleNodes) {
         for (const Element& element : msh.elements) {
             EXPECT_EQ(element.type, triangles ? 9 : 10); // second order triangle, quadrangle with 9 nodes
             expect_middle_nodes(msh.nodes, element.nodes, triangles ? 3 : 4);
+        }
+    }
+}
+
+// Gmsh's manual draws a quadrilateral's nodes in rings, "quadrangle16" for example
+//
+//   3---9---8---2
+//   |           |
+//  10  15  14   7
+//   |           |
+//  11  12  13   6
+//   |           |
+//   0---4---5---1
+TEST(Msh, PatchesAreCellsOfTheirDegreeInGmshsRings) {
+    const TemporaryFolder folder;
+    const std::vector<std::pair<int, int>> third = {{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 0}, {2, 0},
+                                                    {3, 1}, {3, 2}, {2, 3}, {1, 3}, {0, 2}, {0, 1},
+                                                    {1, 1}, {2, 1}, {2, 2}, {1, 2}};
+    const std::map<int, std::pair<int, int>> types = {
+        {3, {36, 26}}, {4, {37, 27}}, {5, {38, 28}}, {6, {47, 62}}, {7, {48, 63}}};
+    for (const auto& [degree, type] : types) {
+        Snapshot snapshot = sample_snapshot(*SplineDomain(degree, 2, square_map()).mesh());
+        snapshot.x = snapshot.mesh->nodes;
+        write_msh(folder / "m.msh", snapshot, {});
+        const ReadMsh msh(folder / "m.msh");
+        ASSERT_EQ(msh.elements.size(), 4u + 8u) << "cells, and the border's edges";
+        const auto at = [&](std::size_t node) { return 2.0 * degree * msh.nodes[node]; };
+        for (std::size_t e = 0; e < 4; ++e) {
+            const Element& cell = msh.elements[e];
+            EXPECT_EQ(cell.type, type.first);
+            ASSERT_EQ(cell.nodes.size(), static_cast<std::size_t>((degree + 1) * (degree + 1)));
+            for (std::size_t k = 0; degree == 3 && k < third.size(); ++k)
+                EXPECT_LT(
+                    norm(at(cell.nodes[k]) - at(cell.nodes[0]) -
+                         Vec3{static_cast<double>(third[k].first), static_cast<double>(third[k].second), 0}),
+                    1e-12);
+            // Each ring goes around what is left: all nodes once, and the last one or four in the middle.
+            EXPECT_EQ(std::set(cell.nodes.begin(), cell.nodes.end()).size(), cell.nodes.size());
+            const double half = degree / 2.0;
+            EXPECT_LT(norm(at(cell.nodes.back()) - at(cell.nodes[0]) - Vec3{half, half, 0}), 0.71);
+            for (std::size_t k = 4; k + 1 < 4 * static_cast<std::size_t>(degree); ++k) // around the cell
+                if ((k - 4) % static_cast<std::size_t>(degree - 1) != static_cast<std::size_t>(degree - 2)) {
+                    EXPECT_NEAR(norm(at(cell.nodes[k + 1]) - at(cell.nodes[k])), 1, 1e-12);
+                }
+        }
+        for (std::size_t e = 4; e < 12; ++e) {
+            EXPECT_EQ(msh.elements[e].type, type.second);
+            const auto& edge = msh.elements[e].nodes; // ends first, then from the first end on
+            ASSERT_EQ(edge.size(), static_cast<std::size_t>(degree + 1));
+            const Vec3 step = (1.0 / degree) * (at(edge[1]) - at(edge[0]));
+            for (std::size_t k = 2; k < edge.size(); ++k)
+                EXPECT_LT(norm(at(edge[k]) - at(edge[0]) - (static_cast<double>(k) - 1) * step), 1e-12);
         }
     }
 }

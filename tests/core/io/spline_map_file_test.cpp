@@ -62,11 +62,11 @@ double patch_error(const std::string& domain, const std::string& method, int deg
     const SplinePatch patch = read_patch(folder.path() / "adapted-patch.json").patch;
     EXPECT_EQ(read_patch(folder.path() / "adapted-patch.xml").patch, patch);
     const auto snapshot = run.snapshot();
-    const auto side = static_cast<std::size_t>(2 * cells + 1);
+    const int pieces = degree * cells;
+    const auto side = static_cast<std::size_t>(pieces + 1);
     Points xi(side * side), x;
     for (std::size_t i = 0; i < xi.size(); ++i)
-        xi.set(i,
-               {static_cast<double>(i % side) / (2 * cells), static_cast<double>(i / side) / (2 * cells), 0});
+        xi.set(i, {static_cast<double>(i % side) / pieces, static_cast<double>(i / side) / pieces, 0});
     patch_map(patch)->points(xi, x);
     double largest = 0;
     for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, norm(x[i] - snapshot->x[i]));

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/io/formats.hpp"
+#include "core/spline/spline_domain.hpp"
 #include "fixtures/fixture_meshes.hpp"
 #include "support/comma_locale.hpp"
 #include "support/middle_nodes.hpp"
@@ -81,6 +82,19 @@ TEST(Vtu, CellsOfASphereHaveAllTheirMiddleNodes) {
             for (std::size_t k = 0; k < each; ++k) cell.push_back(static_cast<std::size_t>(nodes[first + k]));
             expect_middle_nodes(x, cell, triangles ? 3 : 4);
         }
+    }
+}
+
+TEST(Vtu, PatchesAreLagrangeCellsOfTheirDegree) {
+    const TemporaryFolder folder;
+    for (const int degree : {3, 7}) {
+        const Snapshot snapshot = sample_snapshot(*SplineDomain(degree, 2, quarter_annulus_map()).mesh());
+        write_vtu(folder / "m.vtu", snapshot);
+        ReadVtu vtu(folder / "m.vtu");
+        EXPECT_EQ(vtu.cells["types"].bytes, std::string(4, 70));               // VTK_LAGRANGE_QUADRILATERAL
+        EXPECT_EQ(vtu.cells["connectivity"].integers(), snapshot.mesh->cells); // see cell_kind_test.cpp
+        EXPECT_EQ(vtu.cells["offsets"].integers().front(), (degree + 1) * (degree + 1));
+        EXPECT_EQ(vtu.points.begin()->second.points(), snapshot.x);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "core/mesh/mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 #include <random>
@@ -9,10 +10,12 @@
 namespace gaspard {
 namespace {
 
-const std::vector<CellKind> all_kinds = {{CellShape::line, 1},          {CellShape::line, 2},
-                                         {CellShape::triangle, 1},      {CellShape::triangle, 2},
-                                         {CellShape::quadrilateral, 1}, {CellShape::quadrilateral, 2},
-                                         {CellShape::hexahedron, 1},    {CellShape::hexahedron, 2}};
+const std::vector<CellKind> all_kinds = {
+    {CellShape::line, 1},          {CellShape::line, 2},          {CellShape::triangle, 1},
+    {CellShape::triangle, 2},      {CellShape::quadrilateral, 1}, {CellShape::quadrilateral, 2},
+    {CellShape::hexahedron, 1},    {CellShape::hexahedron, 2},    {CellShape::line, 3},
+    {CellShape::quadrilateral, 3}, {CellShape::line, 4},          {CellShape::quadrilateral, 4},
+    {CellShape::line, 7},          {CellShape::quadrilateral, 7}};
 
 class Shapes : public testing::TestWithParam<CellKind> {
   protected:
@@ -72,37 +75,43 @@ TEST_P(Shapes, AreOneAtTheirNodeAndZeroAtOthers) {
 }
 
 TEST_P(Shapes, HaveTheGradientsOfTheirDifferences) {
-    const double h = 1.0 / 64; // central differences are exact for degree 2 in each variable
-    const auto difference = [&](Vec3 point, Vec3 step, std::size_t i) {
+    const bool high = GetParam().order > 2;
+    const double h = high ? 1.0 / 4096 : 1.0 / 64, tolerance = high ? 1e-8 : 1e-12;
+    const auto central = [&](Vec3 point, Vec3 step, std::size_t i) {
         return (at(point + step).values[i] - at(point - step).values[i]) / (2 * h);
+    };
+    const auto difference = [&](Vec3 point, Vec3 step, std::size_t i) { // exact for degree 2, or 4
+        return high ? (4 * central(point, step, i) - central(point, 2 * step, i) / 2) / 3
+                    : central(point, step, i);
     };
     const int dimension = cell_dimension(GetParam());
     for (const Vec3 point : random_points()) {
         const At shape = at(point);
         for (std::size_t i = 0; i < shape.values.size(); ++i) {
-            EXPECT_NEAR(shape.gradients[i].x, difference(point, {h, 0, 0}, i), 1e-12);
-            EXPECT_NEAR(shape.gradients[i].y, dimension > 1 ? difference(point, {0, h, 0}, i) : 0, 1e-12);
-            EXPECT_NEAR(shape.gradients[i].z, dimension > 2 ? difference(point, {0, 0, h}, i) : 0, 1e-12);
+            EXPECT_NEAR(shape.gradients[i].x, difference(point, {h, 0, 0}, i), tolerance);
+            EXPECT_NEAR(shape.gradients[i].y, dimension > 1 ? difference(point, {0, h, 0}, i) : 0, tolerance);
+            EXPECT_NEAR(shape.gradients[i].z, dimension > 2 ? difference(point, {0, 0, h}, i) : 0, tolerance);
         }
     }
 }
 
 TEST_P(Shapes, AreOfTheOrderTheirKindSays) {
-    // Degree 1 reproduces s + 2 t + 3 u, degree 2 also the square of it.
-    const auto linear = [](Vec3 p) { return p.x + 2 * p.y + 3 * p.z; };
+    // Degree k reproduces powers of s + 2 t + 3 u up to the k-th.
     const auto nodes = reference_nodes(GetParam());
-    double worst = 0;
-    for (const Vec3 point : random_points()) {
-        const At shape = at(point);
-        double sum = 0;
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            sum += shape.values[i] * linear(nodes[i]) * linear(nodes[i]);
-        worst = std::max(worst, std::abs(sum - linear(point) * linear(point)));
-    }
-    if (GetParam().order == 2)
-        EXPECT_LT(worst, 1e-13);
-    else
-        EXPECT_GT(worst, 0.1);
+    const auto worst = [&](int exponent) {
+        const auto power = [exponent](Vec3 p) { return std::pow(p.x + 2 * p.y + 3 * p.z, exponent); };
+        double most = 0;
+        for (const Vec3 point : random_points()) {
+            const At shape = at(point);
+            double sum = 0;
+            for (std::size_t i = 0; i < nodes.size(); ++i) sum += shape.values[i] * power(nodes[i]);
+            most = std::max(most, std::abs(sum - power(point)));
+        }
+        return most;
+    };
+    const int order = GetParam().order;
+    EXPECT_LT(worst(order), 1e-14 * std::pow(6, order));
+    EXPECT_GT(worst(order + 1), order > 1 ? 1e-6 : 0.1);
 }
 
 TEST_P(Shapes, HaveEdgesWithTheirMiddleMidway) {
@@ -123,9 +132,10 @@ TEST_P(Shapes, HaveEdgesWithTheirMiddleMidway) {
             EXPECT_TRUE(length == 1 || length == std::sqrt(2.0)) << length;
         else
             EXPECT_EQ(length, 1); // along one side: no diagonals
-        if (GetParam().order == 2) {
-            EXPECT_GE(edge[2], corners_per_cell(GetParam()));
-            EXPECT_EQ(nodes[static_cast<std::size_t>(edge[2])], 0.5 * (a + b));
+        for (std::size_t k = 2; k < edge.size(); ++k) {
+            EXPECT_GE(edge[k], corners_per_cell(GetParam()));
+            const double t = (static_cast<double>(k) - 1) / GetParam().order;
+            EXPECT_LT(norm(nodes[static_cast<std::size_t>(edge[k])] - ((1 - t) * a + t * b)), 1e-15);
         }
         seen.emplace_back(std::min(edge[0], edge[1]), std::max(edge[0], edge[1]));
     }
@@ -177,6 +187,26 @@ TEST(CellKind, NumbersNodesAsInVtk) {
         EXPECT_EQ(reference_nodes(cube)[8 + i], centre(cube, beyond_corners[i])) << 8 + i;
 }
 
+// vtkHigherOrderQuadrilateral: corners, then edges in the directions of s and t (below, right, above, left),
+// then rows.
+TEST(CellKind, NumbersNodesOfHigherOrderAsInVtk) {
+    for (const int k : {2, 3, 5, highest_order}) {
+        const auto nodes = reference_nodes({CellShape::quadrilateral, k});
+        ASSERT_EQ(nodes.size(), static_cast<std::size_t>((k + 1) * (k + 1)));
+        const auto number = [k](int i, int j) {
+            const bool at_side = i == 0 || i == k, at_end = j == 0 || j == k;
+            if (at_side && at_end) return i > 0 ? (j > 0 ? 2 : 1) : (j > 0 ? 3 : 0);
+            if (at_end) return 4 + (j > 0 ? 2 * (k - 1) : 0) + i - 1;
+            if (at_side) return 4 + (i > 0 ? k - 1 : 3 * (k - 1)) + j - 1;
+            return 4 * k + (k - 1) * (j - 1) + i - 1;
+        };
+        for (int j = 0; j <= k; ++j)
+            for (int i = 0; i <= k; ++i)
+                EXPECT_EQ(nodes[static_cast<std::size_t>(number(i, j))],
+                          (Vec3{static_cast<double>(i) / k, static_cast<double>(j) / k, 0}));
+    }
+}
+
 TEST(CellKind, TurnsFacesOutward) {
     for (const int order : {1, 2}) {
         const CellKind kind{CellShape::hexahedron, order};
@@ -204,7 +234,8 @@ TEST(CellKind, TurnsFacesOutward) {
 }
 
 TEST(CellKind, RefusesOrdersThatAreNotThere) {
-    EXPECT_THROW(nodes_per_cell({CellShape::quadrilateral, 3}), InternalError);
+    EXPECT_THROW(nodes_per_cell({CellShape::quadrilateral, highest_order + 1}), InternalError);
+    EXPECT_THROW(nodes_per_cell({CellShape::triangle, 3}), InternalError);
     EXPECT_THROW(cell_edges({CellShape::line, 0}), InternalError);
 }
 

@@ -1,3 +1,4 @@
+#include "core/spline/spline_domain.hpp"
 #include "core/tessellate/tessellation.hpp"
 #include "fixtures/fixture_meshes.hpp"
 #include "support/small_meshes.hpp"
@@ -235,6 +236,37 @@ TEST(Tessellation, FollowsMovedNodes) {
     for (double& z : lifted.z) z += 3;
     const Points before = shown_points(t, mesh.nodes), after = shown_points(t, lifted);
     for (std::size_t p = 0; p < t.point_count; ++p) EXPECT_NEAR(after.z[p], before.z[p] + 3, 1e-13);
+}
+
+// Cells of a patch have the degree of its splines: what is drawn is the map, at every point.
+TEST(Tessellation, CellsOfHighOrderCarryPolynomialsOfTheirDegree) {
+    for (const int degree : {3, 5, 7}) {
+        const Mesh mesh = *SplineDomain(degree, 2, square_map()).mesh();
+        const auto map = [degree](Vec3 p) {
+            return Vec3{p.x + 0.3 * std::pow(p.x * p.y, degree), p.y - std::pow(1 - p.x, degree) * p.y * p.y,
+                        0};
+        };
+        Points x(mesh.node_count());
+        for (std::size_t i = 0; i < x.size(); ++i) x.set(i, map(mesh.nodes[i]));
+        for (const int cuts : {2, degree, 2 * degree}) {
+            const Tessellation made = tessellate(mesh, cuts);
+            const Points from = shown_points(made, mesh.nodes), to = shown_points(made, x);
+            EXPECT_EQ(from.size(), static_cast<std::size_t>((2 * cuts + 1) * (2 * cuts + 1)));
+            std::size_t nodes = 0;
+            for (std::uint32_t p = 0; p < from.size(); ++p) {
+                EXPECT_LT(norm(to[p] - map(from[p])), 1e-12);
+                if (const auto node = made.node_of(p)) {
+                    ++nodes;
+                    EXPECT_EQ(to[p], x[*node]);
+                }
+            }
+            if (cuts % degree == 0)
+                EXPECT_EQ(nodes, mesh.node_count());
+            else
+                EXPECT_LT(nodes, mesh.node_count());
+        }
+        EXPECT_EQ(cuts_for(mesh, x) % degree, 0) << "every node is shown";
+    }
 }
 
 } // namespace

@@ -1,3 +1,5 @@
+#include "core/diagnostics/quality.hpp"
+#include "core/method/method.hpp"
 #include "gui/application_fixture.hpp"
 #include "gui/panels/status_bar.hpp"
 
@@ -111,6 +113,20 @@ TEST_F(ApplicationTest, ATangledRunIsRedAndSaysHowToGoOn) {
     ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
     EXPECT_TRUE(closing_note(run(), find_action(application.actions(), "reset")).empty());
     EXPECT_EQ(status_cells(run())[5].value, "0");
+    EXPECT_EQ(status_cells(run())[5].tone, Tone::plain);
+}
+
+TEST_F(ApplicationTest, CellsThatFoldWhereTheMapDoesNotAreInParentheses) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    std::vector<SeriesInfo> diagnostics = quality_series();
+    diagnostics.push_back(folded_drawn_cells_series());
+    StepReport& last = run().history.back(); // as if of a patch
+    last.series =
+        std::make_shared<const SeriesTable>(normalised_residual(), diagnostics, std::vector<SeriesInfo>{});
+    last.values.clear();
+    EXPECT_EQ(status_cells(run())[5].value, "0");
+    last.set("folded_drawn_cells", 8);
+    EXPECT_EQ(status_cells(run())[5].value, "0 (8 drawn fold)");
     EXPECT_EQ(status_cells(run())[5].tone, Tone::plain);
 }
 
