@@ -10,7 +10,10 @@ uniform bool round_cells;         // curved cells of a ball: `outward` is their 
 uniform vec3 viewer;              // towards the viewer, of unit length
 uniform float dusk;               // how much of its colour a surface loses that is seen from its edge
 
-in float value;
+in float value; // linear in each half of a quadrilateral
+in vec2 inside;
+flat in vec3 bend;
+flat in float far_half;
 in vec3 pixel;
 in vec3 outward;
 out vec4 colour;
@@ -20,8 +23,17 @@ float own_value() {
     return texelFetch(cell_values, ivec2(int(cell & 2047u), int(cell >> 11)), 0).r;
 }
 
+/// Bilinear in the quadrilateral: with bend_of() in mesh_fill.vert, q = s t solves q = (x - alpha q) (y - beta q), where x
+/// and y are linear in the half.
+float nodal_value() {
+    vec2 at = far_half > 0.5 ? 1.0 - inside : inside;
+    float product = at.x * at.y, b = 1.0 + bend.x * at.y + bend.y * at.x;
+    float root = sqrt(max(b * b - 4.0 * bend.x * bend.y * product, 0.0));
+    return value + bend.z * clamp(2.0 * product / max(b + root, 1e-3), 0.0, 1.0);
+}
+
 void main() {
-    vec3 base = surface.a > 0.0 ? surface.rgb : colour_of(flat_cells ? own_value() : value);
+    vec3 base = surface.a > 0.0 ? surface.rgb : colour_of(flat_cells ? own_value() : nodal_value());
     vec3 normal = cross(dFdx(pixel), dFdy(pixel));
     float facing = round_cells ? dot(normalize(outward), viewer) : abs(normal.z) / max(length(normal), 1e-20);
     colour = vec4(base * (1.0 - dusk * pow(1.0 - clamp(facing, 0.0, 1.0), 1.6)), 1.0);

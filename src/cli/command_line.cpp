@@ -45,6 +45,7 @@ void add_run(CLI::App& app, RunArguments& run) {
     command->add_option("--threads", run.threads, "Maximum number of threads; does not affect the results")
         ->type_name("N");
     command->add_option("--seed", run.seed, "Seed of a random monitor")->type_name("N");
+    command->add_flag("--overwrite", run.overwrite, "Replace files of a run of another scenario as well");
     command->add_flag("--quiet", run.quiet, "Print only errors");
 }
 
@@ -57,6 +58,8 @@ void add_compare(CLI::App& app, CompareArguments& compare) {
     command->add_option("--out", compare.out, "Output folder (default: ./gaspard-out/SCENARIO-methods)")
         ->type_name("DIR");
     command->add_flag("--no-render", compare.no_render, "Do not draw an image");
+    command->add_flag("--overwrite", compare.overwrite,
+                      "Replace files of a comparison on another scenario as well");
 }
 
 /// Empty values are mistakes, such as those of an unset variable in a script.

@@ -16,6 +16,7 @@ struct RunArguments {
     std::string out;                   ///< empty: ./gaspard-out/SCENARIO
     std::optional<std::string> formats, size, start, max_iterations, threads, seed, tolerance;
     bool no_render = false, whole_window = false, quiet = false;
+    bool overwrite = false; ///< also files of a run of another scenario
 };
 
 /// The options of `compare`, not yet checked.
@@ -25,6 +26,7 @@ struct CompareArguments {
     std::optional<std::string> methods; ///< comma-separated; default: all applicable
     std::string out;                    ///< empty: ./gaspard-out/SCENARIO-methods
     bool no_render = false;
+    bool overwrite = false; ///< also files of a comparison on another scenario
 };
 
 int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& arguments);

@@ -8,6 +8,7 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/image.hpp"
 #include "core/io/run_files.hpp"
+#include "core/io/run_folder.hpp"
 #include "core/session/comparison.hpp"
 #include "core/session/report_columns.hpp"
 #include "core/session/run.hpp"
@@ -89,6 +90,12 @@ struct Outcome {
     }
 };
 
+std::vector<std::string> comparison_file_names(const std::vector<std::string>& methods) {
+    std::vector<std::string> names{"comparison.csv", "comparison.json", "comparison.png"};
+    for (const std::string& method : methods) names.push_back(method + ".csv");
+    return names;
+}
+
 } // namespace
 
 int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArguments& arguments) {
@@ -102,6 +109,8 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
                               : user_path(arguments.out);
     check_domain(*catalogue, input);
     if (!arguments.no_render) check_offscreen_choice();
+    if (!arguments.overwrite && !arguments.out.empty()) // the default folder has the scenario's name
+        check_replaceable(folder, comparison_file_names(methods), "comparison.json", scenario.name);
     check_writable(folder);
     std::vector<ComparisonRow> rows;
     Outcome outcome;
@@ -128,6 +137,7 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
             failed = true;
         }
     }
+    write_atomically(folder / "comparison.json", record_json(scenario));
     write_atomically(folder / "comparison.csv", comparison_csv(rows));
     if (!arguments.no_render && !rows.empty()) write_png(folder / "comparison.png", outcome.draw());
     std::printf("files in %s\n", folder.string().c_str());

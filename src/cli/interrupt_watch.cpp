@@ -10,6 +10,7 @@ InterruptWatch::InterruptWatch() {
     sigemptyset(&signals);
     sigaddset(&signals, SIGINT);
     sigaddset(&signals, SIGTERM);
+    sigaddset(&signals, SIGHUP);
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     thread_ = std::jthread([signals, source = source_](std::stop_token stop) mutable {
         const timespec interval{0, 50'000'000}; // maximum delay at program exit

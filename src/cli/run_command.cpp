@@ -8,6 +8,7 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/image.hpp"
 #include "core/io/run_files.hpp"
+#include "core/io/run_folder.hpp"
 #include "core/io/state_file.hpp"
 #include "core/session/report_columns.hpp"
 #include "core/session/run.hpp"
@@ -51,6 +52,7 @@ ScenarioInput input_of(const Catalogue& catalogue, const RunArguments& arguments
                              "' uses no random numbers");
         monitor.parse(row->key, *arguments.seed);
     }
+    note_changes(input); // the seed
     check_input(catalogue, input);
     return input;
 }
@@ -90,7 +92,7 @@ class ProgressLine {
     double next_ = 0, equidistribution_ = 0;
 };
 
-void print_outcome(const Run& run, const std::filesystem::path& folder) {
+void print_outcome(const Run& run, const std::filesystem::path& folder, bool other_values) {
     const StepReport& last = run.history().back();
     std::printf("%s after %d iterations: residual %.3e, ", std::string(status_name(last.status)).c_str(),
                 last.iteration, last.residual);
@@ -101,7 +103,8 @@ void print_outcome(const Run& run, const std::filesystem::path& folder) {
     if (!last.note.empty()) std::printf("%s\n", last.note.c_str());
     if (const auto patches = run.discretisation().patches())
         std::printf("%s; domain.patch selects another\n", patches->note.c_str());
-    std::printf("files in %s\n", folder.string().c_str());
+    std::printf("files in %s%s\n", folder.string().c_str(),
+                other_values ? " (they replace those of a run with other values)" : "");
 }
 
 void draw_view(std::shared_ptr<const Catalogue> catalogue, Run& run, const std::filesystem::path& folder,
@@ -116,7 +119,7 @@ void draw_view(std::shared_ptr<const Catalogue> catalogue, Run& run, const std::
                          render_whole_window(std::move(catalogue), {scenario, run.history(), run.snapshot()},
                                              width, height));
     write_png(folder / "view.png",
-              render_view(*run.snapshot(), scenario.view, width, height, scenario.title));
+              render_view(*run.snapshot(), scenario.view, width, height, scenario_title(scenario)));
 }
 
 } // namespace
@@ -147,6 +150,12 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
         Run run(catalogue, scenario, std::move(options), {}, interrupt.token());
         check_with_mesh(input, *run.discretisation().mesh());
         if (!arguments.no_render) check_offscreen_choice();
+        if (!arguments.overwrite && !arguments.out.empty()) { // the default folder has the scenario's name
+            std::vector<std::string> names = run_file_names(run, input.formats);
+            if (!arguments.no_render) names.emplace_back("view.png");
+            check_replaceable(folder, names, "summary.json", scenario.name);
+        }
+        const bool other_values = holds_other_values(folder, scenario);
         check_writable(folder); // after all checks of the input
         {
             ProgressLine line(arguments.quiet);
@@ -158,7 +167,7 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
                 line.show(run.step(interrupt.token()));
             }
         }
-        if (!arguments.quiet) print_outcome(run, folder);
+        if (!arguments.quiet) print_outcome(run, folder, other_values);
         std::exception_ptr failure; // rethrown after the other files are written
         try {
             write_run_files(folder, run, input.formats);

@@ -25,7 +25,7 @@ void with_place_of(const ScenarioSource& source, const Check& check_values) {
 ScenarioInput load_input(const Catalogue& catalogue, const std::string& name,
                          const std::vector<std::string>& settings) {
     ScenarioInput input;
-    input.scenario = find_scenario(catalogue, name, &input.source);
+    input.scenario = input.named = find_scenario(catalogue, name, &input.source);
     change_input(catalogue, input, settings);
     return input;
 }
@@ -35,6 +35,11 @@ void change_input(const Catalogue& catalogue, ScenarioInput& input,
     apply_settings(catalogue, input.scenario, settings);
     for (const std::string& setting : settings)
         input.source.lines.erase(setting.substr(0, setting.find('=')));
+    note_changes(input);
+}
+
+void note_changes(ScenarioInput& input) {
+    input.scenario.modified = modified_keys(input.named, input.scenario);
 }
 
 void check_input(const Catalogue& catalogue, ScenarioInput& input) {

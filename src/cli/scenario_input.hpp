@@ -12,6 +12,7 @@ namespace gaspard {
 
 struct ScenarioInput {
     Scenario scenario;
+    Scenario named; ///< without settings
     ScenarioSource source; ///< of the keys that no setting has replaced
     std::vector<const Format*> formats{};
 };
@@ -19,6 +20,8 @@ struct ScenarioInput {
 /// Loads a scenario and applies key=value settings; of two for one key the later one counts. Throws InputError.
 ScenarioInput load_input(const Catalogue& catalogue, const std::string& name,
                          const std::vector<std::string>& settings);
+/// Updates Scenario::modified.
+void note_changes(ScenarioInput& input);
 /// Applies further settings.
 void change_input(const Catalogue& catalogue, ScenarioInput& input, const std::vector<std::string>& settings);
 /// Checks the combination, the view and the list of formats, and fills `formats`. Throws InputError, with file

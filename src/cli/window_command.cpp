@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/interrupt_watch.hpp"
 #include "cli/scenario_input.hpp"
 #include "core/base/error.hpp"
 #include "core/base/user_path.hpp"
@@ -50,8 +51,11 @@ bool needs_own_method(const std::vector<std::string>& settings, const Scenario& 
 
 int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string& name,
                    const std::vector<std::string>& settings, const std::optional<std::string>& size) {
+    const InterruptWatch interrupt; // before the threads of graphics, which take over what it blocks
     const std::filesystem::path file = settings_file();
     WindowOptions options;
+    options.output.fallback = home_output();
+    options.stop = interrupt.token();
     options.settings = read_settings(file, options.complaints);
     const bool from_file = is_scenario_file(name);
     ScenarioInput input = load_input(*catalogue, name, {});
@@ -61,6 +65,8 @@ int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string
         if (!needs_own_method(settings, scenario, chosen)) scenario = std::move(chosen);
     }
     restore_view(*catalogue, scenario, options.settings.window);
+    input.named = scenario;
+    options.named = scenario;
     change_input(*catalogue, input, settings);
     check_input(*catalogue, input);
     if (size) {

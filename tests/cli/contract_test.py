@@ -78,11 +78,12 @@ class Runs(Contract):
                                                      "adapted.glb", "state.bin", "view.png"})
         summary = self.summary()
         self.assertEqual(set(summary), {
-            "scenario", "domain", "monitor", "method", "cells", "unknowns", "status", "iterations", "residual",
+            "scenario", "modified", "domain", "monitor", "method", "cells", "unknowns", "status", "iterations", "residual",
             "equidistribution", "theta", "tangled_cells", "min_jacobian", "max_jacobian", "exact_rms", "exact_rms_nodes",
             "setup_seconds", "solve_seconds", "cpu_seconds", "seconds_per_iteration", "peak_memory_bytes", "version",
             "inner_iterations", "note"})
         self.assertEqual(summary["status"], "converged")
+        self.assertEqual((summary["scenario"], summary["modified"]), ("plane-ring", ["domain.cells"]))
         self.assertEqual(summary["cells"], 144)
         self.assertEqual(summary["unknowns"], 576)
         self.assertLess(summary["residual"], 1e-8)
@@ -103,6 +104,42 @@ class Runs(Contract):
         result = gaspard("run", "plane-bell", "--no-render", "--quiet", *QUICK, cwd=self.folder.name)
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
         self.assertTrue(os.path.exists(os.path.join(self.folder.name, "gaspard-out", "plane-bell", "summary.json")))
+
+    def test_files_of_another_run_are_not_replaced(self):
+        self.assertEqual(self.run_quick("--set", "monitor.amplitude=2").returncode, 0)
+        before = {name: self.bytes(name) for name in os.listdir(self.out)}
+        result = self.run_quick(name="plane-bell")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        for part in (self.out, "'plane-ring'", "--out", "--overwrite"):
+            self.assertIn(part, result.stderr)
+        self.assertEqual({name: self.bytes(name) for name in os.listdir(self.out)}, before)
+        result = self.run_quick()
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("replace those of a run with other values", result.stdout)
+        result = self.run_quick()
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertNotIn("replace", result.stdout)
+        self.assertEqual(self.run_quick("--overwrite", name="plane-bell").returncode, 0)
+        self.assertEqual((self.summary()["scenario"], self.summary()["monitor"]["type"]), ("plane-bell", "bell"))
+        # Files that no run wrote, of the names that it would write.
+        os.remove(self.path("summary.json"))
+        result = self.run_quick(name="plane-bell")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("history.csv", result.stderr)
+        for name in os.listdir(self.out):
+            os.remove(self.path(name))
+        with open(self.path("notes.txt"), "w") as file:
+            file.write("no file of a run")
+        self.assertEqual(self.run_quick(name="plane-bell").returncode, 0)
+
+    def test_the_summary_lists_what_was_modified(self):
+        for settings, modified in (([], ["domain.cells"]),
+                                   (["--set", "monitor.type=constant", "--tolerance", "1e-6"],
+                                    ["domain.cells", "monitor.type", "method.tolerance"]),
+                                   (["--set", "domain.cells=60", "--set", "view.color=area"], [])):
+            self.assertEqual(self.run_quick(*settings).returncode, 0)
+            self.assertEqual((self.summary()["scenario"], self.summary()["modified"]), ("plane-ring", modified))
 
     def test_the_same_input_gives_the_same_bytes(self):
         names = ["computational.obj", "adapted.obj", "adapted.glb", "adapted.vtu", "adapted.msh", "adapted.ply",
@@ -202,7 +239,7 @@ class Runs(Contract):
             msh = file.read()
         for part in ('1 2 "left"', '1 5 "top"', "$Periodic"):  # plane-ring is periodic
             self.assertIn(part, msh)
-        result = self.run_quick("--formats", "msh,svg", "--set", "view.color=area", name="walls-ring")
+        result = self.run_quick("--formats", "msh,svg", "--set", "view.color=area", "--overwrite", name="walls-ring")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn(b">cell area<", self.bytes("adapted.svg"))
         with open(self.path("adapted.msh")) as file:
@@ -418,8 +455,15 @@ class Information(Contract):
             with open(self.path(row["method"] + ".csv")) as file:
                 self.assertEqual(len(list(csv.DictReader(file))), int(row["iterations"]) + 1)
         self.assertGreater(os.path.getsize(self.path("comparison.png")), 10000)
-        self.assertEqual(set(os.listdir(self.out)), {"comparison.csv", "comparison.png", "newton.csv", "relaxation.csv",
-                                                     "auto.csv"})
+        self.assertEqual(set(os.listdir(self.out)), {"comparison.csv", "comparison.json", "comparison.png", "newton.csv",
+                                                     "relaxation.csv", "auto.csv"})
+        with open(self.path("comparison.json")) as file:
+            self.assertEqual(json.load(file), {"scenario": "plane-ring", "modified": ["domain.cells"]})
+        other = ("compare", "plane-bell", *QUICK, "--methods", "auto", "--no-render", "--out", self.out)
+        result = gaspard(*other)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn("'plane-ring'", result.stderr)
+        self.assertEqual(gaspard(*other, "--overwrite").returncode, 0)
         shutil.rmtree(self.out)
         for methods, part in (("newtn", "newton"), ("auto,auto", "twice"), ("", "method")):
             self.refused(gaspard("compare", "plane-ring", "--methods", methods, "--out", self.out), part)

@@ -20,7 +20,7 @@ namespace gaspard {
 class ApplicationFixture : public testing::Test {
   protected:
     ApplicationFixture(std::shared_ptr<const Catalogue> of, const Scenario& scenario)
-        : catalogue(std::move(of)), application(catalogue, scenario, {.output = folder}) {}
+        : catalogue(std::move(of)), application(catalogue, scenario, {.output = {folder}}) {}
 
     void frame() {
         application.collect();

@@ -66,6 +66,10 @@ std::optional<int> ChildProcess::wait(std::chrono::milliseconds patience) {
     return exit_code_;
 }
 
+void ChildProcess::send(int signal) {
+    if (running()) kill(pid_, signal);
+}
+
 double ChildProcess::cpu_seconds() const {
     std::ifstream file("/proc/" + std::to_string(pid_) + "/stat");
     std::string text((std::istreambuf_iterator<char>(file)), {});

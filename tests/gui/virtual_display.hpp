@@ -29,6 +29,7 @@ class ChildProcess {
     /// The exit code (128 + signal for a killed one), or nothing if it still runs after so long.
     std::optional<int> wait(std::chrono::milliseconds patience);
     bool running() { return !wait(std::chrono::milliseconds(0)).has_value(); }
+    void send(int signal);
     double cpu_seconds() const; ///< used so far, by all its threads
 
   private:

@@ -1,6 +1,7 @@
 #include "core/io/run_files.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/read_file.hpp"
 #include "core/base/version.hpp"
 #include "core/diagnostics/quality.hpp"
 #include "core/io/atomic_file.hpp"
@@ -75,6 +76,17 @@ void add_measures(Json& json, const StepReport& report) {
             json["measures"][name] = or_null(report.value(i));
 }
 
+/// The values that determine the mesh.
+Json values_json(const Scenario& scenario) {
+    Json json;
+    json["domain"] = section_json(scenario.domain);
+    json["monitor"] = section_json(scenario.monitor);
+    json["method"] = section_json(scenario.method);
+    for (const Section* section : {&scenario.target, &scenario.pde})
+        if (!section->type.empty()) json[section->values.section()] = section_json(*section);
+    return json;
+}
+
 } // namespace
 
 std::string summary_json(Run& run) {
@@ -82,11 +94,8 @@ std::string summary_json(Run& run) {
     const StepReport& last = run.history().back();
     Json json;
     json["scenario"] = scenario.name;
-    json["domain"] = section_json(scenario.domain);
-    json["monitor"] = section_json(scenario.monitor);
-    json["method"] = section_json(scenario.method);
-    for (const Section* section : {&scenario.target, &scenario.pde})
-        if (!section->type.empty()) json[section->values.section()] = section_json(*section);
+    json["modified"] = scenario.modified;
+    json.update(values_json(scenario));
     if (const auto patches = run.discretisation().patches()) json["patch"] = patches->note;
     json["cells"] = run.discretisation().mesh()->cell_count();
     json["unknowns"] = run.discretisation().unknowns();
@@ -116,6 +125,26 @@ std::string summary_json(Run& run) {
     json["inner_iterations"] = inner;
     json["note"] = notes; // of all iterations that have one
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::vector<std::string> run_file_names(const Run& run, const std::vector<const Format*>& formats) {
+    std::vector<std::string> names{"history.csv", "summary.json", "state.bin"};
+    if (as_splines(run)) names.emplace_back("map.json");
+    for (const Format* format : formats)
+        names.insert(names.end(), format->files.begin(), format->files.end());
+    return names;
+}
+
+bool holds_other_values(const std::filesystem::path& folder, const Scenario& scenario) {
+    try {
+        const Json before = Json::parse(read_file(folder / "summary.json"), nullptr, false);
+        const Json now = values_json(scenario);
+        if (!before.is_object()) return false;
+        for (const auto& [section, values] : now.items())
+            if (!before.contains(section) || before[section] != values) return true;
+    } catch (const InputError&) { // there is no summary
+    }
+    return false;
 }
 
 void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats,

@@ -16,6 +16,10 @@ std::string history_csv(const std::vector<StepReport>& history);
 /// Scenario, status, numbers, times, memory; what was not measured is null. "measures" are the method's
 /// further series.
 std::string summary_json(Run& run);
+/// The names of the files that write_run_files() writes.
+std::vector<std::string> run_file_names(const Run& run, const std::vector<const Format*>& formats);
+/// Whether the summary.json in a folder has other values of domain, monitor, method or PDE than the scenario.
+bool holds_other_values(const std::filesystem::path& folder, const Scenario& scenario);
 /// Writes all of them into a folder that is there or can be made, each under a temporary name that is then
 /// renamed; what fails does not keep the others from being tried. Throws the first MachineError;
 /// Interrupted when stopped between two files, each of which is whole.

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace gaspard {
 
@@ -38,7 +39,19 @@ struct Scenario {
     /// the working directory.
     std::filesystem::path folder{};
     DomainPlace place{};
+    /// The keys that were changed since name and title were given; see modified_keys(). Whoever changes values
+    /// sets it; it is not checked.
+    std::vector<std::string> modified{};
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
+
+/// The keys of domain, monitor, method and PDE whose values in `scenario` differ from those in `named`:
+/// "monitor.amplitude", or "monitor.type" alone if the types differ. View and output do not count.
+std::vector<std::string> modified_keys(const Scenario& named, const Scenario& scenario);
+
+/// The title, or the name if there is none; followed by " (modified)" if the scenario was modified.
+std::string scenario_title(const Scenario& scenario);
+/// A name for files and folders: "plane-ring", or "plane-ring-modified" if the scenario was modified.
+std::string scenario_stem(const Scenario& scenario);
 
 } // namespace gaspard

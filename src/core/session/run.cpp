@@ -320,8 +320,9 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
                              problem.scenario.folder != old.folder;
     const bool new_domain = !(problem.scenario.domain == old.domain) || other_files;
     const bool new_method = new_domain || problem.scenario.method.type != old.method.type;
-    // After divergence or tangling, restart from the last untangled mesh, for example with a smaller step.
-    const bool back = status() == RunStatus::diverged || status() == RunStatus::tangled;
+    // From divergence or tangled cells no step leads on: restart from the last untangled mesh.
+    measure(history_.back());
+    const bool back = status() == RunStatus::diverged || history_.back().tangled_cells.value_or(0) > 0;
     std::optional<State> state = back ? last_untangled_ : state_;
     std::optional<State> untangled = last_untangled_;
     const Stopwatch watch;

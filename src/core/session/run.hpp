@@ -50,8 +50,8 @@ class Run {
     void interrupt();
 
     /// Continues with other values from the current map, transferred to the new problem; from the last map
-    /// without tangled cells if the run is tangled or diverged; from the identity map if no transfer is
-    /// possible. The history continues with a row for the current iterate under the new values. Returns a
+    /// without tangled cells if that one has some or the run has diverged; from the identity map if no
+    /// transfer is possible. The history continues with a row for the current iterate under the new values. Returns a
     /// message for the user if the map could not be transferred, else an empty string. Throws InputError and
     /// Interrupted before anything has changed.
     std::string change(const Scenario& scenario, const Progress& progress = {}, std::stop_token stop = {});

@@ -32,8 +32,8 @@ Application::Application(std::shared_ptr<const Catalogue> catalogue, Application
 
 Application::Application(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
                          ApplicationOptions options)
-    : Application(std::move(catalogue), std::move(options)) {
-    document_.open(scenario);
+    : Application(std::move(catalogue), options) {
+    document_.open(scenario, options.named);
     follow_theme();
 }
 
@@ -56,6 +56,11 @@ bool Application::collect() {
     if (const auto opened = files_.take_opened()) {
         open_scenario(opened->scenario);
         opening_file_ = opened->file;
+        news = true;
+    }
+    if (const auto saved = files_.take_saved(); saved && run().openings == saved_in_) {
+        document_.name_saved(run().id, saved->scenario);
+        remember_recent(settings_, saved->file);
         news = true;
     }
     return news;
@@ -102,7 +107,7 @@ bool Application::press_key(std::string_view key) {
     if (!row && key.starts_with(shifted)) return press_key("Ctrl+" + std::string(key.substr(shifted.size())));
     if (!row) return false;
     document_.record_views(); // of keys since the last frame, which undo is to find
-    const bool dialog = messages_.error().open() || open_dialog_.open(); // it comes first
+    const bool dialog = messages_.error().open() || open_dialog_.open() || save_dialog_.open(); // comes first
     if (dialog && row->name != "cancel" && row->name != "quit") return false;
     if (ImGui::GetIO().WantTextInput && !dialog && belongs_to_text(key)) return false;
     if (!row->is_enabled()) {
@@ -132,7 +137,7 @@ WindowState Application::window_state() const {
             static_cast<float>(settings_.window.real("text_size")),
             fullscreen_,
             quit_,
-            open_dialog_.opening() && !messages_.error().open(),
+            (open_dialog_.opening() || save_dialog_.opening()) && !messages_.error().open(),
             viewport_pane_.spinning()};
 }
 
@@ -203,19 +208,22 @@ void Application::set_text_size(double size) {
 }
 
 bool Application::can_cancel() {
-    return ImGui::IsPopupOpen("", any_popup) || messages_.error().open() || open_dialog_.open() || help_ ||
-           working() || document_.comparison().running() || comparison_panel_.open() ||
-           !viewport().view.text("pick").empty();
+    return ImGui::IsPopupOpen("", any_popup) || messages_.error().open() || open_dialog_.open() ||
+           save_dialog_.open() || help_ || working() || document_.comparison().running() ||
+           comparison_panel_.open() || !viewport().view.text("pick").empty();
 }
 
 /// Closes or cancels the topmost thing only.
 void Application::cancel() {
-    if (ImGui::IsPopupOpen("", any_popup) && !messages_.error().open() && !open_dialog_.open())
+    const bool dialog = messages_.error().open() || open_dialog_.open() || save_dialog_.open();
+    if (ImGui::IsPopupOpen("", any_popup) && !dialog)
         ImGui::ClosePopupToLevel(0, true); // a menu or a list
     else if (messages_.error().open())
         messages_.error().close();
     else if (open_dialog_.open())
         open_dialog_.close();
+    else if (save_dialog_.open())
+        save_dialog_.close();
     else if (help_)
         help_ = false;
     else if (document_.comparison().running())
@@ -250,7 +258,9 @@ void Application::export_files() {
     messages_.show({"Exporting ...", false});
 }
 
-void Application::save_image(Image image) { files_.save_image(run().scenario, "view", std::move(image)); }
+void Application::save_image(Image image) {
+    files_.save_image(run().scenario, "screenshot", std::move(image));
+}
 
 Settings Application::settings() {
     Settings settings = settings_;
@@ -329,10 +339,33 @@ void Application::save_plot(const std::function<Image(const Plot&)>& draw) {
     }
 }
 
-void Application::save_scenario() {
+Scenario Application::scenario_to_save() {
     Scenario scenario = run().scenario;
     scenario.view = viewport().view;
-    files_.save_scenario(scenario);
+    saved_in_ = run().openings;
+    return scenario;
+}
+
+/// To the file that was chosen for it, else to a new one.
+void Application::save_scenario() {
+    if (saved_as_.empty())
+        files_.save_scenario(scenario_to_save());
+    else
+        files_.save_scenario_as(scenario_to_save(), saved_as_);
+}
+
+void Application::ask_where_to_save() {
+    const Scenario& scenario = run().scenario;
+    std::filesystem::path file = saved_as_;
+    if (file.empty()) file = std::filesystem::absolute(scenario.folder / (scenario_stem(scenario) + ".toml"));
+    save_dialog_.show(file.string(), scenario_title(scenario));
+}
+
+void Application::save_as(const SaveDialog::Choice& choice) {
+    Scenario scenario = scenario_to_save();
+    if (choice.title != scenario_title(scenario)) scenario.title = choice.title, scenario.modified.clear();
+    saved_as_ = std::filesystem::absolute(choice.file);
+    files_.save_scenario_as(scenario, saved_as_);
 }
 
 void Application::open_file(const std::filesystem::path& file) { files_.open(file); }
@@ -345,6 +378,7 @@ void Application::open_scenario(const Scenario& scenario) {
 /// Called when a scenario has been opened.
 void Application::take_opening() {
     openings_seen_ = run().openings;
+    saved_as_.clear();
     follow_theme();
     viewport_pane_.forget_home();
     const auto file = std::exchange(opening_file_, {});

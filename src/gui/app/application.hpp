@@ -35,7 +35,8 @@ namespace gaspard {
 
 struct ApplicationOptions {
     std::function<void()> wake{}; ///< called on other threads when there is something to collect
-    std::filesystem::path output = "gaspard-out"; ///< files are written to `output`/<scenario>
+    OutputFolders output{"gaspard-out"}; ///< files are written to folders of it with the names of scenarios
+    std::optional<Scenario> named{};     ///< see Document::open
     Settings settings{};
     std::vector<std::string> complaints{}; ///< what was wrong with the settings, for the log
 };
@@ -109,6 +110,8 @@ class Application {
                        std::string_view help);
     const Action& action(std::string_view name) const { return find_action(actions_, name); }
     bool in_space();
+    /// The other runs whose meshes can be shown beside that of the active run.
+    std::vector<const DocumentRun*> runs_beside();
     bool working();
     void take_messages();
     void note_what_is_missing();
@@ -119,7 +122,6 @@ class Application {
     void draw_sidebar();
     void draw_view(const PanelContext& context);
     void draw_plots(const FrameContext& context);
-    bool note_has_room() const;
     void draw_status();
     void draw_log();
     void draw_comparison();
@@ -137,7 +139,10 @@ class Application {
     void record_edits();
     void fulfil(const PlotWish& wish);
     void export_files();
+    Scenario scenario_to_save();
     void save_scenario();
+    void ask_where_to_save();
+    void save_as(const SaveDialog::Choice& choice);
     void open_scenario(const Scenario& scenario);
     void take_opening();
     void toggle_format(const std::string& name);
@@ -147,6 +152,9 @@ class Application {
     Settings settings_;
     Messages messages_;
     OpenDialog open_dialog_;
+    SaveDialog save_dialog_;
+    std::uint64_t saved_in_ = 0;     ///< how many openings preceded the last save
+    std::filesystem::path saved_as_; ///< the file that the user has chosen for the scenario; empty: none
     std::string closing_note_; ///< of the last end, which is in the log
     std::shared_ptr<const Mesh> looked_for_missing_;
     std::string patch_note_; ///< "p.xml: patch 1 of 312 ...", as last said

@@ -192,8 +192,10 @@ std::vector<Action> Application::layout_actions() {
         layout_action("projection", "Projection", "M",
                       "Show the sphere as an equal-area projection, or as a globe.")};
     Action &runs = rows[1], &rear = rows[2], &projection = rows[3];
-    runs.enabled = [this] { return document_.runs().size() > 1; };
-    runs.reason = [this] {
+    runs.enabled = [this] { return action("runs").is_checked() || !runs_beside().empty(); };
+    runs.reason = [this]() -> std::string {
+        if (document_.runs().size() > 1)
+            return "Meshes of all runs: the other runs are hidden, or their meshes are on another domain.";
         return "Meshes of all runs: there is only one; press " + describe_keys(action("keep")) +
                " to keep this run or " + describe_keys(action("compare")) + " to compare methods.";
     };
@@ -334,8 +336,14 @@ std::vector<Action> Application::file_actions() {
          .label = "Save scenario",
          .menu = "File",
          .keys = {"Ctrl+S"},
-         .help = "Save the current parameters as a scenario file.",
+         .help = "Save the current parameters as a new scenario file, or to the one chosen with Save as.",
          .run = [this] { save_scenario(); }},
+        {.name = "save-as",
+         .label = "Save scenario as ...",
+         .menu = "File",
+         .keys = {"Ctrl+Shift+S"},
+         .help = "Save the current parameters as a file whose name and title you choose.",
+         .run = [this] { ask_where_to_save(); }},
         {.name = "screenshot",
          .label = "Screenshot",
          .menu = "File",
@@ -350,7 +358,7 @@ std::vector<Action> Application::file_actions() {
          .keys = {"E"},
          .toolbar = 3,
          .icon = Icon::save,
-         .help = "Save the meshes, the history and a summary as files.",
+         .help = "Save the meshes, the history and a summary as files in a new folder.",
          .needs_solver = true,
          .run = [this] { export_files(); }},
         {.name = "help",

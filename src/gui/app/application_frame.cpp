@@ -42,7 +42,6 @@ void Application::frame() {
     if (const auto chosen = menus_.draw_menu_bar(menu_context())) follow(*chosen);
     arrange();
     if (const auto chosen = menus_.draw_toolbar(menu_context(), layout_.toolbar)) follow(*chosen);
-    viewport_pane_.say_in_corner(note_has_room() ? method_note(run(), *catalogue_) : std::string());
     const bool with_handles = run().live() && !taking_screenshot_;
     std::vector<Handle> handles;
     if (with_handles) {
@@ -52,10 +51,7 @@ void Application::frame() {
                 handles.push_back(std::move(one));
     }
     viewport_pane_.offer_handles(std::move(handles));
-    std::vector<const DocumentRun*> others;
-    for (const DocumentRun& other : document_.runs())
-        if (&other != &run() && !other.hidden && look_alike(other, run())) others.push_back(&other);
-    viewport_pane_.frame(run(), viewport(), layout_.viewport, context, others);
+    viewport_pane_.frame(run(), viewport(), layout_.viewport, context, runs_beside());
     if (const auto move = viewport_pane_.take_handle_move()) {
         if (!run().status.refused) messages_.clear();
         document_.change(run().id, with_handle_at(run().scenario, move->handle, move->place), true);
@@ -69,6 +65,13 @@ void Application::frame() {
     draw_status();
     draw_dialogs();
     record_edits();
+}
+
+std::vector<const DocumentRun*> Application::runs_beside() {
+    std::vector<const DocumentRun*> others;
+    for (const DocumentRun& other : document_.runs())
+        if (&other != &run() && !other.hidden && look_alike(other, run())) others.push_back(&other);
+    return others;
 }
 
 void Application::arrange() {
@@ -142,15 +145,12 @@ void Application::draw_plots(const FrameContext& context) {
     settings_.window.set("second_plot", format_choice(choices[1]));
 }
 
-/// Whether the note of the method fits below the mesh; otherwise the status bar shows it.
-bool Application::note_has_room() const { return layout_.viewport.height() > 26 * ImGui::GetFontSize(); }
-
 void Application::draw_status() {
     begin_part("##status", layout_.status);
     const bool in_space = !views().empty() && !views().front().scene.planar();
-    const std::string note = note_has_room() ? std::string() : method_note(run(), *catalogue_);
-    const char* help = in_space ? hint_in_space : hint;
-    draw_status_bar(run(), messages_.last(), closing_note(run(), action("reset")), note.empty() ? help : note,
+    draw_status_bar(run(), messages_.last(),
+                    {closing_note(run(), action("reset")), method_note(run(), *catalogue_),
+                     in_space ? hint_in_space : hint},
                     theme_, items_);
     ImGui::End();
 }
@@ -176,6 +176,8 @@ void Application::draw_dialogs() {
         messages_.error().draw(items_);
     else if (const auto path = open_dialog_.draw(settings_.recent, items_))
         files_.open(*path);
+    else if (const auto choice = save_dialog_.draw(items_))
+        save_as(*choice);
 }
 
 } // namespace gaspard

@@ -4,6 +4,7 @@
 #include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/run_files.hpp"
+#include "core/io/run_folder.hpp"
 #include "core/io/svg.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/tessellate/check_view.hpp"
@@ -26,53 +27,80 @@ void FileTasks::open(const std::filesystem::path& file) {
             throw InputError(with_place(source, error.what()));
         }
         std::lock_guard lock(arrivals->mutex);
-        arrivals->newest = {std::move(scenario), absolute};
+        arrivals->opened = {std::move(scenario), absolute};
         return "Opening " + absolute.string();
     });
 }
 
-std::optional<OpenedScenario> FileTasks::take_opened() {
+std::optional<ScenarioOnDisk> FileTasks::take_opened() {
     std::lock_guard lock(arrivals_->mutex);
-    return std::exchange(arrivals_->newest, std::nullopt);
+    return std::exchange(arrivals_->opened, std::nullopt);
+}
+
+std::optional<ScenarioOnDisk> FileTasks::take_saved() {
+    std::lock_guard lock(arrivals_->mutex);
+    return std::exchange(arrivals_->saved, std::nullopt);
 }
 
 void FileTasks::export_run(DocumentRun& run) {
     // The board is shared: the task may run when the window is already closing.
     run.solver->post(
-        InspectCommand{[catalogue = catalogue_, board = board_, folder = folder(run.scenario),
+        InspectCommand{[catalogue = catalogue_, board = board_, output = output_,
                         names = run.scenario.output.text("formats")](Run& solved, const Activity& activity) {
             report_outcome(*board, [&] {
                 Scenario chosen = solved.scenario();
                 chosen.output.set("formats", names);
                 const auto formats = formats_of(*catalogue, chosen);
+                const WritableFolder place = writable_folder(output, scenario_stem(chosen));
+                const auto folder = free_folder(place.folder, run_file_names(solved, formats));
                 check_writable(folder);
                 write_run_files(folder, solved, formats, activity.progress, activity.stop);
-                return "Exported to " + folder.string();
+                return "Exported to " + folder.string() + place.remark;
             });
         }});
 }
 
+namespace {
+
+/// As the file is read back: its name is that of the scenario.
+Scenario as_saved(Scenario scenario, const std::filesystem::path& file) {
+    scenario = with_absolute_paths(std::move(scenario));
+    scenario.title = scenario_title(scenario);
+    scenario.name = file.stem().string();
+    scenario.modified.clear();
+    return scenario;
+}
+
+} // namespace
+
 void FileTasks::save_scenario(const Scenario& scenario) {
-    writer_.run(
-        [folder = folder(scenario), name = scenario.name, text = to_toml(with_absolute_paths(scenario))] {
-            check_writable(folder);
-            const auto file = free_name(folder, name, ".toml");
-            write_atomically(file, text);
-            return "Saved " + file.string();
-        });
+    const std::string stem = scenario_stem(scenario);
+    writer_.write_new(output_, stem, stem, ".toml", [arrivals = arrivals_, scenario](const auto& file) {
+        save(*arrivals, as_saved(scenario, file), file);
+    });
+}
+
+void FileTasks::save_scenario_as(const Scenario& scenario, const std::filesystem::path& file) {
+    writer_.run([arrivals = arrivals_, scenario, file = std::filesystem::absolute(user_path(file.string()))] {
+        save(*arrivals, as_saved(scenario, file), file);
+        return "Saved " + file.string();
+    });
+}
+
+void FileTasks::save(Arrivals& arrivals, Scenario scenario, const std::filesystem::path& file) {
+    write_atomically(file, to_toml(scenario));
+    std::lock_guard lock(arrivals.mutex);
+    arrivals.saved = {std::move(scenario), std::filesystem::absolute(file)};
 }
 
 void FileTasks::save_image(const Scenario& scenario, const std::string& name, Image image) {
-    writer_.write_image(folder(scenario), name, std::move(image));
+    writer_.write_new(output_, scenario_stem(scenario), name, ".png",
+                      [image = std::move(image)](const auto& file) { write_png(file, image); });
 }
 
 void FileTasks::save_svg(const Scenario& scenario, const std::string& name, Plot plot) {
-    writer_.run([folder = folder(scenario), name, plot = std::move(plot)] {
-        check_writable(folder);
-        const auto file = free_name(folder, name, ".svg");
-        write_svg(file, plot);
-        return "Saved " + file.string();
-    });
+    writer_.write_new(output_, scenario_stem(scenario), name, ".svg",
+                      [plot = std::move(plot)](const auto& file) { write_svg(file, plot); });
 }
 
 } // namespace gaspard

@@ -6,6 +6,7 @@
 #include "core/scenario/catalogue.hpp"
 #include "core/tessellate/plot.hpp"
 #include "gui/base/background_writer.hpp"
+#include "gui/base/output_folders.hpp"
 #include "gui/document/document.hpp"
 
 #include <filesystem>
@@ -16,27 +17,33 @@
 
 namespace gaspard {
 
-/// A scenario that was read from a file and checked.
-struct OpenedScenario {
+/// A scenario that was read from a file and checked, or written to one, with the name that the file gives it.
+struct ScenarioOnDisk {
     Scenario scenario;
     std::filesystem::path file; ///< absolute
 };
 
 class FileTasks {
   public:
-    /// Files are written to folders of `output` that have the names of scenarios.
+    /// Files are written to folders of `output` that have the names of scenarios. No file is replaced, except
+    /// one that the user has chosen for save_scenario_as().
     FileTasks(std::shared_ptr<const Catalogue> catalogue, std::shared_ptr<NoticeBoard> board,
-              std::filesystem::path output)
+              OutputFolders output)
         : catalogue_(std::move(catalogue)), board_(board), output_(std::move(output)),
           writer_(std::move(board)) {}
 
     /// Reads a scenario file; take_opened() gives the scenario if it is valid.
     void open(const std::filesystem::path& file);
     /// The scenario read last, once.
-    std::optional<OpenedScenario> take_opened();
-    /// Writes the files of a live run in its scenario's formats, on the solver's thread.
+    std::optional<ScenarioOnDisk> take_opened();
+    /// Writes the files of a live run in its scenario's formats, on the solver's thread, to a folder of its
+    /// own: "plane-ring", or "plane-ring-2" if that has such files already.
     void export_run(DocumentRun& run);
+    /// "NAME.toml" or the next free name; take_saved() gives the scenario once it is written.
     void save_scenario(const Scenario& scenario);
+    void save_scenario_as(const Scenario& scenario, const std::filesystem::path& file);
+    /// The scenario written last, once.
+    std::optional<ScenarioOnDisk> take_saved();
     /// "NAME.png" or the next free name.
     void save_image(const Scenario& scenario, const std::string& name, Image image);
     /// "NAME.svg" or the next free name.
@@ -45,13 +52,13 @@ class FileTasks {
   private:
     struct Arrivals {
         std::mutex mutex;
-        std::optional<OpenedScenario> newest;
+        std::optional<ScenarioOnDisk> opened, saved;
     };
-    std::filesystem::path folder(const Scenario& scenario) const { return output_ / scenario.name; }
+    static void save(Arrivals& arrivals, Scenario scenario, const std::filesystem::path& file);
 
     std::shared_ptr<const Catalogue> catalogue_;
     std::shared_ptr<NoticeBoard> board_;
-    std::filesystem::path output_;
+    OutputFolders output_;
     std::shared_ptr<Arrivals> arrivals_ = std::make_shared<Arrivals>();
     BackgroundWriter writer_; ///< last, so that its thread ends before what it uses
 };

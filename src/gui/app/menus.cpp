@@ -127,7 +127,8 @@ std::optional<MenuChoice> Menus::draw_scenarios(const MenuContext& context) {
     Choice chosen;
     for (const Scenario& one : shipped_) {
         const std::string id = "##" + one.name;
-        if (ImGui::Selectable(id.c_str(), context.run.scenario.name == one.name))
+        if (ImGui::Selectable(id.c_str(),
+                              context.run.scenario.name == one.name && context.run.scenario.modified.empty()))
             chosen = {Kind::scenario, one.name};
         remember_item(context.frame.items, "scenario=" + one.name);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", one.description.c_str());

@@ -17,10 +17,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <deque>
+#include <functional>
 #include <imgui.h>
 #include <limits>
 #include <map>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <variant>
@@ -108,9 +110,9 @@ GlfwWindow open_window(const std::string& title, const Values& remembered) {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_MAXIMIZED, remembered.boolean("maximized") ? GLFW_TRUE : GLFW_FALSE);
-    glfwWindowHintString(GLFW_X11_CLASS_NAME, "gaspard"); // by which a desktop finds the entry with the icon
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "gaspard"); // a desktop finds the entry with the icon by it
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "gaspard");
-    // Of a display of scale 1; GLFW_SCALE_TO_MONITOR makes it larger on others.
+    // The size is for a display of scale 1; GLFW_SCALE_TO_MONITOR enlarges it on others.
     GlfwWindow window(glfwCreateWindow(static_cast<int>(remembered.integer("width")),
                                        static_cast<int>(remembered.integer("height")), title.c_str(), nullptr,
                                        nullptr));
@@ -124,9 +126,9 @@ GlfwWindow open_window(const std::string& title, const Values& remembered) {
     return window;
 }
 
-/// A key as the table of actions writes it: "Space", "Ctrl+Shift+Z". Letters by what is printed on the key.
+/// The name of a key in the table of actions: "Space", "Ctrl+Shift+Z". Letters are those printed on the key.
 std::string key_name(int key, int scancode, int modifiers) {
-    if (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) return {}; // the desktop's own
+    if (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) return {}; // reserved for the desktop
     const std::string prefix = (modifiers & GLFW_MOD_CONTROL) ? "Ctrl+" : "";
     if (key == GLFW_KEY_SPACE) return prefix + "Space";
     if (key == GLFW_KEY_RIGHT) return prefix + "Right";
@@ -147,13 +149,13 @@ struct ButtonChange {
     ImVec2 at;
 };
 
-/// A key that went down or up, as GLFW says it; its name is empty where it has none in the table of actions.
+/// A key that went down or up, in GLFW's terms. `name` is empty if the table of actions cannot contain the key.
 struct KeyChange {
     int key = 0, scancode = 0, event = 0, modifiers = 0;
     std::string name;
 
     bool down() const { return event == GLFW_PRESS; }
-    /// What is typed with it comes as a letter, and ImGui need not know how.
+    /// The key only types a letter. That arrives as a Letter, so ImGui does not need the key.
     bool only_types() const { return key < GLFW_KEY_ESCAPE && (modifiers & GLFW_MOD_CONTROL) == 0; }
     bool modifies() const { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
 };
@@ -162,10 +164,10 @@ struct Letter {
     unsigned code = 0;
 };
 
-constexpr float nowhere = -std::numeric_limits<float>::max(); // as ImGui writes it
+constexpr float nowhere = -std::numeric_limits<float>::max(); // ImGui's value for no position
 const ImVec2 no_pointer{nowhere, nowhere};
 
-/// Input and news since the last pass of the loop.
+/// What has happened since the last iteration of the loop.
 struct Happenings {
     std::atomic<bool> news = false; ///< set on any thread
     bool input = false;
@@ -213,7 +215,7 @@ void install_callbacks(GLFWwindow* window, Happenings& happenings) {
         happenings_of(w).input = true;
         double x = 0, y = 0;
         glfwGetCursorPos(w, &x, &y);
-        bool dragging = false; // goes on outside of the window
+        bool dragging = false; // continues outside the window
         for (int button = 0; button < ImGuiMouseButton_COUNT; ++button)
             dragging = dragging || glfwGetMouseButton(w, button) == GLFW_PRESS;
         happenings_of(w).pointer = entered != GLFW_FALSE || dragging
@@ -291,16 +293,20 @@ class Window {
         application_.emplace(std::move(catalogue), scenario,
                              ApplicationOptions{.wake = [this] { wake(); },
                                                 .output = options.output,
+                                                .named = options.named,
                                                 .settings = options.settings,
                                                 .complaints = options.complaints});
         style();
         scene_.emplace(gl_);
+        stop_ = options.stop;
+        wake_to_stop_.emplace(stop_, [this] { wake(); });
     }
 
     void loop() {
-        while (!glfwWindowShouldClose(window_.get()) && !application_->window_state().quit) {
+        while (!glfwWindowShouldClose(window_.get()) && !application_->window_state().quit &&
+               !stop_.stop_requested()) {
             wait();
-            happenings_.news = false; // before collecting: what comes after wakes the next round
+            happenings_.news = false; // before collecting, so that later news start another iteration
             application_->collect();
             for (const auto& file : std::exchange(happenings_.dropped, {})) application_->open_file(file);
             if (wanted_look() != look_) {
@@ -326,7 +332,7 @@ class Window {
     }
 
   private:
-    /// What the style of text and lines depends on.
+    /// Everything that determines the style of text and lines.
     struct Look {
         Scales scales;
         float text_size = 1;
@@ -390,7 +396,7 @@ class Window {
             if (const auto* key = std::get_if<KeyChange>(&inputs.front())) {
                 const auto& opposite = key->down() ? released : pressed;
                 if (std::count(opposite.begin(), opposite.end(), key->key) > 0) break;
-                if (key->down() && commanded) break; // it may be meant for what the command brings
+                if (key->down() && commanded) break; // it may be meant for what the command opens
                 commanded = commanded || (key->down() && !key->only_types() && !key->modifies());
                 feed(*key);
                 (key->down() ? pressed : released).push_back(key->key);
@@ -398,7 +404,7 @@ class Window {
                 if (commanded) break; // ImGui would take the letter first
                 ImGui::GetIO().AddInputCharacter(letter->code);
             } else {
-                break; // the pointer may be elsewhere by now
+                break; // a button needs the position of the pointer at that time
             }
             inputs.pop_front();
         }
@@ -412,17 +418,17 @@ class Window {
             ImGui_ImplGlfw_KeyCallback(window_.get(), change.key, change.scancode, change.event,
                                        change.modifiers);
         if (change.down() && (change.modifiers & GLFW_MOD_CONTROL) != 0)
-            feed_control(ImGui::GetIO(), true); // though its own key may have come otherwise
+            feed_control(ImGui::GetIO(), true); // the control key itself may not have been reported
     }
 
-    /// In a frame ImGui sees the pointer at one place and one change of a button.
+    /// Passes one position of the pointer and at most one change of a button per frame, as ImGui expects.
     void follow_buttons() {
         ImGuiIO& io = ImGui::GetIO();
         auto& inputs = happenings_.inputs;
         if (const auto* change = inputs.empty() ? nullptr : std::get_if<ButtonChange>(&inputs.front())) {
             const bool dragged = !change->down && (change->at.x != pointer_.x || change->at.y != pointer_.y);
             pointer_ = change->at;
-            if (!dragged) { // else it is let go in the next frame
+            if (!dragged) { // else it is released in the next frame
                 buttons_[static_cast<std::size_t>(change->button)] = change->down;
                 inputs.pop_front();
             }
@@ -470,7 +476,7 @@ class Window {
     void draw() {
         int width = 0, height = 0;
         glfwGetFramebufferSize(window_.get(), &width, &height);
-        if (width <= 0 || height <= 0) return; // an icon
+        if (width <= 0 || height <= 0) return; // minimized
         ImGui_ImplGlfw_NewFrame();
         follow_input();
         // ImGui notices a click one frame later, so a double click takes up to four frames.
@@ -488,7 +494,7 @@ class Window {
                                    look_.scales.density);
         });
         gl_.Finish();
-        if (drawn_anew) drawing_seconds_ = glfwGetTime() - begun_; // without the wait for the screen
+        if (drawn_anew) drawing_seconds_ = glfwGetTime() - begun_; // without waiting for the screen
         glfwSwapBuffers(window_.get());
     }
 
@@ -511,6 +517,8 @@ class Window {
     double begun_ = 0;           ///< of the last frame
     double drawing_seconds_ = 0; ///< of the last one with meshes drawn anew
     std::optional<Application> application_;
+    std::stop_token stop_;
+    std::optional<std::stop_callback<std::function<void()>>> wake_to_stop_; ///< on the thread that stops
 };
 
 } // namespace

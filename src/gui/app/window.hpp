@@ -3,15 +3,21 @@
 #pragma once
 
 #include "core/scenario/catalogue.hpp"
+#include "gui/base/output_folders.hpp"
 #include "gui/base/settings.hpp"
 
-#include <filesystem>
 #include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
 
 namespace gaspard {
 
 struct WindowOptions {
-    std::filesystem::path output = "gaspard-out"; ///< files are written to `output`/<scenario>
+    OutputFolders output{"gaspard-out"};          ///< as in ApplicationOptions
+    std::optional<Scenario> named{};              ///< see Document::open
+    std::stop_token stop{};                       ///< closes the window, as the user does
     Settings settings;                            ///< of the last time; the size is limited to the screen
     std::vector<std::string> complaints;          ///< about invalid settings
 };

@@ -1,7 +1,6 @@
 #include "gui/base/background_writer.hpp"
 
 #include "core/base/error.hpp"
-#include "core/io/atomic_file.hpp"
 
 #include <utility>
 
@@ -44,12 +43,15 @@ void BackgroundWriter::work(std::stop_token stop) {
     }
 }
 
-void BackgroundWriter::write_image(std::filesystem::path folder, std::string name, Image image) {
-    run([folder = std::move(folder), name = std::move(name), image = std::move(image)] {
-        check_writable(folder);
-        const auto file = free_name(folder, name, ".png");
-        write_png(file, image);
-        return "Saved " + file.string();
+void BackgroundWriter::write_new(OutputFolders folders, std::string folder, std::string name,
+                                 std::string ending,
+                                 std::function<void(const std::filesystem::path&)> write) {
+    run([folders = std::move(folders), folder = std::move(folder), name = std::move(name),
+         ending = std::move(ending), write = std::move(write)] {
+        const WritableFolder place = writable_folder(folders, folder);
+        const auto file = free_name(place.folder, name, ending);
+        write(file);
+        return "Saved " + file.string() + place.remark;
     });
 }
 

@@ -1,8 +1,8 @@
 // Writes files on a thread of its own. Each task ends with one sentence for the user.
 #pragma once
 
-#include "core/io/image.hpp"
 #include "gui/base/notice.hpp"
+#include "gui/base/output_folders.hpp"
 
 #include <condition_variable>
 #include <deque>
@@ -27,8 +27,9 @@ class BackgroundWriter {
     ~BackgroundWriter();
     /// `task` returns a sentence about what it did; an exception becomes an error notice.
     void run(std::function<std::string()> task);
-    /// "NAME.png" or the next free name in `folder`.
-    void write_image(std::filesystem::path folder, std::string name, Image image);
+    /// Writes to "NAME.ENDING", or to the next free name, in the folder of this name.
+    void write_new(OutputFolders folders, std::string folder, std::string name, std::string ending,
+                   std::function<void(const std::filesystem::path&)> write);
 
   private:
     void work(std::stop_token stop);

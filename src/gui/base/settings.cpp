@@ -63,17 +63,17 @@ std::vector<ParameterRow> settings_rows() {
     constexpr auto real = ParameterKind::real;
     return {number("width", whole, 320, 32768, std::int64_t{1400}, "of the window, in its own units"),
             number("height", whole, 240, 32768, std::int64_t{900}, "of the window, in its own units"),
-            number("left", whole, -32768, 32768, std::int64_t{0}, "where the window stands"),
-            number("top", whole, -32768, 32768, std::int64_t{0}, "where the window stands"),
+            number("left", whole, -32768, 32768, std::int64_t{0}, "left edge of the window"),
+            number("top", whole, -32768, 32768, std::int64_t{0}, "top edge of the window"),
             flag("placed", false, "whether left and top are known"),
-            flag("maximized", false, "whether the window fills the screen"),
+            flag("maximized", false, "whether the window is maximized"),
             {.key = "theme",
              .label = "theme",
              .kind = ParameterKind::choice,
              .default_value = std::string("dark"),
              .choices = {"dark", "light"},
-             .help = "how everything is coloured"},
-            number("text_size", real, 0.6, 3, 1.0, "1 is usual, 1.7 suits a projector"),
+             .help = "the colours of the window"},
+            number("text_size", real, 0.6, 3, 1.0, "1 is normal, 1.7 is for a projector"),
             flag("sidebar", true, "whether the sliders are shown"),
             flag("plots", true, "whether the plots are shown"),
             flag("log", false, "whether the messages are shown"),
@@ -81,8 +81,8 @@ std::vector<ParameterRow> settings_rows() {
             number("plots_share", real, 0.15, 0.7, 0.33, "of the space beside the parameters"),
             text("first_plot", "residual,iterations,linear,log", "what the first plot shows"),
             text("second_plot", "equidistribution,iterations,linear,log", "what the second plot shows"),
-            text("camera", "", "where one looked from last, as in view.camera"),
-            text("camera_scenario", "", "what one looked at then")};
+            text("camera", "", "the last camera, as in view.camera"),
+            text("camera_scenario", "", "the scenario of that camera")};
 }
 
 void remember_recent(Settings& settings, const std::filesystem::path& file) {

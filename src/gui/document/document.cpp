@@ -72,7 +72,40 @@ DocumentRun& Document::add(const Scenario& scenario) {
     return run;
 }
 
-void Document::open(const Scenario& scenario) { add(scenario).solver = make_solver(scenario); }
+void Document::open(const Scenario& scenario, const std::optional<Scenario>& named) {
+    name_opened(scenario, named.value_or(scenario));
+    DocumentRun& run = add(scenario);
+    name_values(run);
+    run.solver = make_solver(run.scenario);
+}
+
+void Document::name_opened(const Scenario& opened, const Scenario& named) {
+    std::erase_if(named_, [&](const NamedValues& one) { return one.opened == opened; });
+    named_.push_back({opened, named});
+}
+
+void Document::name_saved(RunId run, const Scenario& saved) {
+    DocumentRun& entry = live(run);
+    named_.push_back({entry.opened, saved});
+    if (!entry.opening) post_change(entry, Scenario(entry.scenario)); // what is exported has the name, too
+}
+
+/// Gives a scenario, of a run that was opened as `opened`, name and title by its values.
+void Document::name_values(const Scenario& opened, Scenario& scenario) const {
+    for (const NamedValues& one : named_) {
+        if (one.opened != opened) continue;
+        scenario.name = one.named.name;
+        scenario.title = one.named.title;
+        scenario.description = one.named.description;
+        scenario.modified = modified_keys(one.named, scenario);
+        if (scenario.modified.empty()) return;
+    }
+}
+
+void Document::name_values(DocumentRun& run) const {
+    name_values(run.opened, run.scenario);
+    run.title = scenario_title(run.scenario);
+}
 
 DocumentRun& Document::open_for_comparison(const Scenario& scenario, const std::string& method) {
     const Scenario own = with_method(*catalogue_, scenario, method);
@@ -137,10 +170,11 @@ void Document::update_views(const DocumentRun& run) {
 void Document::post_change(DocumentRun& run, const Scenario& scenario) {
     run.opening.reset(); // superseded: the solver goes on to these values
     run.scenario = scenario;
+    name_values(run);
     run.name = describe_scenario(*catalogue_, run.opened, scenario);
     update_views(run);
     run.changes.asked_for_good = ++run.changes.asked;
-    run.solver->post(ChangeCommand{scenario, run.changes.asked});
+    run.solver->post(ChangeCommand{run.scenario, run.changes.asked});
 }
 
 void Document::replace(RunId run, const Scenario& scenario) {
@@ -148,6 +182,7 @@ void Document::replace(RunId run, const Scenario& scenario) {
 }
 
 void Document::post_opening(DocumentRun& run, RunOpening opening) {
+    if (opening.from_history) name_values(opening.opened, opening.scenario);
     opening.number = run.changes.asked_for_good = ++run.changes.asked;
     run.solver->post(ChangeCommand{opening.scenario, opening.number, true});
     run.opening = std::move(opening);
@@ -165,6 +200,7 @@ void Document::take_answer(DocumentRun& run) {
         edits_.settle(run.id);
     } else if (run.status.scenario) { // back to the values that the solver works with
         run.scenario = *run.status.scenario;
+        name_values(run);
         run.name = describe_scenario(*catalogue_, run.opened, run.scenario);
         update_views(run);
         take_back_refused(run);

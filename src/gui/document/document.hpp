@@ -48,8 +48,9 @@ class Document {
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
-    /// Adds a run, which starts to solve, and a viewport of it. The first run of a document is active.
-    void open(const Scenario& scenario);
+    /// Adds a run, which starts to solve, and a viewport of it. The first run of a document is active. `named`:
+    /// the scenario that name and title belong to, if values were changed before it was opened.
+    void open(const Scenario& scenario, const std::optional<Scenario>& named = {});
     /// Adds a run that has ended, and a viewport of it. The run is kept, not live.
     void show(const FinishedRun& finished);
 
@@ -62,6 +63,10 @@ class Document {
     void change(RunId run, const Scenario& scenario, bool dragging = false);
     /// Opens another scenario in place of a run's, from its own start, once the solver has accepted it.
     void replace(RunId run, const Scenario& scenario);
+    /// Name and title of `saved` are from now on those of its values. A run with the values of a scenario that
+    /// was opened or saved has that scenario's name; with other values it has the name given last, and its
+    /// scenario lists them as modified.
+    void name_saved(RunId run, const Scenario& saved);
     void start(RunId run); ///< a run that has ended starts over
     void pause(RunId run);
     void step(RunId run);  ///< one iteration, then pause
@@ -111,6 +116,9 @@ class Document {
     void finish_opening(DocumentRun& run);
     void post_change(DocumentRun& run, const Scenario& scenario);
     void update_views(const DocumentRun& run);
+    void name_values(const Scenario& opened, Scenario& scenario) const;
+    void name_values(DocumentRun& run) const;
+    void name_opened(const Scenario& opened, const Scenario& named);
     void post_opening(DocumentRun& run, RunOpening opening);
 
     // in document_edits.cpp
@@ -135,6 +143,11 @@ class Document {
     RunId active_ = no_run;
     EditHistory edits_;
     std::vector<bool> moves_; ///< undo (false) and redo (true) that the solver has not answered yet
+    /// A scenario with the name of its values, for runs that were opened as `opened`.
+    struct NamedValues {
+        Scenario opened, named;
+    };
+    std::vector<NamedValues> named_; ///< in the order in which the names were given
     DocumentRuns runs_;
     std::list<DocumentRun> removed_; ///< that undo or redo can bring back
     MethodComparison comparison_{*this};

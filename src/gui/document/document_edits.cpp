@@ -25,6 +25,11 @@ void set_pick(Values& view, const std::string& pick) {
 RunValues Document::values_of(const DocumentRun& run) {
     RunValues values{run.id, run.opened, run.scenario};
     values.scenario.view = {};
+    // What the values are called is not part of them: saving gives names without an edit.
+    values.scenario.name = values.opened.name;
+    values.scenario.title = values.opened.title;
+    values.scenario.description = values.opened.description;
+    values.scenario.modified = values.opened.modified;
     return values;
 }
 
@@ -79,7 +84,8 @@ void Document::finish_opening(DocumentRun& run) {
     for (EditPart& view : views_of(run.id)) edit.before.push_back(std::move(view));
     run.opened = opening.opened;
     run.scenario = opening.scenario;
-    run.title = scenario_title(run.opened);
+    if (!opening.from_history) name_opened(run.opened, run.opened);
+    name_values(run);
     run.name = describe_scenario(*catalogue_, run.opened, run.scenario);
     run.wants_to_run = true;
     if (run.id == active_) comparison_.leave_active_run();

@@ -63,7 +63,7 @@ struct RunOpening {
 
 struct DocumentRun {
     RunId id{};
-    std::string title;
+    std::string title; ///< of the scenario, as scenario_title()
     std::string
         name; ///< in lists and legends: "Ring, amplitude 20"; the name of a live run follows its values
     Scenario opened;                 ///< as it was opened: the values that reset buttons restore

@@ -33,6 +33,8 @@ class MethodComparison {
     void leave_active_run() { resume_ = false; }
 
     bool running() const { return now_ != no_run; }
+    /// What was compared; the methods are those of rows().
+    const Scenario& scenario() const { return scenario_; }
     double progress() const; ///< 0 to 1
     /// A row for each method that has started and whose run was not removed.
     std::vector<ComparisonRow> rows() const;

@@ -85,10 +85,6 @@ std::string name_changes(const std::vector<ValueChange>& changes) {
     return join(names, ", ");
 }
 
-std::string scenario_title(const Scenario& scenario) {
-    return scenario.title.empty() ? scenario.name : scenario.title;
-}
-
 std::string describe_changes(const std::vector<ValueChange>& changes) {
     std::vector<std::string> texts;
     for (const ValueChange& change : changes)

@@ -31,9 +31,6 @@ std::string describe_changes(const std::vector<ValueChange>& changes);
 /// more than three.
 std::string name_changes(const std::vector<ValueChange>& changes);
 
-/// The title of a scenario; its name if it has none.
-std::string scenario_title(const Scenario& scenario);
-
 /// "Ring, amplitude 20": the monitor, and the values that differ from the scenario as it was opened.
 std::string describe_scenario(const Catalogue& catalogue, const Scenario& opened, const Scenario& scenario);
 

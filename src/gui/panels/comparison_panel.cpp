@@ -32,6 +32,11 @@ void draw_table(const std::vector<ComparisonRow>& rows, const Theme& theme, Item
     ImGui::EndTable();
 }
 
+/// Whether the same mesh is to be found, by whatever method.
+bool same_problem(const Scenario& a, const Scenario& b) {
+    return a.domain == b.domain && a.monitor == b.monitor && a.target == b.target && a.pde == b.pde;
+}
+
 } // namespace
 
 std::vector<std::string> ComparisonPanel::chosen(const Document& document, const Catalogue& catalogue) const {
@@ -88,7 +93,16 @@ ComparisonPanel::Wish ComparisonPanel::draw(const Document& document, const Cata
         button("Copy as CSV", "compare.copy", Wish::copy);
         ImGui::EndDisabled();
         ImGui::NewLine();
-        if (!rows.empty()) draw_table(rows, theme, items);
+        if (!rows.empty()) {
+            const Scenario& compared = document.comparison().scenario();
+            if (!same_problem(compared, document.active().scenario)) {
+                ImGui::TextColored(tone_colour(theme, Tone::warning),
+                                   "For the values compared, not the present ones: %s",
+                                   scenario_title(compared).c_str());
+                remember_item(items, "compare.other");
+            }
+            draw_table(rows, theme, items);
+        }
         const ImVec2 low = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
         items["compare"] = {low.x, low.y, low.x + extent.x, low.y + extent.y};
     }

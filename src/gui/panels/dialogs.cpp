@@ -1,7 +1,11 @@
 #include "gui/panels/dialogs.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <imgui.h>
+#include <imgui_stdlib.h>
+#include <utility>
 
 namespace gaspard {
 
@@ -89,6 +93,59 @@ std::optional<std::string> OpenDialog::draw(const std::vector<std::string>& rece
     remember_item(items, "open.cancel");
     if (chosen && chosen->empty()) chosen.reset();
     if (chosen) close();
+    if (!open_) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return chosen;
+}
+
+void SaveDialog::show(std::string file, std::string title) {
+    open_ = true, ready_ = false;
+    choice_ = {std::move(file), std::move(title)};
+    present_.clear();
+}
+
+/// A typed path as a scenario file: "~/" is the home folder, and the name ends in ".toml".
+static std::string scenario_path(std::string text) {
+    const char* home = std::getenv("HOME");
+    if (home && text.starts_with("~/")) text = home + text.substr(1);
+    if (!text.empty() && !text.ends_with(".toml")) text += ".toml";
+    return text;
+}
+
+std::optional<SaveDialog::Choice> SaveDialog::draw(ItemRectangles& items) {
+    if (!open_ || !begin_modal("Save the scenario as")) return std::nullopt;
+    const float em = ImGui::GetFontSize();
+    bool accepted = false;
+    const auto field = [&](const char* label, const char* id, std::string& text) {
+        ImGui::TextUnformatted(label);
+        ImGui::SetNextItemWidth(text_width());
+        accepted |= ImGui::InputText(id, &text, ImGuiInputTextFlags_EnterReturnsTrue);
+    };
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    field("File:", "##path", choice_.file);
+    ready_ = ready_ || (ImGui::IsItemActive() && !ImGui::IsItemActivated());
+    remember_item(items, "save.path");
+    field("Title:", "##title", choice_.title);
+    remember_item(items, "save.title");
+    const std::string file = scenario_path(choice_.file);
+    const bool asked = !present_.empty() && present_ == file;
+    if (asked) ImGui::TextUnformatted("This file exists already. Replace it?");
+    ImGui::Spacing();
+    accepted |= ImGui::Button(asked ? "Replace" : "Save", {6 * em, 0});
+    remember_item(items, "save.ok");
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {6 * em, 0})) close();
+    remember_item(items, "save.cancel");
+    std::optional<Choice> chosen;
+    std::error_code ignored;
+    if (accepted && open_ && !file.empty()) {
+        if (asked || !std::filesystem::exists(file, ignored)) {
+            chosen = Choice{file, choice_.title};
+            close();
+        } else {
+            present_ = file;
+        }
+    }
     if (!open_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return chosen;

@@ -43,6 +43,26 @@ class OpenDialog {
     std::array<char, 4096> text_{};
 };
 
+/// Asks where to save a scenario, and under which title. To replace a file has to be confirmed.
+class SaveDialog {
+  public:
+    struct Choice {
+        std::string file, title;
+    };
+    void show(std::string file, std::string title);
+    void close() { open_ = false; }
+    bool open() const { return open_; }
+    bool opening() const { return open_ && !ready_; } ///< its text field does not take input yet
+    /// The choice once the user has made it; the name ends in ".toml". Keys "save.path", "save.title",
+    /// "save.ok", "save.cancel".
+    std::optional<Choice> draw(ItemRectangles& items);
+
+  private:
+    bool open_ = false, ready_ = false;
+    Choice choice_;
+    std::string present_; ///< the file that the user was asked whether to replace
+};
+
 /// A table of all actions with their keys, and of what the mouse does.
 void draw_help(bool& open, std::span<const Action> actions, const Theme& theme);
 

@@ -339,7 +339,7 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
         break;
     }
     case ParameterKind::real_or_auto:
-        draw_number_or_auto(context, row, key, values);
+        draw_number_or_auto(context, row, key, opened, values);
         break;
     case ParameterKind::boolean: {
         bool on = values.boolean(row.key);
@@ -411,18 +411,25 @@ void ParameterPanel::draw_text(const PanelContext& context, const ParameterRow& 
     values.set(row.key, typed_text_);
 }
 
-// A check box for "auto"; if it is not ticked, a slider follows.
+// A check box for "auto"; if it is not ticked, a slider follows. Unticked, it restores the number that was there
+// before, or with which the scenario was opened.
 void ParameterPanel::draw_number_or_auto(const PanelContext& context, const ParameterRow& row,
-                                         const std::string& key, Values& values) {
+                                         const std::string& key, const Values* opened, Values& values) {
     const Columns c = columns();
     const std::optional<double> number = values.real_or_auto(row.key);
     bool automatic = !number;
     const bool switched = ImGui::Checkbox("auto", &automatic);
     remember_item(context.items, key + ".auto");
     if (!number) {
-        if (switched) values.set(row.key, rounded(row, value_at(row, 0.5)));
+        if (!switched) return;
+        const std::optional<double> at_first = opened ? opened->real_or_auto(row.key) : std::nullopt;
+        double restored = at_first.value_or(rounded(row, value_at(row, 0.5)));
+        if (const auto before = before_auto_.find(key); before != before_auto_.end())
+            restored = before->second;
+        values.set(row.key, std::clamp(restored, row.minimum, row.maximum));
         return;
     }
+    before_auto_[key] = *number;
     const float box = ImGui::GetItemRectSize().x + 0.5F * ImGui::GetFontSize();
     ImGui::SameLine(c.control + box);
     double typed = *number;

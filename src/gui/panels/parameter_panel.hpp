@@ -11,6 +11,7 @@
 #include "gui/base/item_rectangles.hpp"
 #include "gui/base/theme.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,7 +54,7 @@ class ParameterPanel {
     bool draw_row(const PanelContext& context, const ParameterRow& row, const Values* opened, Values& values,
                   const Scenario* scenario);
     void draw_number_or_auto(const PanelContext& context, const ParameterRow& row, const std::string& key,
-                             Values& values);
+                             const Values* opened, Values& values);
     /// `taken`: width to the left of the slider that something else uses.
     bool draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,
                      double& value, float taken = 0);
@@ -63,6 +64,7 @@ class ParameterPanel {
     std::string typing_;     ///< the key whose text field is being edited
     double typed_value_ = 0; ///< its content so far; it takes effect when the field is left
     std::string typed_text_; ///< the same for texts
+    std::map<std::string, double> before_auto_; ///< by key: the number that "auto" replaced
     std::string focus_;      ///< the key whose text field gets the keyboard focus
 };
 

@@ -127,8 +127,8 @@ std::string remedy_note(const DocumentRun& run) {
                : "Linear cells are tangling. Quadratic cells are curved and can follow this monitor.";
 }
 
-void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view note,
-                     std::string_view hint, const Theme& theme, ItemRectangles& items) {
+void draw_status_bar(const DocumentRun& run, const Notice& message, const StatusTexts& texts,
+                     const Theme& theme, ItemRectangles& items) {
     const auto cells = status_cells(run);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float em = ImGui::GetFontSize(), line = 1.35F * em;
@@ -148,11 +148,15 @@ void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_
                            message.text.c_str());
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("%s", message.text.c_str()); // a narrow window clips the text
-    } else if (!note.empty()) {
-        ImGui::TextColored(tone_colour(theme, Tone::warning), "%.*s", static_cast<int>(note.size()),
-                           note.data());
+    } else if (!texts.closing.empty()) {
+        ImGui::TextColored(tone_colour(theme, Tone::warning), "%s", texts.closing.c_str());
+    } else if (texts.method.empty()) {
+        ImGui::TextDisabled("%s", texts.hint.c_str());
     } else {
-        ImGui::TextDisabled("%.*s", static_cast<int>(hint.size()), hint.data());
+        ImGui::TextUnformatted(texts.method.c_str());
+        ImGui::SameLine(0, 2 * em);
+        const bool fits = ImGui::CalcTextSize(texts.hint.c_str()).x <= ImGui::GetContentRegionAvail().x;
+        ImGui::TextDisabled("%s", fits ? texts.hint.c_str() : "");
     }
     remember_item(items, "message");
     ItemRectangle& shown = items["message"];

@@ -8,7 +8,6 @@
 #include "gui/document/document.hpp"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace gaspard {
@@ -39,9 +38,16 @@ bool has_linear_cells(const DocumentRun& run);
 /// What helps a run that failed with linear cells; else empty.
 std::string remedy_note(const DocumentRun& run);
 
-/// Draws the cells, and below them the message, else the note, else the hint, into the current ImGui window.
-/// Keys "status.0", ... and "message".
-void draw_status_bar(const DocumentRun& run, const Notice& message, std::string_view note,
-                     std::string_view hint, const Theme& theme, ItemRectangles& items);
+/// What the status bar says while there is no message; any may be empty.
+struct StatusTexts {
+    std::string closing; ///< why the run did not converge; else the others are shown
+    std::string method;  ///< the note of the method
+    std::string hint;    ///< after the note, as far as there is room
+};
+
+/// Draws the cells, and below them the message or the texts, into the current ImGui window. Keys "status.0",
+/// ... and "message".
+void draw_status_bar(const DocumentRun& run, const Notice& message, const StatusTexts& texts,
+                     const Theme& theme, ItemRectangles& items);
 
 } // namespace gaspard

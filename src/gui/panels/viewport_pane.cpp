@@ -86,15 +86,18 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
     }
     if (run.snapshot) {
         const bool among_others = viewport.view.text("layout") == "runs";
-        ViewportText text;
-        text.subject = among_others ? title_among_others(run) : run.title;
-        text.caption = false;
-        text.note = note_;
         std::vector<NamedSnapshot> beside;
         for (const DocumentRun* other : others)
             if (among_others && other->snapshot)
                 beside.push_back({title_among_others(*other), other->snapshot.get()});
-        plan_ = planner_.plan(*run.snapshot, viewport.view, text,
+        NamedSnapshot first{among_others ? title_among_others(run) : run.title, run.snapshot.get()};
+        hides_active_ = among_others && run.hidden && !beside.empty();
+        if (hides_active_) { // the first of the others takes its place
+            first = beside.front();
+            beside.erase(beside.begin());
+        }
+        const ViewportText text{.subject = first.title, .caption = false};
+        plan_ = planner_.plan(*first.snapshot, viewport.view, text,
                               {{area.left, area.top}, {area.right, area.bottom}}, context.scale, beside);
         draw_viewport_overlay(*ImGui::GetWindowDrawList(), *plan_, context.theme, context.scale);
         draw_handles(context);
@@ -109,7 +112,7 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
 
 /// Where a view shows a handle; nothing in the views of other runs, which have their own monitors.
 std::optional<Pixel> ViewportPane::seen(const Handle& handle, const PlannedView& shown) const {
-    if (shown.scene.physical != plan_->views.front().scene.physical) return std::nullopt;
+    if (hides_active_ || shown.scene.physical != plan_->views.front().scene.physical) return std::nullopt;
     return pixel_of(handle, shown);
 }
 

@@ -44,8 +44,6 @@ class ViewportPane {
     void stop_turning() { spun_ = 0; }
     /// Sets the camera, given as text.
     void look_as(DocumentViewport& viewport, const std::string& camera);
-    /// The note in the lower left corner of the next frames.
-    void say_in_corner(std::string note) { note_ = std::move(note); }
     /// The handles of the next frames, which the mouse can drag.
     void offer_handles(std::vector<Handle> handles) { handles_ = std::move(handles); }
     struct HandleMove {
@@ -79,7 +77,7 @@ class ViewportPane {
     ViewportPlanner planner_;
     std::optional<ViewportPlan> plan_; ///< of the last frame
     std::vector<ShownView> views_;
-    std::string note_;
+    bool hides_active_ = false; ///< the meshes of all runs are shown, but the active run is hidden
     std::vector<Handle> handles_;
     std::optional<std::size_t> held_; ///< the handle being dragged
     std::optional<HandleMove> handle_move_;

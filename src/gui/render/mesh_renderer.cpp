@@ -16,18 +16,19 @@ constexpr std::size_t table_width = 2048; // as in the shaders
 
 // Texture units.
 constexpr int computational_unit = 0, physical_unit = 1, colours_unit = 2, segments_unit = 3, cells_unit = 4,
-              cell_values_unit = 5;
+              cell_values_unit = 5, facets_unit = 6;
 
 // In pixels at scale 1.
 constexpr float line_cell_width = 9, disc_width = 4.5F, rimmed_disc_width = 7;
-// A tangled cell, however small, is a magenta dot in a ring of the text's colour in a ring of the
-// background's: some two of the three stand out from any colour map.
+// A tangled cell, however small, is drawn as a magenta dot in a ring of the text's colour in a ring of the
+// background's colour. On every colour map at least two of the three are clearly visible.
 constexpr float tangled_width = 5, tangled_ring_width = 8, tangled_rim_width = 11;
 constexpr float few_tangled = 20;
 constexpr float arrow_shaft_width = 0.8F, arrow_head_width = 3, arrow_rim_width = 1;
 constexpr float arrow_pull = 0.06F; // of half the view's depth
-// Lines closer than `begin` vanish, beyond `end` they are whole; `haze` is the even tint instead of vanished
-// ones. A mesh without colours has to show how dense it is by its lines, one with colours shows those.
+// Lines that are closer than `begin` are not drawn; at distances above `end` they are opaque. `haze` is the
+// strength of the uniform tint that replaces lines that are not drawn. Without colours, only lines show how
+// dense a mesh is; with colours, lines must not hide them.
 struct Fading {
     float begin, end, haze;
 };
@@ -54,7 +55,7 @@ class Place {
           shift_(range.high > range.low ? 0.0F : 0.5F) {}
     float of(double value) const {
         const float place = static_cast<float>((value - low_) * scale_) + shift_;
-        return place - place == 0 ? place : 0.0F; // what is not finite has the lowest colour
+        return place - place == 0 ? place : 0.0F; // values that are not finite get the lowest colour
     }
 
   private:
@@ -82,7 +83,7 @@ MeshRenderer::MeshRenderer(const Gl& gl)
     const auto arrow = [&](const char* name) { return uniform(gl, arrow_program_, name); };
     fill_ = {fill("clip"),        fill("blend"),      fill("clip_to_pixels"), fill("surface"),
              fill("logarithm"),   fill("flat_cells"), fill("ball"),           fill("viewer"),
-             fill("round_cells"), fill("dusk")};
+             fill("round_cells"), fill("dusk"),       fill("nodal")};
     line_ = {line("clip"),      line("blend"),  line("half_viewport"), line("half_width"), line("fade"),
              line("haze"),      line("pieces"), line("pull"),          line("surface"),    line("flat_ink"),
              line("logarithm"), line("by_map"), line("flat_cells"),    line("ball"),       line("viewer"),
@@ -97,6 +98,7 @@ MeshRenderer::MeshRenderer(const Gl& gl)
         gl.Uniform1i(uniform(gl, *program, "segments"), segments_unit);
         gl.Uniform1i(uniform(gl, *program, "shown_cells"), cells_unit);
         gl.Uniform1i(uniform(gl, *program, "cell_values"), cell_values_unit);
+        gl.Uniform1i(uniform(gl, *program, "facets"), facets_unit);
     }
     gl.BindVertexArray(fill_array_.name());
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.name());
@@ -185,8 +187,14 @@ void MeshRenderer::upload_overlay(const MeshScene& scene, bool new_centre) {
     overlay_ = scene.overlay;
 }
 
-void MeshRenderer::upload_structure(const Tessellation& tessellation, int cell_dimension) {
-    upload_triangles(fill_array_, tessellation.triangles);
+void MeshRenderer::upload_structure(const MeshScene& scene) {
+    const Tessellation& tessellation = *scene.tessellation;
+    const CellShape shape = scene.mesh->kind.shape;
+    const int cell_dimension = scene.cell_dimension;
+    facets_ = make_facets(tessellation, shape == CellShape::quadrilateral || shape == CellShape::hexahedron);
+    fill_table(facet_table_, {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16}, facets_.facets.data(),
+               facets_.facets.size());
+    upload_triangles(fill_array_, facets_.corners);
     upload_segments(edges_, segments_of(tessellation));
 
     std::vector<Segment> discs;
@@ -210,10 +218,10 @@ void MeshRenderer::upload_tangled(const MeshScene& scene) {
                     {t.segments[2 * i], t.segments[2 * i + 1], t.segments[2 * i], t.segments[2 * i]});
         for (std::size_t i = 0; i < t.triangle_cells.size(); ++i) {
             if (t.triangle_cells[i] >= marked.size() || marked[t.triangle_cells[i]] == 0) continue;
-            for (std::size_t k = 0; k < 3; ++k) triangles.push_back(t.triangles[3 * i + k]);
+            for (std::size_t k = 0; k < 3; ++k) triangles.push_back(facets_.corners[3 * i + k]);
         }
         for (const auto& loop : cell_outlines(t, *scene.tangled))
-            for (std::size_t k = 0; k < loop.size(); ++k) { // beside it is what lies across the cell
+            for (std::size_t k = 0; k < loop.size(); ++k) { // the opposite side of the cell is beside it
                 const std::uint32_t across = loop[(k + loop.size() / 2) % loop.size()];
                 outlines.push_back({loop[k], loop[(k + 1) % loop.size()], across, across});
             }
@@ -241,7 +249,7 @@ void MeshRenderer::upload_colours(const ColourMap& map) {
 void MeshRenderer::upload(const MeshScene& scene) {
     const bool new_structure = scene.tessellation != shown_.tessellation;
     const bool new_computational = scene.computational != shown_.computational;
-    if (new_structure) upload_structure(*scene.tessellation, scene.cell_dimension);
+    if (new_structure) upload_structure(scene);
     if (new_computational) {
         centre_ = bounding_box(*scene.computational).centre();
         upload_points(*scene.computational, scene, false, computational_);
@@ -290,6 +298,7 @@ void MeshRenderer::bind_tables() {
     bind(colours_unit, colours_.name());
     bind(cells_unit, shown_cells_.texture.name());
     bind(cell_values_unit, cell_values_.texture.name());
+    bind(facets_unit, facet_table_.texture.name());
 }
 
 void MeshRenderer::draw_fill(const Frame& frame, const GlVertexArray& array, std::size_t count,
@@ -306,6 +315,7 @@ void MeshRenderer::draw_fill(const Frame& frame, const GlVertexArray& array, std
     gl_.Uniform3f(fill_.viewer, frame.viewer.x, frame.viewer.y, frame.viewer.z);
     gl_.Uniform1i(fill_.round_cells, shown_.ball > 0 && shown_.tessellation->cuts > 1 ? 1 : 0);
     gl_.Uniform1f(fill_.dusk, frame.planar ? 0 : dusk);
+    gl_.Uniform1i(fill_.nodal, shown_.point_values != nullptr && !shown_.flat() ? 1 : 0);
     gl_.BindVertexArray(array.name());
     gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT, nullptr);
 }
@@ -344,7 +354,7 @@ void MeshRenderer::set_depth_test(bool on) {
     gl_.DepthFunc(GL_LEQUAL);
 }
 
-/// Lines go to a layer from here on, but for what the faces hide.
+/// From here on lines are drawn into a layer, except where faces hide them.
 void MeshRenderer::begin_layer(const Frame& frame, PixelRect area) {
     layer_.begin(area.width, area.height);
     set_depth_test(!frame.planar);
@@ -352,7 +362,7 @@ void MeshRenderer::begin_layer(const Frame& frame, PixelRect area) {
     if (!frame.planar) {
         gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
-        gl_.PolygonOffset(2, 2); // away from the viewer, the more the steeper, so that edges stay visible
+        gl_.PolygonOffset(2, 2); // away from the viewer, more so for steep faces, so that edges stay visible
         draw_fill(frame, fill_array_, shown_.tessellation->triangles.size(), {});
         gl_.Disable(GL_POLYGON_OFFSET_FILL);
         gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -392,7 +402,7 @@ void MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect 
     set_depth_test(!frame.planar);
     draw_fill(frame, fill_array_, shown_.tessellation->triangles.size(), surface);
 
-    // Where there are more pixels, part of them goes into finer lines.
+    // On denser displays lines become finer relative to the image.
     const float fineness = std::max(1.0F, 0.7F * scale);
     LineStyle style;
     style.width = theme.line_width * fineness;
@@ -445,7 +455,7 @@ void MeshRenderer::draw_overlay(Frame frame, LineStyle style, float scale) {
     bind_points(overlay_points_, overlay_points_);
     frame.blend = 1;
     style.width = overlay_width * std::max(1.0F, 0.7F * scale);
-    style.surface = {1, 1, 1, 1}; // whatever lies below, one ink
+    style.surface = {1, 1, 1, 1}; // one ink, independent of the colours below
     style.haze = 0;
     style.limb_begin = limb_begin, style.limb_end = limb_end;
     if (!frame.planar) style.pull += overlay_pull;
@@ -456,12 +466,12 @@ void MeshRenderer::draw_overlay(Frame frame, LineStyle style, float scale) {
 void MeshRenderer::draw_tangled(const Frame& frame, LineStyle style, const Theme& theme, float scale) {
     if (outlines_.count == 0) return;
     const LineStyle thin = style;
-    // Many are seen anyway, and are to be seen one by one.
+    // If there are many, thin outlines keep them distinct.
     const float many = static_cast<float>(shown_.tangled->size()) / few_tangled;
     const float slim = std::max(0.3F, 1 / std::sqrt(std::max(1.0F, many)));
-    style.fade_begin = -1, style.fade_end = 1e-6F; // whole, however close they are
+    style.fade_begin = -1, style.fade_end = 1e-6F; // opaque at any distance
     style.haze = 0;
-    if (!frame.planar) style.pull += overlay_pull; // over whatever it is folded with
+    if (!frame.planar) style.pull += overlay_pull; // in front of the cells that it overlaps
     const auto outline = [&](float width, Colour ink) {
         style.width = width * scale * slim;
         style.flat_ink = ink;
@@ -472,7 +482,8 @@ void MeshRenderer::draw_tangled(const Frame& frame, LineStyle style, const Theme
     if (tangled_count_ > 0) draw_fill(frame, tangled_array_, tangled_count_, theme.tangled);
     outline(tangled_width, theme.tangled);
     if (tangled_count_ == 0 || !shown_.lines) return;
-    style.fade_begin = thin.fade_end, style.fade_end = 3 * thin.fade_end; // of cells that can be told
+    style.fade_begin = thin.fade_end,
+    style.fade_end = 3 * thin.fade_end; // only of cells that are large enough
     outline(thin.width / scale / slim, theme.line_on_light);
 }
 
@@ -486,8 +497,7 @@ void MeshRenderer::draw_arrows(const Frame& frame, const Theme& theme, float sca
     gl_.Uniform1f(arrow_.shaft_width, arrow_shaft_width * scale);
     gl_.Uniform1f(arrow_.rim_width, arrow_rim_width * scale);
     gl_.Uniform1f(arrow_.pull, frame.planar ? 0 : arrow_pull);
-    // Colours of a map are dark for the most part, whatever the theme: on them a light arrow is the calmer
-    // one.
+    // Colour maps are mostly dark, independent of the theme, so a light arrow has the better contrast.
     const auto sum = [](Colour c) { return c.r + c.g + c.b; };
     const bool swapped = shown_.colouring != nullptr && sum(theme.text) < sum(theme.background);
     set_colour(gl_, arrow_.ink, swapped ? theme.background : theme.text);

@@ -6,6 +6,7 @@
 
 #include "gui/base/theme.hpp"
 #include "gui/gl/gl_objects.hpp"
+#include "gui/render/facets.hpp"
 #include "gui/render/line_layer.hpp"
 #include "gui/scene/mesh_scene.hpp"
 
@@ -76,7 +77,8 @@ class MeshRenderer {
         glm::vec3 viewer{0, 0, 1};
     };
     struct FillUniforms {
-        GLint clip, blend, clip_to_pixels, surface, logarithm, flat_cells, ball, viewer, round_cells, dusk;
+        GLint clip, blend, clip_to_pixels, surface, logarithm, flat_cells, ball, viewer, round_cells, dusk,
+            nodal;
     };
     struct LineUniforms {
         GLint clip, blend, half_viewport, half_width, fade, haze, pieces, pull, surface, flat_ink, logarithm,
@@ -87,7 +89,7 @@ class MeshRenderer {
     };
 
     void upload(const MeshScene& scene);
-    void upload_structure(const Tessellation& tessellation, int cell_dimension);
+    void upload_structure(const MeshScene& scene);
     void upload_points(const Points& points, const MeshScene& scene, bool with_values, Table& table);
     void upload_cell_values(const MeshScene& scene);
     void upload_colours(const ColourMap& map);
@@ -118,7 +120,8 @@ class MeshRenderer {
     ArrowUniforms arrow_{};
     GlVertexArray fill_array_, tangled_array_, empty_array_;
     GlBuffer triangles_, tangled_triangles_;
-    Table computational_, physical_, shown_cells_, cell_values_, arrows_, overlay_points_;
+    Table computational_, physical_, shown_cells_, cell_values_, arrows_, overlay_points_, facet_table_;
+    Facets facets_; ///< of the tessellation that is shown
     LineSet edges_, discs_, outlines_, overlay_edges_;
     std::vector<Texel> texels_; ///< workspace for conversions
     std::vector<float> numbers_;

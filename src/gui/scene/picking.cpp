@@ -13,9 +13,10 @@ namespace gaspard {
 namespace {
 
 constexpr std::uint32_t no_point = 0xffffffff;
-constexpr double node_share = 0.3; // of a cell's shortest edge: nearer than that to a node, the node is meant
+constexpr double node_share =
+    0.3; // of a cell's shortest edge; within this distance a node is picked, not the cell
 
-/// A shown point as the camera sees it: in pixels, and how near it is to the viewer.
+/// A shown point in pixels, and its depth; larger is nearer to the viewer.
 struct Seen {
     double x, y, near;
 };
@@ -50,14 +51,14 @@ struct CellHit {
     bool found = false;
 };
 
-/// The front-most triangle that holds the pointer; of a tangled mesh in the plane the one that is drawn last.
+/// The front-most triangle that contains the pointer; in a tangled planar mesh the one that is drawn last.
 CellHit cell_under(const MeshScene& scene, const std::vector<Seen>& seen, Pixel at) {
     const Tessellation& t = *scene.tessellation;
     CellHit hit;
     for (std::size_t i = 0; i < t.triangle_cells.size(); ++i) {
         const Seen &a = seen[t.triangles[3 * i]], &b = seen[t.triangles[3 * i + 1]],
                    &c = seen[t.triangles[3 * i + 2]];
-        // Also because of a triangle of no size rounding may say that it holds any point.
+        // Rejects triangles of zero area, too, which by rounding would contain any point.
         if (at.x < std::min({a.x, b.x, c.x}) || at.x > std::max({a.x, b.x, c.x}) ||
             at.y < std::min({a.y, b.y, c.y}) || at.y > std::max({a.y, b.y, c.y}))
             continue;
@@ -66,7 +67,7 @@ CellHit cell_under(const MeshScene& scene, const std::vector<Seen>& seen, Pixel 
         const double w = (a.x - at.x) * (b.y - at.y) - (a.y - at.y) * (b.x - at.x);
         const double sum = u + v + w;
         const double slack =
-            1e-9 * std::abs(sum); // a point on an edge belongs to a triangle, however it rounds
+            1e-9 * std::abs(sum); // a point on an edge belongs to a triangle in spite of rounding
         const bool inside = sum > 0 ? std::min({u, v, w}) >= -slack : std::max({u, v, w}) <= slack;
         if (!inside || !(std::abs(sum) > 0)) continue;
         const double near = (u * a.near + v * b.near + w * c.near) / sum;
@@ -75,7 +76,7 @@ CellHit cell_under(const MeshScene& scene, const std::vector<Seen>& seen, Pixel 
     return hit;
 }
 
-/// Of lines: the one that passes nearest.
+/// Of cells that are lines: the nearest one.
 CellHit line_under(const MeshScene& scene, const std::vector<Seen>& seen, Pixel at, double reach) {
     const Tessellation& t = *scene.tessellation;
     CellHit hit;
@@ -132,7 +133,7 @@ std::optional<std::uint32_t> nearest_point(std::span<const std::uint32_t> points
     return found;
 }
 
-/// What rounding has left of a zero, in a mesh of this size, is one.
+/// Coordinates as text; those that are zero up to rounding, relative to the size of the mesh, are written as 0.
 std::string position(Vec3 p, int dimension, double size) {
     const auto coordinate = [size](double c) { return short_number(std::abs(c) < 1e-13 * size ? 0 : c, 6); };
     std::string text = coordinate(p.x);
@@ -141,7 +142,7 @@ std::string position(Vec3 p, int dimension, double size) {
     return text;
 }
 
-/// The number of cells along a side if the mesh is that of the unit square, whose numbering says column and
+/// The number of cells along a side if the mesh is that of the unit square, where numbers give column and
 /// row.
 std::optional<std::uint32_t> square_side(const Mesh& mesh) {
     if (mesh.kind != CellKind{CellShape::quadrilateral, 1} || mesh.space_dimension != 2) return std::nullopt;
@@ -182,7 +183,7 @@ std::string range_text(const std::vector<double>& values, const std::vector<std:
     return first == second ? first : first + " to " + second;
 }
 
-/// The mean over a cell's corners, or the node's own.
+/// The mean over the corners of a cell, or the value of a node.
 Vec3 place_of(const Pick& pick, const Mesh& mesh, const Points& points) {
     if (pick.kind == Pick::Kind::node) return points[pick.index];
     const auto corners = static_cast<std::size_t>(corners_per_cell(mesh.kind));
@@ -218,7 +219,7 @@ std::optional<PickHit> pick_at(const MeshScene& scene, const Camera& camera, Siz
     if (hit.found) {
         const Corners corners = corners_of(scene, seen, hit.cell);
         point = nearest_point(corners.points, seen, pointer, std::min(reach, node_share * corners.shortest));
-    } else if (scene.planar()) { // just beside the border
+    } else if (scene.planar()) { // slightly outside the boundary
         std::vector<std::uint32_t> nodes;
         for (const std::uint32_t p : t.segments)
             if (t.node_of(p)) nodes.push_back(p);
@@ -288,7 +289,7 @@ PickFacts facts_of(const Pick& pick, const Snapshot& snapshot, ColouringMaker& c
     facts.emplace_back(measure, range_text(cells.measures(snapshot), around));
     if (!cells.masses().empty()) facts.emplace_back("M_i", range_text(cells.masses(), around));
     facts.emplace_back("Jacobian", range_text(cells.jacobians(snapshot), around));
-    for (const Field& field : snapshot.fields) { // the method's own
+    for (const Field& field : snapshot.fields) { // fields of the method
         static constexpr std::array<std::string_view, 3> said = {"monitor", "mass", "jacobian"};
         if (std::find(said.begin(), said.end(), field.name) != said.end()) continue;
         const std::string value = field.place == FieldPlace::node

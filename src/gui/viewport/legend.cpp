@@ -20,6 +20,11 @@ std::string title_of(const Colouring& colouring) {
     return colouring.label + (colouring.range.logarithmic ? " (log)" : "");
 }
 
+/// How values between the nodes are found; empty where each cell has one value.
+const char* remark_of(const Colouring& colouring) {
+    return colouring.place == FieldPlace::node ? "interpolated" : "";
+}
+
 struct Frame {
     ScreenRect all;   ///< with its title
     ImVec2 low, high; ///< the bar
@@ -28,13 +33,14 @@ struct Frame {
 Frame frame_of(const Colouring& colouring, bool histogram, ScreenRect available, float scale) {
     const float line = line_height();
     const float width = legend_width(colouring, histogram, scale) - 2 * margin * scale;
-    const float free = available.height() - 2 * line - 2 * (pad + gap) * scale;
+    const float above = *remark_of(colouring) != '\0' ? 2 * line : line; // the title and the remark
+    const float free = available.height() - above - line - 2 * (pad + gap) * scale;
     const float height =
         std::round(std::max(std::min(free, std::min(0.66F * available.height(), 420 * scale)), 1.0F));
     const float left = std::round(available.max.x - margin * scale - width);
     const float top = std::round((available.min.y + available.max.y - height + line) / 2);
     const float bar = std::round(left + (histogram ? histogram_width * scale : 0));
-    return {{{left - pad * scale, top - line - pad * scale},
+    return {{{left - pad * scale, top - above - pad * scale},
              {left + width + pad * scale, top + height + pad * scale + line / 2}},
             {bar, top},
             {bar + std::round(bar_width * scale), top + height}};
@@ -119,6 +125,8 @@ void draw_legend(ImDrawList& list, const Colouring& colouring, bool histogram, S
     draw_bar(list, *colouring.map, low, high);
     if (histogram) draw_histogram(list, colouring, low, high, theme, scale);
     draw_tips(list, colouring, low, high, scale);
+    list.AddText({frame.all.min.x + pad * scale, frame.all.min.y + pad * scale / 2 + line_height()},
+                 packed(theme.faint_text), remark_of(colouring));
     for (const Tick& tick : legend_ticks(colouring.range)) {
         const float at = static_cast<float>(colouring.range.position(tick.value));
         const float y = std::round(high.y - at * (high.y - low.y));

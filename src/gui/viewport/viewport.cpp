@@ -153,18 +153,6 @@ void draw_card(ImDrawList& list, const ViewportPlan& plan, ScreenRect available,
     }
 }
 
-void draw_remark(ImDrawList& list, const std::string& text, ScreenRect available, const Theme& theme,
-                 float scale) {
-    const float pad = 7 * scale;
-    const float width = std::min(std::max(1.0F, available.width() - 4 * pad), 30 * ImGui::GetFontSize());
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
-    const ImVec2 low{available.min.x + pad, available.max.y - size.y - 3 * pad};
-    list.AddRectFilled(low, {low.x + size.x + 2 * pad, low.y + size.y + 2 * pad}, packed(theme.panel, 0.94F),
-                       4 * scale);
-    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad, low.y + pad}, packed(theme.text),
-                 text.c_str(), nullptr, width);
-}
-
 void draw_complaint(ImDrawList& list, const std::string& text, ScreenRect available, const Theme& theme,
                     float scale) {
     const float width = std::max(1.0F, available.width() - 4 * margin * scale);
@@ -334,7 +322,6 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
         draw_legend(list, *colouring, plan.histogram, legend, theme, scale);
     }
     draw_notes(list, plan, available, theme, scale);
-    if (!plan.text.note.empty()) draw_remark(list, plan.text.note, available, theme, scale);
     if (plan.text.caption) draw_caption(list, plan, theme, scale);
     if (!plan.facts.empty()) {
         ScreenRect below_title = available;

@@ -27,7 +27,6 @@ struct ViewportText {
     std::string subject{}; ///< what is solved: "plane, ring"; may be empty
     StepReport report{};
     bool caption = true; ///< whether the line at the bottom is drawn
-    std::string note{};  ///< in the lower left corner; may be empty
 };
 
 /// "plane, ring", "iteration 52", "residual 9.8×10⁻⁹", "equidistribution 0.0367", "converged": what the

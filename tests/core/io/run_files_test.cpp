@@ -65,6 +65,7 @@ TEST(Summary, HasTheFieldsOfTheContractInTheirOrder) {
     gaspard::Run run = finished_run();
     const Json json = Json::parse(summary_json(run));
     EXPECT_EQ(keys_of(json), (std::vector<std::string>{"scenario",
+                                                       "modified",
                                                        "domain",
                                                        "monitor",
                                                        "method",

@@ -71,7 +71,7 @@ const std::string lid =
                           [0.25,0,2.7],[0.25,-0.14,2.7],[0.14,-0.25,2.7],[0,-0.25,2.7]]})";
 /// The egg, far from the origin.
 std::string far_egg() {
-    SplinePatch patch = parse_patch(egg, "egg");
+    SplinePatch patch = parse_patch({egg, "egg", {}}).patch;
     for (std::size_t i = 0; i < patch.control.size(); ++i)
         patch.control.set(i, patch.control[i] + Vec3{5e5, 4e6, 0});
     return patch_json(patch);
@@ -177,14 +177,15 @@ TEST(AdaptedCone, IsEquidistributedByAnIndependentMeasure) {
         return 1 + 4 / std::pow(std::cosh(20 * dot(d, d)), 2);
     };
     const LineQuadrature rule = gauss_legendre(8);
-    std::vector<double> values(9), in_square, in_space;
-    std::vector<Vec3> gradients(9);
+    const auto nodes = static_cast<std::size_t>(nodes_per_cell(mesh.kind));
+    std::vector<double> values(nodes), in_square, in_space;
+    std::vector<Vec3> gradients(nodes);
     for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
         double per_square = 0, per_area = 0;
         for (std::size_t i = 0; i < 64; ++i) {
             shape_functions(mesh.kind, {rule.points[i % 8], rule.points[i / 8], 0}, values, gradients);
             Vec3 x, along, across;
-            for (std::size_t k = 0; k < 9; ++k) {
+            for (std::size_t k = 0; k < nodes; ++k) {
                 const Vec3 node = snapshot->x[static_cast<std::size_t>(mesh.cell(c)[k])];
                 x = x + values[k] * node;
                 along = along + gradients[k].x * node, across = across + gradients[k].y * node;
@@ -219,10 +220,12 @@ TEST(AdaptedCone, IsEquidistributedByAnIndependentMeasure) {
 
 TEST(CollapsedEdges, AreOnePointToTheLastBit) {
     for (const Tip& tip : {Tip{"triangle", triangle}, Tip{"dome", dome}, Tip{"far_egg", far_egg()}}) {
-        const SplineDomain domain(3, 8, patch_map(parse_patch(tip.patch, tip.name)));
+        const SplineDomain domain(3, 8, patch_map(parse_patch({tip.patch, tip.name, {}}).patch));
         const Points& nodes = domain.mesh()->nodes;
-        for (std::size_t i = 0; i < 17; ++i) EXPECT_EQ(nodes[16 * 17 + i], nodes[16 * 17]) << tip.name;
-        EXPECT_NE(nodes[15 * 17], nodes[15 * 17 + 1]);
+        const std::size_t side = 3 * 8 + 1, last = (side - 1) * side, before = (side - 2) * side;
+        ASSERT_EQ(nodes.size(), side * side);
+        for (std::size_t i = 0; i < side; ++i) EXPECT_EQ(nodes[last + i], nodes[last]) << tip.name;
+        EXPECT_NE(nodes[before], nodes[before + 1]);
     }
 }
 
@@ -278,11 +281,15 @@ TEST(MirroredPatches, HaveAnticlockwiseCellsAndBorders) {
                               (*x)[static_cast<std::size_t>(mesh.cell(c)[(k + 1) % 4])])
                             .z;
             ASSERT_GT(area, 0);
-            for (std::size_t k = 0; k < 4; ++k) { // VTK's numbering: edge middles follow the corners
-                const auto node = [&](std::size_t i) {
-                    return mesh.nodes[static_cast<std::size_t>(mesh.cell(c)[i])];
+            for (const auto& edge : cell_edges(mesh.kind)) {
+                const auto node = [&](std::size_t k) {
+                    return mesh
+                        .nodes[static_cast<std::size_t>(mesh.cell(c)[static_cast<std::size_t>(edge[k])])];
                 };
-                ASSERT_LT(norm(node(4 + k) - 0.5 * (node(k) + node((k + 1) % 4))), 0.002);
+                for (std::size_t k = 2; k < edge.size(); ++k) {
+                    const double t = static_cast<double>(k - 1) / static_cast<double>(edge.size() - 1);
+                    ASSERT_LT(norm(node(k) - ((1 - t) * node(0) + t * node(1))), 0.002);
+                }
             }
         }
     // Around the domain, with the domain on the left.
@@ -300,7 +307,7 @@ TEST(MirroredPatches, HaveAnticlockwiseCellsAndBorders) {
 
 TEST(MirroredPatches, AreTurnedInThePlaneOnly) {
     const auto first_turn = [](const std::string& patch) {
-        const SplineDomain domain(2, 4, patch_map(parse_patch(patch, "patch")));
+        const SplineDomain domain(2, 4, patch_map(parse_patch({patch, "patch", {}}).patch));
         const Mesh& mesh = *domain.mesh();
         const auto node = [&](std::size_t k) {
             return mesh.nodes[static_cast<std::size_t>(mesh.cell(0)[k])];
@@ -321,21 +328,23 @@ TEST(MirroredPatches, AreTurnedInThePlaneOnly) {
 
 TEST(MirroredPatches, AreWrittenInTheParametersOfTheirFile) {
     gaspard::Run run = solved(mirrored, -0.5);
-    const auto map = patch_map(parse_patch(mirrored, "mirrored"));
+    const auto map = patch_map(parse_patch({mirrored, "mirrored", {}}).patch);
     const auto psi = spline_map(run.state());
     ASSERT_TRUE(psi);
     const auto snapshot = run.snapshot();
     const auto adapted = adapted_patch(run.state(), *map);
     ASSERT_TRUE(adapted);
-    const auto again = patch_map(parse_patch(patch_json(*adapted), "adapted-patch.json"));
+    const auto again = patch_map(parse_patch({patch_json(*adapted), "adapted-patch.json", {}}).patch);
     Points xi(1), x, y;
-    for (std::size_t j = 0; j < 33; j += 4)
-        for (std::size_t i = 0; i < 33; i += 4) {
-            const Vec3 at{static_cast<double>(i) / 32, static_cast<double>(j) / 32, 0};
+    const auto last = static_cast<std::size_t>(std::lround(std::sqrt(snapshot->x.size()))) - 1;
+    for (std::size_t j = 0; j <= last; j += 4)
+        for (std::size_t i = 0; i <= last; i += 4) {
+            const Vec3 at{static_cast<double>(i) / static_cast<double>(last),
+                          static_cast<double>(j) / static_cast<double>(last), 0};
             xi.set(0, {evaluate((*psi)[0].space, (*psi)[0].coefficients, at),
                        evaluate((*psi)[1].space, (*psi)[1].coefficients, at), 0});
             map->points(xi, x);
-            EXPECT_LT(norm(x[0] - snapshot->x[j * 33 + i]), 1e-12);
+            EXPECT_LT(norm(x[0] - snapshot->x[j * (last + 1) + i]), 1e-12);
             xi.set(0, at);
             again->points(xi, y);
             EXPECT_LT(norm(x[0] - y[0]), 2e-3) << "F is not affine, so this approximates";

@@ -181,6 +181,20 @@ TEST_F(RunTest, AMeshThatIsTangledOnTheWayIsNoPlaceToGoBackTo) {
     EXPECT_EQ(*run.history().back().tangled_cells, 0u);
 }
 
+TEST_F(RunTest, AutoOnATangledMeshStartsFromOneThatIsNot) {
+    for (const char* automatic : {"method.step_size=auto", "method.type=auto"}) {
+        gaspard::Run run = make({"method.diagnostics_every=1"});
+        for (int i = 0; i < 20; ++i) run.step();
+        run.change(scenario({"method.step_size=1", "method.diagnostics_every=1"}));
+        while (run.status() == RunStatus::running && *run.history().back().tangled_cells == 0) run.step();
+        ASSERT_EQ(run.status(), RunStatus::running) << "paused on a tangled mesh";
+        run.change(scenario({automatic}));
+        EXPECT_EQ(*run.history().back().tangled_cells, 0u) << automatic;
+        finish(run);
+        EXPECT_EQ(run.status(), RunStatus::converged) << automatic;
+    }
+}
+
 TEST_F(RunTest, TheAcceleratedMethodCanBeChangedToAndFromOnItsWay) {
     gaspard::Run run = make({"domain.cells=60", "method.type=accelerated"});
     for (int i = 0; i < 5; ++i) run.step();

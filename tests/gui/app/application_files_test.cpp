@@ -1,6 +1,8 @@
 #include "gui/application_fixture.hpp"
 
 #include <fstream>
+#include <imgui.h>
+#include <iterator>
 
 namespace gaspard {
 namespace {
@@ -14,6 +16,65 @@ TEST_F(ApplicationTest, ExportWritesTheFilesAndSaysSo) {
         EXPECT_TRUE(std::filesystem::exists(folder / "plane-ring" / file)) << file;
 }
 
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST_F(ApplicationTest, ASecondExportLeavesTheFirstOneAlone) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const auto export_to = [&](const std::string& name) {
+        application.perform("export");
+        const std::string said = "Exported to " + (folder / name).string();
+        EXPECT_TRUE(wait_until([&] { return application.messages().last().text == said; }))
+            << application.messages().last().text;
+    };
+    std::filesystem::create_directories(folder / "plane-ring");
+    std::ofstream(folder / "plane-ring" / "notes.txt") << "of no export";
+    export_to("plane-ring");
+    const std::string first = text_of(folder / "plane-ring" / "summary.json");
+    Scenario other = run().scenario;
+    set_value(*catalogue, other, "monitor.amplitude", 3.0);
+    application.document().change(run().id, other);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    export_to("plane-ring-modified");
+    export_to("plane-ring-modified-2");
+    EXPECT_TRUE(application.document().undo());
+    export_to("plane-ring-2");
+    EXPECT_EQ(text_of(folder / "plane-ring" / "summary.json"), first);
+    EXPECT_NE(text_of(folder / "plane-ring-modified" / "summary.json").find("\"monitor.amplitude\""),
+              std::string::npos)
+        << "the summary lists what was modified";
+}
+
+class UnwritableTest : public ApplicationTest {
+  protected:
+    UnwritableTest() { std::ofstream(folder / "file") << "a file where a folder should be"; }
+    Application elsewhere{catalogue, small_ring(), {.output = {folder / "file", folder / "home"}}};
+};
+
+TEST_F(UnwritableTest, FilesGoToTheOtherFolderAndTheNoticeSaysSo) {
+    const auto end = [&](const std::string& text) {
+        for (int i = 0; i < 20000 && elsewhere.messages().last().text != text; ++i) {
+            elsewhere.collect();
+            ui.frame([this] { elsewhere.frame(); });
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        EXPECT_EQ(elsewhere.messages().last().text, text);
+    };
+    const std::string why = ", because " + (folder / "file").string() + " cannot be written";
+    const auto there = folder / "home" / "plane-ring";
+    elsewhere.perform("save");
+    end("Saved " + (there / "plane-ring.toml").string() + why);
+    for (int i = 0; i < 20000 && elsewhere.document().active().history.size() < 3; ++i) {
+        elsewhere.collect();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    elsewhere.perform("export");
+    end("Exported to " + there.string() + why);
+    EXPECT_TRUE(std::filesystem::exists(there / "summary.json"));
+}
+
 TEST_F(ApplicationTest, AnExportThatFailsIsASentence) {
     std::filesystem::remove_all(folder);
     std::ofstream(folder) << "a file where a folder should be";
@@ -25,7 +86,7 @@ TEST_F(ApplicationTest, AnExportThatFailsIsASentence) {
 
 TEST_F(ApplicationTest, PicturesAreNumbered) {
     const Image image{2, 2, std::vector<std::uint8_t>(16, 200)};
-    for (const char* name : {"view.png", "view-2.png", "view-3.png"}) {
+    for (const char* name : {"screenshot.png", "screenshot-2.png", "screenshot-3.png"}) {
         application.save_image(image);
         const auto file = folder / "plane-ring" / name;
         ASSERT_TRUE(
@@ -123,8 +184,7 @@ TEST_F(ApplicationTest, ExportWritesTheChosenFormatsColouredAsTheViewIs) {
     application.document().viewports().front().view.set("color", std::string("area"));
     application.perform("export");
     ASSERT_TRUE(wait_until([&] { return application.messages().last().text.starts_with("Exported to "); }));
-    std::ifstream file(folder / "plane-ring" / "adapted.svg");
-    const std::string svg((std::istreambuf_iterator<char>(file)), {});
+    const std::string svg = text_of(folder / "plane-ring" / "adapted.svg");
     EXPECT_NE(svg.find("cell area"), std::string::npos) << svg.substr(0, 1000);
     EXPECT_FALSE(std::filesystem::exists(folder / "plane-ring" / "adapted.obj"));
 }
@@ -147,12 +207,76 @@ TEST_F(ApplicationTest, TheOpenDialogTakesAPath) {
     EXPECT_EQ(application.items().count("open.path"), 0U);
 }
 
+TEST_F(ApplicationTest, AChangedScenarioIsCalledModifiedAndUndoGivesItsNameBack) {
+    const std::string title = small_ring().title;
+    EXPECT_EQ(application.title(), title);
+    Scenario bell = run().scenario;
+    bell = *with_type(*catalogue, bell, bell, SectionKind::monitor, "bell");
+    application.document().change(run().id, bell);
+    EXPECT_EQ(application.title(), title + " (modified)");
+    EXPECT_EQ(run().scenario.modified, std::vector<std::string>{"monitor.type"});
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_EQ(solved_scenario().modified, std::vector<std::string>{"monitor.type"})
+        << "what is exported says so";
+    EXPECT_TRUE(application.document().undo());
+    EXPECT_EQ(application.title(), title);
+    EXPECT_TRUE(application.document().redo());
+    EXPECT_EQ(application.title(), title + " (modified)");
+}
+
+TEST_F(ApplicationTest, SaveAsAsksForFileAndTitleAndGivesTheirName) {
+    const std::string title = small_ring().title;
+    Scenario changed = run().scenario;
+    set_value(*catalogue, changed, "monitor.amplitude", 3.0);
+    application.document().change(run().id, changed);
+    const auto file = folder / "gentle.toml";
+    const auto save = [&] {
+        EXPECT_TRUE(application.press_key("Ctrl+Shift+S"));
+        for (int i = 0; i < 3; ++i) frame();
+        for (const auto& [field, text] :
+             {std::pair{"save.path", file.string()}, {"save.title", "A gentle ring"}}) {
+            ui.click(application.items().find(field)->second, drawing());
+            ui.control(true);
+            ui.key(ImGuiKey_A, true);
+            frame();
+            ui.key(ImGuiKey_A, false);
+            ui.control(false);
+            frame();
+            ui.type(text, drawing());
+        }
+        ui.click(application.items().find("save.ok")->second, drawing());
+    };
+    save();
+    ASSERT_TRUE(wait_until([&] { return application.title() == "A gentle ring"; })) << application.title();
+    EXPECT_EQ(load_scenario(*catalogue, file).title, "A gentle ring");
+    EXPECT_EQ(run().scenario.name, "gentle");
+    set_value(*catalogue, changed, "monitor.amplitude", 4.0);
+    application.document().change(run().id, changed);
+    EXPECT_EQ(application.title(), "A gentle ring (modified)");
+    application.document().undo();
+    EXPECT_EQ(application.title(), "A gentle ring") << "as it was saved";
+    application.document().undo();
+    EXPECT_EQ(application.title(), title) << "as it was opened";
+    application.document().redo();
+
+    std::ofstream(file) << "something else";
+    save();
+    EXPECT_EQ(text_of(file), "something else") << "to replace it has to be confirmed";
+    ui.click(application.items().find("save.ok")->second, drawing());
+    ASSERT_TRUE(wait_until([&] { return application.messages().last().text == "Saved " + file.string(); }));
+    EXPECT_EQ(load_scenario(*catalogue, file).monitor.values.real("amplitude"), 3);
+    application.document().change(run().id, changed);
+    EXPECT_TRUE(application.press_key("Ctrl+S"));
+    ASSERT_TRUE(
+        wait_until([&] { return load_scenario(*catalogue, file).monitor.values.real("amplitude") == 4; }));
+}
+
 TEST_F(ApplicationTest, ASavedScenarioOpensAgain) {
     ASSERT_TRUE(wait_until([&] { return run().history.size() > 3; }));
     ui.drag(application.items().find("monitor.amplitude")->second, 0.4F, 0.6F, drawing());
     const double amplitude = run().scenario.monitor.values.real("amplitude");
     EXPECT_TRUE(application.press_key("Ctrl+S"));
-    const auto file = folder / "plane-ring" / "plane-ring.toml";
+    const auto file = folder / "plane-ring-modified" / "plane-ring-modified.toml";
     ASSERT_TRUE(wait_until([&] { return application.messages().last().text == "Saved " + file.string(); }));
     EXPECT_EQ(load_scenario(*catalogue, file).monitor.values.real("amplitude"), amplitude);
 }

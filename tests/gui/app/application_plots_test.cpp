@@ -86,7 +86,7 @@ TEST_F(ApplicationTest, WhatThePlotsShowIsRemembered) {
     Settings settings;
     settings.window.set("second_plot", std::string("step-size,seconds,log,log"));
     settings.window.set("first_plot", std::string("nonsense"));
-    Application other(catalogue, small_ring(), {.output = folder, .settings = settings});
+    Application other(catalogue, small_ring(), {.output = {folder}, .settings = settings});
     ui.frame([&] { other.frame(); });
     EXPECT_EQ(other.settings().window.text("second_plot"), "step-size,seconds,log,log");
     EXPECT_EQ(other.settings().window.text("first_plot"), "residual,iterations,linear,log");

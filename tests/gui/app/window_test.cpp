@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <functional>
 #include <gtest/gtest.h>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
@@ -116,9 +118,10 @@ class WindowTest : public testing::Test {
         std::ofstream(folder / "quick.toml") << to_toml(scenario);
     }
     std::filesystem::path out(const std::string& scenario) const { return folder / "gaspard-out" / scenario; }
-    nlohmann::json exported() {
-        const auto file = out("slow") / "summary.json";
-        std::filesystem::remove(file);
+    /// The summary of the next export, each of which has a folder of its own.
+    nlohmann::json exported(const std::string& name = "slow") {
+        const int number = ++exports[name];
+        const auto file = out(number == 1 ? name : name + "-" + std::to_string(number)) / "summary.json";
         press("e");
         EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << text_of(folder / "log");
         return nlohmann::json::parse(text_of(file));
@@ -127,7 +130,7 @@ class WindowTest : public testing::Test {
     /// The screenshot of the whole mesh, as soon as it has this size and is the same twice: the window has
     /// settled.
     Image settled_screenshot(const std::string& scenario, const ItemRectangle& area) {
-        const auto file = out(scenario) / "view.png";
+        const auto file = out(scenario) / "screenshot.png";
         Image image;
         EXPECT_TRUE(eventually([&] {
             press("h"); // the camera does not follow the size of the window
@@ -149,6 +152,7 @@ class WindowTest : public testing::Test {
     VirtualDisplay display{1500, 1000};
     std::optional<ChildProcess> program;
     std::string window;
+    std::map<std::string, int> exports; ///< so far, by the name of their folder
 };
 
 TEST_F(WindowTest, ASliderDraggedWithTheMouseAndKeysPressedReachTheFiles) {
@@ -161,17 +165,18 @@ TEST_F(WindowTest, ASliderDraggedWithTheMouseAndKeysPressedReachTheFiles) {
     drag(items.find("monitor.sharpness")->second, 0.7F, 0.3F);
     drag(items.find("monitor.amplitude")->second, 0.05F, 0.3F);
     press("space");
-    const auto after = exported();
+    const auto after = exported("slow-modified");
     EXPECT_NE(after["monitor"]["amplitude"], 10.0);
     EXPECT_NE(after["monitor"]["sharpness"], 200.0);
     EXPECT_GT(after["iterations"], 0);
-    const std::string history = text_of(out("slow") / "history.csv");
+    const std::string history = text_of(out("slow-modified") / "history.csv");
     EXPECT_EQ(history.rfind("iteration,residual,", 0), 0U);
     EXPECT_GT(std::count(history.begin(), history.end(), '\n'), 3);
 
-    EXPECT_EQ(exported()["iterations"], after["iterations"]) << "space pauses";
+    EXPECT_EQ(exported("slow-modified")["iterations"], after["iterations"]) << "space pauses";
     press("n");
-    EXPECT_EQ(exported()["iterations"], after["iterations"].get<int>() + 1) << "n does one step";
+    EXPECT_EQ(exported("slow-modified")["iterations"], after["iterations"].get<int>() + 1)
+        << "n does one step";
     press("ctrl+q");
     EXPECT_EQ(program->wait(10s), 0) << text_of(folder / "log");
 }
@@ -187,7 +192,7 @@ TEST_F(WindowTest, OpensWithTheAutomaticMethod) {
 TEST_F(WindowTest, APinnedMethodStaysWhereASettingSpeaksOfIt) {
     start("plane-ring", 1000, 700, {"--set", "method.step_size=0.05"});
     press("e");
-    const auto summary = out("plane-ring") / "summary.json";
+    const auto summary = out("plane-ring-modified") / "summary.json";
     ASSERT_TRUE(eventually([&] { return std::filesystem::exists(summary); })) << text_of(folder / "log");
     const auto method = nlohmann::json::parse(text_of(summary))["method"];
     EXPECT_EQ(method["type"], "relaxation");
@@ -198,12 +203,7 @@ TEST_F(WindowTest, ItDrawsWhatIsDrawnOffscreenAtEverySizeItIsGiven) {
     write_quick_ring();
     start("quick.toml", 1000, 700);
     move(5, 5);
-    ASSERT_TRUE(eventually([&] {
-        std::filesystem::remove_all(out("quick"));
-        press("e");
-        std::this_thread::sleep_for(300ms);
-        return text_of(out("quick") / "summary.json").find("\"converged\"") != std::string::npos;
-    }));
+    ASSERT_TRUE(eventually([&] { return exported("quick")["status"] == "converged"; }));
     for (const auto& [width, height] : {std::pair{1000, 700}, {1300, 850}, {900, 640}}) {
         display.xdotool({"windowsize", window, std::to_string(width), std::to_string(height)});
         const ItemRectangle area = layout_of(width, height).find("viewport")->second;
@@ -295,9 +295,27 @@ TEST_F(WindowTest, WhatWasChangedIsThereTheNextTime) {
     EXPECT_NE(geometry.find("WIDTH=1100"), std::string::npos) << geometry;
     EXPECT_NE(geometry.find("HEIGHT=760"), std::string::npos) << geometry;
     press("p");
-    const auto file = out("slow") / "view.png";
+    const auto file = out("slow") / "screenshot.png";
     ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << text_of(folder / "log");
     EXPECT_EQ(read_image(file).rgba.front(), 255) << "the corner of a light picture";
+}
+
+TEST_F(WindowTest, SignalsThatEndItSaveTheSettings) {
+    write_slow_ring(60);
+    const auto settings = folder / "config" / "gaspard" / "window.toml";
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+        std::filesystem::remove(settings);
+        window.clear();
+        start("slow.toml", 1000, 700);
+        std::filesystem::remove_all(out("slow"));
+        press("F4");
+        press("p"); // once this is done, so is what was pressed before
+        ASSERT_TRUE(eventually([&] { return std::filesystem::exists(out("slow") / "screenshot.png"); }));
+        program->send(signal);
+        EXPECT_EQ(program->wait(10s), 0) << "signal " << signal << ": " << text_of(folder / "log");
+        EXPECT_NE(text_of(settings).find("log = true"), std::string::npos) << text_of(settings);
+        program.reset();
+    }
 }
 
 TEST_F(WindowTest, OnADenseScreenEverythingIsLargerAndTheWindowStaysAsItIs) {

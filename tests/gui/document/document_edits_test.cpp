@@ -140,7 +140,7 @@ TEST_F(DocumentEditsTest, OpeningAScenarioIsUndone) {
     EXPECT_EQ(run().opened, bell) << "until the solver has accepted the scenario";
     ASSERT_TRUE(wait_until([&] { return run().openings == 2; }));
     EXPECT_EQ(run().opened, small_ring());
-    EXPECT_EQ(run().title, small_ring().title);
+    EXPECT_EQ(run().title, small_ring().title + " (modified)") << "its amplitude is";
     EXPECT_EQ(amplitude(), 20);
     EXPECT_EQ(view().text("color"), "area");
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));

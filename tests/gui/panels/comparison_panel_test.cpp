@@ -63,12 +63,34 @@ TEST_F(CompareTest, EveryMethodSolvesTheProblemAndAllAreSeenTogether) {
     ui.click(item("compare.copy"), drawing());
     EXPECT_EQ(std::string(ImGui::GetClipboardText()), comparison_csv(rows));
 
+    EXPECT_EQ(application.items().count("compare.other"), 0U);
+    Scenario other = run().scenario;
+    other.monitor.values.set("amplitude", 3.0);
+    application.document().change(run().id, other);
+    frame();
+    EXPECT_EQ(application.items().count("compare.other"), 1U) << "the table says what it is for";
+    application.document().undo();
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    EXPECT_EQ(application.items().count("compare.other"), 0U);
+
     application.press_key("Escape"); // the panel is closed
     frame();
     const ItemRectangle second = application.views()[1].rectangle;
     ui.drag(second, 0.5F, 0.7F, drawing());
     frame();
     EXPECT_EQ(application.views()[5].camera, application.views()[0].camera) << "they move together";
+    application.document().hide(runs[2].id, true);
+    frame();
+    EXPECT_EQ(application.views().size(), 5U) << "a hidden run is not shown";
+    application.document().hide(runs[0].id, true); // the window's own
+    frame();
+    ASSERT_EQ(application.views().size(), 4U);
+    EXPECT_EQ(application.items().count("handle.center_x"), 0U);
+    for (std::size_t i = 1; i < runs.size(); ++i) application.document().hide(runs[i].id, true);
+    frame();
+    EXPECT_EQ(application.views().size(), 1U) << "all are hidden: the present one";
+    for (std::size_t i = 0; i < runs.size(); ++i) application.document().hide(runs[i].id, false);
+
     EXPECT_TRUE(application.press_key("V"));
     frame();
     EXPECT_EQ(application.views().size(), 1U);

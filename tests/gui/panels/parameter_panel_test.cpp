@@ -148,6 +148,27 @@ TEST_F(PanelTest, ATypedValueOutOfRangeBecomesTheNearestAllowed) {
     EXPECT_EQ(scenario.domain.values.integer("cells"), 480);
 }
 
+TEST_F(PanelTest, UntickingAutoRestoresTheNumberThatWasThere) {
+    settle();
+    const auto tick = [&] {
+        ui.click(items.at("method.step_size.auto"), drawing());
+        settle();
+        return scenario.method.values.real_or_auto("step_size");
+    };
+    EXPECT_EQ(opened.method.values.real("step_size"), 0.1);
+    EXPECT_EQ(tick(), std::nullopt);
+    EXPECT_EQ(tick(), 0.1);
+    scenario.method.values.set("step_size", 0.037);
+    settle();
+    EXPECT_EQ(tick(), std::nullopt);
+    EXPECT_EQ(tick(), 0.037);
+
+    panel = {};
+    scenario.method.values.set("step_size", std::string("auto"));
+    settle();
+    EXPECT_EQ(tick(), 0.1) << "nothing was there: the value with which the scenario was opened";
+}
+
 TEST_F(PanelTest, ControlAndClickOnASliderTypesItsValue) {
     settle();
     ui.control(true);

@@ -6,6 +6,8 @@
 #include "support/messages.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <gtest/gtest.h>
@@ -127,13 +129,12 @@ class Renderer : public testing::Test {
 
 TEST_F(Renderer, SendsOnlyWhatChanged) {
     Snapshot snapshot = ring_snapshot(20);
-    const std::size_t points = snapshot.x.size() * 16;
+    const std::size_t points = snapshot.x.size() * 16, cells = snapshot.mesh->cell_count() * 4;
     EXPECT_GT(sent_for(maker_.make(snapshot, view("monitor", 1))), 2 * points);
     EXPECT_EQ(sent_for(maker_.make(snapshot, view("monitor", 1))), 0U);
     EXPECT_EQ(sent_for(maker_.make(snapshot, view("monitor", 0.3))), 0U) << "blending is done on the card";
     ++snapshot.version;
     EXPECT_EQ(sent_for(maker_.make(snapshot, view("monitor", 1))), points) << "positions and values";
-    const std::size_t cells = snapshot.mesh->cell_count() * 4;
     EXPECT_EQ(sent_for(maker_.make(snapshot, view("area", 1))), points + cells) << "one number per cell";
     EXPECT_EQ(sent_for(maker_.make(snapshot, view("area", 0.5))), 0U);
     Values other = view("area", 1);
@@ -174,6 +175,83 @@ TEST_F(Renderer, ShowsOneMeshAfterAnother) {
     target_.bind();
     fresh.draw(scene, home(scene.box, size_), {0, 0, 320, 240}, 240, dark_theme(), 1);
     EXPECT_EQ(after_others.rgba, target_.read().rgba);
+}
+
+/// The difference of two colours, in steps of 1/255 of a channel.
+int distance(const Image& image, int x, int y, std::array<unsigned char, 3> colour) {
+    const auto at = static_cast<std::size_t>(y * image.width + x) * 4;
+    int largest = 0;
+    for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::abs(image.rgba[at + i] - colour[i]));
+    return largest;
+}
+
+/// Four squares with values at their corners; `middle` is where the node between them is.
+Snapshot four_cells(Vec3 middle) {
+    Snapshot snapshot = ring_snapshot(2);
+    snapshot.x = snapshot.mesh->nodes;
+    snapshot.x.set(4, middle);
+    for (Field& field : snapshot.fields)
+        if (field.name == "monitor") field.values = {0, 3, 1, 2, 10, 5, 7, 4, 0};
+    return snapshot;
+}
+
+TEST_F(Renderer, NodalValuesAreBilinearInAQuadrilateral) {
+    Values values = view("monitor", 1);
+    values.set("lines", false);
+    values.set("log", false);
+    for (const Vec3 middle : {Vec3{0.5, 0.5, 0}, {0.62, 0.41, 0}, {0.35, 0.36, 0}}) {
+        const Snapshot snapshot = four_cells(middle);
+        const MeshScene scene = maker_.make(snapshot, values);
+        draw(scene);
+        const Image image = target_.read();
+        const Camera camera = home(scene.box, size_);
+        int compared = 0;
+        for (std::size_t cell = 0; cell < 4; ++cell)
+            for (int k = 1; k < 40; ++k)
+                for (int l = 1; l < 40; ++l) {
+                    // The place of these coordinates in the cell, and the value there.
+                    const double s = k / 40.0, t = l / 40.0;
+                    const std::array weights{(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
+                    Vec3 place;
+                    double value = 0;
+                    for (std::size_t c = 0; c < 4; ++c) {
+                        const auto node = static_cast<std::size_t>(snapshot.mesh->cell(cell)[c]);
+                        place = place + weights[c] * snapshot.x[node];
+                        value += weights[c] * scene.colouring->values[node];
+                    }
+                    const Pixel pixel = to_pixel(camera, size_, place);
+                    const double away = std::hypot(pixel.x - std::floor(pixel.x) - 0.5,
+                                                   pixel.y - std::floor(pixel.y) - 0.5);
+                    if (away > 0.1) continue; // not in the middle of a pixel
+                    const auto colour =
+                        colour_at(*scene.colouring->map, scene.colouring->range.position(value));
+                    EXPECT_LE(distance(image, static_cast<int>(pixel.x), static_cast<int>(pixel.y), colour), 3)
+                        << "cell " << cell << ", " << s << ", " << t << ": " << value;
+                    ++compared;
+                }
+        EXPECT_GT(compared, 50);
+    }
+}
+
+TEST(Facets, PairTheTrianglesOfQuadrilaterals) {
+    const Tessellation squares = tessellate(*ring_snapshot(2).mesh);
+    const Facets facets = make_facets(squares, true);
+    ASSERT_EQ(facets.facets.size(), 4U);
+    EXPECT_EQ(facets.facets[0], (Facet{0, 1, 4, 3})) << "in order around the first cell";
+    ASSERT_EQ(facets.corners.size(), squares.triangles.size());
+    for (std::size_t i = 0; i < squares.triangles.size(); i += 3) {
+        const std::uint32_t* triangle = &squares.triangles[i];
+        std::array<std::uint32_t, 3> points{};
+        for (std::size_t k = 0; k < 3; ++k)
+            points[k] = facets.facets[facets.corners[i + k] / 4][facets.corners[i + k] % 4];
+        EXPECT_TRUE(std::is_permutation(points.begin(), points.end(), triangle)) << "triangle " << i / 3;
+        EXPECT_EQ(facets.corners[i + 2] % 4, i % 6 == 0 ? 3U : 1U) << "the last corner names the half";
+    }
+    EXPECT_EQ(make_facets(squares, false).facets.size(), 8U);
+    Tessellation cut = squares; // as at the border of a map
+    cut.triangles[0] = 8;
+    cut.triangles[1] = 7;
+    EXPECT_EQ(make_facets(cut, true).facets.size(), 5U);
 }
 
 TEST_F(Renderer, LinesAreAsWideAsTheThemeSaysAtAnyZoom) {

@@ -1,0 +1,27 @@
+// Which files a folder holds already, so that no other run's files are replaced.
+#pragma once
+
+#include "core/scenario/scenario.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gaspard {
+
+/// A record of what the files of a folder are about: the scenario's name as "scenario", its modified keys as
+/// "modified". summary.json has the same entries.
+std::string record_json(const Scenario& scenario);
+
+/// The first of these names that the folder has a file of; empty if there is none.
+std::string first_present(const std::filesystem::path& folder, const std::vector<std::string>& names);
+
+/// Throws InputError if the folder has files of these names that are not those of a run of this scenario: its
+/// `record`, a JSON file such as summary.json, has another name as "scenario" or cannot be read.
+void check_replaceable(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                       const std::string& record, const std::string& scenario);
+
+/// `base`, or the first of "base-2", "base-3", ... that has no file of these names.
+std::filesystem::path free_folder(const std::filesystem::path& base, const std::vector<std::string>& names);
+
+} // namespace gaspard

@@ -1,0 +1,32 @@
+#include "gui/render/facets.hpp"
+
+#include <initializer_list>
+
+namespace gaspard {
+
+Facets make_facets(const Tessellation& tessellation, bool quadrilaterals) {
+    const std::vector<std::uint32_t>& t = tessellation.triangles;
+    Facets found;
+    found.facets.reserve(t.size() / (quadrilaterals ? 6 : 3));
+    found.corners.reserve(t.size());
+    const auto add = [&](const Facet& points, std::initializer_list<std::uint32_t> corners) {
+        const auto first = static_cast<std::uint32_t>(4 * found.facets.size());
+        found.facets.push_back(points);
+        for (const std::uint32_t corner : corners) found.corners.push_back(first + corner);
+    };
+    for (std::size_t i = 0; i < t.size(); i += 3) {
+        // A map divides triangles at its border; what is left of a pair is then on its own.
+        const bool pair = quadrilaterals && i + 5 < t.size() && t[i + 3] == t[i + 1] &&
+                          t[i + 5] == t[i + 2] &&
+                          tessellation.triangle_cells[i / 3] == tessellation.triangle_cells[i / 3 + 1];
+        if (pair) {
+            add({t[i], t[i + 1], t[i + 4], t[i + 2]}, {0, 1, 3, 2, 3, 1});
+            i += 3;
+        } else {
+            add({t[i], t[i + 1], t[i + 2], t[i + 2]}, {0, 1, 2});
+        }
+    }
+    return found;
+}
+
+} // namespace gaspard

@@ -1,0 +1,26 @@
+// The triangles of a tessellation in pairs, as the quadrilaterals that they halve. Values at four corners can
+// then be interpolated independently of the diagonal along which they are halved (shaders/mesh_fill.vert).
+#pragma once
+
+#include "core/tessellate/tessellation.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace gaspard {
+
+/// Four shown points in order around a quadrilateral; a triangle repeats its last one.
+using Facet = std::array<std::uint32_t, 4>;
+
+struct Facets {
+    std::vector<Facet> facets;
+    /// Three for each triangle of the tessellation, in its order: 4 times a facet plus the number of one of its
+    /// points. Of a quadrilateral, the half at point 0 ends with point 3, the half at point 2 with point 1.
+    std::vector<std::uint32_t> corners;
+};
+
+/// `quadrilaterals`: the faces of the cells are quadrilaterals; else every triangle is a facet.
+Facets make_facets(const Tessellation& tessellation, bool quadrilaterals);
+
+} // namespace gaspard
