@@ -5,6 +5,8 @@
 //   scenario/catalogue.hpp   the available domains, monitors and methods; scenarios: plain, checked values
 //   scenario/toml.hpp        scenarios from built-in names and files
 //   monitor/function.hpp     a monitor from a function of your own
+//   monitor/monitor.hpp      the class of monitors: many points per call, gradients
+//   spline/spline_patch.hpp  a domain from a patch of your own; patch_file.hpp reads and writes them
 //   session/run.hpp          a problem being solved; follow() and solve() move the mesh along
 //   session/snapshot.hpp     the positions of the nodes, with fields and numbers
 //   io/run_files.hpp         meshes, history and state as files
@@ -26,8 +28,10 @@
 #include "core/io/surface_mesh.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "core/monitor/function.hpp"
+#include "core/monitor/monitor.hpp"
 #include "core/scenario/catalogue.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
 #include "core/session/snapshot.hpp"
+#include "core/spline/patch_file.hpp"
 #include "core/tessellate/check_view.hpp"

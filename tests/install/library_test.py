@@ -46,8 +46,18 @@ def main():
         worst = max(float(step[2]) for step in steps)
         check(worst < 0.02, "the mesh does not keep up: equidistribution %g" % worst)
 
-        # No public header wants another one before it, or one that is not installed.
+        # What docs/library.md says of monitors, patches, diagnostics and files.
         include = os.path.join(prefix, "include")
+        libraries = [path for path, _, names in os.walk(prefix) if "libgaspard.so" in names]
+        usage = os.path.join(folder, "usage")
+        source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "library_usage.cpp")
+        run(["c++", "-std=c++20", "-O1", "-Wall", "-Wextra", "-Werror", "-I", include, source, "-o", usage,
+             "-L", libraries[0], "-Wl,-rpath," + libraries[0], "-lgaspard"])
+        files = os.path.join(folder, "results", "of", "the", "usage")
+        check(run([usage, files]) == "as documented\n", "library_usage.cpp does not end as it should")
+        check(os.path.getsize(os.path.join(files, "adapted.vtu")) > 1000, "the folder of the files was not made")
+
+        # No public header wants another one before it, or one that is not installed.
         headers = headers_below(include)
         check(len(headers) > 15, "only %d headers were installed" % len(headers))
         for header in headers:

@@ -65,7 +65,7 @@ struct Bilinear {
 } // namespace
 
 FlatSquares::Measured FlatSquares::measure(const Mesh& mesh, std::size_t begin, std::size_t end,
-                                           const Points& x, const Monitor& monitor,
+                                           const Points& x, const Monitor* monitor,
                                            Workspace& workspace) const {
     GASPARD_CHECK(begin < end && end - begin <= batch);
     const Corners physical = gather(mesh, begin, end, x), reference = gather(mesh, begin, end, mesh.nodes);
@@ -79,6 +79,7 @@ FlatSquares::Measured FlatSquares::measure(const Mesh& mesh, std::size_t begin, 
         }
     }
 
+    if (!monitor) return measured;
     const std::size_t n = rule_.points.size();
     workspace.points.resize(n * n * batch);
     workspace.monitor.resize(n * n * batch);
@@ -88,7 +89,7 @@ FlatSquares::Measured FlatSquares::measure(const Mesh& mesh, std::size_t begin, 
         px.at(s, t, workspace.points.x.data() + q * batch);
         py.at(s, t, workspace.points.y.data() + q * batch);
     }
-    monitor.values(workspace.points, workspace.monitor);
+    monitor->values(workspace.points, workspace.monitor);
     Lane j0, js, jt;
     for (std::size_t c = 0; c < batch; ++c) {
         j0[c] = px.a[c] * py.b[c] - py.a[c] * px.b[c];

@@ -51,7 +51,6 @@ QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int po
             cell_measure_[i] += samples_[q].weight * signed_measure(t, t);
         }
     }
-    quality_.cell_mass.resize(cells);
     quality_.cell_jacobian.resize(cells);
     for (Worker& worker : workers_) {
         worker.nodes = worker.reference_nodes = nodes;
@@ -96,7 +95,7 @@ void QualityMeter::find_places(std::span<const Vec3> nodes, std::vector<PlaceInC
     }
 }
 
-void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
+void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Points& x, const Monitor* monitor,
                                  Worker& worker) {
     worker.points.resize((end - begin) * quadrature_points_);
     std::size_t at = 0;
@@ -114,14 +113,15 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
                 smallest = smaller(smallest, physical / before);
                 largest = larger(largest, physical / before);
             }
-            if (s >= quadrature_points_) continue;
+            if (s >= quadrature_points_ || !monitor) continue;
             worker.points.set(at, worker.places[s].x);
             worker.factor[at++] = samples_[s].weight * physical;
         }
         note_cell(i, smallest, largest, worker);
     }
+    if (!monitor) return;
     worker.monitor.resize(at);
-    monitor.values(worker.points, worker.monitor);
+    monitor->values(worker.points, worker.monitor);
     at = 0;
     for (std::size_t i = begin; i < end; ++i) {
         double mass = 0;
@@ -133,13 +133,13 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
 
 template <class Meter>
 void QualityMeter::measure_many(const Meter& meter, typename Meter::Workspace& workspace, std::size_t begin,
-                                std::size_t end, const Points& x, const Monitor& monitor, Worker& worker) {
+                                std::size_t end, const Points& x, const Monitor* monitor, Worker& worker) {
     for (; begin < end; begin += Meter::batch) {
         const std::size_t stop = std::min(end, begin + Meter::batch);
         const auto measured = meter.measure(*mesh_, begin, stop, x, monitor, workspace);
         for (std::size_t i = begin; i < stop; ++i) {
             note_cell(i, measured.smallest[i - begin], measured.largest[i - begin], worker);
-            quality_.cell_mass[i] = measured.mass[i - begin] / cell_measure_[i];
+            if (monitor) quality_.cell_mass[i] = measured.mass[i - begin] / cell_measure_[i];
         }
     }
 }
@@ -151,7 +151,7 @@ void QualityMeter::note_cell(std::size_t cell, double smallest, double largest, 
     if (!(smallest > 0)) ++worker.tangled_cells;
 }
 
-void QualityMeter::measure_cells(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
+void QualityMeter::measure_cells(std::size_t begin, std::size_t end, const Points& x, const Monitor* monitor,
                                  Worker& worker) {
     worker.min_jacobian = std::numeric_limits<double>::infinity();
     worker.max_jacobian = -std::numeric_limits<double>::infinity();
@@ -162,9 +162,10 @@ void QualityMeter::measure_cells(std::size_t begin, std::size_t end, const Point
         measure_batch(begin, std::min(end, begin + batch), x, monitor, worker);
 }
 
-const MeshQuality& QualityMeter::measure(const Points& x, const Monitor& monitor) {
+const MeshQuality& QualityMeter::measure(const Points& x, const Monitor* monitor) {
     GASPARD_CHECK(x.size() == mesh_->node_count());
     const std::size_t cells = mesh_->cell_count();
+    quality_.cell_mass.resize(monitor ? cells : 0);
     const auto share = [&](std::size_t worker, std::size_t begin, std::size_t end) {
         measure_cells(begin, end, x, monitor, workers_[worker]);
     };
@@ -180,6 +181,8 @@ const MeshQuality& QualityMeter::measure(const Points& x, const Monitor& monitor
         quality_.tangled_cells += worker.tangled_cells;
     }
 
+    quality_.equidistribution = std::numeric_limits<double>::quiet_NaN();
+    if (!monitor) return quality_;
     double mean = 0, variance = 0;
     for (const double mass : quality_.cell_mass) mean += mass / static_cast<double>(cells);
     for (const double mass : quality_.cell_mass)

@@ -53,7 +53,9 @@ class QualityMeter {
     explicit QualityMeter(std::shared_ptr<const Mesh> mesh, int threads = 1, int points = 6,
                           const Space& space = {});
     /// The returned reference is valid until the next call.
-    const MeshQuality& measure(const Points& x, const Monitor& monitor);
+    const MeshQuality& measure(const Points& x, const Monitor& monitor) { return measure(x, &monitor); }
+    /// Only Jacobians and tangled cells, which are those of measure(); the rest is empty or NaN.
+    const MeshQuality& measure_geometry(const Points& x) { return measure(x, nullptr); }
     /// The result of the last measurement.
     const MeshQuality& quality() const { return quality_; }
     /// CPU time of the last measurement on threads other than the caller's.
@@ -85,14 +87,16 @@ class QualityMeter {
         double min_jacobian = 0, max_jacobian = 0;
         std::size_t tangled_cells = 0;
     };
-    void measure_cells(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
+    /// In these functions, `monitor` may be null; then the masses are not computed.
+    const MeshQuality& measure(const Points& x, const Monitor* monitor);
+    void measure_cells(std::size_t begin, std::size_t end, const Points& x, const Monitor* monitor,
                        Worker& worker);
     /// Measures the cells in batches with a FlatSquares or SphereCellMeter.
     template <class Meter>
     void measure_many(const Meter& meter, typename Meter::Workspace& workspace, std::size_t begin,
-                      std::size_t end, const Points& x, const Monitor& monitor, Worker& worker);
+                      std::size_t end, const Points& x, const Monitor* monitor, Worker& worker);
     void note_cell(std::size_t cell, double smallest, double largest, Worker& worker);
-    void measure_batch(std::size_t begin, std::size_t end, const Points& x, const Monitor& monitor,
+    void measure_batch(std::size_t begin, std::size_t end, const Points& x, const Monitor* monitor,
                        Worker& worker);
 
     std::shared_ptr<const Mesh> mesh_;

@@ -75,7 +75,7 @@ SphereCellMeter::SphereCellMeter(CellKind kind, int points)
 }
 
 SphereCellMeter::Measured SphereCellMeter::measure(const Mesh& mesh, std::size_t begin, std::size_t end,
-                                                   const Points& x, const Monitor& monitor,
+                                                   const Points& x, const Monitor* monitor,
                                                    Workspace& workspace) const {
     std::array<Node, most_nodes> nodes;
     gather(mesh, begin, end, x, nodes_, nodes);
@@ -110,7 +110,8 @@ SphereCellMeter::Measured SphereCellMeter::measure(const Mesh& mesh, std::size_t
             workspace.area[q * batch + l] = weight_[q] * area[l];
         }
     }
-    monitor.values(workspace.points, workspace.monitor);
+    if (!monitor) return measured;
+    monitor->values(workspace.points, workspace.monitor);
     for (std::size_t q = 0; q < quadrature_; ++q)
         for (std::size_t l = 0; l < batch; ++l)
             measured.mass[l] += workspace.area[q * batch + l] * workspace.monitor[q * batch + l];

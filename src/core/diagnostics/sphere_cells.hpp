@@ -29,9 +29,9 @@ class SphereCellMeter {
         Points points; ///< quadrature points, those of each point in all cells contiguous
         std::vector<double> area, monitor;
     };
-    /// Measures cells begin .. end (at most `batch`) with nodes at x.
+    /// Measures cells begin .. end (at most `batch`) with nodes at x; no mass if the monitor is null.
     Measured measure(const Mesh& mesh, std::size_t begin, std::size_t end, const Points& x,
-                     const Monitor& monitor, Workspace& workspace) const;
+                     const Monitor* monitor, Workspace& workspace) const;
 
   private:
     std::size_t nodes_, quadrature_ = 0;

@@ -16,6 +16,7 @@ namespace gaspard {
 struct Ellipticity {
     double convexity = 0;            ///< smallest eigenvalue of I + sigma
     double slowest = 0, fastest = 0; ///< lambda_min and lambda_max of m cof(I + sigma)
+    double theta = 1;                ///< mean of m det(I + sigma): the unit of the eigenvalues
 };
 
 /// `monitor`: values at the nodes of the mesh.

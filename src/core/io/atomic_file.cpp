@@ -108,6 +108,12 @@ void write_atomically(const fs::path& file, const std::function<void(std::ostrea
     write_atomically(file, stream.view());
 }
 
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    if (!folder.empty()) fs::create_directories(folder, error);
+    if (error) throw MachineError("cannot make the folder " + folder.string() + ": " + error.message());
+}
+
 void check_writable(const fs::path& folder) {
     const std::vector<fs::path> made = missing_folders(folder);
     std::error_code error;

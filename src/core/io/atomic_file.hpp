@@ -14,6 +14,8 @@ namespace gaspard {
 void write_atomically(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 
+/// Creates the folder and its parents if necessary. Throws MachineError naming the folder and the cause.
+void make_folder(const std::filesystem::path& folder);
 /// Creates the folder if necessary and checks that it is writable, so that this is known before solving.
 /// Throws InputError naming the folder and the cause (MachineError for a full or failing disk).
 void check_writable(const std::filesystem::path& folder);

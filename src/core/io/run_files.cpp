@@ -150,6 +150,7 @@ bool holds_other_values(const std::filesystem::path& folder, const Scenario& sce
 void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats,
                      const Progress& progress, std::stop_token stop) {
     run.complete();
+    make_folder(folder);
     std::exception_ptr first;
     const bool of_splines = as_splines(run) != nullptr;
     const double all = (of_splines ? 4 : 3) + static_cast<double>(formats.size());

@@ -18,32 +18,35 @@ namespace gaspard {
 
 namespace {
 
-std::string base64(std::string_view bytes) {
+void append_base64(std::string& text, std::string_view bytes) {
     static constexpr std::string_view digits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-        for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[group >> (18 - 6 * k) & 63u] : '=';
-    }
-    return text;
+    const auto byte = [&](std::size_t i) { return std::uint32_t{static_cast<unsigned char>(bytes[i])}; };
+    const std::size_t begin = text.size(), whole = bytes.size() / 3 * 3;
+    text.resize(begin + (bytes.size() + 2) / 3 * 4, '=');
+    char* to = text.data() + begin;
+    const auto put = [&](std::uint32_t group, int count) {
+        for (int k = 0; k < count; ++k) to[k] = digits[group >> (18 - 6 * k) & 63u];
+        to += 4;
+    };
+    for (std::size_t i = 0; i < whole; i += 3) put(byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2), 4);
+    if (bytes.size() - whole == 1) put(byte(whole) << 16, 2);
+    if (bytes.size() - whole == 2) put(byte(whole) << 16 | byte(whole + 1) << 8, 3);
 }
 
-/// Arrays of one section, such as PointData.
+/// Appends the arrays of one section, such as PointData, to a text.
 class Arrays {
   public:
+    explicit Arrays(std::string& text) : text_(text) {}
+
     void reals(std::string_view name, int components, std::span<const double> values,
                std::string_view more = {}) {
-        std::string bytes;
+        begin(values.size() * sizeof(double));
         for (const double value : values) {
             GASPARD_CHECK(std::isfinite(value));
-            append_little_endian(bytes, value);
+            append_little_endian(block_, value);
         }
-        add("Float64", name, components, bytes, more);
+        add("Float64", name, components, more);
     }
 
     void vectors(std::string_view name, const Points& points) {
@@ -55,33 +58,39 @@ class Arrays {
     }
 
     void integers(std::string_view name, std::span<const std::int32_t> values, std::string_view more = {}) {
-        std::string bytes;
-        for (const std::int32_t value : values) append_little_endian(bytes, value);
-        add("Int32", name, 1, bytes, more);
+        begin(values.size() * sizeof(std::int32_t));
+        for (const std::int32_t value : values) append_little_endian(block_, value);
+        add("Int32", name, 1, more);
     }
 
-    void bytes(std::string_view name, std::string_view values) { add("UInt8", name, 1, values, {}); }
-
-    const std::string& text() const { return text_; }
+    void bytes(std::string_view name, std::string_view values) {
+        begin(values.size());
+        block_ += values;
+        add("UInt8", name, 1, {});
+    }
 
   private:
-    /// `bytes` follow their length.
-    void add(std::string_view type, std::string_view name, int components, std::string_view bytes,
-             std::string_view more) {
-        std::string block;
-        append_little_endian(block, static_cast<std::uint64_t>(bytes.size()));
-        block += bytes;
+    /// A block is its length, then `size` bytes.
+    void begin(std::size_t size) {
+        block_.clear();
+        block_.reserve(sizeof(std::uint64_t) + size);
+        append_little_endian(block_, static_cast<std::uint64_t>(size));
+    }
+    void add(std::string_view type, std::string_view name, int components, std::string_view more) {
         text_ += "<DataArray type=\"" + std::string(type) + "\" Name=\"" + xml_escape(name) +
                  "\" NumberOfComponents=\"" + std::to_string(components) + '"' + std::string(more) +
-                 " format=\"binary\">" + base64(block) + "</DataArray>\n";
+                 " format=\"binary\">";
+        append_base64(text_, block_);
+        text_ += "</DataArray>\n";
     }
 
-    std::string text_;
+    std::string& text_;
+    std::string block_; ///< workspace
 };
 
 /// What belongs to the mesh as a whole.
-std::string field_data(const StepReport& report) {
-    Arrays arrays;
+void field_data(std::string& text, const StepReport& report) {
+    Arrays arrays(text);
     const std::string_view one = " NumberOfTuples=\"1\"";
     const auto real = [&](std::string_view name, std::optional<double> value) {
         if (value) arrays.reals(name, 1, std::span(&*value, 1), one);
@@ -98,28 +107,25 @@ std::string field_data(const StepReport& report) {
     for (std::size_t i = 0; i < always.size(); ++i) real(columns[i], report.value(columns[i]));
     if (report.tangled_cells) integer("tangled_cells", *report.tangled_cells);
     for (std::size_t i = always.size(); i < columns.size(); ++i) real(columns[i], report.value(columns[i]));
-    return arrays.text();
 }
 
-std::string point_data(const Snapshot& snapshot) {
-    Arrays arrays;
+void point_data(std::string& text, const Snapshot& snapshot) {
+    Arrays arrays(text);
     for (const auto& field : snapshot.fields)
         if (field.place == FieldPlace::node) arrays.reals(field.name, 1, field.values);
     arrays.vectors("displacement", snapshot.x - snapshot.mesh->nodes);
     arrays.vectors("xi", snapshot.mesh->nodes);
-    return arrays.text();
 }
 
-std::string cell_data(const Snapshot& snapshot) {
-    Arrays arrays;
+void cell_data(std::string& text, const Snapshot& snapshot) {
+    Arrays arrays(text);
     for (const auto& field : snapshot.fields)
         if (field.place == FieldPlace::cell) arrays.reals(field.name, 1, field.values);
     arrays.reals("measure", 1, ColouringMaker().measures(snapshot));
-    return arrays.text();
 }
 
-std::string cells(const Mesh& mesh) {
-    Arrays arrays;
+void cells(std::string& text, const Mesh& mesh) {
+    Arrays arrays(text);
     arrays.integers("connectivity", mesh.cells);
     GASPARD_CHECK(mesh.cells.size() <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()));
     std::vector<std::int32_t> ends;
@@ -128,11 +134,15 @@ std::string cells(const Mesh& mesh) {
     arrays.integers("offsets", ends);
     arrays.bytes("types",
                  std::string(mesh.cell_count(), static_cast<char>(cell_type_numbers(mesh.kind).vtk)));
-    return arrays.text();
 }
 
-std::string section(const std::string& name, const std::string& content, const std::string& attributes = {}) {
-    return "<" + name + attributes + ">\n" + content + "</" + name + ">\n";
+/// Appends an element whose content `write` appends.
+template <class Write>
+void section(std::string& text, const std::string& name, const Write& write,
+             const std::string& attributes = {}) {
+    text += "<" + name + attributes + ">\n";
+    write();
+    text += "</" + name + ">\n";
 }
 
 } // namespace
@@ -140,22 +150,26 @@ std::string section(const std::string& name, const std::string& content, const s
 void write_vtu(const std::filesystem::path& file, const Snapshot& snapshot) {
     const Mesh& mesh = *snapshot.mesh;
     GASPARD_CHECK(snapshot.x.size() == mesh.node_count());
-    Arrays points;
-    points.vectors("x", snapshot.x);
-    const std::string piece =
-        section("PointData", point_data(snapshot), " Scalars=\"monitor\" Vectors=\"displacement\"") +
-        section("CellData", cell_data(snapshot)) + section("Points", points.text()) +
-        section("Cells", cells(mesh));
     const std::string counts = " NumberOfPoints=\"" + std::to_string(mesh.node_count()) +
                                "\" NumberOfCells=\"" + std::to_string(mesh.cell_count()) + '"';
-    write_atomically(
-        file, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- Gaspard " + std::string(version()) +
-                  " -->\n" +
-                  section("VTKFile",
-                          section("UnstructuredGrid", section("FieldData", field_data(snapshot.report)) +
-                                                          section("Piece", piece, counts)),
-                          " type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-                          "header_type=\"UInt64\""));
+    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- Gaspard " + std::string(version()) +
+                       " -->\n"; // the one buffer, to which everything is appended
+    const auto piece = [&] {
+        section(
+            text, "PointData", [&] { point_data(text, snapshot); },
+            " Scalars=\"monitor\" Vectors=\"displacement\"");
+        section(text, "CellData", [&] { cell_data(text, snapshot); });
+        section(text, "Points", [&] { Arrays(text).vectors("x", snapshot.x); });
+        section(text, "Cells", [&] { cells(text, mesh); });
+    };
+    const auto grid = [&] {
+        section(text, "FieldData", [&] { field_data(text, snapshot.report); });
+        section(text, "Piece", piece, counts);
+    };
+    section(
+        text, "VTKFile", [&] { section(text, "UnstructuredGrid", grid); },
+        " type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"");
+    write_atomically(file, text);
 }
 
 } // namespace gaspard

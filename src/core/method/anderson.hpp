@@ -21,6 +21,8 @@ class Anderson {
 
     /// Discards the differences, but keeps the last iterate.
     void forget_differences() { count_ = 0; }
+    /// Discards everything.
+    void restart() { count_ = 0, begun_ = false; }
     /// Number of stored differences.
     std::size_t count() const { return count_; }
     /// Stores the iterate phi with its u and r, and computes `next`. Allocates nothing.

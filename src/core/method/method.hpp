@@ -38,6 +38,7 @@ struct Evaluation {
     double step_size = 0;     ///< of the update that led here; 0 at the start
     int inner_iterations = 0; ///< of the linear solver, for that update
     std::string note{};       ///< a sentence for people, where something is to be said of it
+    bool anew = false;        ///< the method returned to an earlier iterate: progress is judged from here
 };
 
 class Method {
@@ -111,7 +112,7 @@ struct MethodType {
 /// Default values of the rows of the method and of common_method_rows().
 Values default_values(const MethodType& type);
 
-/// Rows of every method (tolerance, max_iterations, diagnostics_every); Run reads them.
+/// Rows of every method (tolerance, max_iterations, diagnostics, ...); Run reads them.
 std::vector<ParameterRow> common_method_rows();
 
 MethodType relaxation_method();

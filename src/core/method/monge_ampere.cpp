@@ -31,8 +31,10 @@ std::string MongeAmpereEquation::name_of_continued(double t) const {
 double stable_step(const Ellipticity& ellipticity) {
     constexpr double shortened = 0.98; // lambda_max is taken at vertices only and may be underestimated
     constexpr double careful = 0.1;    // if lambda_max <= 0, there is no stability bound
-    if (!(ellipticity.fastest > 0)) return careful;
-    return std::min(longest_step, shortened * 2 / (ellipticity.fastest + std::max(0.0, ellipticity.slowest)));
+    const double unit = ellipticity.theta > 0 ? ellipticity.theta : 1;
+    if (!(ellipticity.fastest > 0)) return careful / unit;
+    return std::min(longest_step / unit,
+                    shortened * 2 / (ellipticity.fastest + std::max(0.0, ellipticity.slowest)));
 }
 
 double preconditioner_scale(double monitor) { return 1 / std::pow(monitor, 0.2); }

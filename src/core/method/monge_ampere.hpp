@@ -41,8 +41,8 @@ class MongeAmpereEquation : public NonlinearProblem {
 ///
 ///   0.98 * 2 / (lambda_max + max(0, lambda_min))
 ///
-/// Steps longer than 2 / lambda_max are unstable. The result is positive and at most longest_step, even if
-/// the map is not convex.
+/// Steps longer than 2 / lambda_max are unstable. The result is positive and at most longest_step / theta,
+/// even if the map is not convex.
 double stable_step(const Ellipticity& ellipticity);
 inline constexpr double longest_step = 1e3;
 

@@ -87,6 +87,7 @@ Evaluation Nested::step(const ProblemData& data, State& state, std::stop_token s
     evaluation.step_size = update.step_size;
     evaluation.inner_iterations = update.inner_iterations;
     evaluation.note = update.note;
+    evaluation.anew = update.anew;
     return with_level(std::move(evaluation), level_of_update);
 }
 

@@ -83,7 +83,7 @@ class Picard final : public Method {
         levels_[level_].form->add_identity(phi, whole_);
         load_of_whole_.clear();
         if (level_ == 0) {
-            iterate(*data.monitor);
+            iterate(data);
             increment_ = next_increment_;
             return report();
         }
@@ -91,7 +91,7 @@ class Picard final : public Method {
         const std::size_t coarse = level_;
         const std::vector<double> of_state = whole_;
         go_to(0);
-        iterate(*data.monitor);
+        iterate(data);
         increment_ = next_increment_;
         const Evaluation evaluation = report();
         level_ = coarse;
@@ -103,19 +103,19 @@ class Picard final : public Method {
 
     Evaluation step(const ProblemData& data, State& state, std::stop_token) override {
         GASPARD_CHECK(level_of(state) == level_);
-        if (std::exchange(at_start_, false) && multilevel_) go_to_coarsest(*data.monitor);
-        if (next_.empty()) iterate(*data.monitor);
+        if (std::exchange(at_start_, false) && multilevel_) go_to_coarsest(data);
+        if (next_.empty()) iterate(data);
         const std::size_t level_of_update = level_;
         increment_ = next_increment_;
         whole_.swap(next_);
         load_of_whole_ = load_;
-        iterate(*data.monitor);
+        iterate(data);
         Evaluation evaluation = report(level_of_update);
         bool late = ++iterations_here_ >= coarse_iterations;
         // Skips levels that are already solved: a coarser level must not end the run.
         while (level_ > 0 && (late || increment_ < std::max(coarse_tolerance, tolerance_))) {
             go_to(level_ - 1);
-            iterate(*data.monitor);
+            iterate(data);
             increment_ = next_increment_;
             late = false;
             evaluation = report(level_of_update);
@@ -167,10 +167,10 @@ class Picard final : public Method {
         check_failed("the state is of this method");
     }
     /// Computes next_, next_increment_, load_ and residual_.
-    void iterate(const Monitor& monitor) {
+    void iterate(const ProblemData& data) {
         Level& here = levels_[level_];
-        const PatchSource source = here.form->source(monitor);
-        sigma_ = source.sigma();
+        const PatchSource source = here.form->source(*data.monitor);
+        sigma_ = data.unit * source.sigma();
         next_.resize(whole_.size());
         here.bfo.iterate(source, whole_, next_);
         load_.assign(here.bfo.load().begin(), here.bfo.load().end());
@@ -197,7 +197,7 @@ class Picard final : public Method {
         return {.residual = residual_, .series = {sigma_, increment_, static_cast<double>(level_of_update)}};
     }
 
-    void go_to_coarsest(const Monitor& monitor) {
+    void go_to_coarsest(const ProblemData& data) {
         while (levels_.back().form->cells() % 2 == 0 && levels_.back().form->cells() / 2 >= coarsest)
             levels_.push_back(make_level(levels_.back().form->cells() / 2));
         if (levels_.size() == 1) return;
@@ -205,7 +205,7 @@ class Picard final : public Method {
         iterations_here_ = 0;
         whole_ = levels_[level_].form->form()->identity();
         load_of_whole_.clear();
-        iterate(monitor);
+        iterate(data);
     }
 
     std::shared_ptr<const SplineDomain> domain_;

@@ -48,7 +48,8 @@ Evaluation PlaneEquation::evaluate(const ProblemData& data, std::span<const doub
     data.monitor->values(positions_, monitor_);
     plane_->hessian(phi, sigma_, workspace_);
     const auto [theta, normalised] = plane_->residual(monitor_, sigma_, residual_, workspace_);
-    return {.residual = normalised, .series = {theta}, .step_size = 0};
+    theta_ = theta;
+    return {.residual = normalised, .series = {data.unit * theta}, .step_size = 0};
 }
 
 void PlaneEquation::linearise(const ProblemData& data, Linearised how) {

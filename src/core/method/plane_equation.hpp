@@ -24,7 +24,9 @@ class PlaneEquation final : public MongeAmpereEquation {
     std::span<const double> residual() const override { return residual_; }
     /// Extremes over the vertices.
     Ellipticity ellipticity() const override {
-        return gaspard::ellipticity(plane_->grid(), monitor_, sigma_);
+        Ellipticity extremes = gaspard::ellipticity(plane_->grid(), monitor_, sigma_);
+        extremes.theta = theta_;
+        return extremes;
     }
     void direction(std::span<double> u) override { plane_->poisson(residual_, u, workspace_); }
 
@@ -38,6 +40,7 @@ class PlaneEquation final : public MongeAmpereEquation {
     Points positions_;
     std::vector<double> monitor_; ///< m at the mesh nodes
     WeakHessian sigma_;
+    double theta_ = 1; ///< in the unit of the data
     std::vector<double> residual_;
     // The linearisation:
     Points slope_, displacement_;   ///< at the nodes: grad m, displacement for w

@@ -31,11 +31,11 @@ class Relaxation final : public Method {
 
     Evaluation step(const ProblemData& data, State& state, std::stop_token) override {
         auto& u = problem_->unknowns(state);
-        const double step_size = step_size_ ? *step_size_ : problem_->shape().stable_step;
+        const double step_size = step_size_ ? *step_size_ * data.unit : problem_->shape().stable_step;
         problem_->direction(update_);
         for (std::size_t i = 0; i < u.size(); ++i) u[i] += step_size * update_[i];
         Evaluation evaluation = problem_->evaluate(data, u);
-        evaluation.step_size = step_size;
+        evaluation.step_size = step_size / data.unit;
         return evaluation;
     }
 
@@ -66,8 +66,8 @@ MethodType relaxation_method() {
                   .maximum = 10,
                   .scale = ParameterScale::logarithmic,
                   .default_value = std::string("auto"),
-                  .help = "larger is faster until the iteration diverges; auto: the largest stable step for "
-                          "the current mesh",
+                  .help = "larger is faster until the iteration diverges; in units of 1/m; auto: the largest "
+                          "stable step for the current mesh",
                   .remedy = std::string("auto")}},
         .make = [](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
             return std::make_unique<Relaxation>(context.problem(), values);
@@ -110,7 +110,14 @@ std::vector<ParameterRow> common_method_rows() {
          .default_value = std::int64_t{10},
          .help =
              "iterations between evaluations of equidistribution and Jacobians; the last iterate is always "
-             "evaluated"}};
+             "evaluated"},
+        {.key = "diagnostics",
+         .label = "Diagnostics",
+         .kind = ParameterKind::choice,
+         .default_value = std::string("full"),
+         .choices = {"full", "geometry", "none"},
+         .help = "full: equidistribution and Jacobians; geometry: Jacobians, without further evaluations of "
+                 "the monitor; none: only tangled cells, of the last iterate"}};
 }
 
 } // namespace gaspard

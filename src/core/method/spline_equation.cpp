@@ -44,7 +44,7 @@ Evaluation SplineEquation::evaluate(const ProblemData& data, std::span<const dou
     bfo_.residual(whole_, next_, residual_);
     shown_ = whole_;
     patch_->positions(shown_, positions_);
-    return {.residual = std::sqrt(dot(residual_, residual_)) / unit_, .series = {source.sigma()}};
+    return {.residual = std::sqrt(dot(residual_, residual_)) / unit_, .series = {data.unit * source.sigma()}};
 }
 
 std::vector<SeriesInfo> SplineEquation::series() const {

@@ -138,7 +138,8 @@ Evaluation SurfaceEquation::evaluate(const ProblemData& data, std::span<const do
     move(phi);
     data.monitor->values(positions_, monitor_);
     const auto [theta, normalised] = surface_->residual(monitor_, residual_, workspace_);
-    return {.residual = normalised, .series = {theta}, .step_size = 0};
+    theta_ = theta;
+    return {.residual = normalised, .series = {data.unit * theta}, .step_size = 0};
 }
 
 void SurfaceEquation::move(std::span<const double> phi) {
@@ -180,7 +181,7 @@ void SurfaceEquation::precondition(std::span<const double> r, std::span<double> 
 
 Ellipticity SurfaceEquation::ellipticity() const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    Ellipticity extremes{.convexity = infinity, .slowest = infinity, .fastest = -infinity};
+    Ellipticity extremes{.convexity = infinity, .slowest = infinity, .fastest = -infinity, .theta = theta_};
     const bool flat = surface_->shape() == SurfaceShape::flat;
     for (std::size_t i = 0; i < monitor_.size(); ++i) {
         const Tensor sigma = surface_->sigma(workspace_, i);

@@ -36,6 +36,7 @@ class SurfaceEquation final : public MongeAmpereEquation {
     Points gradient_; ///< w' of (4.11)
     Points positions_;
     std::vector<double> monitor_; ///< m at the mesh nodes
+    double theta_ = 1;            ///< in the unit of the data
     std::vector<double> residual_;
     // The linearisation:
     std::optional<SurfaceQ2::Workspace> d_workspace_; ///< nullopt before the first linearise()

@@ -2,8 +2,17 @@
 // ratios of m matter, not its unit.
 //
 // A simulation supplies its own monitor as a function (monitor/function.hpp) or as a class derived from
-// Monitor, which evaluates many points per call. On the periodic square, points may lie outside [0, 1]^2, and
-// m must be periodic. The mesh cannot resolve features of m that are smaller than a few cells.
+// Monitor, which evaluates many points per call and need only define values(). A run asks it only for points
+// of its domain:
+//
+//   periodic square   0 <= x, y < 1, z = 0; m is periodic
+//   walls             0 <= x, y <= 1, z = 0
+//   sphere            |x| = R
+//   patch             x = F(Psi), z = 0 in the plane; Psi may leave the parameter square slightly
+//
+// and checks the values after every call: they must be positive and finite. The built-in monitors are also
+// asked for other images of points of the periodic square, and for points near a sphere. The mesh cannot
+// resolve features of m that are smaller than a few cells.
 #pragma once
 
 #include "core/base/parameter.hpp"
@@ -27,13 +36,16 @@ namespace gaspard {
 class Monitor {
   public:
     virtual ~Monitor() = default;
-    /// m at every point (physical coordinates), positive and finite. `values`: x.size() entries.
+    /// m at every point (physical coordinates), positive and finite. `values`: x.size() entries. Any unit:
+    /// the iterations for c m are those for m, for all c > 0 with which m is a normal double.
     virtual void values(const Points& x, std::span<double> values) const = 0;
     /// grad m at every point, in Cartesian coordinates; on a sphere the tangential gradient. Resizes
-    /// `gradients` to x.size().
-    virtual void gradients(const Points& x, Points& gradients) const = 0;
+    /// `gradients` to x.size(). The default leaves none: a run then takes differences of the values within its
+    /// domain, with a step of 1e-5 times its size (side, radius).
+    virtual void gradients(const Points&, Points& gradients) const { gradients.resize(0); }
     /// Throws InputError if m <= 0 or not finite at some point; the message names the parameter to change.
-    virtual void check() const = 0;
+    /// The default does nothing: a run checks the values themselves.
+    virtual void check() const {}
     /// The kind of space to which the monitor is restricted; nullopt if it has no restriction.
     virtual std::optional<SpaceKind> made_for() const { return std::nullopt; }
     /// On a sphere: the axis of rotational symmetry of m; nullopt if there is none.

@@ -16,6 +16,9 @@ namespace gaspard {
 struct ProblemData {
     /// The density that the mesh equidistributes; never null. Diagnostics use it for every method.
     std::shared_ptr<const Monitor> monitor;
+    /// The monitor's unit: results that have its dimension are multiplied by it (theta, masses), steps of the
+    /// relaxation divided by it. A power of two; 1 unless squares of the caller's monitor would overflow.
+    double unit = 1;
     std::shared_ptr<const TensorMonitor> tensor{}; ///< null: the problem has a scalar monitor
     std::shared_ptr<const Monitor> target{};       ///< density on the target domain; null: constant
     std::shared_ptr<const Values> pde{};           ///< null: no PDE is solved on the mesh

@@ -5,6 +5,7 @@
 #include "core/method/plane_equation.hpp"
 #include "core/method/spline_equation.hpp"
 #include "core/method/surface_equation.hpp"
+#include "core/monitor/own_problem.hpp"
 #include "core/monitor/placement.hpp"
 #include "core/scenario/output_rows.hpp"
 #include "core/scenario/problem_on.hpp"
@@ -198,7 +199,13 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
         return type.make_tensor ? tensor_problem(type.make_tensor(section.values, context))
                                 : scalar_problem(make_on(type, section.values, context));
     };
-    ProblemData data = own ? scalar_problem(std::move(own)) : make(scenario.monitor);
+    const auto make_own = [&] {
+        GASPARD_CHECK(context.discretisation != nullptr);
+        const Mesh& mesh = *context.discretisation->mesh();
+        const bool box = !catalogue.domain(scenario.domain.type).spline_patch;
+        return own_problem(std::move(own), extent_of(mesh, context.space, box), mesh.nodes);
+    };
+    ProblemData data = own ? make_own() : make(scenario.monitor);
     if (!scenario.target.type.empty()) data.target = make(scenario.target).monitor;
     if (!scenario.pde.type.empty()) data.pde = std::make_shared<const Values>(scenario.pde.values);
     return data;

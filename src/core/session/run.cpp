@@ -5,11 +5,15 @@
 #include "core/diagnostics/exact_map.hpp"
 #include "core/diagnostics/quality.hpp"
 #include "core/method/nonlinear_problem.hpp"
+#include "core/monitor/own_problem.hpp"
 #include "core/scenario/view_rows.hpp"
+#include "core/spline/patch_file.hpp"
+#include "core/spline/spline_domain.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <utility>
 
 namespace gaspard {
@@ -32,124 +36,182 @@ std::shared_ptr<const Discretisation> prepare(const Problem& problem, const Prog
     return discretisation;
 }
 
-MonitorContext Run::monitor_context(const Scenario& scenario, const Discretisation& discretisation,
-                                    const Progress& progress, std::stop_token stop) const {
+// Its names are those of the choices of method.diagnostics.
+Diagnostics Run::diagnostics(const Course& course) {
+    const std::string& level = course.problem.scenario.method.values.text("diagnostics");
+    if (level == "none") return Diagnostics::none;
+    return level == "geometry" ? Diagnostics::geometry : Diagnostics::full;
+}
+
+MonitorContext Run::monitor_context(const Course& course, const Progress& progress,
+                                    std::stop_token stop) const {
+    const Scenario& scenario = course.problem.scenario;
     return {.space = space_of(*catalogue_, scenario),
-            .discretisation = &discretisation,
+            .discretisation = course.discretisation.get(),
             .folder = scenario.folder,
             .progress = progress,
             .stop = std::move(stop)};
 }
 
-std::unique_ptr<Method> Run::make_method(const Problem& problem,
-                                         std::shared_ptr<const Discretisation> discretisation,
-                                         const Progress& progress, std::stop_token stop) const {
-    MethodContext context{.discretisation = discretisation, .progress = progress, .stop = std::move(stop)};
-    if (const auto& make = problem.capability->problem)
-        context.problem = [make, discretisation] { return make(discretisation); };
-    const Section& section = problem.scenario.method;
+std::unique_ptr<Method> Run::make_method(const Course& course, const Progress& progress,
+                                         std::stop_token stop) const {
+    MethodContext context{
+        .discretisation = course.discretisation, .progress = progress, .stop = std::move(stop)};
+    if (const auto& make = course.problem.capability->problem)
+        context.problem = [make, discretisation = course.discretisation] { return make(discretisation); };
+    const Section& section = course.problem.scenario.method;
     auto method = catalogue_->method(section.type).make(context, section.values);
-    method->use_threads(options_.threads);
+    method->use_threads(threads_);
     return method;
+}
+
+std::shared_ptr<QualityMeter> Run::make_meter(const Course& course) const {
+    constexpr int points = 6; // see quality.hpp
+    return std::make_shared<QualityMeter>(course.discretisation->mesh(), threads_, points,
+                                          space_of(*catalogue_, course.problem.scenario));
+}
+
+/// Sets the scenario's domain to the caller's patch.
+static Scenario on_patch(const Catalogue& catalogue, Scenario scenario, const SplinePatch* patch) {
+    if (!patch) return scenario;
+    if (scenario.domain.type != own_patch_domain)
+        set_value(catalogue, scenario, "domain.type", std::string(own_patch_domain));
+    set_value(catalogue, scenario, "domain.control_points", std::string());
+    set_value(catalogue, scenario, "domain.file", patch_json(*patch));
+    return scenario;
 }
 
 Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptions options,
          const Progress& progress, std::stop_token stop)
-    : catalogue_(std::move(catalogue)), options_(std::move(options)),
-      problem_(check(*catalogue_, std::move(scenario))) {
+    : catalogue_(std::move(catalogue)), threads_(options.threads),
+      own_start_(options.start.has_value()), now_{.problem = check(*catalogue_,
+                                                                   on_patch(*catalogue_, std::move(scenario),
+                                                                            options.patch.get()),
+                                                                   options.monitor.get()),
+                                                  .own = std::move(options.monitor)} {
     const Stopwatch watch;
-    discretisation_ = prepare(problem_, progress, stop);
-    data_ = make_problem_data(*catalogue_, problem_.scenario, own_,
-                              monitor_context(problem_.scenario, *discretisation_, progress, stop));
-    method_ = make_method(problem_, discretisation_, progress, stop);
-    make_meter();
-    find_exact_map();
-    name_series();
-    State state = method_->initial_state();
-    if (options_.start) {
-        auto adopted = method_->adopt(*options_.start, nullptr);
+    now_.discretisation = prepare(now_.problem, progress, stop);
+    now_.data = make_problem_data(*catalogue_, now_.problem.scenario, now_.own,
+                                  monitor_context(now_, progress, stop));
+    now_.method = make_method(now_, progress, stop);
+    now_.meter = make_meter(now_);
+    prepare_reports(now_);
+    now_.state = now_.method->initial_state();
+    if (options.start) {
+        auto adopted = now_.method->adopt(*options.start, nullptr);
         if (!adopted)
-            throw InputError("the start state has layout '" + options_.start->layout +
-                             "', which is not compatible with '" + state.layout + "'");
-        state = std::move(*adopted);
+            throw InputError("the start state has layout '" + options.start->layout +
+                             "', which is not compatible with '" + now_.state.layout + "'");
+        now_.state = std::move(*adopted);
     }
     setup_seconds_ = watch.seconds();
-    const Evaluation evaluation = first_look(data_, state);
-    begin(std::move(state), evaluation);
+    restart(now_, stop);
+    epoch_ = 0;
 }
 
 Run::Run(Run&&) noexcept = default;
 Run::~Run() = default;
 
-// Only a state or monitor of the caller may have no finite residual.
-Evaluation Run::first_look(const ProblemData& data, const State& state) {
-    const Evaluation evaluation = method_->evaluate(data, state, {});
+/// What is reported and shown of the problem: the exact map, the names of the series.
+void Run::prepare_reports(Course& course) const {
+    course.exact.reset();
+    const Space space = space_of(*catalogue_, course.problem.scenario);
+    if (space.kind == SpaceKind::sphere && diagnostics(course) == Diagnostics::full)
+        if (const auto map = ExactMap::of(*course.data.monitor))
+            course.exact = std::make_shared<Points>(map->apply(course.discretisation->mesh()->nodes));
+    std::vector<SeriesInfo> diagnostics = quality_series();
+    if (course.exact)
+        for (SeriesInfo& one : exact_series()) diagnostics.push_back(std::move(one));
+    if (course.method->knows_map()) diagnostics.push_back(folded_drawn_cells_series());
+    auto table = std::make_shared<const SeriesTable>(method_type(course).residual, std::move(diagnostics),
+                                                     course.method->series(), method_type(course).criterion);
+    if (!course.series || course.series->all() != table->all()) course.series = std::move(table);
+}
+
+const MethodType& Run::method_type(const Course& course) const {
+    return catalogue_->method(course.problem.scenario.method.type);
+}
+
+/// Wall and CPU time, also of the threads of method and meter.
+class Run::Timer {
+  public:
+    explicit Timer(const Course& course)
+        : method_(course.method), others_before_(method_->other_cpu_seconds()) {}
+
+    /// Sets the times of a report, which continue those of the last one.
+    void add_to(StepReport& report, const StepReport& last, const Course& course) const {
+        report.seconds = last.seconds + watch_.seconds();
+        report.cpu_seconds = last.cpu_seconds + watch_.cpu_seconds() + method_->other_cpu_seconds() -
+                             others_before_ + (course.measured ? course.meter->other_cpu_seconds() : 0);
+    }
+
+  private:
+    Stopwatch watch_;
+    std::shared_ptr<const Method> method_;
+    double others_before_;
+};
+
+Evaluation Run::first_look(const Course& course, std::stop_token stop) const {
+    const Evaluation evaluation = course.method->evaluate(stoppable(course.data, stop), course.state, stop);
+    if (stop.stop_requested()) throw Interrupted();
     if (std::isfinite(evaluation.residual)) return evaluation;
-    GASPARD_CHECK(options_.start || data.monitor != data_.monitor || own_);
+    GASPARD_CHECK(own_start_ || course.own); // only a state or monitor of the caller
     throw InputError("the residual of the start state is not finite for this monitor");
 }
 
-void Run::make_meter() {
-    constexpr int points = 6; // see quality.hpp
-    meter_ = std::make_unique<QualityMeter>(discretisation_->mesh(), options_.threads, points, space());
+/// Begins a new history with the state of the course.
+void Run::restart(Course next, std::stop_token stop) {
+    const Timer timer(next);
+    const Evaluation evaluation = first_look(next, stop);
+    next.untangled = next.state;
+    next.judging = {};
+    const ProblemData data = std::exchange(next.data, stoppable(next.data, stop));
+    std::vector<StepReport> history = {report(next, evaluation, 0, {})};
+    next.data = data;
+    timer.add_to(history[0], {}, next);
+    history_ = std::move(history);
+    put_in_place(std::move(next));
+    ++epoch_;
 }
 
-void Run::find_exact_map() {
-    exact_.reset();
-    if (space().kind != SpaceKind::sphere) return;
-    if (const auto map = ExactMap::of(*data_.monitor))
-        exact_ = std::make_shared<const Points>(map->apply(discretisation_->mesh()->nodes));
+/// When nothing can fail any more.
+void Run::put_in_place(Course&& next) noexcept {
+    now_ = std::move(next);
+    stale_ = failed_ = false;
+    ++version_;
 }
 
-/// Once the method and the exact map are there.
-void Run::name_series() {
-    std::vector<SeriesInfo> diagnostics = quality_series();
-    if (exact_)
-        for (SeriesInfo& one : exact_series()) diagnostics.push_back(std::move(one));
-    if (method_->knows_map()) diagnostics.push_back(folded_drawn_cells_series());
-    auto table = std::make_shared<const SeriesTable>(method_type().residual, std::move(diagnostics),
-                                                     method_->series(), method_type().criterion);
-    if (!series_ || series_->all() != table->all()) series_ = std::move(table);
-}
-
-const MethodType& Run::method_type() const { return catalogue_->method(problem_.scenario.method.type); }
-
-void Run::begin(State state, const Evaluation& evaluation) {
-    state_ = last_untangled_ = std::move(state);
-    history_.clear();
-    seconds_ = cpu_seconds_ = 0;
-    restart_judging();
-    record(evaluation, 0, {});
-}
-
-void Run::restart_judging() {
-    judged_from_ = best_iteration_ = history_.empty() ? 0 : history_.back().iteration;
-    first_ = best_ = std::numeric_limits<double>::infinity();
+/// After an exception: makes the method's last evaluation that of the present state and data.
+void Run::refresh() {
+    if (!stale_) return;
+    now_.measured.reset();
+    now_.method->evaluate(now_.data, now_.state, {});
+    stale_ = false;
 }
 
 void Run::reset() {
-    State state = method_->initial_state();
-    const Evaluation evaluation = first_look(data_, state);
-    ++epoch_;
-    begin(std::move(state), evaluation);
+    Course next = now_;
+    next.state = next.method->initial_state();
+    stale_ = true; // until the start is in place
+    restart(std::move(next), {});
 }
 
-void Run::follow(std::shared_ptr<const Monitor> monitor) {
+void Run::follow(std::shared_ptr<const Monitor> monitor, std::stop_token stop) {
     if (!monitor) throw InputError("Run::follow: the monitor is null");
-    Problem problem = check(*catalogue_, problem_.scenario, monitor.get());
-    ProblemData data = data_;
-    data.monitor = scalar_problem(monitor).monitor;
-    data.tensor.reset();
-    const bool back = status() == RunStatus::diverged || status() == RunStatus::tangled;
-    State state = back ? last_untangled_ : state_;
-    const Evaluation evaluation = first_look(data, state);
-    data_ = std::move(data);
-    own_ = std::move(monitor);
-    problem_ = std::move(problem);
-    find_exact_map();
-    name_series();
-    ++epoch_;
-    begin(std::move(state), evaluation);
+    Course next = now_;
+    next.problem = check(*catalogue_, scenario(), monitor.get());
+    next.own = std::move(monitor);
+    next.data =
+        make_problem_data(*catalogue_, next.problem.scenario, next.own, monitor_context(next, {}, stop));
+    if (returns()) next.state = next.untangled;
+    prepare_reports(next);
+    stale_ = true; // until the start is in place
+    restart(std::move(next), stop);
+}
+
+/// Whether other values begin at the last mesh without tangled cells.
+bool Run::returns() const {
+    return status() == RunStatus::diverged || status() == RunStatus::tangled || failed_;
 }
 
 const StepReport& Run::solve(std::stop_token stop) {
@@ -164,109 +226,114 @@ const StepReport& Run::solve(std::stop_token stop) {
 
 const StepReport& Run::step(std::stop_token stop) {
     GASPARD_CHECK(status() == RunStatus::running);
-    const Stopwatch watch;
-    const double others_before = method_->other_cpu_seconds();
-    last_finite_ = state_;
-    Evaluation evaluation;
+    refresh();
+    const Timer timer(now_);
+    last_finite_ = now_.state;
+    const Judging judging = now_.judging;
     try {
-        evaluation = method_->step(data_, state_, stop);
+        Evaluation evaluation = now_.method->step(now_.data, now_.state, stop);
+        std::string note = evaluation.note;
+        if (!std::isfinite(evaluation.residual)) take_back(evaluation, note);
+        StepReport next = report(now_, evaluation, history_.back().iteration + 1, std::move(note));
+        timer.add_to(next, history_.back(), now_);
+        history_.push_back(std::move(next));
     } catch (...) { // undo the incomplete step
-        state_ = last_finite_;
+        now_.state = last_finite_;
+        now_.judging = judging;
+        now_.measured.reset();
+        stale_ = failed_ = true;
         throw;
     }
-    std::string note = evaluation.note;
-    if (!std::isfinite(evaluation.residual)) take_back(evaluation, note);
-    record(evaluation, history_.back().iteration + 1, std::move(note));
-    seconds_ += watch.seconds();
-    cpu_seconds_ += watch.cpu_seconds() + method_->other_cpu_seconds() - others_before +
-                    (measured_ ? meter_->other_cpu_seconds() : 0);
-    history_.back().seconds = seconds_;
-    history_.back().cpu_seconds = cpu_seconds_;
+    failed_ = false;
+    ++version_;
     return history_.back();
 }
 
 // If an update is not finite, the run ends with the iterate before it.
 void Run::take_back(Evaluation& evaluation, std::string& note) {
     const Evaluation lost = evaluation;
-    state_ = last_finite_;
-    evaluation = method_->evaluate(data_, state_, {});
+    now_.state = last_finite_;
+    evaluation = now_.method->evaluate(now_.data, now_.state, {});
     evaluation.step_size = lost.step_size;
     evaluation.inner_iterations = lost.inner_iterations;
-    not_finite_ = true;
+    now_.judging.not_finite = true;
     note = "the last update was not finite and was discarded";
 }
 
-void Run::record(const Evaluation& evaluation, int iteration, std::string note) {
+/// The report of the iterate last evaluated: judged, and measured where that is due.
+StepReport Run::report(Course& course, const Evaluation& evaluation, int iteration, std::string note,
+                       Diagnostics at_most) const {
     StepReport report{.iteration = iteration,
                       .residual = evaluation.residual,
                       .step_size = evaluation.step_size,
                       .inner_iterations = evaluation.inner_iterations,
-                      .seconds = seconds_,
-                      .cpu_seconds = cpu_seconds_,
                       .note = std::move(note),
-                      .series = series_};
-    take_series(evaluation.series, report);
-    ++version_;
-    measured_ = false;
-    report.status = judge(report, report.note);
-    const auto every = problem_.scenario.method.values.integer("diagnostics_every");
-    if (is_final(report.status) || iteration % every == 0) measure(report);
+                      .series = course.series};
+    take_series(course, evaluation.series, report);
+    course.measured.reset();
+    if (evaluation.anew) course.judging.best = std::numeric_limits<double>::infinity();
+    report.status = judge(course, report, report.note);
+    const auto every = course.problem.scenario.method.values.integer("diagnostics_every");
+    const bool due = iteration % every == 0 && diagnostics(course) != Diagnostics::none;
+    if (is_final(report.status) || due) measure(course, report, at_most);
     if (is_final(report.status) && *report.tangled_cells > 0) report.status = RunStatus::tangled;
-    if (is_final(report.status)) note_folds(report);
-    history_.push_back(std::move(report));
+    if (is_final(report.status)) note_folds(course, report);
+    return report;
 }
 
 /// Where cells fold although the map, by which the mesh is judged, does not.
-void Run::note_folds(StepReport& report) const {
+void Run::note_folds(const Course& course, StepReport& report) {
     const double drawn = report.value(folded_drawn_cells_series().name).value_or(0);
-    if (drawn == 0 || *report.tangled_cells > 0) return;
+    if (!(drawn > 0) || *report.tangled_cells > 0) return;
     report.note += (report.note.empty() ? "" : "; ") + format_number(drawn) + " of " +
-                   std::to_string(discretisation_->mesh()->cell_count()) +
+                   std::to_string(course.discretisation->mesh()->cell_count()) +
                    " drawn cells fold; the map does not";
 }
 
 /// The values that every iterate has; those that are measured stay empty.
-void Run::take_series(const SeriesValues& values, StepReport& report) const {
-    const auto& all = series_->all();
-    report.values.assign(series_->slots(), std::numeric_limits<double>::quiet_NaN());
+void Run::take_series(const Course& course, const SeriesValues& values, StepReport& report) const {
+    const auto& all = course.series->all();
+    report.values.assign(course.series->slots(), std::numeric_limits<double>::quiet_NaN());
     const double* next = values.begin();
-    for (std::size_t i = series_->first_of_method(); i < all.size(); ++i) {
+    for (std::size_t i = course.series->first_of_method(); i < all.size(); ++i) {
         if (all[i].measured) continue;
         GASPARD_CHECK(next != values.end());
-        report.values[series_->slot(i)] = *next++;
+        report.values[course.series->slot(i)] = *next++;
     }
     GASPARD_CHECK(next == values.end());
 }
 
-bool Run::out_of_bounds(const StepReport& report) const {
-    for (std::size_t i = series_->first_of_method(); i < series_->all().size(); ++i) {
-        if (!series_->all()[i].bounded) continue;
-        const std::size_t slot = series_->slot(i);
+bool Run::out_of_bounds(const Course& course, const StepReport& report) const {
+    const SeriesTable& series = *course.series;
+    for (std::size_t i = series.first_of_method(); i < series.all().size(); ++i) {
+        if (!series.all()[i].bounded) continue;
+        const std::size_t slot = series.slot(i);
         const double value = report.values[slot];
-        if (!(value > 0) || value > divergence_factor * first_values_[slot]) return true;
+        if (!(value > 0) || value / divergence_factor > course.judging.first_values[slot]) return true;
     }
     return false;
 }
 
-RunStatus Run::judge(const StepReport& report, std::string& note) {
-    const Values& method = problem_.scenario.method.values;
-    if (std::exchange(not_finite_, false)) return RunStatus::diverged;
-    const auto criterion = report.value(series_->criterion());
+RunStatus Run::judge(Course& course, const StepReport& report, std::string& note) const {
+    const Values& method = course.problem.scenario.method.values;
+    Judging& by = course.judging;
+    if (std::exchange(by.not_finite, false)) return RunStatus::diverged;
+    const auto criterion = report.value(course.series->criterion());
     GASPARD_CHECK(criterion.has_value());
-    if (std::isinf(first_)) first_ = *criterion, first_values_ = report.values;
-    if (*criterion < worthwhile * best_) best_ = *criterion, best_iteration_ = report.iteration;
+    if (std::isinf(by.first)) by.first = *criterion, by.first_values = report.values;
+    if (*criterion < worthwhile * by.best) by.best = *criterion, by.best_iteration = report.iteration;
     if (*criterion < method.real("tolerance")) return RunStatus::converged;
-    if (*criterion > divergence_factor * std::max(1.0, first_) || out_of_bounds(report)) {
-        const Values& domain = problem_.scenario.domain.values;
+    if (*criterion > divergence_factor * std::max(1.0, by.first) || out_of_bounds(course, report)) {
+        const Values& domain = course.problem.scenario.domain.values;
         note = "the iteration diverged; ";
         if (const auto remedy = find_remedy(domain)) note += describe(domain, *remedy) + " or ";
         note += "a smaller step may help";
         return RunStatus::diverged;
     }
-    if (report.iteration - judged_from_ >= method.integer("max_iterations"))
+    if (report.iteration - by.judged_from >= method.integer("max_iterations"))
         return RunStatus::iteration_limit;
-    if (report.iteration - best_iteration_ >= patience) {
-        note = "the " + series_->all()[series_->criterion()].name + " has not decreased for " +
+    if (report.iteration - by.best_iteration >= patience) {
+        note = "the " + course.series->all()[course.series->criterion()].name + " has not decreased for " +
                std::to_string(patience) + " iterations";
         if (const auto remedy = find_remedy(method)) note += "; " + describe(method, *remedy) + " may help";
         return RunStatus::stalled;
@@ -274,109 +341,158 @@ RunStatus Run::judge(const StepReport& report, std::string& note) {
     return RunStatus::running;
 }
 
-void Run::measure(StepReport& report) {
-    if (measured_) return;
-    const MeshQuality& quality = meter_->measure(method_->positions(), *data_.monitor);
-    tangled_.reset();
-    if (method_->knows_map())
-        tangled_ = std::make_shared<const std::vector<std::uint32_t>>(method_->folded_cells());
-    report.tangled_cells = tangled_ ? tangled_->size() : quality.tangled_cells;
-    auto next = report.values.begin(); // as name_series() has them: the diagnostics, then the method's
-    for (const double value : values_of(quality)) *next++ = value;
-    if (exact_)
-        for (const double value :
-             values_of(exact_deviation(*discretisation_->mesh(), method_->positions(), *exact_)))
-            *next++ = value;
-    if (tangled_) *next++ = static_cast<double>(quality.tangled_cells);
-    const std::vector<double> measures = method_->measures(data_);
-    auto measure = measures.begin();
-    for (std::size_t i = report.series->first_of_method(); i < report.series->all().size(); ++i, ++next)
-        if (report.series->all()[i].measured) {
-            GASPARD_CHECK(measure != measures.end());
-            *next = *measure++;
-        }
-    GASPARD_CHECK(measure == measures.end());
-    measured_ = true;
-    if (*report.tangled_cells == 0) last_untangled_ = state_;
+/// Measures the method's last evaluation, up to a level that method.diagnostics allows.
+void Run::measure(Course& course, StepReport& report, Diagnostics at_most) const {
+    const Diagnostics level = std::min(at_most, diagnostics(course));
+    if (course.measured && *course.measured >= level) return;
+    const Points& x = course.method->positions();
+    const MeshQuality& quality = level == Diagnostics::full ? course.meter->measure(x, *course.data.monitor)
+                                                            : course.meter->measure_geometry(x);
+    course.tangled.reset();
+    if (course.method->knows_map())
+        course.tangled = std::make_shared<const std::vector<std::uint32_t>>(course.method->folded_cells());
+    // As prepare_reports() has them: the diagnostics, then the method's.
+    std::vector<double> values = report.values;
+    auto next = values.begin();
+    if (level != Diagnostics::none) std::ranges::copy(values_of(quality), next);
+    next += static_cast<std::ptrdiff_t>(values_of(quality).size());
+    if (course.exact) {
+        if (level == Diagnostics::full)
+            std::ranges::copy(values_of(exact_deviation(*course.discretisation->mesh(), x, *course.exact)),
+                              next);
+        next += static_cast<std::ptrdiff_t>(exact_series().size());
+    }
+    if (course.tangled) *next++ = static_cast<double>(quality.tangled_cells);
+    if (level == Diagnostics::full) {
+        const std::vector<double> measures = course.method->measures(course.data);
+        auto measure = measures.begin();
+        for (std::size_t i = report.series->first_of_method(); i < report.series->all().size(); ++i, ++next)
+            if (report.series->all()[i].measured) {
+                GASPARD_CHECK(measure != measures.end());
+                *next = *measure++;
+            }
+        GASPARD_CHECK(measure == measures.end());
+    }
+    report.values = std::move(values);
+    report.tangled_cells = course.tangled ? course.tangled->size() : quality.tangled_cells;
+    course.measured = level;
+    if (*report.tangled_cells == 0) course.untangled = course.state;
 }
 
-void Run::complete() { measure(history_.back()); }
+void Run::complete() {
+    refresh();
+    measure(now_, history_.back(), Diagnostics::full);
+}
 
 void Run::interrupt() {
     GASPARD_CHECK(status() == RunStatus::running);
-    measure(history_.back());
+    complete();
     history_.back().status = RunStatus::interrupted;
 }
 
-std::string Run::change(const Scenario& scenario, const Progress& progress, std::stop_token stop) {
-    Problem problem = check(*catalogue_, scenario, own_.get());
-    const Scenario& old = problem_.scenario;
+std::string Run::change(const Scenario& scenario, const Progress& progress, std::stop_token stop,
+                        Diagnostics at_most) {
+    Problem problem = check(*catalogue_, scenario, now_.own.get());
+    const Scenario& old = now_.problem.scenario;
     const bool new_data = !same_problem_data(problem.scenario, old);
     if (!new_data && problem.scenario.method == old.method) {
-        problem_ = std::move(problem);
+        now_.problem = std::move(problem);
         return {};
     }
     const bool other_files = find_role(old.domain.values.rows(), ParameterRole::file) != nullptr &&
                              problem.scenario.folder != old.folder;
     const bool new_domain = !(problem.scenario.domain == old.domain) || other_files;
     const bool new_method = new_domain || problem.scenario.method.type != old.method.type;
-    // From divergence or tangled cells no step leads on: restart from the last untangled mesh.
-    measure(history_.back());
-    const bool back = status() == RunStatus::diverged || history_.back().tangled_cells.value_or(0) > 0;
-    std::optional<State> state = back ? last_untangled_ : state_;
-    std::optional<State> untangled = last_untangled_;
     const Stopwatch watch;
-    auto discretisation = new_domain ? prepare(problem, progress, stop) : discretisation_;
-    ProblemData data = data_;
+    Course next = now_;
+    next.problem = std::move(problem);
+    if (new_domain) next.discretisation = prepare(next.problem, progress, stop);
+    if (new_domain) next.meter = make_meter(next);
     if (new_data)
-        data = make_problem_data(*catalogue_, problem.scenario, own_,
-                                 monitor_context(problem.scenario, *discretisation, progress, stop));
+        next.data = make_problem_data(*catalogue_, next.problem.scenario, next.own,
+                                      monitor_context(next, progress, stop));
+    // From divergence or tangled cells no step leads on: restart from the last untangled mesh.
+    refresh();
+    measure(now_, history_.back(), Diagnostics::none);
+    const bool back = returns() || *history_.back().tangled_cells > 0;
+    next.untangled = now_.untangled;
+    if (back) next.state = next.untangled;
+    bool transferred = true;
+    double setup_seconds = setup_seconds_;
+    stale_ = true; // until the new values are in place
     if (new_method) {
-        auto method = make_method(problem, discretisation, progress, stop);
-        const bool same = *state == last_untangled_;
-        state = method->adopt(*state, discretisation_.get());
-        untangled = same ? state : method->adopt(last_untangled_, discretisation_.get());
-        discretisation_ = std::move(discretisation);
-        method_ = std::move(method);
-        setup_seconds_ = watch.seconds();
+        next.method = make_method(next, progress, stop);
+        transferred = transfer(next);
+        if (!transferred) next.state = next.method->initial_state();
+        setup_seconds = watch.seconds();
     } else {
-        method_->configure(problem.scenario.method.values);
+        next.method->configure(next.problem.scenario.method.values);
     }
-    data_ = std::move(data);
-    problem_ = std::move(problem);
-    if (new_domain) make_meter();
-    if (new_data) find_exact_map();
-    name_series();
-    if (!state) {
-        reset();
-        return "The map could not be transferred; the run restarts from the uniform mesh.";
+    try {
+        prepare_reports(next);
+        if (transferred)
+            continue_with(std::move(next), back, stop, at_most);
+        else
+            restart(std::move(next), stop);
+    } catch (...) {
+        if (!new_method) now_.method->configure(now_.problem.scenario.method.values);
+        throw;
     }
-    state_ = std::move(*state);
-    last_untangled_ = untangled ? std::move(*untangled) : method_->initial_state();
-    const Evaluation evaluation = method_->evaluate(data_, state_, {});
-    GASPARD_CHECK(std::isfinite(evaluation.residual));
-    restart_judging();
-    record(evaluation, history_.back().iteration,
-           back ? "values changed; restarted from the last mesh without tangled cells" : "values changed");
-    measure(history_.back());
-    return {};
+    setup_seconds_ = setup_seconds;
+    return transferred ? "" : "The map could not be transferred; the run restarts from the uniform mesh.";
 }
 
-std::shared_ptr<const Snapshot> Run::snapshot() {
-    measure(history_.back());
+/// Transfers the maps to a new method; false if that is impossible.
+bool Run::transfer(Course& course) const {
+    const bool same = course.state == course.untangled;
+    auto state = course.method->adopt(course.state, now_.discretisation.get());
+    if (!state) return false;
+    auto untangled = same ? state : course.method->adopt(course.untangled, now_.discretisation.get());
+    course.state = std::move(*state);
+    course.untangled = untangled ? std::move(*untangled) : course.method->initial_state();
+    return true;
+}
+
+/// Continues the history with a row for the present map under new values.
+void Run::continue_with(Course next, bool back, std::stop_token stop, Diagnostics at_most) {
+    const Timer timer(next);
+    const Evaluation evaluation = first_look(next, stop);
+    const StepReport& last = history_.back();
+    next.judging = {.judged_from = last.iteration, .best_iteration = last.iteration};
+    const ProblemData data = std::exchange(next.data, stoppable(next.data, stop));
+    StepReport first =
+        report(next, evaluation, last.iteration,
+               back ? "values changed; restarted from the last mesh without tangled cells" : "values changed",
+               at_most);
+    measure(next, first, at_most);
+    next.data = data;
+    timer.add_to(first, last, next);
+    history_.push_back(std::move(first));
+    put_in_place(std::move(next));
+}
+
+std::shared_ptr<const Snapshot> Run::snapshot(Diagnostics at_most) {
+    refresh();
+    measure(now_, history_.back(), at_most);
     auto snapshot = std::make_shared<Snapshot>();
-    snapshot->mesh = discretisation_->mesh();
-    snapshot->x = method_->positions();
-    snapshot->tangled = tangled_;
-    snapshot->exact = exact_;
-    snapshot->control = discretisation_->control_points();
-    snapshot->patches = discretisation_->patches();
+    snapshot->mesh = now_.discretisation->mesh();
+    snapshot->x = now_.method->positions();
+    snapshot->tangled = now_.tangled;
+    snapshot->exact = now_.exact;
+    snapshot->control = now_.discretisation->control_points();
+    snapshot->patches = now_.discretisation->patches();
     Field monitor{mesh_colour("monitor"), std::vector<double>(snapshot->x.size())};
-    data_.monitor->values(snapshot->x, monitor.values);
-    const FieldInfo mass{.name = "mass", .label = "cell mass", .symbol = "Mᵢ", .place = FieldPlace::cell};
-    snapshot->fields = {std::move(monitor),
-                        {mass, meter_->quality().cell_mass},
-                        {mesh_colour("jacobian"), meter_->quality().cell_jacobian}};
+    now_.data.monitor->values(snapshot->x, monitor.values);
+    for (double& value : monitor.values) value *= now_.data.unit;
+    snapshot->fields.push_back(std::move(monitor));
+    const MeshQuality& quality = now_.meter->quality();
+    if (*now_.measured == Diagnostics::full) {
+        const FieldInfo info{.name = "mass", .label = "cell mass", .symbol = "Mᵢ", .place = FieldPlace::cell};
+        Field mass{info, quality.cell_mass};
+        for (double& value : mass.values) value *= now_.data.unit;
+        snapshot->fields.push_back(std::move(mass));
+    }
+    snapshot->fields.push_back({mesh_colour("jacobian"), quality.cell_jacobian});
     add_fields_of_method(*snapshot);
     snapshot->report = history_.back();
     snapshot->version = version_;
@@ -384,8 +500,8 @@ std::shared_ptr<const Snapshot> Run::snapshot() {
 }
 
 void Run::add_fields_of_method(Snapshot& snapshot) {
-    const std::vector<FieldInfo>& infos = method_type().fields;
-    auto values = method_->fields(data_);
+    const std::vector<FieldInfo>& infos = method_type(now_).fields;
+    auto values = now_.method->fields(now_.data);
     GASPARD_CHECK(values.size() == infos.size());
     for (std::size_t i = 0; i < infos.size(); ++i) {
         const bool of_nodes = infos[i].place == FieldPlace::node;

@@ -14,6 +14,7 @@
 #include "core/scenario/catalogue.hpp"
 #include "core/session/snapshot.hpp"
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -23,10 +24,16 @@
 namespace gaspard {
 
 class QualityMeter;
+struct SplinePatch; // core/spline/spline_patch.hpp
 
 struct RunOptions {
     std::optional<State> start{}; ///< the first iterate; nullopt: the identity map
     int threads = 1;              ///< maximum number of threads; results do not depend on it
+    /// The caller's monitor instead of the scenario's, as after follow(); null: the scenario's.
+    std::shared_ptr<const Monitor> monitor{};
+    /// The caller's patch as domain: domain.type becomes "spline-patch" (with default values if the scenario
+    /// has another) and domain.file the patch as JSON; null: the scenario's domain.
+    std::shared_ptr<const SplinePatch> patch{};
 };
 
 class Run {
@@ -38,89 +45,116 @@ class Run {
     Run(Run&&) noexcept;
     ~Run();
 
+    // Exceptions, also those of the caller's monitor, propagate from every function and leave the run as it
+    // was before the call.
+
     /// Makes one iteration and returns its report with the new status. Requires status() to be running.
-    /// Exceptions of the monitor propagate; the run keeps its last iterate and can continue after follow(),
-    /// change() or reset(). Until then, only state() and history() may be called.
+    /// Throws InputError if the caller's monitor is not positive and finite somewhere.
     const StepReport& step(std::stop_token stop = {});
     /// Steps until the status is final (interrupted if asked to stop). Returns the last report.
     const StepReport& solve(std::stop_token stop = {});
-    /// Computes the diagnostics of the current iterate if they were skipped.
+    /// Computes the diagnostics (method.diagnostics) of the current iterate if they were skipped.
     void complete();
-    /// Ends the run with status interrupted and full diagnostics of the current iterate.
+    /// Ends the run with status interrupted and the diagnostics of the current iterate.
     void interrupt();
 
     /// Continues with other values from the current map, transferred to the new problem; from the last map
     /// without tangled cells if that one has some or the run has diverged; from the identity map if no
-    /// transfer is possible. The history continues with a row for the current iterate under the new values. Returns a
-    /// message for the user if the map could not be transferred, else an empty string. Throws InputError and
-    /// Interrupted before anything has changed.
-    std::string change(const Scenario& scenario, const Progress& progress = {}, std::stop_token stop = {});
+    /// transfer is possible. The history continues with a row for the current iterate under the new values, with
+    /// diagnostics up to `at_most`. Returns a message for the user if the map could not be transferred, else
+    /// an empty string. Throws InputError, and Interrupted if asked to stop.
+    std::string change(const Scenario& scenario, const Progress& progress = {}, std::stop_token stop = {},
+                       Diagnostics at_most = Diagnostics::full);
     /// Replaces the monitor of the scenario by that of the caller; the type of section "monitor" is then
     /// "own". Starts a new history from the current map (from the last one without tangled cells if the run
-    /// is tangled or diverged), so that history().back().iteration is the number of iterations for this
-    /// monitor. Throws InputError if the monitor is not positive and finite, or if the residual of the map is
-    /// not finite for it; then the same holds as after an exception in step().
-    void follow(std::shared_ptr<const Monitor> monitor);
+    /// is tangled or diverged, or if the last step threw), so that history().back().iteration is the number of
+    /// iterations for this monitor. Throws InputError if the monitor is not positive and finite, with the
+    /// point, or if the residual of the map is not finite for it; Interrupted if asked to stop.
+    void follow(std::shared_ptr<const Monitor> monitor, std::stop_token stop = {});
     /// Restarts from the identity map, with a new history.
     void reset();
 
     RunStatus status() const { return history_.back().status; }
-    const Scenario& scenario() const { return problem_.scenario; }
+    const Scenario& scenario() const { return now_.problem.scenario; }
+    /// Times include the evaluation of the start, by the constructor, reset(), follow() or change().
     const std::vector<StepReport>& history() const { return history_; }
     /// Number of times that a new history has been started.
     int epoch() const { return epoch_; }
-    const State& state() const { return state_; }
-    const Discretisation& discretisation() const { return *discretisation_; }
+    const State& state() const { return now_.state; }
+    const Discretisation& discretisation() const { return *now_.discretisation; }
     /// The space of the domain.
-    Space space() const { return space_of(*catalogue_, problem_.scenario); }
+    Space space() const { return space_of(*catalogue_, scenario()); }
     double setup_seconds() const { return setup_seconds_; }
-    /// The current iterate as a value, with diagnostics even if the history skips them.
-    std::shared_ptr<const Snapshot> snapshot();
+    /// The current iterate as a value, with the diagnostics of method.diagnostics, or fewer, even if the
+    /// history skips them.
+    std::shared_ptr<const Snapshot> snapshot(Diagnostics at_most = Diagnostics::full);
 
   private:
-    Evaluation first_look(const ProblemData& data, const State& state);
-    MonitorContext monitor_context(const Scenario& scenario, const Discretisation& discretisation,
-                                   const Progress& progress, std::stop_token stop) const;
-    std::unique_ptr<Method> make_method(const Problem& problem,
-                                        std::shared_ptr<const Discretisation> discretisation,
-                                        const Progress& progress, std::stop_token stop) const;
-    void begin(State state, const Evaluation& evaluation);
-    void restart_judging();
-    void make_meter();
-    void find_exact_map();
-    void name_series();
-    const MethodType& method_type() const;
-    void record(const Evaluation& evaluation, int iteration, std::string note);
-    void note_folds(StepReport& report) const;
-    void take_series(const SeriesValues& values, StepReport& report) const;
-    void measure(StepReport& report);
+    /// What the end is judged by; begins anew when values change.
+    struct Judging {
+        /// Values of the criterion (SeriesTable::criterion).
+        double first = std::numeric_limits<double>::infinity(), best = first;
+        std::vector<double> first_values{}; ///< of the series
+        int judged_from = 0, best_iteration = 0;
+        bool not_finite = false; ///< the last update was discarded
+    };
+    /// All that changes when values do. It is made aside and replaces the present one when nothing can fail
+    /// any more.
+    struct Course {
+        Problem problem;
+        std::shared_ptr<const Monitor> own{}; ///< the caller's monitor; null: the scenario's
+        ProblemData data{};
+        std::shared_ptr<const Discretisation> discretisation{};
+        std::shared_ptr<Method> method{};
+        std::shared_ptr<QualityMeter> meter{};
+        std::shared_ptr<const Points> exact{};       ///< null if no exact map is known
+        std::shared_ptr<const SeriesTable> series{}; ///< of the reports to come
+        State state{};
+        /// As in Snapshot, of the last measurement.
+        std::shared_ptr<const std::vector<std::uint32_t>> tangled{};
+        State untangled{}; ///< the last measured iterate without tangled cells
+        Judging judging{};
+        std::optional<Diagnostics>
+            measured{}; ///< what the meter's last measurement is of the present iterate
+    };
+
+    class Timer;
+
+    static Diagnostics diagnostics(const Course& course);
+    MonitorContext monitor_context(const Course& course, const Progress& progress,
+                                   std::stop_token stop) const;
+    std::unique_ptr<Method> make_method(const Course& course, const Progress& progress,
+                                        std::stop_token stop) const;
+    std::shared_ptr<QualityMeter> make_meter(const Course& course) const;
+    void prepare_reports(Course& course) const;
+    const MethodType& method_type(const Course& course) const;
+    bool returns() const;
+    bool transfer(Course& course) const;
+    Evaluation first_look(const Course& course, std::stop_token stop) const;
+    void restart(Course next, std::stop_token stop);
+    void continue_with(Course next, bool back, std::stop_token stop, Diagnostics at_most);
+    void put_in_place(Course&& next) noexcept;
+    void refresh();
+    StepReport report(Course& course, const Evaluation& evaluation, int iteration, std::string note,
+                      Diagnostics at_most = Diagnostics::full) const;
+    static void note_folds(const Course& course, StepReport& report);
+    void take_series(const Course& course, const SeriesValues& values, StepReport& report) const;
+    void measure(Course& course, StepReport& report, Diagnostics at_most) const;
     void add_fields_of_method(Snapshot& snapshot);
-    bool out_of_bounds(const StepReport& report) const;
-    RunStatus judge(const StepReport& report, std::string& note);
+    bool out_of_bounds(const Course& course, const StepReport& report) const;
+    RunStatus judge(Course& course, const StepReport& report, std::string& note) const;
     void take_back(Evaluation& evaluation, std::string& note);
 
     std::shared_ptr<const Catalogue> catalogue_;
-    RunOptions options_;
-    Problem problem_;
-    std::shared_ptr<const Monitor> own_; ///< the caller's monitor; null: the scenario's
-    ProblemData data_;
-    std::shared_ptr<const Discretisation> discretisation_;
-    std::unique_ptr<Method> method_;
-    std::unique_ptr<QualityMeter> meter_;
-    std::shared_ptr<const Points> exact_; ///< null if no exact map is known
-    State state_, last_finite_;
-    State last_untangled_; ///< among the iterates with diagnostics
+    int threads_ = 1;
+    bool own_start_ = false; ///< the first state was the caller's
+    Course now_;
+    State last_finite_;
     std::vector<StepReport> history_;
-    std::shared_ptr<const SeriesTable> series_;                 ///< of the reports to come
-    std::shared_ptr<const std::vector<std::uint32_t>> tangled_; ///< as in Snapshot, when last measured
-    bool measured_ = false; ///< the meter's last measurement is of the present iterate
-    bool not_finite_ = false;
-    // What the end is judged by; begins anew when values change.
-    double first_ = 0, best_ = 0;      ///< values of the criterion (SeriesTable::criterion)
-    std::vector<double> first_values_; ///< of the series
-    int judged_from_ = 0, best_iteration_ = 0;
+    bool stale_ = false;  ///< an exception has left the method at another state or other data
+    bool failed_ = false; ///< the last step threw
     int epoch_ = 0;
-    double setup_seconds_ = 0, seconds_ = 0, cpu_seconds_ = 0;
+    double setup_seconds_ = 0;
     std::uint64_t version_ = 0;
 };
 

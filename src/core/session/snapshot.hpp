@@ -37,6 +37,13 @@ enum class RunStatus {
 std::string_view status_name(RunStatus status); ///< "iteration-limit"
 bool is_final(RunStatus status);
 
+/// What is measured of an iterate (method.diagnostics), each with what precedes it.
+enum class Diagnostics {
+    none,     ///< tangled cells alone, of the last iterate
+    geometry, ///< Jacobians; nothing that evaluates the monitor
+    full,     ///< the monitor's mass of the cells, equidistribution, exact maps, the method's measures
+};
+
 /// The report of one iterate. Iteration 0 is the start; iteration k is the result of k updates.
 struct StepReport {
     int iteration = 0;
@@ -73,7 +80,8 @@ struct Snapshot {
     std::shared_ptr<const std::vector<std::uint32_t>> tangled{};
     std::shared_ptr<const Points> control{}; ///< control points that may be moved; null where there are none
     std::shared_ptr<const PatchList> patches{}; ///< of a file with several; otherwise null
-    std::vector<Field> fields; ///< monitor (of nodes), mass (M_i) and jacobian (of cells), the method's own
+    /// monitor (of nodes), jacobian and, with full diagnostics, mass (M_i) of cells; the method's own
+    std::vector<Field> fields;
     StepReport report;
     std::uint64_t version = 0; ///< increases with every iterate
 

@@ -9,6 +9,7 @@ namespace {
 constexpr double caught_up = 1e-2;   // residual below which a mesh has adapted to its values
 constexpr double near = 0.3;         // residual below which a change of values is small
 constexpr double longest_wait = 0.1; // seconds
+constexpr double rest = 0.25;        // seconds after the last small change at which a drag is over
 
 } // namespace
 
@@ -82,8 +83,14 @@ bool SolverThread::behind() const {
     return run_->history().back().residual >= caught_up && since_change_.seconds() < longest_wait;
 }
 
+/// Whether values are being changed by small amounts; further snapshots follow.
+bool SolverThread::dragged() const {
+    return small_change_ && running_ && run_->status() == RunStatus::running &&
+           since_change_.seconds() < rest;
+}
+
 void SolverThread::begin_to_follow(bool was_solved) {
-    following_ = was_solved && run_->history().back().residual < near;
+    following_ = small_change_ = was_solved && run_->history().back().residual < near;
     since_change_ = {};
 }
 
@@ -125,7 +132,8 @@ std::deque<Command> SolverThread::take_commands() {
 void SolverThread::fail(const std::string& message) {
     run_.reset();
     running_ = false;
-    published_ = 0, epoch_ = -1, shown_ = following_ = false; // the next run has another history
+    published_ = 0, epoch_ = -1; // the next run has another history
+    shown_ = partly_shown_ = following_ = small_change_ = false;
     update([](SolverStatus& status) { status.run = RunStatus::failed, status.activity.clear(); });
     say(message, true);
 }
@@ -189,11 +197,13 @@ void SolverThread::publish(std::stop_token stop) {
     if (restarted) epoch_ = run_->epoch(), published_ = 0;
     const auto& history = run_->history();
     const bool news = published_ < history.size();
-    shown_ = shown_ && !news;
+    const bool to_be_completed = partly_shown_ && !dragged();
+    shown_ = shown_ && !news && !to_be_completed;
     if (!shown_ && !behind()) {
         shown_ = true;
         following_ = false;
-        auto snapshot = run_->snapshot();
+        partly_shown_ = dragged() && needed_ != Diagnostics::full;
+        auto snapshot = run_->snapshot(partly_shown_ ? needed_.load() : Diagnostics::full);
         if (options_.before_publishing) options_.before_publishing(*snapshot);
         latest_.put(std::move(snapshot));
     }
@@ -263,7 +273,8 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
             const bool solved = run_->history().back().residual < caught_up &&
                                 run_->scenario().domain == command.scenario.domain;
             refused = !cancellable(stop, [&](const Activity& activity) {
-                const std::string message = run_->change(command.scenario, activity.progress, activity.stop);
+                const std::string message = run_->change(command.scenario, activity.progress, activity.stop,
+                                                         solved ? needed_.load() : Diagnostics::full);
                 if (!message.empty() && !command.anew) say(message); // a restart keeps no map anyway
             });
             if (refused)

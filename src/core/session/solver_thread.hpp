@@ -2,13 +2,15 @@
 //
 // If values change a little while a solved mesh is shown, as during dragging, the next snapshot and the next
 // change wait until the mesh has adapted to the new values (residual below 1e-2), for at most 0.1 s. All
-// snapshots shown are thus adapted, and only the latest values matter.
+// snapshots shown are thus adapted, and only the latest values matter. Until 0.25 s after the last change, they
+// have only the diagnostics that are needed (SolverThread::need).
 #pragma once
 
 #include "core/base/stopwatch.hpp"
 #include "core/session/channel.hpp"
 #include "core/session/run.hpp"
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -91,6 +93,8 @@ class SolverThread {
     void post(Command command);
     /// Cancels the current preparation or task, if any; the run does not change.
     void cancel();
+    /// Diagnostics that snapshots must have while values change; full unless set.
+    void need(Diagnostics level) { needed_ = level; }
     /// The latest snapshot; null before the first.
     std::shared_ptr<const Snapshot> latest() const { return latest_.get(); }
     /// All reports since the last call, in order.
@@ -116,6 +120,7 @@ class SolverThread {
     void update(const std::function<void(SolverStatus&)>& change);
     Progress progress();
     bool behind() const;
+    bool dragged() const;
     void begin_to_follow(bool was_solved);
     std::deque<Command> take_commands();
     std::deque<Command> wait_for_commands(std::stop_token stop);
@@ -127,8 +132,11 @@ class SolverThread {
     std::size_t published_ = 0; ///< number of rows of the history already in the queue
     int epoch_ = 0;             ///< epoch of that history
     bool shown_ = false;        ///< the current iterate has been published as snapshot
-    bool following_ = false;    ///< values have changed a little since the last snapshot
-    Stopwatch since_change_;    ///< time since that change
+    bool partly_shown_ = false; ///< with fewer diagnostics than the run has
+    bool small_change_ = false; ///< the last change of values was small
+    std::atomic<Diagnostics> needed_ = Diagnostics::full;
+    bool following_ = false; ///< values have changed a little since the last snapshot
+    Stopwatch since_change_; ///< time since that change
     bool running_ = false;
 
     Latest<Snapshot> latest_;

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace gaspard {
 
@@ -40,6 +41,9 @@ class SplineDomain final : public Discretisation {
     std::shared_ptr<const PatchList> patches_;
     std::shared_ptr<const Mesh> mesh_;
 };
+
+/// The domain whose patch comes from a file (domain.file).
+inline constexpr std::string_view own_patch_domain = "spline-patch";
 
 /// Square, disk, quarter annulus, part of a torus, Möbius strip, and a patch from a file.
 std::vector<DomainType> spline_domains();

@@ -244,7 +244,17 @@ bool Document::collect() {
     return news;
 }
 
+/// What the views of a run show while its values change: the masses, as colours or of a picked cell, or not.
+static Diagnostics needed(const std::vector<DocumentViewport>& viewports, RunId run) {
+    const bool masses = std::any_of(viewports.begin(), viewports.end(), [&](const DocumentViewport& shown) {
+        return shown.run == run &&
+               (shown.view.text("color") == "equidistribution" || !shown.view.text("pick").empty());
+    });
+    return masses ? Diagnostics::full : Diagnostics::geometry;
+}
+
 bool Document::collect(DocumentRun& run) {
+    run.solver->need(needed(viewports_, run.id));
     SolverStatus status = run.solver->status(); // first: a run that has ended has sent all its reports
     const std::vector<SolverEvent> events = run.solver->drain();
     status.scenario = run.solver->status().scenario; // of the last of these events

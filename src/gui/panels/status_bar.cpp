@@ -7,6 +7,8 @@
 #include <cctype>
 #include <cstdio>
 #include <imgui.h>
+#include <optional>
+#include <vector>
 
 namespace gaspard {
 
@@ -73,8 +75,11 @@ std::vector<StatusCell> status_cells(const DocumentRun& run) {
     cells.push_back({"Iteration", now ? std::to_string(now->iteration) : none});
     for (const char* name : {"residual", "equidistribution", "min_jacobian"}) {
         const SeriesTrace& series = *run.curves.find(name);
-        const StepReport* report = series.info.measured ? measured : now;
-        const auto value = report ? report->value(name) : std::nullopt;
+        const std::vector<double>& values = series.trace.values; // of the iterates that have one
+        const auto value = series.info.measured
+                               ? (values.empty() ? std::nullopt : std::optional(values.back()))
+                           : now ? now->value(name)
+                                 : std::nullopt;
         cells.push_back({series.info.label, value ? short_number(*value) : none});
         const SeriesInfo* criterion = now ? other_criterion(*now) : nullptr;
         if (series.info.name != "residual" || !criterion) continue;

@@ -234,10 +234,18 @@ TEST(RunFiles, AreTheSameBytesButForTimesAndMemory) {
     EXPECT_EQ(a, b);
 }
 
-TEST(RunFiles, AFolderThatVanishedIsTheMachinesFault) {
+TEST(RunFiles, MakeTheirFolder) {
     const TemporaryFolder folder;
     gaspard::Run run = finished_run();
-    EXPECT_THROW(write_run_files(folder / "gone", run, {}), MachineError);
+    write_run_files(folder / "a" / "b", run, {});
+    EXPECT_FALSE(read_file(folder / "a" / "b" / "summary.json").empty());
+}
+
+TEST(RunFiles, AFolderThatCannotBeMadeIsTheMachinesFault) {
+    const TemporaryFolder folder;
+    gaspard::Run run = finished_run();
+    write_run_files(folder.path(), run, {});
+    EXPECT_THROW(write_run_files(folder / "state.bin" / "below", run, {}), MachineError) << "below a file";
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "core/base/error.hpp"
 #include "core/io/run_files.hpp"
 #include "core/monitor/function.hpp"
+#include "core/monitor/own_problem.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
 #include "support/built_in.hpp"
@@ -165,6 +166,7 @@ TEST_F(Follow, SolvingStopsWhenAsked) {
 }
 
 TEST(FunctionMonitor, AsksWithinTheSquareAndKnowsSlopes) {
+    const Extent square{.space = torus};
     const auto monitor = function_monitor([](Vec3 p) {
         EXPECT_TRUE(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1) << p.x << ", " << p.y;
         return 2 + std::sin(2 * 3.14159265358979 * p.x) + p.y * p.y * (1 - p.y) * (1 - p.y);
@@ -175,7 +177,7 @@ TEST(FunctionMonitor, AsksWithinTheSquareAndKnowsSlopes) {
     x.set(2, {0.1, -1e-20, 0});
     std::vector<double> values(3);
     monitor->values(x, values);
-    monitor->gradients(x, gradients);
+    difference_gradients(*monitor, square, x, gradients);
     for (std::size_t i = 0; i < 3; ++i) {
         const double y = x.y[i] - std::floor(x.y[i]), angle = 2 * 3.14159265358979 * x.x[i];
         EXPECT_NEAR(values[i], 2 + std::sin(angle) + y * y * (1 - y) * (1 - y), 1e-12);
@@ -184,7 +186,7 @@ TEST(FunctionMonitor, AsksWithinTheSquareAndKnowsSlopes) {
         EXPECT_EQ(gradients.z[i], 0);
     }
     const auto in_space = function_monitor([](Vec3 p) { return 1 + p.z * p.z; }, Space{});
-    in_space->gradients(x = Points(1), gradients);
+    difference_gradients(*in_space, {}, x = Points(1), gradients);
     EXPECT_NEAR(gradients.z[0], 0, 1e-12);
 
     const auto on_sphere = function_monitor(
@@ -194,9 +196,28 @@ TEST(FunctionMonitor, AsksWithinTheSquareAndKnowsSlopes) {
         },
         Space{SpaceKind::sphere});
     x.set(0, {0, 3 * std::sqrt(0.5), 3 * std::sqrt(0.5)});
-    on_sphere->gradients(x, gradients);
+    difference_gradients(*on_sphere, {.space = {SpaceKind::sphere}, .radius = 3, .size = 3}, x, gradients);
     EXPECT_NEAR(gradients.y[0], -0.5, 1e-9) << "grad z less its part along the radius";
     EXPECT_NEAR(gradients.z[0], 0.5, 1e-9);
+}
+
+TEST(FunctionMonitor, SlopesAtWallsAreTakenWithin) {
+    const auto monitor = function_monitor(
+        [](Vec3 p) {
+            EXPECT_TRUE(p.x >= 0 && p.x <= 1 && p.y >= 0 && p.y <= 1 && p.z == 0);
+            return 2 + p.x * p.x + std::exp(p.y);
+        },
+        Space{});
+    const Extent box{.dimension = 2, .box = true, .high = {1, 1, 0}};
+    Points x(2), gradients;
+    x.set(0, {1, 0, 0});
+    x.set(1, {0.5, 1, 0});
+    difference_gradients(*monitor, box, x, gradients);
+    EXPECT_NEAR(gradients.x[0], 2, 1e-8);
+    EXPECT_NEAR(gradients.y[0], 1, 1e-8);
+    EXPECT_NEAR(gradients.x[1], 1, 1e-8);
+    EXPECT_NEAR(gradients.y[1], std::exp(1.0), 1e-8);
+    EXPECT_EQ(gradients.z[1], 0);
 }
 
 } // namespace
