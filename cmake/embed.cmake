@@ -4,17 +4,17 @@ function(gaspard_embed out name)
   cmake_parse_arguments(ARG "" "" "FILES" ${ARGN})
   set(files)
   foreach(pattern IN LISTS ARG_FILES)
-    file(GLOB found CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/${pattern})
+    file(GLOB found CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/${pattern})
     list(APPEND files ${found})
   endforeach()
   list(SORT files)
-  set(source ${CMAKE_BINARY_DIR}/generated/${name}.cpp)
-  set(header ${CMAKE_BINARY_DIR}/generated/${name}.hpp)
+  set(source ${PROJECT_BINARY_DIR}/generated/${name}.cpp)
+  set(header ${PROJECT_BINARY_DIR}/generated/${name}.hpp)
   string(REPLACE ";" "|" packed "${files}")
   add_custom_command(OUTPUT ${source} ${header}
-    COMMAND ${CMAKE_COMMAND} -DNAME=${name} "-DFILES=${packed}" -DROOT=${CMAKE_SOURCE_DIR}
-            -DOUT=${CMAKE_BINARY_DIR}/generated -P ${CMAKE_SOURCE_DIR}/cmake/write_embedded.cmake
-    DEPENDS ${files} ${CMAKE_SOURCE_DIR}/cmake/write_embedded.cmake
-    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} VERBATIM COMMENT "Embedding ${name}")
+    COMMAND ${CMAKE_COMMAND} -DNAME=${name} "-DFILES=${packed}" -DROOT=${PROJECT_SOURCE_DIR}
+            -DOUT=${PROJECT_BINARY_DIR}/generated -P ${PROJECT_SOURCE_DIR}/cmake/write_embedded.cmake
+    DEPENDS ${files} ${PROJECT_SOURCE_DIR}/cmake/write_embedded.cmake
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM COMMENT "Embedding ${name}")
   set(${out} ${source} ${header} PARENT_SCOPE)
 endfunction()

@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing. Usage: install-packages.sh build|test|bench|package ...
+# Installs the Debian packages that are missing. Usage: install-packages.sh build|test|bench|package|fuzz ...
 set -euo pipefail
 build="build-essential cmake ninja-build pkg-config libglfw3-dev libimgui-dev libglm-dev libeigen3-dev
   libtinygltf-dev libegl-dev libgl-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libnetcdf-dev
-  libopenmesh-dev libpugixml-dev libstb-dev libgl1-mesa-dri"
+  libopenmesh-dev libpugixml-dev libstb-dev libgl1-mesa-dri libfontconfig-dev"
 # Not in every release: Mesa has dropped OSMesa after 25.0. Pictures are then drawn through EGL.
 optional="libosmesa6"
 test="libgtest-dev libassimp-dev libtinyxml2-dev libpng-dev xvfb xdotool x11-utils python3
-  desktop-file-utils"
+  desktop-file-utils fonts-droid-fallback"
 bench="libbenchmark-dev python3 python3-dolfin python3-numpy python3-petsc4py python3-scipy"
 package="dpkg-dev file"
+# The same compiler in both releases: the default of Debian 12 has no std::source_location.
+fuzz="clang-19 libclang-rt-19-dev llvm-19 python3"
 wanted=
 for group in "$@"; do
   case $group in
@@ -17,7 +19,8 @@ for group in "$@"; do
     test) wanted="$wanted $test" ;;
     bench) wanted="$wanted $bench" ;;
     package) wanted="$wanted $package" ;;
-    *) echo "install-packages.sh: unknown group '$group' (build, test, bench, package)" >&2; exit 2 ;;
+    fuzz) wanted="$wanted $fuzz" ;;
+    *) echo "install-packages.sh: unknown group '$group' (build, test, bench, package, fuzz)" >&2; exit 2 ;;
   esac
 done
 installed() { dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null | grep -qx installed; }

@@ -10,7 +10,10 @@ InterruptWatch::InterruptWatch() {
     sigemptyset(&signals);
     sigaddset(&signals, SIGINT);
     sigaddset(&signals, SIGTERM);
-    sigaddset(&signals, SIGHUP);
+    // A signal that is blocked arrives even where it is ignored: what nohup started goes on.
+    struct sigaction hang_up {};
+    if (sigaction(SIGHUP, nullptr, &hang_up) == 0 && hang_up.sa_handler != SIG_IGN)
+        sigaddset(&signals, SIGHUP);
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     thread_ = std::jthread([signals, source = source_](std::stop_token stop) mutable {
         const timespec interval{0, 50'000'000}; // maximum delay at program exit

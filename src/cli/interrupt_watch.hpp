@@ -8,7 +8,7 @@ namespace gaspard {
 
 class InterruptWatch {
   public:
-    /// Blocks SIGINT, SIGTERM and SIGHUP in this thread and in threads that it starts.
+    /// Blocks SIGINT, SIGTERM and, unless it is ignored, SIGHUP in this thread and in threads that it starts.
     InterruptWatch();
     std::stop_token token() const { return source_.get_token(); }
 

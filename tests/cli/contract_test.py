@@ -163,18 +163,40 @@ class Runs(Contract):
                                         "monitor.amplitude=2", "--set", "monitor.sharpness=20").returncode, 5)
         self.assertEqual(self.summary()["status"], "stalled")
 
-    def test_ctrl_c_keeps_what_there_is(self):
+    def start(self, *settings, **options):
+        """A run in the background, once it blocks signals and has computed for half a second."""
         process = subprocess.Popen([PROGRAM, "run", "plane-ring", "--out", self.out, "--no-render", "--set",
-                                    "method.step_size=0.0005", "--set", "domain.cells=60", "--set",
-                                    "method.max_iterations=1000000"], stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE, text=True)
-        time.sleep(4)
-        process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=20)
-        self.assertEqual(process.returncode, 130, err)
-        self.assertEqual(self.summary()["status"], "interrupted")
-        self.assertEqual(len(self.history()), self.summary()["iterations"] + 1)
-        self.assertGreater(self.summary()["iterations"], 0)
+                                    "domain.cells=60", *settings], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True, **options)
+        ticks = os.sysconf("SC_CLK_TCK")
+        while process.poll() is None:
+            with open("/proc/%d/status" % process.pid) as status, open("/proc/%d/stat" % process.pid) as stat:
+                blocked = int(re.search(r"SigBlk:\s*(\w+)", status.read()).group(1), 16)
+                used = int(stat.read().rsplit(")", 1)[1].split()[11]) / ticks
+            if blocked >> (signal.SIGTERM - 1) & 1 and used > 0.5:
+                break
+            time.sleep(0.02)
+        return process
+
+    def test_an_interrupted_run_keeps_what_there_is(self):
+        for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            with self.subTest(stop=stop):
+                process = self.start("--set", "method.step_size=0.0005", "--set", "method.max_iterations=1000000",
+                                     preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
+                process.send_signal(stop)
+                out, err = process.communicate(timeout=60)
+                self.assertEqual(process.returncode, 130, err)
+                self.assertEqual(self.summary()["status"], "interrupted")
+                self.assertEqual(len(self.history()), self.summary()["iterations"] + 1)
+                self.assertGreater(self.summary()["iterations"], 0)
+
+    def test_a_run_goes_on_after_its_terminal_if_nohup_started_it(self):
+        process = self.start("--set", "method.step_size=0.0005", "--set", "method.max_iterations=3000",
+                             preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        process.send_signal(signal.SIGHUP)
+        out, err = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 3, err)
+        self.assertEqual(self.summary()["status"], "iteration-limit")
 
     def test_start_goes_on_from_a_state(self):
         self.assertEqual(self.run_quick("--max-iterations", "40").returncode, 3)

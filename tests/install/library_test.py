@@ -46,6 +46,15 @@ def main():
         worst = max(float(step[2]) for step in steps)
         check(worst < 0.02, "the mesh does not keep up: equidistribution %g" % worst)
 
+        # A program may have another Eigen than the one that the library was made with.
+        consumer = os.path.join(folder, "consumer")
+        run(["cmake", "-S", os.path.join(os.path.dirname(os.path.abspath(__file__)), "consumer"), "-B", consumer,
+             "-DCMAKE_PREFIX_PATH=" + prefix, "-DCMAKE_BUILD_TYPE=Release"])
+        run(["cmake", "--build", consumer])
+        plain = run([os.path.join(consumer, "plain")])
+        check(len(plain.split()) > 500, "no mesh was printed")
+        check(plain == run([os.path.join(consumer, "foreign")]), "a program's own Eigen changes the library's results")
+
         # What docs/library.md says of monitors, patches, diagnostics and files.
         include = os.path.join(prefix, "include")
         libraries = [path for path, _, names in os.walk(prefix) if "libgaspard.so" in names]

@@ -29,8 +29,9 @@ def main():
     packages = {os.path.basename(path).split("_")[0]: path
                 for path in glob.glob(os.path.join(sources, "build-package", "*.deb"))}
     check(sorted(packages) == ["gaspard", "libgaspard-dev", "libgaspard0.1"], "made: %s" % sorted(packages))
-    for name in ("libc6", "libglfw3", "libtomlplusplus3", "libgl1", "libosmesa6 | libegl1"):
+    for name in ("libc6", "libglfw3", "libfontconfig1", "libtomlplusplus3", "libgl1", "libosmesa6 | libegl1"):
         check(name in depends(packages["gaspard"]), "gaspard does not depend on " + name)
+    check("pkgconfig/gaspard.pc" in run(["dpkg-deb", "-c", packages["libgaspard-dev"]]), "no file for pkg-config")
     check("libgaspard0.1 (= " in depends(packages["libgaspard-dev"]), "the headers do not depend on their library")
 
     with tempfile.TemporaryDirectory() as folder:

@@ -1,9 +1,10 @@
 // Boxes with sides along the axes.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/base/points.hpp"
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 struct Box {
     Vec3 low, high;
@@ -18,4 +19,4 @@ Box merge(const Box& a, const Box& b);
 /// The length of the longest side.
 double longest_side(const Box& box);
 
-} // namespace gaspard
+} // namespace GASPARD_API

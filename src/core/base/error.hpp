@@ -1,10 +1,12 @@
 // The exception types. Numerical outcomes, such as a diverging iteration, are values and not exceptions.
 #pragma once
 
+#include "core/base/export.hpp"
+
 #include <stdexcept>
 #include <string>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// Invalid user input; the text says what is wrong, where, and what is allowed. Exit code 2.
 class InputError : public std::runtime_error {
@@ -30,4 +32,4 @@ class Interrupted : public std::exception {
     const char* what() const noexcept override { return "interrupted"; }
 };
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -1,11 +1,13 @@
 // One number for every node or cell of a mesh: what it is called and how it is shown.
 #pragma once
 
+#include "core/base/export.hpp"
+
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 enum class FieldPlace { node, cell };
 
@@ -28,4 +30,4 @@ struct Field : FieldInfo {
     std::vector<double> values{};
 };
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -2,6 +2,8 @@
 // generates its slider, tooltip, --set key, TOML key, `gaspard list` entry and documentation.
 #pragma once
 
+#include "core/base/export.hpp"
+
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -11,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// real_or_auto: a number, or the text "auto", for which the program chooses a value.
 enum class ParameterKind { real, real_or_auto, integer, boolean, choice, text };
@@ -47,8 +49,8 @@ struct ParameterRow {
     std::vector<std::string> choices{}; ///< kind choice only
     std::string help{};                 ///< one line
     ParameterRole role = ParameterRole::none;
-    std::string point{};           ///< coordinates only: the point they belong to ("center")
-    bool periodic = false;         ///< minimum and maximum are equivalent
+    std::string point{};   ///< coordinates only: the point they belong to ("center")
+    bool periodic = false; ///< minimum and maximum are equivalent
     /// The value stands for (value - origin) / measure, a number that does not depend on size and place of the
     /// domain. It is kept when the domain changes.
     double origin = 0, measure = 1;
@@ -128,4 +130,4 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 /// " (did you mean 'x'?)" with the nearest candidate; empty if none is close.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
-} // namespace gaspard
+} // namespace GASPARD_API

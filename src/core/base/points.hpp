@@ -1,12 +1,14 @@
 // Points in space, one array per coordinate, so that loops over many points access memory contiguously.
 #pragma once
 
+#include "core/base/export.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 struct Vec3 {
     double x = 0, y = 0, z = 0;
@@ -50,4 +52,4 @@ inline Points operator-(const Points& a, const Points& b) {
     return difference;
 }
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
+#include "core/base/export.hpp"
 #include "core/base/parameter.hpp"
 
 #include <array>
@@ -11,7 +12,7 @@
 #include <optional>
 #include <string>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// A plot that shows several series of a run together.
 struct SharedPlot {
@@ -60,4 +61,4 @@ class SeriesValues {
     std::size_t size_ = 0;
 };
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -1,10 +1,12 @@
 // The program's version.
 #pragma once
 
+#include "core/base/export.hpp"
+
 #include <string_view>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 std::string_view version(); ///< from CMakeLists.txt
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -87,7 +87,9 @@ Plot history_plot(const std::vector<StepReport>& history, std::string_view name)
 
 void write_svg_files(const std::filesystem::path& folder, const RunResult& result) {
     write_svg(folder / "adapted.svg", result.snapshot, make_colouring(result.snapshot, result.colours),
-              {.camera = result.camera, .aspect = result.aspect});
+              {.camera = result.camera,
+               .aspect = result.aspect,
+               .background = parse_background(result.background)});
     write_svg(folder / "residual.svg", history_plot(result.history, "residual"));
     write_svg(folder / "equidistribution.svg", history_plot(result.history, "equidistribution"));
 }

@@ -2,6 +2,7 @@
 // complete. All writers throw MachineError if the file cannot be written.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/mesh/space.hpp"
 #include "core/scenario/output_rows.hpp"
 #include "core/scenario/scenario.hpp"
@@ -13,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 struct Catalogue;
 
@@ -64,6 +65,7 @@ struct RunResult {
     std::shared_ptr<const SplinePatch> patch{}; ///< the mesh as splines; null if it is not a spline mesh
     std::string camera{};                       ///< from the view; may be empty
     double aspect = 0.75;                       ///< height over width of the view
+    std::string background = "theme";           ///< from the view
 };
 
 struct Format {
@@ -82,4 +84,4 @@ std::vector<const Format*> parse_formats(std::string_view list);
 /// The formats of a scenario. Throws InputError also if a format does not support the domain.
 std::vector<const Format*> formats_of(const Catalogue& catalogue, const Scenario& scenario);
 
-} // namespace gaspard
+} // namespace GASPARD_API

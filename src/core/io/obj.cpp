@@ -55,15 +55,18 @@ void write_obj(const std::filesystem::path& file, const Tessellation& shape, con
     std::string text = "# Gaspard: cells cut into triangles, their edges into lines\n";
     for (std::size_t i = 0; i < points.size(); ++i) append_vertex(text, points[i]);
     const auto number = [](std::uint32_t point) { return ' ' + std::to_string(point + 1); };
+    // An object of its own for each kind: some readers take an object with lines for lines alone.
+    if (!shape.triangles.empty()) text += "o cells\n";
     for (std::size_t i = 0; i < shape.triangles.size(); i += 3)
         text += 'f' + number(shape.triangles[i]) + number(shape.triangles[i + 1]) +
                 number(shape.triangles[i + 2]) + '\n';
+    if (!shape.segments.empty()) text += "o edges\n";
     for (std::size_t i = 0; i < shape.segments.size(); i += 2) {
         const bool goes_on = i > 0 && shape.segments[i] == shape.segments[i - 1];
         text += (goes_on ? "" : (i > 0 ? "\nl" : "l") + number(shape.segments[i])) +
                 number(shape.segments[i + 1]);
     }
-    text += '\n';
+    if (!shape.segments.empty()) text += '\n';
     write_atomically(file, text);
 }
 

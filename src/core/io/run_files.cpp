@@ -181,7 +181,8 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
                            patch_wanted ? patch_of(run) : nullptr,
                            view.text("camera"),
                            static_cast<double>(view.integer("height")) /
-                               static_cast<double>(view.integer("width"))};
+                               static_cast<double>(view.integer("width")),
+                           view.text("background")};
     for (const auto* format : formats) attempt(format->files.front(), [&] { format->write(folder, result); });
     if (first) std::rethrow_exception(first);
 }

@@ -1,6 +1,7 @@
 // What `run` leaves in its folder: summary.json, history.csv, state.bin and the meshes in the chosen formats.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/io/formats.hpp"
 #include "core/session/run.hpp"
 
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// One row per iterate; what was not measured is empty. The method's further series follow the columns that
 /// every history has, before the note.
@@ -26,4 +27,4 @@ bool holds_other_values(const std::filesystem::path& folder, const Scenario& sce
 void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats,
                      const Progress& progress = {}, std::stop_token stop = {});
 
-} // namespace gaspard
+} // namespace GASPARD_API

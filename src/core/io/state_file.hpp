@@ -5,15 +5,16 @@
 // 64-bit FNV-1a hash of all preceding bytes.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/method/method.hpp"
 
 #include <filesystem>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// Throws MachineError if the file cannot be written.
 void write_state(const std::filesystem::path& file, const State& state);
 /// Throws InputError if the file does not exist, is not a state file, is damaged or has another version.
 State read_state(const std::filesystem::path& file);
 
-} // namespace gaspard
+} // namespace GASPARD_API

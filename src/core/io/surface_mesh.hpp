@@ -1,12 +1,13 @@
 // Surface meshes from files: OBJ, OFF, PLY and STL.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <cstdint>
 #include <filesystem>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// The largest file that is read.
 inline constexpr std::uintmax_t largest_surface_file = std::uintmax_t{1} << 30;
@@ -29,4 +30,4 @@ inline constexpr std::uintmax_t largest_surface_file = std::uintmax_t{1} << 30;
 /// are not reversed: SurfaceTopology tells whether their orientations agree.
 Mesh read_surface_mesh(const std::filesystem::path& file);
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/session/snapshot.hpp"
+#include "core/tessellate/background.hpp"
 #include "core/tessellate/colouring.hpp"
 #include "core/tessellate/plot.hpp"
 
@@ -23,10 +24,11 @@ struct PlotSvgOptions {
 std::string svg_of_plot(const Plot& plot, const PlotSvgOptions& options = {});
 
 struct MeshSvgOptions {
-    double width_mm = 120; ///< of the whole drawing
-    int classes = 16;      ///< colours
-    std::string camera{};  ///< as view.camera; empty: the whole mesh, a mesh in space from slightly above
-    double aspect = 0.75;  ///< height over width of what a camera with a centre and a height shows
+    double width_mm = 120;   ///< of the whole drawing
+    int classes = 16;        ///< colours
+    std::string camera{};    ///< as view.camera; empty: the whole mesh, a mesh in space from slightly above
+    double aspect = 0.75;    ///< height over width of what a camera with a centre and a height shows
+    Background background{}; ///< the theme's is white
 };
 
 /// Throws InputError if `camera` cannot be read, or shows so small a part of points within `nodes` that their

@@ -49,15 +49,18 @@ std::vector<Piece> split(std::string_view text) {
 
 } // namespace
 
-std::string svg_document(double width, double height, std::string_view title, std::string_view content) {
+std::string svg_document(double width, double height, std::string_view title, std::string_view content,
+                         std::string_view background) {
     const std::string w = svg_number(width), h = svg_number(height);
+    std::string below;
+    if (!background.empty())
+        below = "<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"" + std::string(background) + "\"/>\n";
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
            svg_number(width / points_per_mm) + "mm\" height=\"" + svg_number(height / points_per_mm) +
            "mm\" viewBox=\"0 0 " + w + ' ' + h +
            "\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" font-size=\"" +
            svg_number(svg_font_size) + "\">\n<title>" + xml_escape(title) + "</title>\n<desc>Gaspard " +
-           std::string(version()) + "</desc>\n<rect width=\"" + w + "\" height=\"" + h +
-           "\" fill=\"#fff\"/>\n" + std::string(content) + "</svg>\n";
+           std::string(version()) + "</desc>\n" + below + std::string(content) + "</svg>\n";
 }
 
 std::string svg_text(PagePoint at, Anchor anchor, std::string_view text, std::string_view attributes) {

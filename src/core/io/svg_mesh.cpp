@@ -24,6 +24,12 @@ std::string hex(std::array<unsigned char, 3> colour) {
     return text;
 }
 
+/// White on paper; empty if there is none.
+std::string background_of(const Background& background) {
+    if (background.kind == Background::Kind::transparent) return "";
+    return background.kind == Background::Kind::theme ? "#fff" : hex(background.colour);
+}
+
 /// From 0 to 1, of linear light.
 double luminance(std::array<unsigned char, 3> colour) {
     constexpr std::array weights = {0.2126, 0.7152, 0.0722};
@@ -378,7 +384,8 @@ std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>
     const std::string note = tangled_note(scene, {margin, height + 0.75 * svg_font_size});
     if (!note.empty()) content += note, height += 1.5 * svg_font_size;
     return svg_document(width, height,
-                        "Mesh after " + std::to_string(snapshot.report.iteration) + " iterations", content);
+                        "Mesh after " + std::to_string(snapshot.report.iteration) + " iterations", content,
+                        background_of(options.background));
 }
 
 void write_svg(const std::filesystem::path& file, const Snapshot& snapshot,

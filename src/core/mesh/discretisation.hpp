@@ -3,6 +3,7 @@
 // determines.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/patch_list.hpp"
 
@@ -11,7 +12,7 @@
 #include <memory>
 #include <string_view>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// Reports the progress of long work: the fraction done, from 0 to 1, and a description of the current step.
 /// Called on the thread that does the work.
@@ -30,4 +31,4 @@ class Discretisation {
     virtual std::size_t unknowns() const = 0;
 };
 
-} // namespace gaspard
+} // namespace GASPARD_API

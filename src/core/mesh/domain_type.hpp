@@ -1,6 +1,7 @@
 // A type of domain as the user sees it: its name, its parameter rows, and how distances are measured on it.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/base/parameter.hpp"
 #include "core/mesh/space.hpp"
 #include "core/mesh/sphere_mesh.hpp"
@@ -10,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 struct DomainType {
     std::string name;
@@ -35,4 +36,4 @@ DomainType icosahedral_sphere_domain();
 SphereGrid cubed_sphere_grid(const Values& values);
 SphereGrid icosahedral_sphere_grid(const Values& values);
 
-} // namespace gaspard
+} // namespace GASPARD_API

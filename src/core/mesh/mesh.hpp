@@ -6,6 +6,7 @@
 // spaces identify.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/base/points.hpp"
 
 #include <cstdint>
@@ -13,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 enum class CellShape { line, triangle, quadrilateral, hexahedron };
 
@@ -66,4 +67,4 @@ struct Mesh {
 /// i.
 Mesh unit_square_mesh(int n);
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -1,11 +1,13 @@
 // The patches of a file that has several, for the user to choose from.
 #pragma once
 
+#include "core/base/export.hpp"
+
 #include <cstddef>
 #include <string>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 struct PatchList {
     std::vector<std::string> labels; ///< of patch 1, 2, ...: "1: TensorNurbs2, id 100"
@@ -13,4 +15,4 @@ struct PatchList {
     std::string note;                ///< "patch 1 of 312 (TensorNurbs2, id 100)"
 };
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -2,12 +2,13 @@
 #pragma once
 
 #include "core/base/box.hpp"
+#include "core/base/export.hpp"
 
 #include <optional>
 #include <string_view>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 enum class SpaceKind {
     euclidean,       ///< distances in R^3
@@ -40,4 +41,4 @@ Vec3 at_latitude_longitude(double latitude, double longitude);
 /// The angle between two nonzero vectors of any length, in [0, pi].
 double angle_between(Vec3 a, Vec3 b);
 
-} // namespace gaspard
+} // namespace GASPARD_API

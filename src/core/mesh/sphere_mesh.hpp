@@ -5,9 +5,10 @@
 // thus the nodes of a mesh of order 1.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 enum class SphereCells { cubed, icosahedral };
 
@@ -44,4 +45,4 @@ struct CellPlace {
 /// `direction` is a nonzero vector of any length.
 CellPlace locate(const SphereGrid& grid, Vec3 direction);
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -14,6 +14,7 @@
 //     faces, so that neighbouring rings may run in opposite directions.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <array>
@@ -24,7 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// Polygons by the numbers of their vertices, one after another.
 struct PolygonFaces {
@@ -131,4 +132,4 @@ class SurfaceTopology {
     std::unique_ptr<const Data> data_;
 };
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -1,6 +1,7 @@
 // A method computes the next state from the current one. It is independent of output, windows and files.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/base/field.hpp"
 #include "core/base/parameter.hpp"
 #include "core/base/series.hpp"
@@ -15,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// The unknowns of an iteration, as named arrays. `layout` identifies their meaning ("plane periodic Q2
 /// n=60"): a state fits a method if and only if the layouts are equal.
@@ -123,4 +124,4 @@ MethodType automatic_method();
 MethodType picard_method();
 MethodType picard_mixed_method();
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -1,11 +1,12 @@
 // A monitor from a function of the position, for example of a simulation.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/monitor/monitor.hpp"
 
 #include <functional>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// m(x) = function(x), evaluated point by point. `space` must be that of the run (Run::space), which otherwise
 /// throws InputError. A run calls the function only with points of its domain, as it does every monitor of
@@ -16,4 +17,4 @@ namespace gaspard {
 std::shared_ptr<const Monitor> function_monitor(std::function<double(Vec3)> function,
                                                 Space space = {SpaceKind::periodic_square});
 
-} // namespace gaspard
+} // namespace GASPARD_API

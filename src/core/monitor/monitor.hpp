@@ -15,6 +15,7 @@
 // resolve features of m that are smaller than a few cells.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/base/parameter.hpp"
 #include "core/base/points.hpp"
 #include "core/mesh/discretisation.hpp"
@@ -29,7 +30,7 @@
 #include <string>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// Immutable once a run has it. May be called from several threads at once if a run uses more than one.
 /// Exceptions propagate to the caller of the run (see Run::step).
@@ -92,4 +93,4 @@ struct MonitorType {
 /// All built-in monitors, in the order of `gaspard list`.
 std::vector<MonitorType> monitor_types();
 
-} // namespace gaspard
+} // namespace GASPARD_API

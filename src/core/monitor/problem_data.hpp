@@ -6,11 +6,12 @@
 //   a PDE on the mesh       its coefficients, as the values of the section "pde"
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/monitor/tensor.hpp"
 
 #include <memory>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// Immutable; copies share everything.
 struct ProblemData {
@@ -30,4 +31,4 @@ ProblemData scalar_problem(std::shared_ptr<const Monitor> monitor);
 /// (TensorMonitor::check).
 ProblemData tensor_problem(std::shared_ptr<const TensorMonitor> tensor);
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -2,9 +2,10 @@
 // in the metric M has cells that are short along the eigenvectors of large eigenvalues.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/monitor/monitor.hpp"
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// The upper triangle of a symmetric 3 x 3 matrix; in two dimensions zz = 1, xz = yz = 0.
 struct SymmetricTensor {
@@ -29,4 +30,4 @@ class TensorMonitor {
 /// differences with a step of 1e-5.
 std::shared_ptr<const Monitor> density_of(std::shared_ptr<const TensorMonitor> tensor);
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -3,6 +3,7 @@
 // validates settings by this table. A catalogue is a value: tests add fixtures to a copy.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/mesh/discretisation.hpp"
 #include "core/mesh/domain_type.hpp"
 #include "core/method/method.hpp"
@@ -17,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// Arguments of Capability::prepare, which may take long: it reports progress, and throws Interrupted if
 /// asked to stop.
@@ -118,4 +119,4 @@ bool same_problem_data(const Scenario& a, const Scenario& b);
 /// The row for the scenario's domain, boundary, monitor and method; null if there is none.
 const Capability* find_capability(const Catalogue& catalogue, const Scenario& scenario);
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -1,9 +1,10 @@
 // A type of PDE solved on the mesh, as the user sees it: its name and the rows of its coefficients.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/base/parameter.hpp"
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// Methods read the values of the rows from ProblemData::pde.
 struct PdeType {
@@ -14,4 +15,4 @@ struct PdeType {
     std::vector<ParameterRow> rows;
 };
 
-} // namespace gaspard
+} // namespace GASPARD_API

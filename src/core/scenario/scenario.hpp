@@ -3,6 +3,7 @@
 // find_scenario() and changed by set_value().
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/base/parameter.hpp"
 #include "core/mesh/space.hpp"
 
@@ -10,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// A section whose rows depend on its type: domain, monitor, monitor.target, method, pde.
 struct Section {
@@ -54,4 +55,4 @@ std::string scenario_title(const Scenario& scenario);
 /// A name for files and folders: "plane-ring", or "plane-ring-modified" if the scenario was modified.
 std::string scenario_stem(const Scenario& scenario);
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -1,6 +1,7 @@
 // Scenarios as TOML files.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/scenario/catalogue.hpp"
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// Where the keys of a scenario are in its file, for messages about values that are checked later.
 struct ScenarioSource {
@@ -48,4 +49,4 @@ std::vector<BuiltinScenario> builtin_scenarios();
 Scenario find_scenario(const Catalogue& catalogue, const std::string& name_or_file,
                        ScenarioSource* source = nullptr);
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -66,6 +66,15 @@ ParameterRow pixels(const char* key, const char* label, std::int64_t value) {
             .help = "size of the image"};
 }
 
+ParameterRow background_row() {
+    ParameterRow row =
+        text("background", "Background",
+             "of images in files: theme, transparent, or a colour as '#rrggbb'; the window keeps "
+             "the background of its theme");
+    row.default_value = std::string("theme");
+    return row;
+}
+
 ParameterRow colour_row(std::span<const FieldInfo> further) {
     ParameterRow row = choice("color", "Colour by", {"monitor"},
                               "what the cells are filled with; equidistribution is Mᵢ / mean − 1");
@@ -169,7 +178,8 @@ std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further) {
         text("pick", "Picked", "the cell or node that is described: 'cell 12' or 'node 7'; may be empty"),
         pixels("width", "Width", 1200),
         pixels("height", "Height", 900),
-        choice("theme", "Theme", {"dark", "light"}, "light: dark on white, for paper")};
+        choice("theme", "Theme", {"dark", "light"}, "light: dark on white, for paper"),
+        background_row()};
 }
 
 } // namespace gaspard

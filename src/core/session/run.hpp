@@ -11,6 +11,7 @@
 // a time. Snapshots are immutable and may be shared between threads.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/scenario/catalogue.hpp"
 #include "core/session/snapshot.hpp"
 
@@ -21,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 class QualityMeter;
 struct SplinePatch; // core/spline/spline_patch.hpp
@@ -162,4 +163,4 @@ class Run {
 std::shared_ptr<const Discretisation> prepare(const Problem& problem, const Progress& progress,
                                               std::stop_token stop);
 
-} // namespace gaspard
+} // namespace GASPARD_API

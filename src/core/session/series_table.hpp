@@ -2,6 +2,7 @@
 // run is judged. One immutable table, shared by all reports of the run.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/base/series.hpp"
 
 #include <memory>
@@ -9,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 class SeriesTable {
   public:
@@ -37,4 +38,4 @@ class SeriesTable {
 /// What every run reports; for reports that belong to none.
 const std::shared_ptr<const SeriesTable>& common_series();
 
-} // namespace gaspard
+} // namespace GASPARD_API

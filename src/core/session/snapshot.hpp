@@ -7,6 +7,7 @@
 //                     method knows its map everywhere, where the map folds
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/base/field.hpp"
 #include "core/base/points.hpp"
 #include "core/mesh/mesh.hpp"
@@ -20,7 +21,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 enum class RunStatus {
     preparing,       ///< operators are being prepared
@@ -93,4 +94,4 @@ struct Snapshot {
     }
 };
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -6,11 +6,13 @@
 // The first and the last knot have multiplicity p + 1, so that the splines interpolate at both ends.
 #pragma once
 
+#include "core/base/export.hpp"
+
 #include <cstddef>
 #include <span>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 inline constexpr int highest_degree = 7;
 
@@ -69,4 +71,4 @@ LineMatrix transfer(const KnotVector& from, const KnotVector& to);
 /// The matrix that takes values at the Greville points (degree >= 1) to the interpolating coefficients.
 LineMatrix interpolation(const KnotVector& space);
 
-} // namespace gaspard
+} // namespace GASPARD_API

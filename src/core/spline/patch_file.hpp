@@ -7,13 +7,14 @@
 //     "weights": [w, ...] }                                  optional; default 1
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/spline/patch_choice.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// The largest patch file that is read: 32 MiB.
 inline constexpr std::uintmax_t largest_patch_file = std::uintmax_t{1} << 25;
@@ -32,4 +33,4 @@ std::string patch_json(const SplinePatch& patch);
 /// The unit disk, represented exactly by one biquadratic NURBS patch.
 SplinePatch nurbs_disk();
 
-} // namespace gaspard
+} // namespace GASPARD_API

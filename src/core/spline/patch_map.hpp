@@ -5,11 +5,12 @@
 // Maps of the standard form leave the square slightly, so F must be defined in a neighbourhood of it.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/base/points.hpp"
 
 #include <memory>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 class PatchMap {
   public:
@@ -34,4 +35,4 @@ std::shared_ptr<const PatchMap> torus_part_map();
 /// Möbius strip of width 1 around the unit circle, cut open: one turn with half a twist.
 std::shared_ptr<const PatchMap> moebius_map();
 
-} // namespace gaspard
+} // namespace GASPARD_API

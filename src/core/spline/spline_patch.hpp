@@ -3,10 +3,11 @@
 //   F(xi) = (sum over i, j of B_ij w_ij C_ij) / (sum over i, j of B_ij w_ij)
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/spline/patch_map.hpp"
 #include "core/spline/tensor_space.hpp"
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// Plain data: to move control points, change them and make a new map, which is cheap.
 struct SplinePatch {
@@ -24,4 +25,4 @@ SplinePatch patch_through(const TensorSpace& space, const Points& x);
 /// The map of a patch that satisfies check_patch.
 std::shared_ptr<const PatchMap> patch_map(SplinePatch patch);
 
-} // namespace gaspard
+} // namespace GASPARD_API

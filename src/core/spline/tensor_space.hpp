@@ -2,6 +2,7 @@
 // (2.13), (2.14). General and slow; iterations use spline_forms.hpp.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/base/points.hpp"
 #include "core/spline/knots.hpp"
 
@@ -9,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// Functions B_i(x) B_j(y) B_k(z); the index of the first direction runs fastest.
 struct TensorSpace {
@@ -44,4 +45,4 @@ struct DeRham {
 };
 DeRham de_rham(const TensorSpace& space);
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -1,6 +1,7 @@
 #include "core/tessellate/check_view.hpp"
 
 #include "core/base/error.hpp"
+#include "core/tessellate/background.hpp"
 #include "core/tessellate/camera.hpp"
 #include "core/tessellate/cell_geometry.hpp"
 #include "core/tessellate/pick.hpp"
@@ -14,6 +15,7 @@ void check_view(const Values& view, const Mesh* mesh) {
         } catch (const InputError& error) {
             throw InputError("view." + std::string(key) + ": " + error.what());
         }
+    parse_background(view.text("background"));
     const auto pick = parse_pick(view.text("pick"));
     if (pick && mesh != nullptr && !has(*mesh, *pick))
         throw InputError("view.pick = '" + view.text("pick") + "': the mesh has " +

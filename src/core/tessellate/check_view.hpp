@@ -1,15 +1,16 @@
 // Whether the values of the section "view" can be shown.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/base/parameter.hpp"
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 struct Mesh;
 
-/// `view`: values of view_rows(). Throws InputError with one sentence if a camera or the pick cannot be read
-/// or a fixed range is empty; with a mesh also if the mesh does not have the picked cell or node or cannot be
+/// `view`: values of view_rows(). Throws InputError with one sentence if a camera, the background or the
+/// pick cannot be read or a fixed range is empty; with a mesh also if the mesh does not have the picked cell or node or cannot be
 /// shown in the layout.
 void check_view(const Values& view, const Mesh* mesh = nullptr);
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -2,11 +2,12 @@
 // tessellate/colouring.hpp.
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/base/parameter.hpp"
 
 #include <string>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 struct ColourChoice {
     std::string colouring = "monitor"; ///< of mesh_colours(), a field of the method, or none
@@ -19,4 +20,4 @@ struct ColourChoice {
 /// `view`: values of view_rows().
 ColourChoice colour_choice(const Values& view);
 
-} // namespace gaspard
+} // namespace GASPARD_API

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <string_view>
 
 namespace gaspard {
 
@@ -22,22 +24,45 @@ float image_scale(int width, int height) {
                       10.0F);
 }
 
+/// On a background of one colour the theme is the one that is legible there.
+Theme theme_of(const ImageOptions& options) {
+    const auto [r, g, b] = options.background.colour;
+    const bool chosen = options.background.kind == Background::Kind::colour;
+    const bool light = chosen ? 299 * r + 587 * g + 114 * b > 500 * 255 : options.light;
+    Theme theme = light ? light_theme() : dark_theme();
+    const auto part = [](unsigned char value) { return static_cast<float>(value) / 255; };
+    if (chosen) theme.background = {part(r), part(g), part(b), 1};
+    if (options.background.kind == Background::Kind::transparent) theme.background.a = 0;
+    return theme;
+}
+
+/// Drawn over nothing, colours are multiplied by their alpha; a PNG has them straight.
+void divide_by_alpha(Image& image) {
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        const int alpha = image.rgba[i + 3];
+        for (std::size_t k = i; alpha > 0 && k < i + 3; ++k)
+            image.rgba[k] =
+                static_cast<std::uint8_t>(std::min(255, (image.rgba[k] * 255 + alpha / 2) / alpha));
+    }
+}
+
 /// Everything an image needs, in the order of construction.
 class Canvas {
   public:
-    Canvas(int width, int height, float scale, const ImageOptions& options)
-        : theme_(options.light ? light_theme() : dark_theme()), scale_(scale),
-          context_(make_offscreen_context(options.backend)), target_(context_->gl(), width, height),
-          mesh_renderer_(context_->gl()) {
+    /// `text`: what will be written that is not the program's own, such as titles.
+    Canvas(int width, int height, float scale, const ImageOptions& options, std::string_view text)
+        : theme_(theme_of(options)), scale_(scale), context_(make_offscreen_context(options.backend)),
+          target_(context_->gl(), width, height), mesh_renderer_(context_->gl()) {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
-        load_font(*io.Fonts, theme_, scale);
+        load_font(*io.Fonts, theme_, scale, text);
         apply_theme(theme_, scale);
         text_renderer_.emplace(context_->gl());
         ImGui::NewFrame();
         target_.bind();
         const Gl& gl = context_->gl();
-        gl.ClearColor(theme_.background.r, theme_.background.g, theme_.background.b, 1);
+        const Colour ground = theme_.background;
+        gl.ClearColor(ground.r * ground.a, ground.g * ground.a, ground.b * ground.a, ground.a);
         gl.Clear(GL_COLOR_BUFFER_BIT);
     }
 
@@ -61,7 +86,9 @@ class Canvas {
     Image finish() {
         ImGui::Render();
         text_renderer_->draw(*ImGui::GetDrawData());
-        return target_.read();
+        Image image = target_.read();
+        if (theme_.background.a < 1) divide_by_alpha(image);
+        return image;
     }
 
   private:
@@ -90,13 +117,14 @@ Image render_view(const Snapshot& snapshot, const Values& view, int width, int h
                   const std::string& subject, const ImageOptions& options) {
     ImageOptions themed = options;
     themed.light = options.light || view.text("theme") == "light";
-    Canvas canvas(width, height, image_scale(width, height), themed);
+    themed.background = parse_background(view.text("background"));
+    Canvas canvas(width, height, image_scale(width, height), themed, subject);
     canvas.mesh(snapshot, view, {.subject = subject, .report = snapshot.report}, {0, 0, width, height});
     return canvas.finish();
 }
 
 Image render_plot(const Plot& plot, int width, int height, const ImageOptions& options) {
-    Canvas canvas(width, height, image_scale(width, height), options);
+    Canvas canvas(width, height, image_scale(width, height), options, plot.title);
     canvas.plot(plot, {0, 0, width, height});
     return canvas.finish();
 }
@@ -106,7 +134,10 @@ Image render_panels(const std::vector<Panel>& panels, int columns, int width, in
     GASPARD_CHECK(columns > 0 && !panels.empty());
     const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
     const int panel_width = width / columns, panel_height = height / rows;
-    Canvas canvas(width, height, image_scale(panel_width * 3 / 2, panel_height * 3 / 2), options);
+    std::string titles;
+    for (const Panel& panel : panels)
+        titles += std::visit([](const auto& shown) { return shown.title; }, panel);
+    Canvas canvas(width, height, image_scale(panel_width * 3 / 2, panel_height * 3 / 2), options, titles);
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const int at = static_cast<int>(i);
         const PixelRect area{at % columns * panel_width, at / columns * panel_height, panel_width,

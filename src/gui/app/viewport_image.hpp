@@ -6,6 +6,7 @@
 #include "core/base/parameter.hpp"
 #include "core/io/image.hpp"
 #include "core/session/snapshot.hpp"
+#include "core/tessellate/background.hpp"
 #include "core/tessellate/plot.hpp"
 #include "gui/gl/offscreen.hpp"
 
@@ -19,6 +20,7 @@ namespace gaspard {
 struct ImageOptions {
     bool light = false; ///< dark on white, for paper; so does view.theme
     OffscreenBackend backend = OffscreenBackend::any;
+    Background background{}; ///< so is view.background
 };
 
 /// What a viewport of the window would show of `snapshot`. `view` is the section of view_rows(); `subject`

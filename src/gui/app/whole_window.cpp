@@ -72,7 +72,7 @@ Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const Fini
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.MousePos = {-FLT_MAX, -FLT_MAX};
-    load_font(*io.Fonts, application.window_state().theme, zoom);
+    load_font(*io.Fonts, application.window_state().theme, zoom, application.title());
     apply_theme(application.window_state().theme, zoom);
     application.set_scale(zoom);
     WindowImage image(gl);

@@ -317,6 +317,10 @@ class Window {
             if (const std::string& title = application_->title(); title != title_) {
                 title_ = title;
                 glfwSetWindowTitle(window_.get(), ("Gaspard: " + title).c_str());
+                if (lacks_glyphs(*ImGui::GetIO().Fonts, title)) {
+                    style();
+                    scene_->interface().update_font();
+                }
             }
             draw();
         }
@@ -377,7 +381,8 @@ class Window {
         apply_theme(application_->window_state().theme, zoom());
         ImGuiIO& io = ImGui::GetIO();
         load_font(*io.Fonts, application_->window_state().theme,
-                  zoom() * density); // as many pixels as it will cover
+                  zoom() * density, // as many pixels as it will cover
+                  application_->title());
         io.FontGlobalScale = 1 / density;
         application_->set_scale(zoom());
     }

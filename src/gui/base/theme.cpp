@@ -1,10 +1,14 @@
 #include "gui/base/theme.hpp"
 
 #include "core/base/check.hpp"
+#include "gui/base/system_fonts.hpp"
 #include "gui_assets.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <iterator>
+#include <vector>
 
 namespace gaspard {
 
@@ -25,6 +29,39 @@ std::string_view embedded_font() {
     for (const auto& file : gui_assets::files())
         if (file.path == "assets/fonts/Roboto-Regular.ttf") return file.bytes;
     check_failed("the font is embedded");
+}
+
+/// Neither white space nor control, and within what ImGui can store.
+bool is_drawn(char32_t c) { return c > 0x20 && c <= IM_UNICODE_CODEPOINT_MAX; }
+
+/// As a range of one.
+void append_character(std::vector<ImWchar>& ranges, char32_t c) {
+    if (is_drawn(c)) ranges.insert(ranges.end(), 2, static_cast<ImWchar>(c));
+}
+
+/// The characters of the text for which the font has no glyph, each once.
+std::vector<char32_t> missing_characters(const ImFont& font, std::string_view text) {
+    std::vector<char32_t> missing;
+    for (const char32_t c : characters_of(text))
+        if (is_drawn(c) && font.FindGlyphNoFallback(static_cast<ImWchar>(c)) == nullptr) missing.push_back(c);
+    std::sort(missing.begin(), missing.end());
+    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+    return missing;
+}
+
+/// Adds the font's characters to the last font of the atlas; `added` keeps what the atlas reads when built.
+void add_font(ImFontAtlas& atlas, const SystemFont& font, float size,
+              std::vector<std::vector<ImWchar>>& added) {
+    std::vector<ImWchar>& ranges = added.emplace_back();
+    for (const char32_t c : font.characters) append_character(ranges, c);
+    ranges.push_back(0);
+    ImFontConfig config;
+    config.MergeMode = true;
+    config.FontNo = font.number;
+    config.OversampleH = 2;
+    void* bytes = ImGui::MemAlloc(font.bytes.size()); // the atlas frees it
+    std::memcpy(bytes, font.bytes.data(), font.bytes.size());
+    atlas.AddFontFromMemoryTTF(bytes, static_cast<int>(font.bytes.size()), size, &config, ranges.data());
 }
 
 void set_sizes(ImGuiStyle& style) {
@@ -153,23 +190,35 @@ void apply_theme(const Theme& t, float scale) {
     ImGui::GetStyle() = style;
 }
 
-void load_font(ImFontAtlas& atlas, const Theme& theme, float scale) {
-    static constexpr ImWchar ranges[] = {0x0020, 0x017f, // Latin
-                                         0x0370, 0x03ff, // Greek
-                                         0x2010, 0x2027, // dashes, dots
-                                         0x2030, 0x203a, // per mille, quotation
-                                         0x2070, 0x209c, // superscripts, subscripts
-                                         0x2200, 0x22ff, // signs
-                                         0};
+void load_font(ImFontAtlas& atlas, const Theme& theme, float scale, std::string_view text) {
+    static constexpr ImWchar always[] = {0x0020, 0x017f,  // Latin
+                                         0x0370, 0x04ff,  // Greek, Cyrillic
+                                         0x2010, 0x2027,  // dashes, dots
+                                         0x2030, 0x203a,  // per mille, quotation
+                                         0x2070, 0x209c,  // superscripts, subscripts
+                                         0x2200, 0x22ff}; // signs
+    std::vector<ImWchar> ranges(std::begin(always), std::end(always));
+    for (const char32_t c : characters_of(text)) append_character(ranges, c);
+    ranges.push_back(0);
     const std::string_view bytes = embedded_font();
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = 2;
     atlas.Clear();
     // ImGui asks for writable bytes, but only reads what it does not own.
-    ImFont* font = atlas.AddFontFromMemoryTTF(const_cast<char*>(bytes.data()), static_cast<int>(bytes.size()),
-                                              std::round(theme.font_size * scale), &config, ranges);
-    GASPARD_CHECK(font != nullptr);
+    const float size = std::round(theme.font_size * scale);
+    const ImFont* font = atlas.AddFontFromMemoryTTF(
+        const_cast<char*>(bytes.data()), static_cast<int>(bytes.size()), size, &config, ranges.data());
+    GASPARD_CHECK(font != nullptr && atlas.Build()); // it reads the ranges
+    const std::vector<char32_t> missing = missing_characters(*font, text);
+    if (missing.empty()) return;
+    std::vector<std::vector<ImWchar>> added;
+    for (const SystemFont& found : system_fonts(missing)) add_font(atlas, found, size, added);
+    GASPARD_CHECK(atlas.Build());
+}
+
+bool lacks_glyphs(const ImFontAtlas& atlas, std::string_view text) {
+    return !missing_characters(*atlas.Fonts.front(), text).empty();
 }
 
 } // namespace gaspard

@@ -15,12 +15,13 @@ struct Colour {
     friend bool operator==(const Colour&, const Colour&) = default;
 };
 
+inline Colour opaque(Colour c) { return {c.r, c.g, c.b, 1}; }
 inline ImVec4 to_imgui(Colour c) { return {c.r, c.g, c.b, c.a}; }
 /// Packed as ImDrawList wants it; `opacity` multiplies the alpha.
 ImU32 packed(Colour c, float opacity = 1);
 
 struct Theme {
-    Colour background; ///< behind a mesh
+    Colour background; ///< behind a mesh; of alpha 0 in a transparent image
     Colour panel;      ///< windows, legends
     Colour frame;      ///< fields, sliders, the inside of plots
     Colour border, grid;
@@ -44,8 +45,11 @@ Theme theme_named(std::string_view name);
 /// Sets the current ImGui context's style.
 void apply_theme(const Theme& theme, float scale);
 
-/// Makes the embedded font (Latin, Greek, superscripts and some signs) the only one of `atlas`, at the
-/// theme's size times `scale`. Its texture is made by ImGuiRenderer.
-void load_font(ImFontAtlas& atlas, const Theme& theme, float scale);
+/// Makes the embedded font (Latin, Greek, Cyrillic, superscripts and some signs) the only one of `atlas`, at
+/// the theme's size times `scale`. Characters of `text` (UTF-8) that it lacks are taken from fonts of the
+/// system, where there are any. Its texture is made by ImGuiRenderer.
+void load_font(ImFontAtlas& atlas, const Theme& theme, float scale, std::string_view text = {});
+/// Whether the atlas has no glyph for some character of `text`.
+bool lacks_glyphs(const ImFontAtlas& atlas, std::string_view text);
 
 } // namespace gaspard

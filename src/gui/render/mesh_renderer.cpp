@@ -273,7 +273,8 @@ void MeshRenderer::clear(PixelRect area, int bottom, const Theme& theme) {
     gl_.Scissor(area.x, bottom, area.width, area.height);
     gl_.Enable(GL_SCISSOR_TEST);
     gl_.DepthMask(GL_TRUE);
-    gl_.ClearColor(theme.background.r, theme.background.g, theme.background.b, 1);
+    const Colour ground = theme.background;
+    gl_.ClearColor(ground.r * ground.a, ground.g * ground.a, ground.b * ground.a, ground.a);
     gl_.ClearDepth(1);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl_.Disable(GL_CULL_FACE);
@@ -443,7 +444,7 @@ void MeshRenderer::draw_line_cells(const Frame& frame, LineStyle style, const Th
     if (!shown_.lines) return;
     style.by_map = false;
     style.width = rimmed_disc_width * scale;
-    style.flat_ink = theme.background;
+    style.flat_ink = opaque(theme.background);
     draw_lines(frame, discs_, style);
     style.width = disc_width * scale;
     style.flat_ink = theme.text;
@@ -477,7 +478,7 @@ void MeshRenderer::draw_tangled(const Frame& frame, LineStyle style, const Theme
         style.flat_ink = ink;
         draw_lines(frame, outlines_, style);
     };
-    outline(tangled_rim_width, theme.background);
+    outline(tangled_rim_width, opaque(theme.background));
     outline(tangled_ring_width, theme.text);
     if (tangled_count_ > 0) draw_fill(frame, tangled_array_, tangled_count_, theme.tangled);
     outline(tangled_width, theme.tangled);
@@ -500,8 +501,9 @@ void MeshRenderer::draw_arrows(const Frame& frame, const Theme& theme, float sca
     // Colour maps are mostly dark, independent of the theme, so a light arrow has the better contrast.
     const auto sum = [](Colour c) { return c.r + c.g + c.b; };
     const bool swapped = shown_.colouring != nullptr && sum(theme.text) < sum(theme.background);
-    set_colour(gl_, arrow_.ink, swapped ? theme.background : theme.text);
-    set_colour(gl_, arrow_.rim, swapped ? theme.text : theme.background);
+    const Colour ground = opaque(theme.background);
+    set_colour(gl_, arrow_.ink, swapped ? ground : theme.text);
+    set_colour(gl_, arrow_.rim, swapped ? theme.text : ground);
     gl_.BindVertexArray(empty_array_.name());
     gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * shown_.arrows->size()));
 }

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
+#include <utility>
 
 namespace gaspard {
 namespace {
@@ -29,6 +30,7 @@ struct Record {
 struct ReadObj {
     std::vector<Vec3> vertices;
     std::vector<Record> records;
+    std::vector<std::pair<std::string, std::size_t>> objects; ///< names, each with its first record
 };
 
 ReadObj read_obj(const std::filesystem::path& file) {
@@ -43,6 +45,11 @@ ReadObj read_obj(const std::filesystem::path& file) {
             EXPECT_TRUE(words >> a >> b >> c) << line;
             obj.vertices.push_back({std::strtod(a.c_str(), nullptr), std::strtod(b.c_str(), nullptr),
                                     std::strtod(c.c_str(), nullptr)});
+            continue;
+        }
+        if (keyword == "o") {
+            EXPECT_TRUE(words >> a) << line;
+            obj.objects.emplace_back(a, obj.records.size());
             continue;
         }
         obj.records.push_back({keyword, {}});
@@ -153,6 +160,9 @@ TEST(Obj, WritesATessellationAsTrianglesAndPolylines) {
     expect_positions(obj, points);
     std::vector<std::uint32_t> triangles, segments;
     std::size_t lines = 0;
+    using Objects = std::vector<std::pair<std::string, std::size_t>>;
+    EXPECT_EQ(obj.objects, (Objects{{"cells", 0}, {"edges", shape.triangles.size() / 3}}))
+        << "some readers take an object with faces and lines for lines alone";
     for (const auto& [keyword, vertices] : obj.records) {
         if (keyword == "f") {
             ASSERT_EQ(vertices.size(), 3u);
@@ -174,6 +184,15 @@ TEST(Obj, WritesATessellationAsTrianglesAndPolylines) {
     EXPECT_EQ(read.n_vertices(), shape.point_count);
     EXPECT_EQ(read.n_faces(), shape.triangle_cells.size());
     for (const auto v : read.vertices()) EXPECT_FALSE(v.is_boundary()) << "the sphere is closed";
+}
+
+TEST(Obj, ATessellationOfLinesIsOneObject) {
+    const TemporaryFolder folder;
+    const Mesh mesh = three_lines();
+    write_obj(folder / "m.obj", tessellate_within(mesh, mesh.nodes, 1e-3), mesh.nodes);
+    const ReadObj obj = read_obj(folder / "m.obj");
+    ASSERT_EQ(obj.objects.size(), 1u);
+    EXPECT_EQ(obj.objects[0].first, "edges");
 }
 
 TEST(Obj, IsIndependentOfTheLocale) {

@@ -307,6 +307,20 @@ TEST(MeshSvg, ADirectionTurnsAMeshInSpace) {
     EXPECT_EQ(strokes_in(SvgReader(svg_of(snapshot, from_above)), "cells").size(), 2u);
 }
 
+TEST(MeshSvg, TheBackgroundIsWhiteAColourOrNone) {
+    const Snapshot snapshot = sample_snapshot(unit_square_mesh(4));
+    const std::string white = svg_of(snapshot);
+    const auto rect = white.find("<rect width=");
+    ASSERT_NE(rect, std::string::npos);
+    EXPECT_LT(rect, white.find("<g id=\"cells\""));
+    const auto end = white.find('\n', rect) + 1;
+    const std::string none = white.substr(0, rect) + white.substr(end);
+    EXPECT_EQ(svg_of(snapshot, {.background = parse_background("transparent")}), none);
+    std::string filled = white;
+    filled.replace(filled.find("#fff", rect), 4, "#fff1d6");
+    EXPECT_EQ(svg_of(snapshot, {.background = parse_background("#FFF1d6")}), filled);
+}
+
 TEST(MeshSvg, ACameraOnACornerShowsThatCorner) {
     Snapshot snapshot = sample_snapshot(unit_square_mesh(12));
     snapshot.x = snapshot.mesh->nodes;

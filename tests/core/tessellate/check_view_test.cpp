@@ -23,6 +23,17 @@ TEST(CheckView, SaysWhatIsWrong) {
     EXPECT_NE(message_of<InputError>([&] { check_view(values, &mesh); }).find("16 cells"), std::string::npos);
     values.set("pick", std::string("node 24"));
     EXPECT_NO_THROW(check_view(values, &mesh));
+    for (const char* wrong : {"", "white", "#12345", "#12345g", "#+12345", "#1234567"}) {
+        values.set("background", std::string(wrong));
+        EXPECT_NE(message_of<InputError>([&] { check_view(values); })
+                      .find("view.background must be theme, transparent or a colour as #rrggbb"),
+                  std::string::npos)
+            << wrong;
+    }
+    for (const char* right : {"theme", "transparent", "#09afAF"}) {
+        values.set("background", std::string(right));
+        EXPECT_NO_THROW(check_view(values)) << right;
+    }
     values.set("range", std::string("fixed"));
     values.set("low", 2.0);
     EXPECT_NE(

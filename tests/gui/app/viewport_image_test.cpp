@@ -7,6 +7,7 @@
 #include "gui/similarity.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -56,6 +57,53 @@ Image drawn(const Snapshot& snapshot, const std::vector<std::pair<std::string, s
     Values values("view", view_rows());
     for (const auto& [key, text] : settings) values.parse(key, text);
     return render_view(snapshot, values, 400, 300, "plane, ring");
+}
+
+std::array<int, 4> pixel(const Image& image, int x, int y) {
+    const auto* p = &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)];
+    return {p[0], p[1], p[2], p[3]};
+}
+
+TEST(Background, IsTransparentOrAColour) {
+    const Snapshot snapshot = ring_snapshot(16);
+    const Image usual = drawn(snapshot, {});
+    const Image clear = drawn(snapshot, {{"background", "transparent"}});
+    const Image filled = drawn(snapshot, {{"background", "#fff1d6"}});
+    EXPECT_EQ(drawn(snapshot, {{"background", "theme"}}).rgba, usual.rgba);
+    EXPECT_EQ(pixel(clear, 1, 1)[3], 0);
+    EXPECT_EQ(pixel(filled, 1, 1), (std::array{0xff, 0xf1, 0xd6, 255}));
+    for (std::size_t i = 3; i < usual.rgba.size(); i += 4) {
+        ASSERT_EQ(usual.rgba[i], 255);
+        ASSERT_EQ(filled.rgba[i], 255);
+    }
+    // Laid over the theme's background, the transparent image is the usual one (but for plates below text).
+    const Colour ground = dark_theme().background;
+    const std::array below = {ground.r, ground.g, ground.b};
+    int opaque_pixels = 0, far_off = 0;
+    for (int y = 60; y < 240; ++y)
+        for (int x = 100; x < 260; ++x) {
+            const auto seen = pixel(clear, x, y), wanted = pixel(usual, x, y);
+            const float alpha = static_cast<float>(seen[3]) / 255;
+            opaque_pixels += seen[3] == 255 ? 1 : 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const float laid = alpha * static_cast<float>(seen[k]) + (1 - alpha) * 255 * below[k];
+                far_off += std::abs(laid - static_cast<float>(wanted[k])) > 3 ? 1 : 0;
+            }
+        }
+    EXPECT_GT(opaque_pixels, 20000) << "of the mesh";
+    EXPECT_EQ(far_off, 0);
+}
+
+/// The picture of an empty plot with a title.
+Image titled(const std::string& title) {
+    return render_plot({.title = title, .x = {"x", false}, .y = {"y", false}, .curves = {}}, 300, 200);
+}
+
+TEST(Title, EveryCharacterHasItsGlyph) {
+    const Image unknown = titled("?");
+    for (const char* title : {"Ω", "Ж", "é", "網"}) EXPECT_NE(titled(title).rgba, unknown.rgba) << title;
+    // A character that no font has is shown as the font's sign for that: the comparison can fail.
+    EXPECT_EQ(titled("\U0000FFFE").rgba, unknown.rgba);
 }
 
 TEST(WrongPicture, OfAnyOtherViewIsFoundDifferent) {

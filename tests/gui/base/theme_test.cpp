@@ -1,0 +1,41 @@
+// The glyphs of the font: the embedded one, and fonts of the system for what it lacks.
+#include "gui/base/system_fonts.hpp"
+#include "gui/base/theme.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+TEST(Font, HasLatinGreekAndCyrillic) {
+    ImFontAtlas atlas;
+    load_font(atlas, dark_theme(), 1);
+    EXPECT_FALSE(lacks_glyphs(atlas, "Möbius strip, Ångström, Łódź, Ωμέγα, Сетка, Ґ ξ ≤ x²"));
+    EXPECT_LE(atlas.TexWidth * atlas.TexHeight, 1 << 19) << "of bytes";
+}
+
+TEST(Font, TakesOtherCharactersOfATextFromTheSystem) {
+    ImFontAtlas atlas;
+    load_font(atlas, dark_theme(), 1);
+    EXPECT_TRUE(lacks_glyphs(atlas, "網")) << "only when asked for, because such fonts are large";
+    load_font(atlas, dark_theme(), 2, "Ω Ж é 網格");
+    EXPECT_FALSE(lacks_glyphs(atlas, "Ω Ж é 網格"));
+    EXPECT_TRUE(lacks_glyphs(atlas, "자"));
+    EXPECT_EQ(atlas.Fonts.Size, 1);
+}
+
+TEST(Font, ACharacterThatNoFontHasIsLeftOut) {
+    EXPECT_TRUE(system_fonts({U'\uFDD0'}).empty());
+    const auto fonts = system_fonts({U'網', U'\uFDD0'});
+    ASSERT_EQ(fonts.size(), 1u);
+    EXPECT_EQ(fonts[0].characters, std::vector<char32_t>{U'網'});
+}
+
+TEST(Font, ReadsUtf8) {
+    EXPECT_EQ(characters_of("aé網\xF0\x9F\x98\x80"),
+              (std::vector<char32_t>{U'a', U'\u00e9', U'網', U'\U0001F600'}));
+    EXPECT_EQ(characters_of("a\xFF\x80z\xE7\xB6"), (std::vector<char32_t>{U'a', U'z'})) << "cut off";
+}
+
+} // namespace
+} // namespace gaspard

@@ -1,0 +1,60 @@
+# The tests of the program: its window, its pictures, its command line, and what is installed.
+# Meshes and scenes to draw, and the comparison of pictures.
+add_library(gaspard_scenes STATIC gui/scenes.cpp gui/globes.cpp gui/similarity.cpp)
+target_include_directories(gaspard_scenes PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(gaspard_scenes PUBLIC gaspard_fixtures gaspard_gui PRIVATE gaspard_options)
+
+# What has to be quick: frames, dragging, picking, plots.
+gaspard_test(timing_tests LABELS timing LIBRARIES gaspard_scenes
+  SOURCES core/session/drag_test.cpp gui/app/frame_cost_test.cpp gui/scene/picking_time_test.cpp
+    gui/plot/plot_time_test.cpp)
+
+# The window's panels, with no graphics backend.
+gaspard_test(gui_tests LABELS threads LIBRARIES gaspard_scenes PkgConfig::IMGUI
+  SOURCES gui/app/actions_test.cpp gui/app/application_undo_test.cpp gui/document/document_test.cpp
+    gui/document/document_edits_test.cpp gui/document/edit_history_test.cpp gui/panels/parameter_panel_test.cpp gui/app/application_test.cpp
+    gui/app/application_view_test.cpp gui/app/application_files_test.cpp gui/app/application_plots_test.cpp gui/app/application_series_test.cpp
+    gui/scene/clip_matrix_test.cpp gui/scene/picking_test.cpp gui/viewport/viewport_test.cpp gui/plot/plot_widget_test.cpp
+    gui/scene/mesh_scene_test.cpp gui/base/settings_test.cpp gui/base/theme_test.cpp gui/plot/plot_curves_test.cpp gui/panels/plot_pane_test.cpp
+    gui/panels/plot_choice_test.cpp gui/panels/run_list_test.cpp gui/document/value_changes_test.cpp gui/document/runs_csv_test.cpp
+    gui/viewport/globe_view_test.cpp gui/panels/comparison_panel_test.cpp gui/viewport/handles_test.cpp)
+
+# Pictures drawn offscreen, compared with those in tests/goldens, which make_goldens draws anew.
+gaspard_test(picture_tests LABELS graphics LIBRARIES gaspard_scenes
+  SOURCES gui/app/viewport_image_test.cpp gui/app/globe_image_test.cpp gui/app/fixture_image_test.cpp
+    gui/gl/imgui_renderer_test.cpp gui/plot/plot_image_test.cpp gui/render/mesh_renderer_test.cpp)
+# Pictures are drawn by OSMesa where it is installed. Golden.LooksTheSameThroughEgl draws the stored ones through EGL too;
+# this draws those through EGL that have to be found different.
+add_test(NAME pictures_through_egl COMMAND picture_tests --gtest_brief=1 --gtest_filter=Wrong*:Offscreen.*:Fixture*)
+set_tests_properties(pictures_through_egl PROPERTIES TIMEOUT 300 LABELS graphics
+  ENVIRONMENT GASPARD_OFFSCREEN=egl)
+add_executable(make_goldens gui/make_goldens.cpp)
+target_link_libraries(make_goldens PRIVATE gaspard_options gaspard_test_options gaspard_scenes)
+
+# The program in a real window, on a screen in memory.
+gaspard_test(window_tests LABELS display LIBRARIES gaspard_gui PkgConfig::IMGUI nlohmann_json::nlohmann_json
+  SOURCES gui/app/window_test.cpp gui/virtual_display.cpp)
+target_compile_definitions(window_tests PRIVATE GASPARD_PROGRAM="$<TARGET_FILE:gaspard>")
+add_dependencies(window_tests gaspard)
+
+# The command line, as a user's script sees it.
+foreach(group Runs BadInput Files Machine Information)
+  add_test(NAME cli_${group} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/contract_test.py
+    $<TARGET_FILE:gaspard> ${group})
+  set_tests_properties(cli_${group} PROPERTIES TIMEOUT 300 LABELS "graphics")
+endforeach()
+
+# README and docs: links, paths and labels that they name, and the examples, which are run.
+foreach(group Text Examples)
+  add_test(NAME documents_${group} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/documents_test.py
+    $<TARGET_FILE:gaspard> ${group})
+endforeach()
+set_tests_properties(documents_Examples PROPERTIES TIMEOUT 300 LABELS "graphics")
+
+# What is installed and packaged is enough for others.
+add_test(NAME installed_library COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/library_test.py
+  ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR}/examples)
+set_tests_properties(installed_library PROPERTIES TIMEOUT 300 LABELS "graphics")
+add_test(NAME debian_packages COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/package_test.py
+  ${PROJECT_SOURCE_DIR})
+set_tests_properties(debian_packages PROPERTIES TIMEOUT 1500 LABELS "graphics;long")
