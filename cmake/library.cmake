@@ -11,7 +11,7 @@ set(public_headers
   method/method.hpp
   scenario/catalogue.hpp scenario/output_rows.hpp scenario/pde_type.hpp scenario/scenario.hpp scenario/toml.hpp session/run.hpp session/series_table.hpp session/snapshot.hpp
   tessellate/check_view.hpp tessellate/colour_choice.hpp io/formats.hpp io/run_files.hpp io/state_file.hpp io/surface_mesh.hpp
-  spline/knots.hpp spline/patch_file.hpp spline/patch_map.hpp spline/spline_patch.hpp spline/tensor_space.hpp)
+  spline/knots.hpp spline/patch_choice.hpp spline/patch_file.hpp spline/patch_map.hpp spline/spline_patch.hpp spline/tensor_space.hpp)
 # Here they are "core/session/run.hpp", for others <gaspard/session/run.hpp>.
 foreach(header IN LISTS public_headers)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS src/core/${header})

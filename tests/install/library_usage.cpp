@@ -20,7 +20,7 @@ class Density final : public Monitor {
     explicit Density(double unit, double bad = 1) : unit_(unit), bad_(bad) {}
     void values(const Points& x, std::span<double> values) const override {
         for (std::size_t i = 0; i < x.size(); ++i)
-            values[i] = unit_ * (x.x[i] > 0.9 ? bad_ : 1) * (2 + std::sin(3 * x.x[i]) * std::cos(2 * x.y[i]));
+            values[i] = unit_ * (x.x[i] > 0.3 ? bad_ : 1) * (2 + std::sin(3 * x.x[i]) * std::cos(2 * x.y[i]));
     }
 
   private:

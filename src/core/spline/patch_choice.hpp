@@ -5,6 +5,7 @@
 //   "id:100"  the geometry whose id in the file is 100
 #pragma once
 
+#include "core/base/export.hpp"
 #include "core/mesh/patch_list.hpp"
 #include "core/spline/spline_patch.hpp"
 
@@ -12,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace gaspard {
+namespace gaspard GASPARD_API {
 
 /// A geometry of a file.
 struct PatchEntry {
@@ -47,4 +48,4 @@ ChosenPatch choose_patch(const std::vector<PatchEntry>& entries, const PatchText
 /// Throws InputError that the file is no patch file that is read: "p.xml: it is ...".
 [[noreturn]] void cannot_read(const std::string& origin, const std::string& why);
 
-} // namespace gaspard
+} // namespace GASPARD_API
