@@ -118,8 +118,7 @@ std::optional<std::string> decode_base64(std::string_view text) {
         group = 0;
     }
     if (digits % 4 != 0 || padding > 2) return std::nullopt;
-    bytes.resize(bytes.size() - padding);
-    return bytes;
+    return bytes.substr(0, bytes.size() - padding);
 }
 
 std::vector<double> decode_numbers(std::string_view base64, std::string_view type, const std::string& what) {

@@ -8,20 +8,27 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace gaspard GASPARD_API {
+
+/// What a type of domain has read from files; only the type knows what it is.
+using DomainContent = std::shared_ptr<const void>;
 
 struct DomainType {
     std::string name;
     std::string label;
     std::string help;
     std::vector<ParameterRow> rows;
-    std::function<Space(const Values&)> space;
-    /// The same for a domain that lies where its file says; `folder` is the base of relative paths. Does not
-    /// throw: if the file is invalid, which the run reports, the ranges of monitors are as wide as possible.
-    std::function<Space(const Values&, const std::filesystem::path& folder)> find_space{};
+    /// `content`: what `read` has returned for these values; null if the type has no `read` or the file is not
+    /// read yet. Does not throw: if the file is invalid, which the run reports, the ranges of monitors are as
+    /// wide as possible.
+    std::function<Space(const Values&, const DomainContent& content)> space;
+    /// Reads the files of a domain that lies where they say; `folder` is the base of relative paths. Does not
+    /// throw: errors are part of the content, and `Capability::prepare` throws them.
+    std::function<DomainContent(const Values&, const std::filesystem::path& folder)> read{};
     /// True if its meshes are images of a spline patch, so that spline formats can be written.
     bool spline_patch = false;
 };

@@ -35,7 +35,7 @@ std::vector<ParameterRow> common_rows() {
                  "vertices, with linear interpolation"}};
 }
 
-Space sphere_space(const Values&) { return {SpaceKind::sphere}; }
+Space sphere_space(const Values&, const DomainContent&) { return {SpaceKind::sphere}; }
 
 } // namespace
 

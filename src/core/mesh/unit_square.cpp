@@ -42,7 +42,7 @@ DomainType plane_domain() {
                       .scale = ParameterScale::logarithmic,
                       .default_value = std::int64_t{60},
                       .help = "the mesh has n x n cells"}},
-            .space = [](const Values& values) {
+            .space = [](const Values& values, const DomainContent&) {
                 return Space{values.text("boundary") == "periodic" ? SpaceKind::periodic_square
                                                                    : SpaceKind::euclidean};
             }};

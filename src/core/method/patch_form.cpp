@@ -144,6 +144,13 @@ void PatchForm::positions(std::span<const double> whole, Points& x) {
             psi_.x[k * side] = psi_.y[k] = 0;
             psi_.x[k * side + side - 1] = psi_.y[(side - 1) * side + k] = 1;
         }
+    // Beyond an edge that is one point, F has the opposite orientation. The penalty of the standard form lets the
+    // map pass the edge by its error at the boundary; what is beyond belongs to the point.
+    const PointEdges& tips = domain_->point_edges();
+    for (std::size_t i = 0; i < psi_.size(); ++i) {
+        psi_.x[i] = std::clamp(psi_.x[i], tips.left ? 0 : psi_.x[i], tips.right ? 1 : psi_.x[i]);
+        psi_.y[i] = std::clamp(psi_.y[i], tips.bottom ? 0 : psi_.y[i], tips.top ? 1 : psi_.y[i]);
+    }
     domain_->map()->points(psi_, x);
 }
 

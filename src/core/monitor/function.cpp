@@ -27,7 +27,7 @@ class FunctionMonitor final : public Monitor {
 
   private:
     std::function<double(Vec3)> function_;
-    Extent extent_;
+    DomainExtent extent_;
 };
 
 } // namespace

@@ -26,14 +26,14 @@ double wrap(double x) {
     return rest < 1 ? rest : 0; // for x just below 0, x - floor(x) rounds to 1
 }
 
-bool are_inside(const Extent& extent, const Points& x) {
+bool are_inside(const DomainExtent& extent, const Points& x) {
     bool all = true;
     for (std::size_t i = 0; i < x.size(); ++i) all = all && is_inside(extent, x[i]) && is_finite(x[i]);
     return all;
 }
 
 /// Points that are not finite, of an iteration that diverges, become another point of the domain.
-Points into(const Extent& extent, const Points& x) {
+Points into(const DomainExtent& extent, const Points& x) {
     Points inside(x.size());
     for (std::size_t i = 0; i < x.size(); ++i)
         inside.set(i, is_finite(x[i]) ? into(extent, x[i]) : extent.somewhere);
@@ -42,7 +42,7 @@ Points into(const Extent& extent, const Points& x) {
 
 class OwnMonitor final : public Monitor {
   public:
-    OwnMonitor(std::shared_ptr<const Monitor> own, const Extent& extent, double unit)
+    OwnMonitor(std::shared_ptr<const Monitor> own, const DomainExtent& extent, double unit)
         : own_(std::move(own)), extent_(extent), scale_(1 / unit) {}
 
     void values(const Points& x, std::span<double> values) const override {
@@ -76,7 +76,7 @@ class OwnMonitor final : public Monitor {
 
   private:
     std::shared_ptr<const Monitor> own_;
-    Extent extent_;
+    DomainExtent extent_;
     double scale_;
 };
 
@@ -108,7 +108,7 @@ class StoppableMonitor final : public Monitor {
 };
 
 /// The derivative along one axis at every point.
-void differentiate(const Monitor& monitor, const Extent& extent, const Points& x, Vec3 axis,
+void differentiate(const Monitor& monitor, const DomainExtent& extent, const Points& x, Vec3 axis,
                    std::vector<double>& slope) {
     const double step = difference * extent.size;
     const std::size_t count = x.size();
@@ -160,23 +160,23 @@ double unit_of(const Monitor& monitor, const Points& nodes) {
 
 } // namespace
 
-Extent extent_of(const Mesh& mesh, const Space& space, bool box) {
+DomainExtent extent_of(const Mesh& mesh, const Space& space, bool box) {
     const auto [x_low, x_high] = std::minmax_element(mesh.nodes.x.begin(), mesh.nodes.x.end());
     const auto [y_low, y_high] = std::minmax_element(mesh.nodes.y.begin(), mesh.nodes.y.end());
     const auto [z_low, z_high] = std::minmax_element(mesh.nodes.z.begin(), mesh.nodes.z.end());
-    Extent extent{.space = space,
-                  .dimension = mesh.space_dimension,
-                  .box = box && space.kind == SpaceKind::euclidean,
-                  .low = {*x_low, *y_low, *z_low},
-                  .high = {*x_high, *y_high, *z_high},
-                  .somewhere = mesh.nodes[0]};
+    DomainExtent extent{.space = space,
+                        .dimension = mesh.space_dimension,
+                        .box = box && space.kind == SpaceKind::euclidean,
+                        .low = {*x_low, *y_low, *z_low},
+                        .high = {*x_high, *y_high, *z_high},
+                        .somewhere = mesh.nodes[0]};
     const Vec3 sides = extent.high - extent.low;
     extent.size = std::max({sides.x, sides.y, sides.z});
     if (space.kind == SpaceKind::sphere) extent.size = extent.radius = norm(mesh.nodes[0]);
     return extent;
 }
 
-Vec3 into(const Extent& extent, Vec3 p) {
+Vec3 into(const DomainExtent& extent, Vec3 p) {
     if (extent.space.kind == SpaceKind::periodic_square) return {wrap(p.x), wrap(p.y), 0};
     if (extent.space.kind == SpaceKind::sphere) {
         const double length = norm(p);
@@ -199,7 +199,8 @@ void check_positive(const Points& x, std::span<const double> values) {
                              format_number(x.z[i]) + ")");
 }
 
-void difference_gradients(const Monitor& monitor, const Extent& extent, const Points& x, Points& gradients) {
+void difference_gradients(const Monitor& monitor, const DomainExtent& extent, const Points& x,
+                          Points& gradients) {
     gradients = Points(x.size());
     const bool flat = extent.space.kind == SpaceKind::periodic_square;
     const std::array<std::pair<Vec3, std::vector<double>*>, 3> axes{
@@ -209,7 +210,7 @@ void difference_gradients(const Monitor& monitor, const Extent& extent, const Po
         differentiate(monitor, extent, x, axes[axis].first, *axes[axis].second);
 }
 
-ProblemData own_problem(std::shared_ptr<const Monitor> own, const Extent& extent, const Points& nodes) {
+ProblemData own_problem(std::shared_ptr<const Monitor> own, const DomainExtent& extent, const Points& nodes) {
     if (!own) throw InputError("the monitor is null");
     own->check();
     const double unit = unit_of(OwnMonitor(own, extent, 1), nodes);

@@ -16,7 +16,7 @@
 namespace gaspard {
 
 /// Where the points of a domain lie.
-struct Extent {
+struct DomainExtent {
     Space space{};
     int dimension = 3;  ///< further coordinates are zero
     bool box = false;   ///< the domain is the box from `low` to `high`
@@ -26,9 +26,9 @@ struct Extent {
     double size = 1;    ///< largest side of that box; the radius of a sphere
 };
 /// `box`: a domain with straight sides, which its mesh fills.
-Extent extent_of(const Mesh& mesh, const Space& space, bool box);
+DomainExtent extent_of(const Mesh& mesh, const Space& space, bool box);
 /// Whether into() returns the same point; false where only into() can tell.
-inline bool is_inside(const Extent& extent, Vec3 p) {
+inline bool is_inside(const DomainExtent& extent, Vec3 p) {
     if (extent.space.kind == SpaceKind::periodic_square)
         return p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1 && p.z == 0;
     if (extent.space.kind == SpaceKind::sphere) return false;
@@ -37,17 +37,18 @@ inline bool is_inside(const Extent& extent, Vec3 p) {
                             p.y <= extent.high.y && p.z >= extent.low.z && p.z <= extent.high.z));
 }
 /// The point of the domain for a point at which a method asks for the monitor.
-Vec3 into(const Extent& extent, Vec3 p);
+Vec3 into(const DomainExtent& extent, Vec3 p);
 
 /// Throws InputError with the first point at which the value is not positive or not finite.
 void check_positive(const Points& x, std::span<const double> values);
 /// grad m by central differences with a step of 1e-5 times the size of the domain, one-sided ones of the same
 /// order at the sides of a box; on a sphere the tangential gradient.
-void difference_gradients(const Monitor& monitor, const Extent& extent, const Points& x, Points& gradients);
+void difference_gradients(const Monitor& monitor, const DomainExtent& extent, const Points& x,
+                          Points& gradients);
 
 /// Checks the monitor (Monitor::check), and chooses ProblemData::unit from its values at some of the nodes.
 /// Throws InputError; so do the values of the result.
-ProblemData own_problem(std::shared_ptr<const Monitor> own, const Extent& extent, const Points& nodes);
+ProblemData own_problem(std::shared_ptr<const Monitor> own, const DomainExtent& extent, const Points& nodes);
 /// The same data with a monitor that throws Interrupted when asked to stop.
 ProblemData stoppable(ProblemData data, std::stop_token stop);
 

@@ -71,7 +71,7 @@ Capability spline_capability(const std::string& domain_type) {
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 if (context.progress) context.progress(0, "preparing the patch");
                 return make_spline_domain(context.scenario.domain.type, context.scenario.domain.values,
-                                          context.scenario.folder);
+                                          context.scenario.folder, context.scenario.place.content);
             },
             .problem = problem_on<SplineEquation, SplineDomain>};
 }

@@ -74,11 +74,16 @@ Values view_section(const Catalogue& catalogue, std::string_view method);
 /// The first domain, monitor and method of the catalogue, with default values.
 Scenario default_scenario(const Catalogue& catalogue);
 
-/// The space of the scenario's domain.
+/// The space of the scenario's domain, as far as it is known (locate_domain).
 Space space_of(const Catalogue& catalogue, const Scenario& scenario);
+/// Reads the files of the domain, if they are not read yet, and updates the rows: ranges and values of monitors
+/// fit the size and the place of a patch. Files that are invalid are reported when the domain is made.
+void locate_domain(const Catalogue& catalogue, Scenario& scenario);
+/// Whether locate_domain() would not read anything.
+bool is_located(const Catalogue& catalogue, const Scenario& scenario);
 /// Updates the rows of every section: monitors depend on the space of the domain, further rows on values, and
 /// the sections monitor.target and pde on domain and method. Values set by the user are kept if the key still
-/// exists and allows them; where the domain has another size or place, they are scaled and moved with it.
+/// exists and allows them; on a domain of another size they are scaled. Reads no file.
 void update_rows(const Catalogue& catalogue, Scenario& scenario);
 
 /// Updates the rows of the view for a method. Values set by the user are kept if the method allows them.
@@ -93,6 +98,9 @@ bool has_key(Scenario& scenario, std::string_view key);
 /// that type; setting the domain also updates the rows of the monitor. Throws InputError if the key is
 /// unknown or reserved, or if the value has the wrong kind or is out of range.
 void set_value(const Catalogue& catalogue, Scenario& scenario, std::string_view key, const Value& value);
+/// The same without reading the files of the domain, for several of its keys in turn.
+void set_value_unlocated(const Catalogue& catalogue, Scenario& scenario, std::string_view key,
+                         const Value& value);
 /// Like set_value, for a list of "key=value" from the command line. Types are set first, so the order does
 /// not matter. Throws InputError; the settings before the invalid one may have been applied.
 void apply_settings(const Catalogue& catalogue, Scenario& scenario, const std::vector<std::string>& settings);

@@ -8,6 +8,7 @@
 #include "core/mesh/space.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,11 @@ struct Section {
     friend bool operator==(const Section&, const Section&) = default;
 };
 
-/// Where a domain lies that a file describes, kept by update_rows(), so that the file is read only when the
-/// values of the domain have changed. It follows from the other values, so that any two are equal.
+/// Where a domain lies, and what its files hold; kept by locate_domain() and update_rows(), so that a file is read
+/// once for its name. It follows from the other values, so that any two are equal.
 struct DomainPlace {
-    std::string of; ///< the domain's values
+    std::string files;                     ///< the values that name the files
+    std::shared_ptr<const void> content{}; ///< DomainType::read
     Space space;
     friend bool operator==(const DomainPlace&, const DomainPlace&) { return true; }
 };

@@ -185,30 +185,45 @@ void update_optional(Section& section, const std::vector<std::string>& offered, 
 
 } // namespace
 
-/// All that find_space() may depend on.
-static std::string place_key(const Scenario& scenario) {
+/// All that DomainType::read may depend on.
+static std::string files_key(const Scenario& scenario) {
     std::string key = scenario.domain.type + '\n' + scenario.folder.string();
     for (const ParameterRow& row : scenario.domain.values.rows())
-        if (row.key != "cells" && row.key != "degree")
-            key += '\n' + format_value(scenario.domain.values.at(row.key));
+        if (row.role == ParameterRole::file || row.role == ParameterRole::patch)
+            key += '\n' + scenario.domain.values.text(row.key);
     return key;
 }
 
-static DomainPlace find_place(const Catalogue& catalogue, const Scenario& scenario) {
+/// The place as far as it is known without reading: while another file is not read yet, that of the one before.
+static DomainPlace known_place(const Catalogue& catalogue, const Scenario& scenario) {
     const DomainType& type = catalogue.domain(scenario.domain.type);
-    const Values& values = scenario.domain.values;
-    if (!type.find_space) return {{}, type.space(values)};
-    std::string key = place_key(scenario);
-    if (key == scenario.place.of) return scenario.place;
-    return {std::move(key), type.find_space(values, scenario.folder)};
+    if (!type.read) return {{}, {}, type.space(scenario.domain.values, {})};
+    DomainPlace place = scenario.place;
+    if (place.files == files_key(scenario))
+        place.space = type.space(scenario.domain.values, place.content);
+    else if (!place.files.starts_with(scenario.domain.type + '\n'))
+        place = {{}, {}, type.space(scenario.domain.values, {})};
+    return place;
 }
 
 Space space_of(const Catalogue& catalogue, const Scenario& scenario) {
-    return find_place(catalogue, scenario).space;
+    return known_place(catalogue, scenario).space;
+}
+
+bool is_located(const Catalogue& catalogue, const Scenario& scenario) {
+    return !catalogue.domain(scenario.domain.type).read || scenario.place.files == files_key(scenario);
+}
+
+void locate_domain(const Catalogue& catalogue, Scenario& scenario) {
+    if (is_located(catalogue, scenario)) return;
+    scenario.place.content =
+        catalogue.domain(scenario.domain.type).read(scenario.domain.values, scenario.folder);
+    scenario.place.files = files_key(scenario);
+    update_rows(catalogue, scenario);
 }
 
 void update_rows(const Catalogue& catalogue, Scenario& scenario) {
-    scenario.place = find_place(catalogue, scenario);
+    scenario.place = known_place(catalogue, scenario);
     const Space& space = scenario.place.space;
     std::vector<std::string> targets, pdes;
     for (const Capability& row : catalogue.capabilities) {
@@ -257,6 +272,12 @@ void check_section(Scenario& scenario, std::string_view key) {
 bool has_key(Scenario& scenario, std::string_view key) { return find_target(scenario, key).has_value(); }
 
 void set_value(const Catalogue& catalogue, Scenario& scenario, std::string_view key, const Value& value) {
+    set_value_unlocated(catalogue, scenario, key, value);
+    locate_domain(catalogue, scenario);
+}
+
+void set_value_unlocated(const Catalogue& catalogue, Scenario& scenario, std::string_view key,
+                         const Value& value) {
     const Target target = locate(catalogue, scenario, key);
     if (target.section && target.key == "type") {
         const auto* type = std::get_if<std::string>(&value);
@@ -298,6 +319,7 @@ void apply_settings(const Catalogue& catalogue, Scenario& scenario,
             continue;
         }
         waiting = 0;
+        if (!key.starts_with("domain.")) locate_domain(catalogue, scenario);
         const Target target = locate(catalogue, scenario, key);
         if (target.section && target.key == "type") {
             set_type(catalogue, scenario, *target.section, text);
@@ -306,6 +328,7 @@ void apply_settings(const Catalogue& catalogue, Scenario& scenario,
             if (target.section) update_rows(catalogue, scenario);
         }
     }
+    locate_domain(catalogue, scenario);
 }
 
 } // namespace gaspard

@@ -54,7 +54,7 @@ void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::ta
         waiting = 0;
         try {
             check_key(catalogue, scenario, key); // has specific messages for reserved and unknown sections
-            set_value(catalogue, scenario, key, to_value(*node, key));
+            set_value_unlocated(catalogue, scenario, key, to_value(*node, key));
             source.lines[key] = node->source().begin.line;
         } catch (const InputError& error) {
             throw InputError(place(origin, node->source()) + error.what());
@@ -94,8 +94,8 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
         document = toml::parse(text, origin);
     } catch (const toml::parse_error& error) {
         const std::string_view what = error.description(); // " (TOML_MAX_...)" is the parser's own name
-        throw InputError(place(origin, error.source()) + "TOML syntax error: " +
-                         std::string(what.substr(0, what.find(" (TOML"))));
+        throw InputError(place(origin, error.source()) +
+                         "TOML syntax error: " + std::string(what.substr(0, what.find(" (TOML"))));
     }
     Scenario scenario = default_scenario(catalogue);
     scenario.name = std::filesystem::path(origin).stem().string();
@@ -122,6 +122,7 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
     for (const auto& name : sections) {
         if (const auto* table = document[name].as_table())
             read_section(catalogue, scenario, *table, name, origin, found);
+        if (name == "domain") locate_domain(catalogue, scenario);
         if (name != "monitor") continue;
         if (const auto* table = document[name]["target"].as_table())
             read_section(catalogue, scenario, *table, "monitor.target", origin, found);

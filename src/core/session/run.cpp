@@ -71,9 +71,14 @@ std::shared_ptr<QualityMeter> Run::make_meter(const Course& course) const {
                                           space_of(*catalogue_, course.problem.scenario));
 }
 
+static Scenario located(const Catalogue& catalogue, Scenario scenario) {
+    locate_domain(catalogue, scenario);
+    return scenario;
+}
+
 /// Sets the scenario's domain to the caller's patch.
 static Scenario on_patch(const Catalogue& catalogue, Scenario scenario, const SplinePatch* patch) {
-    if (!patch) return scenario;
+    if (!patch) return located(catalogue, std::move(scenario));
     if (scenario.domain.type != own_patch_domain)
         set_value(catalogue, scenario, "domain.type", std::string(own_patch_domain));
     set_value(catalogue, scenario, "domain.control_points", std::string());
@@ -392,7 +397,7 @@ void Run::interrupt() {
 
 std::string Run::change(const Scenario& scenario, const Progress& progress, std::stop_token stop,
                         Diagnostics at_most) {
-    Problem problem = check(*catalogue_, scenario, now_.own.get());
+    Problem problem = check(*catalogue_, located(*catalogue_, scenario), now_.own.get());
     const Scenario& old = now_.problem.scenario;
     const bool new_data = !same_problem_data(problem.scenario, old);
     if (!new_data && problem.scenario.method == old.method) {

@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <limits>
+#include <optional>
 
 namespace gaspard {
 
@@ -30,6 +32,15 @@ void join_collapsed_nodes(std::size_t side, Points& nodes) {
         }
     };
     join(0, 1), join((side - 1) * side, 1), join(0, side), join(side - 1, side);
+}
+
+PointEdges find_point_edges(std::size_t side, const Points& nodes) {
+    const auto one_point = [&](std::size_t first, std::size_t step) {
+        for (std::size_t k = 1; k < side; ++k)
+            if (nodes[first + k * step] != nodes[first]) return false;
+        return true;
+    };
+    return {one_point(0, side), one_point(side - 1, side), one_point(0, 1), one_point((side - 1) * side, 1)};
 }
 
 /// Whether F reverses the orientation of a patch in the plane; of a surface in space, orientation is free.
@@ -144,16 +155,34 @@ DomainType domain_type(const Shipped& one, std::vector<ParameterRow> rows) {
             .label = one.label,
             .help = one.help,
             .rows = std::move(rows),
-            .space = [space](const Values&) { return space; },
+            .space = [space](const Values&, const DomainContent&) { return space; },
             .spline_patch = true};
+}
+
+/// The patch of domain.file and domain.patch, or why there is none.
+struct PatchContent {
+    std::optional<FoundPatch> found{};
+    std::exception_ptr error{};
+};
+
+DomainContent read_content(const Values& values, const std::filesystem::path& folder) {
+    auto content = std::make_shared<PatchContent>();
+    try {
+        content->found = find_patch(values.text("file"), folder, values.text("patch"));
+    } catch (const std::exception&) {
+        content->error = std::current_exception();
+    }
+    return content;
 }
 
 /// A patch from a file has its box. The unit disk without a file is a built-in patch like the others. Moved
 /// control points extend the ranges only, so that a monitor stays where it is while they are dragged.
-Space space_of_patch(const Values& values, const std::filesystem::path& folder) {
+Space space_of_patch(const Values& values, const DomainContent& content) {
+    const auto* read = static_cast<const PatchContent*>(content.get());
+    if (!read || !read->found) return anywhere();
     try {
         const std::string &file = values.text("file"), &points = values.text("control_points");
-        SplinePatch patch = find_patch(file, folder, values.text("patch")).patch;
+        SplinePatch patch = read->found->patch;
         const auto map = patch_map(patch);
         Space space{.dimension = map->space_dimension()};
         const Box box = box_around(*map);
@@ -168,8 +197,7 @@ Space space_of_patch(const Values& values, const std::filesystem::path& folder) 
         patch.control = parse_control_points(points, patch.control.size());
         space.reach.push_back(box_around(*patch_map(patch)));
         return space;
-    } catch (const InputError&) {
-    } catch (const MachineError&) {
+    } catch (const InputError&) { // control points of another patch
     }
     return anywhere();
 }
@@ -182,6 +210,7 @@ SplineDomain::SplineDomain(int degree, std::size_t cells, std::shared_ptr<const 
       patches_(std::move(patches)) {
     GASPARD_CHECK(map_ != nullptr && cells_ >= 1 && degree_ >= 2 && degree_ <= highest_degree);
     mesh_ = std::make_shared<const Mesh>(patch_mesh(cells_, degree_, node_lines(), *map_));
+    point_edges_ = find_point_edges(node_lines().size(), mesh_->nodes);
 }
 
 std::size_t SplineDomain::unknowns() const {
@@ -230,20 +259,23 @@ std::vector<DomainType> spline_domains() {
                      .label = "Patch from a file",
                      .help = "a spline or NURBS patch with control points, in the plane or in space",
                      .rows = std::move(with_file),
-                     .space = [](const Values& values) { return space_of_patch(values, {}); },
-                     .find_space = space_of_patch,
+                     .space = space_of_patch,
+                     .read = read_content,
                      .spline_patch = true});
     return types;
 }
 
 std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, const Values& values,
-                                                       const std::filesystem::path& folder) {
+                                                       const std::filesystem::path& folder,
+                                                       const DomainContent& content) {
     const auto degree = static_cast<int>(values.integer("degree"));
     const auto cells = static_cast<std::size_t>(values.integer("cells"));
     for (const auto& one : shipped())
         if (type == one.name) return std::make_shared<SplineDomain>(degree, cells, one.map());
     GASPARD_CHECK(type == from_file);
-    FoundPatch found = find_patch(values.text("file"), folder, values.text("patch"));
+    const auto* read = static_cast<const PatchContent*>(content.get());
+    if (read && read->error) std::rethrow_exception(read->error);
+    FoundPatch found = read ? *read->found : find_patch(values.text("file"), folder, values.text("patch"));
     SplinePatch& patch = found.patch;
     const bool flat = patch_map(patch)->space_dimension() == 2;
     if (const std::string& points = values.text("control_points"); !points.empty()) {

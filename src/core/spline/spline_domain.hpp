@@ -13,6 +13,11 @@
 
 namespace gaspard {
 
+/// Edges of a patch that are one point, such as the tip of a cone.
+struct PointEdges {
+    bool left = false, right = false, bottom = false, top = false; ///< xi1 = 0, xi1 = 1, xi2 = 0, xi2 = 1
+};
+
 class SplineDomain final : public Discretisation {
   public:
     SplineDomain(int degree, std::size_t cells, std::shared_ptr<const PatchMap> map,
@@ -30,6 +35,7 @@ class SplineDomain final : public Discretisation {
     int degree() const { return degree_; }
     std::size_t cells() const { return cells_; }
     std::shared_ptr<const PatchMap> map() const { return map_; }
+    const PointEdges& point_edges() const { return point_edges_; }
     /// Parameters of the nodes along each direction of the parameter square.
     std::vector<double> node_lines() const;
 
@@ -40,6 +46,7 @@ class SplineDomain final : public Discretisation {
     std::shared_ptr<const Points> control_;
     std::shared_ptr<const PatchList> patches_;
     std::shared_ptr<const Mesh> mesh_;
+    PointEdges point_edges_;
 };
 
 /// The domain whose patch comes from a file (domain.file).
@@ -47,8 +54,10 @@ inline constexpr std::string_view own_patch_domain = "spline-patch";
 
 /// Square, disk, quarter annulus, part of a torus, Möbius strip, and a patch from a file.
 std::vector<DomainType> spline_domains();
-/// `folder` is the base of a relative path. Throws InputError if the patch is invalid.
+/// `folder` is the base of a relative path. The file is read if `content` (DomainType::read) is null. Throws
+/// InputError if the patch is invalid.
 std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, const Values& values,
-                                                       const std::filesystem::path& folder = {});
+                                                       const std::filesystem::path& folder = {},
+                                                       const DomainContent& content = {});
 
 } // namespace gaspard

@@ -197,6 +197,7 @@ void Document::take_answer(DocumentRun& run) {
     }
     if (!run.changes.settled()) return;
     if (!run.status.refused) {
+        take_place(run);
         edits_.settle(run.id);
     } else if (run.status.scenario) { // back to the values that the solver works with
         run.scenario = *run.status.scenario;
@@ -206,6 +207,17 @@ void Document::take_answer(DocumentRun& run) {
         take_back_refused(run);
     }
     moves_.clear();
+}
+
+/// The solver has read the file of another domain, to which monitors are fitted.
+void Document::take_place(DocumentRun& run) const {
+    if (!run.status.scenario || is_located(*catalogue_, run.scenario)) return;
+    const Scenario& read = *run.status.scenario;
+    if (run.scenario.domain != read.domain || run.scenario.folder != read.folder) return;
+    run.scenario.place = read.place;
+    update_rows(*catalogue_, run.scenario);
+    name_values(run);
+    run.name = describe_scenario(*catalogue_, run.opened, run.scenario);
 }
 
 void Document::start(RunId run) {

@@ -113,6 +113,7 @@ class Document {
 
     bool collect(DocumentRun& run);
     void take_answer(DocumentRun& run);
+    void take_place(DocumentRun& run) const;
     void finish_opening(DocumentRun& run);
     void post_change(DocumentRun& run, const Scenario& scenario);
     void update_views(const DocumentRun& run);

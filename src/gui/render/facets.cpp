@@ -4,9 +4,9 @@
 
 namespace gaspard {
 
-Facets make_facets(const Tessellation& tessellation, bool quadrilaterals) {
+DrawnFacets make_facets(const Tessellation& tessellation, bool quadrilaterals) {
     const std::vector<std::uint32_t>& t = tessellation.triangles;
-    Facets found;
+    DrawnFacets found;
     found.facets.reserve(t.size() / (quadrilaterals ? 6 : 3));
     found.corners.reserve(t.size());
     const auto add = [&](const Facet& points, std::initializer_list<std::uint32_t> corners) {

@@ -13,7 +13,7 @@ namespace gaspard {
 /// Four shown points in order around a quadrilateral; a triangle repeats its last one.
 using Facet = std::array<std::uint32_t, 4>;
 
-struct Facets {
+struct DrawnFacets {
     std::vector<Facet> facets;
     /// Three for each triangle of the tessellation, in its order: 4 times a facet plus the number of one of its
     /// points. Of a quadrilateral, the half at point 0 ends with point 3, the half at point 2 with point 1.
@@ -21,6 +21,6 @@ struct Facets {
 };
 
 /// `quadrilaterals`: the faces of the cells are quadrilaterals; else every triangle is a facet.
-Facets make_facets(const Tessellation& tessellation, bool quadrilaterals);
+DrawnFacets make_facets(const Tessellation& tessellation, bool quadrilaterals);
 
 } // namespace gaspard

@@ -121,7 +121,7 @@ class MeshRenderer {
     GlVertexArray fill_array_, tangled_array_, empty_array_;
     GlBuffer triangles_, tangled_triangles_;
     Table computational_, physical_, shown_cells_, cell_values_, arrows_, overlay_points_, facet_table_;
-    Facets facets_; ///< of the tessellation that is shown
+    DrawnFacets facets_; ///< of the tessellation that is shown
     LineSet edges_, discs_, outlines_, overlay_edges_;
     std::vector<Texel> texels_; ///< workspace for conversions
     std::vector<float> numbers_;

@@ -140,7 +140,7 @@ TEST(SphereDomains, SayWhichMeshTheirValuesMean) {
     EXPECT_THROW(cubed.set("geometry_order", std::int64_t{3}), InputError);
     Values triangles("domain", icosahedral_sphere_domain().rows);
     EXPECT_EQ(icosahedral_sphere_grid(triangles), (SphereGrid{SphereCells::icosahedral, 4}));
-    EXPECT_EQ(icosahedral_sphere_domain().space(triangles).kind, SpaceKind::sphere);
+    EXPECT_EQ(icosahedral_sphere_domain().space(triangles, {}).kind, SpaceKind::sphere);
     triangles.set("radius", 6371e3);
 }
 

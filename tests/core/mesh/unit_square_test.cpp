@@ -71,9 +71,9 @@ TEST(Displacement, IsExactForPointsInTheSameHalf) {
 TEST(PlaneDomain, IsATorusOrHasWalls) {
     const DomainType plane = plane_domain();
     Values values("domain", plane.rows);
-    EXPECT_EQ(plane.space(values).kind, SpaceKind::periodic_square);
+    EXPECT_EQ(plane.space(values, {}).kind, SpaceKind::periodic_square);
     values.set("boundary", std::string("walls"));
-    EXPECT_EQ(plane.space(values).kind, SpaceKind::euclidean);
+    EXPECT_EQ(plane.space(values, {}).kind, SpaceKind::euclidean);
     EXPECT_EQ(values.integer("cells"), 60);
     EXPECT_THROW(values.set("cells", std::int64_t{3}), InputError);
     EXPECT_THROW(values.set("cells", std::int64_t{481}), InputError);

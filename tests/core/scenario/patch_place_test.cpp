@@ -3,9 +3,13 @@
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
 #include "support/messages.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <thread>
 
 namespace gaspard {
 namespace {
@@ -95,16 +99,42 @@ TEST(PatchPlaces, MoveAndScaleWhatTheUserHasSet) {
     EXPECT_DOUBLE_EQ(chosen.monitor.values.real("sharpness"), 80);
 }
 
-TEST(PatchPlaces, AreReadFromTheFileOnlyWhenTheDomainChanges) {
+TEST(PatchPlaces, AreReadOnceForAFile) {
     Scenario chosen = scenario("spline-circle", {"domain.type=spline-patch", "domain.file=" + square(2090)});
-    const std::string before = chosen.place.of;
-    chosen.place.space.middle = {1, 2, 3}; // would be found anew
+    const auto before = chosen.place.content;
+    ASSERT_TRUE(before);
     set_value(*catalogue(), chosen, "monitor.amplitude", 6.0);
     set_value(*catalogue(), chosen, "domain.cells", std::int64_t{16});
-    EXPECT_EQ(chosen.place.of, before);
-    EXPECT_EQ(chosen.place.space.middle, (Vec3{1, 2, 3}));
+    set_value(*catalogue(), chosen, "domain.control_points", std::string("0 0, 2090 0, 0 2090, 2100 2090"));
+    EXPECT_EQ(chosen.place.content, before);
+    EXPECT_EQ(gaspard::Run(catalogue(), chosen).scenario().place.content, before);
     set_value(*catalogue(), chosen, "domain.file", square(10));
+    EXPECT_NE(chosen.place.content, before);
     EXPECT_EQ(chosen.place.space.middle, (Vec3{5, 5, 0}));
+}
+
+TEST(PatchPlaces, OfAPipeAreReadOnce) {
+    const TemporaryFolder folder;
+    const std::string pipe = folder / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const std::jthread writer([&] { std::ofstream(pipe) << square(4); });
+    const Scenario chosen = scenario("spline-circle", {"domain.type=spline-patch", "domain.file=" + pipe});
+    const gaspard::Run run(catalogue(), chosen);
+    EXPECT_EQ(run.space().middle, (Vec3{2, 2, 0}));
+}
+
+// The window's thread may update rows, but not read.
+TEST(PatchPlaces, AreNotReadWhenRowsAreUpdated) {
+    const TemporaryFolder folder;
+    const std::string pipe = folder / "pipe"; // nobody writes to it: reading would not end
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    Scenario chosen = scenario(
+        "spline-circle", {"domain.type=spline-patch", "domain.file=" + square(50), "monitor.center_x=40"});
+    chosen.domain.values.set("file", pipe);
+    update_rows(*catalogue(), chosen);
+    EXPECT_FALSE(is_located(*catalogue(), chosen));
+    EXPECT_EQ(chosen.monitor.values.real("center_x"), 40) << "as before until the file is read";
+    EXPECT_EQ(space_of(*catalogue(), chosen).middle, (Vec3{25, 25, 0}));
 }
 
 TEST(PatchPlaces, OfAMissingFileAreAnything) {

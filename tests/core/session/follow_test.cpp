@@ -166,7 +166,7 @@ TEST_F(Follow, SolvingStopsWhenAsked) {
 }
 
 TEST(FunctionMonitor, AsksWithinTheSquareAndKnowsSlopes) {
-    const Extent square{.space = torus};
+    const DomainExtent square{.space = torus};
     const auto monitor = function_monitor([](Vec3 p) {
         EXPECT_TRUE(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1) << p.x << ", " << p.y;
         return 2 + std::sin(2 * 3.14159265358979 * p.x) + p.y * p.y * (1 - p.y) * (1 - p.y);
@@ -208,7 +208,7 @@ TEST(FunctionMonitor, SlopesAtWallsAreTakenWithin) {
             return 2 + p.x * p.x + std::exp(p.y);
         },
         Space{});
-    const Extent box{.dimension = 2, .box = true, .high = {1, 1, 0}};
+    const DomainExtent box{.dimension = 2, .box = true, .high = {1, 1, 0}};
     Points x(2), gradients;
     x.set(0, {1, 0, 0});
     x.set(1, {0.5, 1, 0});
