@@ -99,7 +99,6 @@ std::vector<std::string> comparison_file_names(const std::vector<std::string>& m
 } // namespace
 
 int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArguments& arguments) {
-    const InterruptWatch interrupt;
     ScenarioInput input = load_input(*catalogue, arguments.scenario, arguments.settings);
     check_input(*catalogue, input);
     const Scenario& scenario = input.scenario;
@@ -111,10 +110,16 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
     if (!arguments.no_render) check_offscreen_choice();
     if (!arguments.overwrite && !arguments.out.empty()) // the default folder has the scenario's name
         check_replaceable(folder, comparison_file_names(methods), "comparison.json", scenario.name);
+    const InterruptWatch interrupt; // once the input is read: a signal ends a program that waits for it
     check_writable(folder);
     std::vector<ComparisonRow> rows;
     Outcome outcome;
     bool failed = false;
+    bool recorded = false;
+    const auto record = [&] { // before the files that it is about
+        if (!recorded) write_atomically(folder / "comparison.json", record_json(scenario));
+        recorded = true;
+    };
     // Sequentially, so that CPU times are comparable.
     for (const std::string& method : methods) {
         if (interrupt.token().stop_requested()) break;
@@ -126,6 +131,7 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
             if (rows.empty()) print_cells(comparison_heads());
             rows.push_back(comparison_row(method, run.history()));
             print_cells(comparison_cells(rows.back()));
+            record();
             write_atomically(folder / (method + ".csv"), history_csv(run.history()));
             outcome.add(method, run, std::string(status_name(run.status())));
         } catch (const Interrupted&) { // before its first iteration
@@ -137,7 +143,7 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
             failed = true;
         }
     }
-    write_atomically(folder / "comparison.json", record_json(scenario));
+    record();
     write_atomically(folder / "comparison.csv", comparison_csv(rows));
     if (!arguments.no_render && !rows.empty()) write_png(folder / "comparison.png", outcome.draw());
     std::printf("files in %s\n", folder.string().c_str());

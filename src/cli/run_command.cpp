@@ -21,6 +21,7 @@
 #include <charconv>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <thread>
 #include <unistd.h>
 
@@ -80,16 +81,18 @@ class ProgressLine {
         next_ = now + 0.1;
         shown_ = true;
         const double rate = report.seconds > 0 ? report.iteration / report.seconds : 0;
-        equidistribution_ = report.value("equidistribution").value_or(equidistribution_);
-        std::fprintf(stderr, "\riteration %d  residual %.3e  equidistribution %.3e  %.0f iterations/s\033[K",
-                     report.iteration, report.residual, equidistribution_, rate);
+        if (const auto value = report.value("equidistribution")) equidistribution_ = value;
+        std::fprintf(stderr, "\riteration %d  residual %.3e  ", report.iteration, report.residual);
+        if (equidistribution_) std::fprintf(stderr, "equidistribution %.3e  ", *equidistribution_);
+        std::fprintf(stderr, "%.0f iterations/s\033[K", rate);
         std::fflush(stderr);
     }
 
   private:
     Stopwatch watch_;
     bool on_, shown_ = false;
-    double next_ = 0, equidistribution_ = 0;
+    double next_ = 0;
+    std::optional<double> equidistribution_; ///< the last one measured
 };
 
 void print_outcome(const Run& run, const std::filesystem::path& folder, bool other_values) {
@@ -98,8 +101,9 @@ void print_outcome(const Run& run, const std::filesystem::path& folder, bool oth
                 last.iteration, last.residual);
     if (const SeriesInfo* criterion = other_criterion(last))
         std::printf("%s %.3e, ", criterion->name.c_str(), last.value(criterion->name).value_or(0));
-    std::printf("equidistribution %.6e, %zu tangled cells, %.3f s\n",
-                last.value("equidistribution").value_or(0), last.tangled_cells.value_or(0), last.seconds);
+    if (const auto value = last.value("equidistribution")) // measured only with method.diagnostics=full
+        std::printf("equidistribution %.6e, ", *value);
+    std::printf("%zu tangled cells, %.3f s\n", last.tangled_cells.value_or(0), last.seconds);
     if (!last.note.empty()) std::printf("%s\n", last.note.c_str());
     if (const auto patches = run.discretisation().patches())
         std::printf("%s; domain.patch selects another\n", patches->note.c_str());
@@ -136,12 +140,12 @@ std::vector<std::string> size_settings(const std::string& size) {
 }
 
 int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& arguments) {
-    const InterruptWatch interrupt;
     // Check all input before the first iteration.
     const ScenarioInput input = input_of(*catalogue, arguments);
     const Scenario& scenario = input.scenario;
     RunOptions options{.threads = threads_of(arguments)};
     if (arguments.start) options.start = read_state(user_path(*arguments.start));
+    const InterruptWatch interrupt; // once the input is read: a signal ends a program that waits for it
     const std::filesystem::path folder = arguments.out.empty()
                                              ? std::filesystem::path("gaspard-out") / scenario.name
                                              : user_path(arguments.out);

@@ -51,11 +51,9 @@ bool needs_own_method(const std::vector<std::string>& settings, const Scenario& 
 
 int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string& name,
                    const std::vector<std::string>& settings, const std::optional<std::string>& size) {
-    const InterruptWatch interrupt; // before the threads of graphics, which take over what it blocks
     const std::filesystem::path file = settings_file();
     WindowOptions options;
     options.output.fallback = home_output();
-    options.stop = interrupt.token();
     options.settings = read_settings(file, options.complaints);
     const bool from_file = is_scenario_file(name);
     ScenarioInput input = load_input(*catalogue, name, {});
@@ -74,6 +72,10 @@ int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string
         for (const char* key : {"width", "height"}) options.settings.window.set(key, scenario.view.at(key));
         options.settings.window.set("maximized", false);
     }
+    // Once the input is read: a signal ends a program that waits for it. Before the threads of graphics
+    // start, which take over what it blocks.
+    const InterruptWatch interrupt;
+    options.stop = interrupt.token();
     if (from_file) remember_recent(options.settings, user_path(name));
     save_settings(file, run_window(std::move(catalogue), scenario, options));
     return 0;

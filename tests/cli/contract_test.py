@@ -1,5 +1,6 @@
 """The command line as a contract: exit codes, files, sentences. Usage: contract_test.py PROGRAM [unittest arguments]"""
 import csv
+import fcntl
 import json
 import os
 import re
@@ -9,6 +10,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import termios
 import time
 import unittest
 import xml.etree.ElementTree
@@ -177,6 +179,35 @@ class Runs(Contract):
                 break
             time.sleep(0.02)
         return process
+
+    def test_a_signal_ends_a_program_that_waits_for_its_input(self):
+        def prepare():
+            for stop in (signal.SIGINT, signal.SIGTERM):
+                signal.signal(stop, signal.SIG_DFL)
+        for command in (["run", "-"], ["compare", "-"], ["-"]):
+            for stop in (signal.SIGINT, signal.SIGTERM):
+                with self.subTest(command=command, stop=stop):
+                    process = subprocess.Popen([PROGRAM, *command], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                               stderr=subprocess.PIPE, preexec_fn=prepare, cwd=self.folder.name)
+                    process.stdin.write(b"# more follows\n")
+                    process.stdin.flush()
+                    left = b"1"
+                    while process.poll() is None and any(left):  # until it has read that
+                        time.sleep(0.02)
+                        left = fcntl.ioctl(process.stdin, termios.FIONREAD, bytes(4))
+                    process.send_signal(stop)
+                    try:
+                        self.assertIn(process.wait(timeout=20), (130, -stop))
+                    finally:
+                        process.kill()
+                        process.communicate()
+
+    def test_what_was_not_measured_is_not_printed(self):
+        for level, printed in (("full", True), ("geometry", False), ("none", False)):
+            result = self.run_quick("--set", "method.diagnostics=" + level)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual("equidistribution" in result.stdout, printed, result.stdout)
+            self.assertIn(", 0 tangled cells, ", result.stdout)
 
     def test_an_interrupted_run_keeps_what_there_is(self):
         for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
@@ -489,6 +520,19 @@ class Information(Contract):
         shutil.rmtree(self.out)
         for methods, part in (("newtn", "newton"), ("auto,auto", "twice"), ("", "method")):
             self.refused(gaspard("compare", "plane-ring", "--methods", methods, "--out", self.out), part)
+
+    def test_a_comparison_that_was_killed_can_be_repeated(self):
+        with subprocess.Popen([PROGRAM, "compare", "plane-ring", "--set", "domain.cells=120", "--methods",
+                               "newton,auto,relaxation", "--no-render", "--out", self.out], stdout=subprocess.PIPE,
+                              text=True) as process:
+            for line in ("method", "newton", "auto"):
+                self.assertTrue(process.stdout.readline().startswith(line))
+            process.kill()
+        names = os.listdir(self.out)
+        self.assertIn("newton.csv", names)
+        self.assertNotIn("comparison.csv", names)
+        result = gaspard("compare", "plane-ring", *QUICK, "--methods", "newton", "--no-render", "--out", self.out)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
 
     def test_picard_has_the_residual_of_all_methods_and_ends_by_its_increment(self):
         settings = ("--set", "domain.cells=16")

@@ -3,6 +3,7 @@
 #include "core/base/finite_range.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace gaspard {

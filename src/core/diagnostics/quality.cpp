@@ -1,7 +1,6 @@
 #include "core/diagnostics/quality.hpp"
 
 #include "core/base/check.hpp"
-#include "core/base/team.hpp"
 #include "core/fem/cell_quadrature.hpp"
 
 #include <algorithm>
@@ -26,7 +25,8 @@ double larger(double a, double b) { return std::isnan(b) || b > a ? b : a; }
 } // namespace
 
 QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int points, const Space& space)
-    : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)), workers_(checked(threads)) {
+    : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)), workers_(checked(threads)),
+      team_(workers_.size()) {
     points = std::max(points, mesh_->kind.order); // so that areas in the plane are exact
     if (FlatSquares::fits(*mesh_)) flat_.emplace(points);
     if (space.kind == SpaceKind::sphere) sphere_.emplace(mesh_->kind, points);
@@ -50,6 +50,7 @@ QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int po
             const Tangents t = tangents(nodes, samples_[q]);
             cell_measure_[i] += samples_[q].weight * signed_measure(t, t);
         }
+        if (cell_measure_[i] == 0) pointlike_.push_back(i);
     }
     quality_.cell_jacobian.resize(cells);
     for (Worker& worker : workers_) {
@@ -145,6 +146,10 @@ void QualityMeter::measure_many(const Meter& meter, typename Meter::Workspace& w
 }
 
 void QualityMeter::note_cell(std::size_t cell, double smallest, double largest, Worker& worker) {
+    if (cell_measure_[cell] == 0) {
+        quality_.cell_jacobian[cell] = 1;
+        return;
+    }
     quality_.cell_jacobian[cell] = smallest;
     worker.min_jacobian = smaller(worker.min_jacobian, smallest);
     worker.max_jacobian = larger(worker.max_jacobian, largest);
@@ -169,9 +174,9 @@ const MeshQuality& QualityMeter::measure(const Points& x, const Monitor* monitor
     const auto share = [&](std::size_t worker, std::size_t begin, std::size_t end) {
         measure_cells(begin, end, x, monitor, workers_[worker]);
     };
-    Team team(workers_.size());
-    team.share(cells, share);
-    other_cpu_seconds_ = team.other_cpu_seconds();
+    const double others_before = team_.other_cpu_seconds();
+    team_.share(cells, share);
+    other_cpu_seconds_ = team_.other_cpu_seconds() - others_before;
     quality_.min_jacobian = workers_.front().min_jacobian;
     quality_.max_jacobian = workers_.front().max_jacobian;
     quality_.tangled_cells = 0;
@@ -180,13 +185,20 @@ const MeshQuality& QualityMeter::measure(const Points& x, const Monitor* monitor
         quality_.max_jacobian = larger(quality_.max_jacobian, worker.max_jacobian);
         quality_.tangled_cells += worker.tangled_cells;
     }
+    if (quality_.min_jacobian > quality_.max_jacobian) quality_.min_jacobian = quality_.max_jacobian = 1;
 
     quality_.equidistribution = std::numeric_limits<double>::quiet_NaN();
     if (!monitor) return quality_;
+    if (pointlike_.size() == cells) {
+        std::fill(quality_.cell_mass.begin(), quality_.cell_mass.end(), 0.0);
+        return quality_;
+    }
+    const auto counted = static_cast<double>(cells - pointlike_.size());
     double mean = 0, variance = 0;
-    for (const double mass : quality_.cell_mass) mean += mass / static_cast<double>(cells);
-    for (const double mass : quality_.cell_mass)
-        variance += (mass - mean) * (mass - mean) / static_cast<double>(cells);
+    for (const std::size_t i : pointlike_) quality_.cell_mass[i] = 0;
+    for (const double mass : quality_.cell_mass) mean += mass / counted;
+    for (const std::size_t i : pointlike_) quality_.cell_mass[i] = mean;
+    for (const double mass : quality_.cell_mass) variance += (mass - mean) * (mass - mean) / counted;
     quality_.equidistribution = std::sqrt(variance) / std::abs(mean);
     return quality_;
 }

@@ -7,10 +7,14 @@
 //   Jacobian = det dx/dxi of the map from computational to physical cell, at sample points, corners included
 //
 // A cell is tangled if its Jacobian is <= 0 or NaN at any sample point. Points at which the computational
-// cell is degenerate (degenerate_measure in mesh/cell_measure.hpp) are left out.
+// cell is degenerate (degenerate_measure in mesh/cell_measure.hpp) are left out. Of a computational
+// cell without size nothing can be measured: it counts neither for mean and standard deviation nor for the
+// Jacobians of the mesh, and gets the mean as M_i and the Jacobian 1. If all cells are such, the
+// equidistribution is NaN, which series leave out.
 #pragma once
 
 #include "core/base/series.hpp"
+#include "core/base/team.hpp"
 #include "core/diagnostics/flat_squares.hpp"
 #include "core/diagnostics/sphere_cells.hpp"
 #include "core/diagnostics/tensor_cell.hpp"
@@ -40,7 +44,8 @@ SeriesValues values_of(const MeshQuality& quality);
 /// Beside these, for a map that is known everywhere: how many cells of the mesh fold.
 SeriesInfo folded_drawn_cells_series();
 
-/// Measures a mesh. Holds the reference quadrature, the measures of the computational cells and a workspace.
+/// Measures a mesh. Holds the reference quadrature, the measures of the computational cells, a workspace and
+/// the threads.
 ///
 /// Sign of the Jacobian on lines and surfaces in space: negative where the physical cell faces away from the
 /// computational cell; on a sphere, where cells move far, negative where the cell faces inward. Reversed
@@ -105,9 +110,11 @@ class QualityMeter {
     std::optional<SphereCellMeter> sphere_;
     std::optional<TensorCell> quadrature_cell_, node_cell_; ///< of quadrilaterals of high order
     std::vector<Sample> samples_;
-    std::size_t quadrature_points_ = 0; ///< number of quadrature points, the first samples
-    std::vector<double> cell_measure_;  ///< of the computational cells
+    std::size_t quadrature_points_ = 0;  ///< number of quadrature points, the first samples
+    std::vector<double> cell_measure_;   ///< of the computational cells
+    std::vector<std::size_t> pointlike_; ///< cells whose measure is zero
     std::vector<Worker> workers_;
+    Team team_;
     MeshQuality quality_;
     double other_cpu_seconds_ = 0;
 };

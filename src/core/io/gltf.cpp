@@ -1,4 +1,5 @@
 // adapted.glb: one node with one mesh; faces and edges are two primitives with shared vertices.
+#include "core/base/box.hpp"
 #include "core/base/check.hpp"
 #include "core/base/version.hpp"
 #include "core/io/atomic_file.hpp"
@@ -24,19 +25,11 @@ using Triples = std::vector<float>;
 /// x and xi, if it is so far from the origin that single precision would round its shape, else zero.
 Vec3 local_origin(const Points& x, const Points& xi) {
     constexpr double far = 4; // sizes of the mesh
-    Vec3 middle;
-    double size = 0, farthest = 0;
-    for (const auto coordinate : {&Points::x, &Points::y, &Points::z}) {
-        double low = std::numeric_limits<double>::infinity(), high = -low;
-        for (const Points* points : {&x, &xi})
-            for (const double c : points->*coordinate) low = std::min(low, c), high = std::max(high, c);
-        size = std::max(size, high - low);
-        farthest = std::max({farthest, std::abs(low), std::abs(high)});
-        (coordinate == &Points::x   ? middle.x
-         : coordinate == &Points::y ? middle.y
-                                    : middle.z) = low + (high - low) / 2;
-    }
-    return farthest > far * size ? middle : Vec3{};
+    const Box box = merge(bounding_box(x), bounding_box(xi));
+    double farthest = 0;
+    for (const Vec3 corner : {box.low, box.high})
+        farthest = std::max({farthest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
+    return farthest > far * longest_side(box) ? box.low + 0.5 * (box.high - box.low) : Vec3{};
 }
 
 Points relative_to(Vec3 origin, Points points) {

@@ -164,8 +164,9 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
             if (!first) first = std::current_exception();
         }
     };
-    attempt("history.csv", [&] { write_atomically(folder / "history.csv", history_csv(run.history())); });
+    // First, because it tells of which run the other files are (run_folder.hpp).
     attempt("summary.json", [&] { write_atomically(folder / "summary.json", summary_json(run)); });
+    attempt("history.csv", [&] { write_atomically(folder / "history.csv", history_csv(run.history())); });
     attempt("state.bin", [&] { write_state(folder / "state.bin", run.state()); });
     if (of_splines)
         attempt("map.json", [&] { write_atomically(folder / "map.json", *spline_map_json(run.state())); });

@@ -78,7 +78,7 @@ class AndersonStepper final : public Stepper {
         problem_->direction(direction_);
         for (std::size_t i = 0; i < u.size(); ++i) u[i] += length * direction_[i];
         Iterate next = evaluate(*problem_, data, u);
-        next.evaluation.step_size = length / data.unit;
+        next.evaluation.step_size = length / problem_->step_unit(data);
         if (--resting_ == 0) keep(u, next); // also if it is no better: the relaxation may lead over a rise
         return next;
     }
@@ -96,7 +96,7 @@ class AndersonStepper final : public Stepper {
         Iterate next;
         if (waiting_ == 0) {
             next = evaluate(*problem_, data, u);
-            next.evaluation.step_size = length / data.unit;
+            next.evaluation.step_size = length / problem_->step_unit(data);
             if (acceptable(next)) {
                 failures_ = 0;
                 return next;
@@ -115,7 +115,7 @@ class AndersonStepper final : public Stepper {
         for (;; length /= 2, --halvings) {
             for (std::size_t i = 0; i < u.size(); ++i) u[i] = next_[i] + length * direction_[i];
             next = evaluate(*problem_, data, u);
-            next.evaluation.step_size = length / data.unit;
+            next.evaluation.step_size = length / problem_->step_unit(data);
             if (halvings == 0 || acceptable(next)) return next;
         }
     }

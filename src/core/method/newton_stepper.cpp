@@ -159,7 +159,7 @@ class NewtonStepper final : public Stepper {
         problem_->direction(update_);
         go(u, length);
         Iterate next = evaluate(*problem_, data, u);
-        next.evaluation.step_size = length / data.unit;
+        next.evaluation.step_size = length / problem_->step_unit(data);
         return next;
     }
 

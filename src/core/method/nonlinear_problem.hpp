@@ -76,6 +76,8 @@ class NonlinearProblem {
     virtual IterateShape shape() const = 0;
     /// d = P^-1 r.
     virtual void direction(std::span<double> d) = 0;
+    /// A step u + s d is reported as s / step_unit(data): where r has the unit of m, s has that of 1/m.
+    virtual double step_unit(const ProblemData& data) const { return data.unit; }
 
     /// The full linearisation, or the one without the derivative of the monitor, as in McRae et al. (3.10).
     enum class Linearised { fully, frozen_monitor };

@@ -31,11 +31,12 @@ class Relaxation final : public Method {
 
     Evaluation step(const ProblemData& data, State& state, std::stop_token) override {
         auto& u = problem_->unknowns(state);
-        const double step_size = step_size_ ? *step_size_ * data.unit : problem_->shape().stable_step;
+        const double unit = problem_->step_unit(data);
+        const double step_size = step_size_ ? *step_size_ * unit : problem_->shape().stable_step;
         problem_->direction(update_);
         for (std::size_t i = 0; i < u.size(); ++i) u[i] += step_size * update_[i];
         Evaluation evaluation = problem_->evaluate(data, u);
-        evaluation.step_size = step_size / data.unit;
+        evaluation.step_size = step_size / unit;
         return evaluation;
     }
 

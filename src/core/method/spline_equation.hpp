@@ -35,6 +35,7 @@ class SplineEquation final : public MongeAmpereEquation {
     std::span<const double> residual() const override { return residual_; }
     Ellipticity ellipticity() const override { return {shape_.convexity, shape_.slowest, shape_.fastest}; }
     void direction(std::span<double> u) override;
+    double step_unit(const ProblemData&) const override { return 1; } // of Picard's increment
 
     void linearise(const ProblemData& data, Linearised how) override;
     void derivative(std::span<const double> w, std::span<double> out) override { bfo_.derivative(w, out); }

@@ -2,13 +2,15 @@
 // ratios of m matter, not its unit.
 //
 // A simulation supplies its own monitor as a function (monitor/function.hpp) or as a class derived from
-// Monitor, which evaluates many points per call and need only define values(). A run asks it only for points
-// of its domain:
+// Monitor, which evaluates many points per call and need only define values(). A run asks it for points of
+// its domain:
 //
 //   periodic square   0 <= x, y < 1, z = 0; m is periodic
 //   walls             0 <= x, y <= 1, z = 0
 //   sphere            |x| = R
-//   patch             x = F(Psi), z = 0 in the plane; Psi may leave the parameter square slightly
+//   patch             x = F(Psi), z = 0 in the plane; Psi may leave the parameter square slightly.
+//                     Differences (Monitor::gradients) also take points beside the patch: across its edges,
+//                     and off a surface in space
 //
 // and checks the values after every call: they must be positive and finite. The built-in monitors are also
 // asked for other images of points of the periodic square, and for points near a sphere. The mesh cannot
@@ -41,8 +43,9 @@ class Monitor {
     /// the iterations for c m are those for m, for all c > 0 with which m is a normal double.
     virtual void values(const Points& x, std::span<double> values) const = 0;
     /// grad m at every point, in Cartesian coordinates; on a sphere the tangential gradient. Resizes
-    /// `gradients` to x.size(). The default leaves none: a run then takes differences of the values within its
-    /// domain, with a step of 1e-5 times its size (side, radius).
+    /// `gradients` to x.size(). The default leaves none: a run then takes differences of the values with a
+    /// step of 1e-5 times the size of its domain (longest side, radius), between points of the domain; on a
+    /// patch between x +- the step along each coordinate axis, wherever these points are.
     virtual void gradients(const Points&, Points& gradients) const { gradients.resize(0); }
     /// Throws InputError if m <= 0 or not finite at some point; the message names the parameter to change.
     /// The default does nothing: a run checks the values themselves.

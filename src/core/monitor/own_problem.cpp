@@ -1,5 +1,6 @@
 #include "core/monitor/own_problem.hpp"
 
+#include "core/base/box.hpp"
 #include "core/base/error.hpp"
 
 #include <algorithm>
@@ -15,8 +16,8 @@ namespace {
 constexpr double difference = 1e-5; // truncation and rounding error are both about 1e-10
 constexpr std::size_t samples = 64; // values from which the unit is chosen
 
-// Squares and products of a few values of m are formed. Between these powers of two they cannot overflow, and
-// m keeps its unit.
+// Squares and products of a few values of m are formed. From 2^-200 to 2^200 they cannot overflow, and m
+// keeps its unit. Otherwise the unit is a power of two near m, at least 2^-1000: its reciprocal is finite.
 constexpr int largest_exponent = 200, least_exponent = -1000;
 
 bool is_finite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
@@ -161,17 +162,14 @@ double unit_of(const Monitor& monitor, const Points& nodes) {
 } // namespace
 
 DomainExtent extent_of(const Mesh& mesh, const Space& space, bool box) {
-    const auto [x_low, x_high] = std::minmax_element(mesh.nodes.x.begin(), mesh.nodes.x.end());
-    const auto [y_low, y_high] = std::minmax_element(mesh.nodes.y.begin(), mesh.nodes.y.end());
-    const auto [z_low, z_high] = std::minmax_element(mesh.nodes.z.begin(), mesh.nodes.z.end());
+    const Box around = bounding_box(mesh.nodes);
     DomainExtent extent{.space = space,
                         .dimension = mesh.space_dimension,
                         .box = box && space.kind == SpaceKind::euclidean,
-                        .low = {*x_low, *y_low, *z_low},
-                        .high = {*x_high, *y_high, *z_high},
-                        .somewhere = mesh.nodes[0]};
-    const Vec3 sides = extent.high - extent.low;
-    extent.size = std::max({sides.x, sides.y, sides.z});
+                        .low = around.low,
+                        .high = around.high,
+                        .somewhere = mesh.nodes[0],
+                        .size = longest_side(around)};
     if (space.kind == SpaceKind::sphere) extent.size = extent.radius = norm(mesh.nodes[0]);
     return extent;
 }

@@ -1,5 +1,5 @@
-// A monitor of the caller's own as problem data. It is asked only for points of the domain, what it returns
-// is checked, and where it has no gradients they are differences of its values:
+// A monitor of the caller's own as problem data. It is asked for points of the domain (monitor.hpp), what it
+// returns is checked, and where it has no gradients they are differences of its values:
 //
 //   periodic square   0 <= x, y < 1, z = 0
 //   walls             0 <= x, y <= 1, z = 0
@@ -42,7 +42,8 @@ Vec3 into(const DomainExtent& extent, Vec3 p);
 /// Throws InputError with the first point at which the value is not positive or not finite.
 void check_positive(const Points& x, std::span<const double> values);
 /// grad m by central differences with a step of 1e-5 times the size of the domain, one-sided ones of the same
-/// order at the sides of a box; on a sphere the tangential gradient.
+/// order at the sides of a box; on a sphere the tangential gradient. On a patch, which is no box, the points
+/// may lie outside it and off a surface in space, by one step.
 void difference_gradients(const Monitor& monitor, const DomainExtent& extent, const Points& x,
                           Points& gradients);
 

@@ -76,13 +76,15 @@ static Scenario located(const Catalogue& catalogue, Scenario scenario) {
     return scenario;
 }
 
-/// Sets the scenario's domain to the caller's patch.
+/// Sets the scenario's domain to the caller's patch. Of a scenario on another patch, its mesh remains.
 static Scenario on_patch(const Catalogue& catalogue, Scenario scenario, const SplinePatch* patch) {
     if (!patch) return located(catalogue, std::move(scenario));
-    if (scenario.domain.type != own_patch_domain)
-        set_value(catalogue, scenario, "domain.type", std::string(own_patch_domain));
-    set_value(catalogue, scenario, "domain.control_points", std::string());
-    set_value(catalogue, scenario, "domain.file", patch_json(*patch));
+    Section domain = domain_section(catalogue, own_patch_domain);
+    if (scenario.domain.type == own_patch_domain)
+        for (const char* key : {"cells", "degree"}) domain.values.set(key, scenario.domain.values.at(key));
+    domain.values.set("file", patch_json(*patch));
+    scenario.domain = std::move(domain);
+    locate_domain(catalogue, scenario);
     return scenario;
 }
 
@@ -430,10 +432,9 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         transferred = transfer(next);
         if (!transferred) next.state = next.method->initial_state();
         setup_seconds = watch.seconds();
-    } else {
-        next.method->configure(next.problem.scenario.method.values);
     }
     try {
+        if (!new_method) next.method->configure(next.problem.scenario.method.values);
         prepare_reports(next);
         if (transferred)
             continue_with(std::move(next), back, stop, at_most);

@@ -33,7 +33,8 @@ struct RunOptions {
     /// The caller's monitor instead of the scenario's, as after follow(); null: the scenario's.
     std::shared_ptr<const Monitor> monitor{};
     /// The caller's patch as domain: domain.type becomes "spline-patch" (with default values if the scenario
-    /// has another) and domain.file the patch as JSON; null: the scenario's domain.
+    /// has another) and domain.file the patch as JSON, without domain.patch and domain.control_points; null:
+    /// the scenario's domain.
     std::shared_ptr<const SplinePatch> patch{};
 };
 

@@ -194,6 +194,7 @@ class Bounding {
         RowMajor whole = coefficients(cell);
         if (!whole.allFinite()) {
             found_.folded.push_back(cell);
+            found_.bound = -infinity;
             return;
         }
         largest_ = std::max(largest_, whole.cwiseAbs().maxCoeff());

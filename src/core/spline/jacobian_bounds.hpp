@@ -20,7 +20,8 @@ namespace gaspard {
 
 struct JacobianBounds {
     /// The smallest value of J found, and a lower bound. They differ by at most jacobian_tolerance times the
-    /// largest |J|, except where J is zero along a curve and it takes too many parts to tell.
+    /// largest |J|, except where J is zero along a curve and it takes too many parts to tell. Where J is not
+    /// a number somewhere, there is no bound: it is -infinity.
     double smallest = 0, bound = 0;
     /// Cells in which J <= 0 somewhere, or is not a number; ascending. A cell whose J touches zero counts.
     std::vector<std::uint32_t> folded;

@@ -105,7 +105,8 @@ SplinePatch geomdl_patch(const Json& json, const std::string& origin) {
     if (!control.is_object()) not_a_patch(origin, "control_points must be an object");
     const Points given = points(member(control, "points", origin), origin);
     const double u = number(member(json, "size_u", origin)), v = number(member(json, "size_v", origin));
-    if (!(u >= 1 && v >= 1) || u * v != static_cast<double>(given.size()) || u != std::floor(u))
+    const bool whole = u >= 1 && v >= 1 && u == std::floor(u) && v == std::floor(v);
+    if (!whole || u * v != static_cast<double>(given.size()))
         not_a_patch(origin, "size_u and size_v do not fit the number of control points");
     const auto first = static_cast<std::size_t>(u), second = static_cast<std::size_t>(v);
     parts.control =

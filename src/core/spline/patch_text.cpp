@@ -18,6 +18,8 @@ class Words {
   public:
     Words(std::string_view text, std::string origin) : text_(text), origin_(std::move(origin)) {}
 
+    /// What messages call the place from here on.
+    void set_origin(std::string origin) { origin_ = std::move(origin); }
     bool at_end() { return peek().empty(); }
     /// The next word; empty at the end.
     std::string_view peek() {
@@ -71,17 +73,30 @@ class Words {
     std::string origin_;
 };
 
-FoundPatch choose(std::vector<PatchParts> all, const std::string& kind, const PatchText& file) {
+/// A patch as the file has it, not yet checked, so that an invalid one does not refuse the others.
+struct Unchecked {
+    PatchParts parts;
+    bool homogeneous = true; ///< its points are multiplied by their weights
+};
+
+FoundPatch choose(std::vector<Unchecked> all, const std::string& kind, const PatchText& file) {
     const ChosenPatch chosen =
         choose_patch(std::vector<PatchEntry>(all.size(), PatchEntry{kind, {}, {}}), file);
-    return {make_patch(std::move(all[chosen.entry]), chosen.origin), chosen.origin, chosen.patches};
+    auto& [parts, homogeneous] = all[chosen.entry];
+    if (homogeneous) divide_by_weights(parts, chosen.origin);
+    return {make_patch(std::move(parts), chosen.origin), chosen.origin, chosen.patches};
+}
+
+/// For errors after which the next patch cannot be found.
+std::string origin_of_patch(const PatchText& file, std::size_t index) {
+    return file.origin + ", patch " + std::to_string(index + 1) + ",";
 }
 
 /// "degree count knots", twice; returns the number of control points along each direction.
 std::array<std::size_t, 2> mfem_knots(Words& words, PatchParts& parts) {
     std::array<std::size_t, 2> size{};
     for (std::size_t d = 0; d < 2; ++d) {
-        const std::size_t degree = words.count("a degree", highest_degree);
+        const std::size_t degree = words.count("a degree", 100);
         size[d] = words.count("the number of control points", most_points);
         parts.degrees[d] = static_cast<double>(degree);
         parts.knots[d] = words.numbers(size[d] + degree + 1, "a knot");
@@ -89,7 +104,7 @@ std::array<std::size_t, 2> mfem_knots(Words& words, PatchParts& parts) {
     return size;
 }
 
-PatchParts mfem_patch(Words& words, const std::string& origin) {
+Unchecked mfem_patch(Words& words, const std::string& origin) {
     words.expect("knotvectors");
     if (words.count("the number of knot vectors", 3) != 2)
         cannot_read(origin, "its patches are not surfaces");
@@ -109,8 +124,7 @@ PatchParts mfem_patch(Words& words, const std::string& origin) {
         parts.weights.push_back(words.number("a weight"));
     }
     parts.control = points_in_rows(coordinates, dimension);
-    if (homogeneous) divide_by_weights(parts, origin);
-    return parts;
+    return {std::move(parts), homogeneous};
 }
 
 } // namespace
@@ -124,8 +138,12 @@ FoundPatch read_mfem(const PatchText& file) {
         cannot_read(file.origin,
                     "it is an MFEM NURBS mesh without a section 'patches': its control points are "
                     "numbered by a finite element space; write it with 'patches'");
-    std::vector<PatchParts> all;
-    while (!words.at_end()) all.push_back(mfem_patch(words, file.origin));
+    std::vector<Unchecked> all;
+    while (!words.at_end()) {
+        const std::string origin = origin_of_patch(file, all.size());
+        words.set_origin(origin);
+        all.push_back(mfem_patch(words, origin));
+    }
     return choose(std::move(all), "MFEM patch", file);
 }
 
@@ -141,9 +159,10 @@ FoundPatch read_geopdes(const PatchText& file) {
     if (dimension < 2) cannot_read(file.origin, "its surfaces are in a space of fewer than two dimensions");
     const std::size_t patches = words.count("the number of patches", 100000);
     words.skip_line(); // numbers of interfaces and subdomains
-    std::vector<PatchParts> all;
+    std::vector<Unchecked> all;
     for (std::size_t k = 0; k < patches; ++k) {
-        const std::string origin = file.origin + ", patch " + std::to_string(k + 1) + ",";
+        const std::string origin = origin_of_patch(file, k);
+        words.set_origin(origin);
         if (!parse_number(words.peek())) words.skip_line(); // its name
         PatchParts parts;
         std::array<std::size_t, 2> size{};
@@ -156,8 +175,7 @@ FoundPatch read_geopdes(const PatchText& file) {
         if (n > most_points) not_a_patch(origin, "it has too many control points");
         parts.control = points_in_columns(words.numbers(dimension * n, "a coordinate"), dimension);
         parts.weights = words.numbers(n, "a weight");
-        divide_by_weights(parts, origin);
-        all.push_back(std::move(parts));
+        all.push_back({std::move(parts)});
     }
     return choose(std::move(all), "GeoPDEs patch", file);
 }

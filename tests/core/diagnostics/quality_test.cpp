@@ -8,6 +8,7 @@
 #include "support/small_meshes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -462,6 +463,36 @@ TEST(Quality, PointsWhereThePatchIsSingularDoNotCount) {
     EXPECT_EQ(q.tangled_cells, 0u);
     EXPECT_GT(q.min_jacobian, 0.8);
     EXPECT_LT(q.max_jacobian, 1.5);
+}
+
+// A square between two others, collapsed to an edge.
+TEST(Quality, CellsWithoutSizeDoNotCount) {
+    const CellKind kind{CellShape::quadrilateral, 1};
+    for (const int dimension : {2, 3}) {
+        const Mesh all =
+            mesh_of(kind, dimension, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {3, 0, 0}, {3, 1, 0}},
+                    {0, 1, 2, 3, 1, 1, 2, 2, 1, 4, 5, 2});
+        Mesh others = all;
+        others.cells.erase(others.cells.begin() + 4, others.cells.begin() + 8);
+        Points x = all.nodes;
+        x.x[1] = 1.25;
+        for (const int threads : {1, 3}) {
+            const MeshQuality q = quality(all, x, Linear(), threads), wanted = quality(others, x, Linear());
+            EXPECT_NEAR(q.equidistribution, wanted.equidistribution, 1e-14);
+            EXPECT_EQ(q.min_jacobian, wanted.min_jacobian);
+            EXPECT_EQ(q.max_jacobian, wanted.max_jacobian);
+            EXPECT_EQ(q.tangled_cells, 0u);
+            EXPECT_EQ(q.cell_jacobian[1], 1);
+            EXPECT_NEAR(q.cell_mass[1], (q.cell_mass[0] + q.cell_mass[2]) / 2, 1e-14);
+        }
+        Mesh only = all;
+        only.cells = {1, 1, 2, 2};
+        const MeshQuality q = quality(only, x, Linear());
+        EXPECT_EQ(q.min_jacobian, 1);
+        EXPECT_EQ(q.max_jacobian, 1);
+        EXPECT_EQ(q.cell_mass, std::vector<double>{0});
+        EXPECT_TRUE(std::isnan(q.equidistribution)) << "not measured";
+    }
 }
 
 TEST(Quality, RejectsInvalidArguments) {

@@ -4,6 +4,7 @@
 #include "core/diagnostics/exact_map.hpp"
 #include "core/diagnostics/quality.hpp"
 #include "core/io/run_files.hpp"
+#include "core/io/run_folder.hpp"
 #include "core/io/state_file.hpp"
 #include "core/scenario/toml.hpp"
 #include "support/comma_locale.hpp"
@@ -232,6 +233,17 @@ TEST(RunFiles, AreTheSameBytesButForTimesAndMemory) {
              {"setup_seconds", "solve_seconds", "cpu_seconds", "seconds_per_iteration", "peak_memory_bytes"})
             json->erase(key);
     EXPECT_EQ(a, b);
+}
+
+// The record first: what is interrupted leaves no files without it, which the next run would not replace.
+TEST(RunFiles, BeginWithTheRecord) {
+    const TemporaryFolder folder;
+    gaspard::Run run = finished_run();
+    std::stop_source stop;
+    const auto at_the_first = [&](double, std::string_view) { stop.request_stop(); };
+    EXPECT_THROW(write_run_files(folder.path(), run, {}, at_the_first, stop.get_token()), Interrupted);
+    ASSERT_FALSE(folder.content().empty());
+    EXPECT_NO_THROW(check_replaceable(folder.path(), run_file_names(run, {}), "summary.json", "plane-ring"));
 }
 
 TEST(RunFiles, MakeTheirFolder) {

@@ -80,6 +80,7 @@ TEST_F(OwnMonitorTest, TheUnitIsArbitrary) {
             Scenario of = scenario(name, settings);
             apply_settings(*catalogue, of, {"method.type=" + method, "method.tolerance=1e-7"});
             std::shared_ptr<const Snapshot> first;
+            std::vector<double> first_steps;
             for (const double c : {1.0, 1e-6, 1e-12, 1e6, 1e100, 1e-100, 1e-300, 1e300}) {
                 SCOPED_TRACE(std::string(name) + ", " + method + ", " + std::to_string(std::log10(c)));
                 gaspard::Run run(catalogue, of,
@@ -97,6 +98,13 @@ TEST_F(OwnMonitorTest, TheUnitIsArbitrary) {
                     EXPECT_NEAR(snapshot->field(field)->values[7] / c, first->field(field)->values[7], 1e-8);
                 EXPECT_NEAR(*snapshot->report.value("equidistribution"),
                             *first->report.value("equidistribution"), 1e-8);
+                if (of.domain.type != "spline-disk") continue;
+                std::vector<double> steps; // of the increments of Picard and Newton, which have no unit
+                for (const StepReport& row : run.history()) steps.push_back(row.step_size);
+                if (first_steps.empty()) first_steps = steps;
+                ASSERT_EQ(steps.size(), first_steps.size());
+                for (std::size_t i = 0; i < steps.size(); ++i)
+                    EXPECT_NEAR(steps[i], first_steps[i], 1e-6) << i;
             }
         }
 }
@@ -328,6 +336,18 @@ TEST_F(OwnMonitorTest, ARunBeginsWithThem) {
                   gaspard::Run(catalogue, of, {.monitor = std::make_shared<Own>([](Vec3) { return -1.0; })});
               }),
               "");
+}
+
+// What chose the scenario's own patch does not refer to the caller's.
+TEST_F(OwnMonitorTest, ARunsPatchReplacesTheChoiceOfAnother) {
+    const Scenario of =
+        scenario("spline-patch", {"domain.file=none.xml", "domain.patch=3", "domain.cells=8",
+                                  "domain.degree=2", "domain.control_points=1 2", "monitor.type=constant"});
+    const gaspard::Run run(catalogue, of, {.patch = std::make_shared<SplinePatch>(nurbs_disk())});
+    EXPECT_EQ(run.discretisation().mesh()->cell_count(), 64u);
+    EXPECT_EQ(run.scenario().domain.values.integer("degree"), 2);
+    for (const char* key : {"patch", "control_points"})
+        EXPECT_EQ(run.scenario().domain.values.text(key), "") << key;
 }
 
 } // namespace

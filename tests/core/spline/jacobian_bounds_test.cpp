@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <random>
 
 namespace gaspard {
@@ -75,6 +76,16 @@ TEST(JacobianBounds, TheIdentityIsCertainWithoutSubdivision) {
     EXPECT_TRUE(bounds.folded.empty());
     EXPECT_NEAR(bounds.smallest, 1, 1e-9); // the rounding of degree 12
     EXPECT_NEAR(bounds.bound, 1, 1e-9);
+}
+
+TEST(JacobianBounds, AreNoneWhereTheMapIsNoNumber) {
+    Map map = valley(1, false, 5);
+    map[0].coefficients[0] = std::numeric_limits<double>::quiet_NaN();
+    const JacobianBounds bounds = bound_jacobian(map, 5);
+    ASSERT_FALSE(bounds.folded.empty());
+    EXPECT_EQ(bounds.folded.front(), 0u);
+    EXPECT_EQ(bounds.bound, -std::numeric_limits<double>::infinity());
+    EXPECT_GE(bounds.smallest, 1 - 1e-12) << "of the other cells";
 }
 
 /// Maps of either form of the spline spaces, disturbed at random so that some cells fold.

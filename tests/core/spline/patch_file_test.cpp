@@ -431,6 +431,12 @@ TEST(PatchText, MfemNurbsMeshes) {
     const std::string two =
         head + "patches\n" + knots + cartesian + knots + with(cartesian, "1 0 1", "1.5 0 1");
     EXPECT_EQ(parsed(two, "2").control.x[0], 1.5);
+    const std::string bad = head + "patches\n" + knots + cartesian + knots +
+                            with(cartesian, "2 2 " + s, "2 2 -1") + knots + cartesian;
+    expect_quarter(parsed(bad));
+    expect_quarter(parsed(bad, "3"));
+    expect_in("p.file, patch 2 of 3,", refusal(bad, "2"));
+    expect_in("p.file, patch 3,", refusal(two + "x"));
     expect_in("without a section 'patches'", refusal(head + "knotvectors\n2\n"));
     expect_in("not of dimension 2", refusal(with(head, "dimension\n2", "dimension\n3")));
     expect_in("but the file ends", refusal(head + "patches\n" + knots + "controlpoints\n1 0 1\n"));
@@ -445,6 +451,9 @@ TEST(PatchText, GeometriesOfGeoPdes) {
         for (std::size_t i = 0; i < 6; ++i) EXPECT_LT(norm(patch.control[i] - quarter().control[i]), 1e-14);
         EXPECT_NEAR(patch.weights[2], std::sqrt(0.5), 1e-14);
     }
+    const std::string two = "# nurbs mesh v.0.7\n2 2\n" + body + with(body, "\n1 1 " + s, "\n1 1 -1");
+    EXPECT_EQ(parsed(two).control.size(), 6u);
+    expect_in("p.file, patch 2 of 2,", refusal(two, "2"));
     expect_in("of solids", refusal("# nurbs mesh v.2.1\n3 3 1\n"));
     expect_in("a coordinate must be a number",
               refusal("# nurbs mesh v.0.7\n2 1\n" + with(body, "\n1 2 ", "\nx 2 ")));
@@ -462,6 +471,8 @@ TEST(PatchFile, JsonOfGeomdl) { // the second direction is fastest
               refusal(with(text, "\"delta\"", "\"trims\": {\"count\": 1, \"data\": []}, \"delta\"")));
     expect_in("a curve, not a surface", refusal(with(text, "\"surface\"", "\"curve\"")));
     expect_in("size_u", refusal(with(text, "\"size_u\": 2", "\"size_u\": 4")));
+    for (const char* sizes : {"\"size_u\": 4, \"size_v\": 1.5", "\"size_u\": 1.5, \"size_v\": 4"})
+        expect_in("size_u and size_v", refusal(with(text, "\"size_u\": 2, \"size_v\": 3", sizes)));
 }
 
 TEST(PatchFile, JsonOfSplinepy) {
