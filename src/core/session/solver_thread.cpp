@@ -2,6 +2,9 @@
 
 #include "core/base/error.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace gaspard {
 
 namespace {
@@ -207,8 +210,7 @@ void SolverThread::publish(std::stop_token stop) {
         if (options_.before_publishing) options_.before_publishing(*snapshot);
         latest_.put(std::move(snapshot));
     }
-    for (; published_ < history.size(); ++published_)
-        if (!reports_.push({published_ == 0, history[published_]}, stop)) return;
+    if (!send_reports(stop)) return;
     const bool paused = !running_;
     update([&](SolverStatus& status) {
         status.run = run_->status();
@@ -216,6 +218,25 @@ void SolverThread::publish(std::stop_token stop) {
         status.progress = 1;
         status.activity.clear();
     });
+}
+
+/// How much of a report has been measured.
+static long measured(const StepReport& report) {
+    const auto values = std::count_if(report.values.begin(), report.values.end(),
+                                      [](double value) { return !std::isnan(value); });
+    return values + (report.tangled_cells ? 1 : 0);
+}
+
+/// The new ones, and the last one sent if more of it has been measured. Returns false if asked to stop.
+bool SolverThread::send_reports(std::stop_token stop) {
+    const auto& history = run_->history();
+    if (published_ > 0)
+        if (const StepReport& last = history[published_ - 1]; measured(last) > measured_)
+            if (!reports_.push({false, last, true}, stop)) return false;
+    for (; published_ < history.size(); ++published_)
+        if (!reports_.push({published_ == 0, history[published_]}, stop)) return false;
+    measured_ = measured(history.back());
+    return true;
 }
 
 void SolverThread::execute(Command command, std::stop_token stop) {

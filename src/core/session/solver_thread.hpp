@@ -52,6 +52,7 @@ using Command =
 struct SolverEvent {
     bool restarted = false;
     StepReport report;
+    bool completes = false; ///< the report before it again, with what has been measured since
 };
 
 /// A message for the user.
@@ -114,6 +115,7 @@ class SolverThread {
     void begin_anew(std::stop_token stop);
     void answer(std::uint64_t number, bool refused);
     void publish(std::stop_token stop);
+    bool send_reports(std::stop_token stop);
     void say(std::string message, bool error = false);
     void attempt(const std::function<void()>& work);
     void fail(const std::string& message);
@@ -130,6 +132,7 @@ class SolverThread {
     Options options_;
     std::unique_ptr<Run> run_;  ///< used only by the solver thread
     std::size_t published_ = 0; ///< number of rows of the history already in the queue
+    long measured_ = 0;         ///< how much of the last of them was measured when it was sent
     int epoch_ = 0;             ///< epoch of that history
     bool shown_ = false;        ///< the current iterate has been published as snapshot
     bool partly_shown_ = false; ///< with fewer diagnostics than the run has

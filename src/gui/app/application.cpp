@@ -58,9 +58,11 @@ bool Application::collect() {
         opening_file_ = opened->file;
         news = true;
     }
-    if (const auto saved = files_.take_saved(); saved && run().openings == saved_in_) {
-        document_.name_saved(run().id, saved->scenario);
-        remember_recent(settings_, saved->file);
+    for (const ScenarioOnDisk& saved : files_.take_saved()) {
+        if (run().openings != saved_in_) continue;
+        document_.name_saved(run().id, saved.scenario);
+        if (saved.chosen) saved_as_ = saved.file;
+        remember_recent(settings_, saved.file);
         news = true;
     }
     return news;
@@ -364,8 +366,7 @@ void Application::ask_where_to_save() {
 void Application::save_as(const SaveDialog::Choice& choice) {
     Scenario scenario = scenario_to_save();
     if (choice.title != scenario_title(scenario)) scenario.title = choice.title, scenario.modified.clear();
-    saved_as_ = std::filesystem::absolute(choice.file);
-    files_.save_scenario_as(scenario, saved_as_);
+    files_.save_scenario_as(scenario, choice.file);
 }
 
 void Application::open_file(const std::filesystem::path& file) { files_.open(file); }

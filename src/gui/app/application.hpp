@@ -154,7 +154,7 @@ class Application {
     OpenDialog open_dialog_;
     SaveDialog save_dialog_;
     std::uint64_t saved_in_ = 0;     ///< how many openings preceded the last save
-    std::filesystem::path saved_as_; ///< the file that the user has chosen for the scenario; empty: none
+    std::filesystem::path saved_as_; ///< the chosen file that it was last saved to; empty: none
     std::string closing_note_; ///< of the last end, which is in the log
     std::shared_ptr<const Mesh> looked_for_missing_;
     std::string patch_note_; ///< "p.xml: patch 1 of 312 ...", as last said

@@ -37,9 +37,9 @@ std::optional<ScenarioOnDisk> FileTasks::take_opened() {
     return std::exchange(arrivals_->opened, std::nullopt);
 }
 
-std::optional<ScenarioOnDisk> FileTasks::take_saved() {
+std::vector<ScenarioOnDisk> FileTasks::take_saved() {
     std::lock_guard lock(arrivals_->mutex);
-    return std::exchange(arrivals_->saved, std::nullopt);
+    return std::exchange(arrivals_->saved, {});
 }
 
 void FileTasks::export_run(DocumentRun& run) {
@@ -76,21 +76,22 @@ Scenario as_saved(Scenario scenario, const std::filesystem::path& file) {
 void FileTasks::save_scenario(const Scenario& scenario) {
     const std::string stem = scenario_stem(scenario);
     writer_.write_new(output_, stem, stem, ".toml", [arrivals = arrivals_, scenario](const auto& file) {
-        save(*arrivals, as_saved(scenario, file), file);
+        save(*arrivals, {as_saved(scenario, file), std::filesystem::absolute(file)});
     });
 }
 
 void FileTasks::save_scenario_as(const Scenario& scenario, const std::filesystem::path& file) {
-    writer_.run([arrivals = arrivals_, scenario, file = std::filesystem::absolute(user_path(file.string()))] {
-        save(*arrivals, as_saved(scenario, file), file);
-        return "Saved " + file.string();
+    writer_.run([arrivals = arrivals_, scenario, file] {
+        const auto absolute = std::filesystem::absolute(user_path(file.string()));
+        save(*arrivals, {as_saved(scenario, absolute), absolute, true});
+        return "Saved " + absolute.string();
     });
 }
 
-void FileTasks::save(Arrivals& arrivals, Scenario scenario, const std::filesystem::path& file) {
-    write_atomically(file, to_toml(scenario));
+void FileTasks::save(Arrivals& arrivals, ScenarioOnDisk scenario) {
+    write_atomically(scenario.file, to_toml(scenario.scenario));
     std::lock_guard lock(arrivals.mutex);
-    arrivals.saved = {std::move(scenario), std::filesystem::absolute(file)};
+    arrivals.saved.push_back(std::move(scenario));
 }
 
 void FileTasks::save_image(const Scenario& scenario, const std::string& name, Image image) {

@@ -14,6 +14,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gaspard {
 
@@ -21,6 +22,7 @@ namespace gaspard {
 struct ScenarioOnDisk {
     Scenario scenario;
     std::filesystem::path file; ///< absolute
+    bool chosen = false;        ///< the user has chosen the file to save to
 };
 
 class FileTasks {
@@ -42,8 +44,8 @@ class FileTasks {
     /// "NAME.toml" or the next free name; take_saved() gives the scenario once it is written.
     void save_scenario(const Scenario& scenario);
     void save_scenario_as(const Scenario& scenario, const std::filesystem::path& file);
-    /// The scenario written last, once.
-    std::optional<ScenarioOnDisk> take_saved();
+    /// The scenarios written since the last call, in order.
+    std::vector<ScenarioOnDisk> take_saved();
     /// "NAME.png" or the next free name.
     void save_image(const Scenario& scenario, const std::string& name, Image image);
     /// "NAME.svg" or the next free name.
@@ -52,9 +54,10 @@ class FileTasks {
   private:
     struct Arrivals {
         std::mutex mutex;
-        std::optional<ScenarioOnDisk> opened, saved;
+        std::optional<ScenarioOnDisk> opened;
+        std::vector<ScenarioOnDisk> saved;
     };
-    static void save(Arrivals& arrivals, Scenario scenario, const std::filesystem::path& file);
+    static void save(Arrivals& arrivals, ScenarioOnDisk scenario);
 
     std::shared_ptr<const Catalogue> catalogue_;
     std::shared_ptr<NoticeBoard> board_;

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "gui/app/whole_window.hpp"
+#include "gui/base/font_finder.hpp"
 #include "gui/gl/gl.hpp"
 #include "gui/gl/imgui_context.hpp"
 #include "gui/gl/imgui_input.hpp"
@@ -309,18 +310,12 @@ class Window {
             happenings_.news = false; // before collecting, so that later news start another iteration
             application_->collect();
             for (const auto& file : std::exchange(happenings_.dropped, {})) application_->open_file(file);
-            if (wanted_look() != look_) {
-                style();
-                scene_->interface().update_font();
-            }
+            if (fonts_.collect() || wanted_look() != look_) restyle();
             follow_fullscreen();
             if (const std::string& title = application_->title(); title != title_) {
                 title_ = title;
                 glfwSetWindowTitle(window_.get(), ("Gaspard: " + title).c_str());
-                if (lacks_glyphs(*ImGui::GetIO().Fonts, title)) {
-                    style();
-                    scene_->interface().update_font();
-                }
+                if (lacks_glyphs(*ImGui::GetIO().Fonts, title)) restyle();
             }
             draw();
         }
@@ -382,9 +377,15 @@ class Window {
         ImGuiIO& io = ImGui::GetIO();
         load_font(*io.Fonts, application_->window_state().theme,
                   zoom() * density, // as many pixels as it will cover
-                  application_->title());
+                  application_->title(), fonts_.fonts());
+        fonts_.look_for(missing_characters(*io.Fonts, application_->title()));
         io.FontGlobalScale = 1 / density;
         application_->set_scale(zoom());
+    }
+
+    void restyle() {
+        style();
+        scene_->interface().update_font();
     }
 
     /// ImGui reads the state of keys and buttons once per frame. If frames are slow, there are more events
@@ -521,6 +522,7 @@ class Window {
     int frames_due_ = settling_frames;
     double begun_ = 0;           ///< of the last frame
     double drawing_seconds_ = 0; ///< of the last one with meshes drawn anew
+    FontFinder fonts_{[this] { wake(); }};
     std::optional<Application> application_;
     std::stop_token stop_;
     std::optional<std::stop_callback<std::function<void()>>> wake_to_stop_; ///< on the thread that stops

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <fontconfig/fontconfig.h>
 #include <memory>
 
 namespace gaspard {
 
 namespace {
+
+constexpr std::uintmax_t largest_font = std::uintmax_t{1} << 26; // 64 MiB: of collections for East Asia, too
 
 template <auto destroy>
 struct Destroy {
@@ -60,8 +63,8 @@ SystemFont take(FcPattern* pattern, std::vector<char32_t>& wanted) {
         (FcCharSetHasChar(set, c) == FcTrue ? font.characters : rest).push_back(c);
     if (font.characters.empty()) return font;
     try {
-        font.bytes = read_file(reinterpret_cast<const char*>(file));
-    } catch (const InputError&) { // removed since it was listed
+        font.bytes = read_file(reinterpret_cast<const char*>(file), largest_font);
+    } catch (const InputError&) { // too large, or removed since it was listed
         return {};
     }
     if (!is_readable(font.bytes)) return {};

@@ -39,16 +39,6 @@ void append_character(std::vector<ImWchar>& ranges, char32_t c) {
     if (is_drawn(c)) ranges.insert(ranges.end(), 2, static_cast<ImWchar>(c));
 }
 
-/// The characters of the text for which the font has no glyph, each once.
-std::vector<char32_t> missing_characters(const ImFont& font, std::string_view text) {
-    std::vector<char32_t> missing;
-    for (const char32_t c : characters_of(text))
-        if (is_drawn(c) && font.FindGlyphNoFallback(static_cast<ImWchar>(c)) == nullptr) missing.push_back(c);
-    std::sort(missing.begin(), missing.end());
-    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
-    return missing;
-}
-
 /// Adds the font's characters to the last font of the atlas; `added` keeps what the atlas reads when built.
 void add_font(ImFontAtlas& atlas, const SystemFont& font, float size,
               std::vector<std::vector<ImWchar>>& added) {
@@ -191,6 +181,13 @@ void apply_theme(const Theme& t, float scale) {
 }
 
 void load_font(ImFontAtlas& atlas, const Theme& theme, float scale, std::string_view text) {
+    load_font(atlas, theme, scale, text, {});
+    const std::vector<char32_t> missing = missing_characters(atlas, text);
+    if (!missing.empty()) load_font(atlas, theme, scale, text, system_fonts(missing));
+}
+
+void load_font(ImFontAtlas& atlas, const Theme& theme, float scale, std::string_view text,
+               const std::vector<SystemFont>& fonts) {
     static constexpr ImWchar always[] = {0x0020, 0x017f,  // Latin
                                          0x0370, 0x04ff,  // Greek, Cyrillic
                                          0x2010, 0x2027,  // dashes, dots
@@ -209,16 +206,23 @@ void load_font(ImFontAtlas& atlas, const Theme& theme, float scale, std::string_
     const float size = std::round(theme.font_size * scale);
     const ImFont* font = atlas.AddFontFromMemoryTTF(
         const_cast<char*>(bytes.data()), static_cast<int>(bytes.size()), size, &config, ranges.data());
-    GASPARD_CHECK(font != nullptr && atlas.Build()); // it reads the ranges
-    const std::vector<char32_t> missing = missing_characters(*font, text);
-    if (missing.empty()) return;
     std::vector<std::vector<ImWchar>> added;
-    for (const SystemFont& found : system_fonts(missing)) add_font(atlas, found, size, added);
-    GASPARD_CHECK(atlas.Build());
+    for (const SystemFont& found : fonts) add_font(atlas, found, size, added);
+    GASPARD_CHECK(font != nullptr && atlas.Build()); // it reads the ranges
+}
+
+std::vector<char32_t> missing_characters(const ImFontAtlas& atlas, std::string_view text) {
+    const ImFont& font = *atlas.Fonts.front();
+    std::vector<char32_t> missing;
+    for (const char32_t c : characters_of(text))
+        if (is_drawn(c) && font.FindGlyphNoFallback(static_cast<ImWchar>(c)) == nullptr) missing.push_back(c);
+    std::sort(missing.begin(), missing.end());
+    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+    return missing;
 }
 
 bool lacks_glyphs(const ImFontAtlas& atlas, std::string_view text) {
-    return !missing_characters(*atlas.Fonts.front(), text).empty();
+    return !missing_characters(atlas, text).empty();
 }
 
 } // namespace gaspard

@@ -7,8 +7,11 @@
 #include <array>
 #include <imgui.h>
 #include <string_view>
+#include <vector>
 
 namespace gaspard {
+
+struct SystemFont;
 
 struct Colour {
     float r = 0, g = 0, b = 0, a = 1;
@@ -48,8 +51,14 @@ void apply_theme(const Theme& theme, float scale);
 /// Makes the embedded font (Latin, Greek, Cyrillic, superscripts and some signs) the only one of `atlas`, at
 /// the theme's size times `scale`. Characters of `text` (UTF-8) that it lacks are taken from fonts of the
 /// system, where there are any. Its texture is made by ImGuiRenderer.
+/// This may take seconds.
 void load_font(ImFontAtlas& atlas, const Theme& theme, float scale, std::string_view text = {});
-/// Whether the atlas has no glyph for some character of `text`.
+/// The same with these fonts of the system, which were found before, for all their characters.
+void load_font(ImFontAtlas& atlas, const Theme& theme, float scale, std::string_view text,
+               const std::vector<SystemFont>& fonts);
+/// The characters of `text` for which the atlas has no glyph, each once.
+std::vector<char32_t> missing_characters(const ImFontAtlas& atlas, std::string_view text);
+/// Whether there are any.
 bool lacks_glyphs(const ImFontAtlas& atlas, std::string_view text);
 
 } // namespace gaspard

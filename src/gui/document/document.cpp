@@ -86,6 +86,9 @@ void Document::name_opened(const Scenario& opened, const Scenario& named) {
 
 void Document::name_saved(RunId run, const Scenario& saved) {
     DocumentRun& entry = live(run);
+    std::erase_if(named_, [&](const NamedValues& one) { // the file has other values now
+        return one.named.name == saved.name && one.opened == entry.opened;
+    });
     named_.push_back({entry.opened, saved});
     if (!entry.opening) post_change(entry, Scenario(entry.scenario)); // what is exported has the name, too
 }

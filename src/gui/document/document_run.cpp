@@ -89,6 +89,11 @@ DocumentRun& DocumentRuns::put_back(std::size_t place, std::list<DocumentRun> ru
 
 void append(DocumentRun& run, const SolverEvent& event) {
     if (event.restarted) clear_history(run);
+    if (event.completes && !run.history.empty()) {
+        run.curves.complete(run.history.back(), event.report);
+        run.history.back() = event.report;
+        return;
+    }
     // A change of values adds a row for the iterate at hand.
     const bool changed = !run.history.empty() && event.report.iteration == run.history.back().iteration;
     run.history.push_back(event.report);

@@ -31,6 +31,13 @@ void HistoryCurves::append(const StepReport& report) {
         if (const auto value = report.value(place)) traces_[of_place_[place]].trace.append(report, *value);
 }
 
+void HistoryCurves::complete(const StepReport& last, const StepReport& completed) {
+    if (table_ != completed.series) follow(completed.series);
+    for (std::size_t place = 0; place < of_place_.size(); ++place)
+        if (const auto value = completed.value(place); value && !last.value(place))
+            traces_[of_place_[place]].trace.append(completed, *value);
+}
+
 const SeriesTrace* HistoryCurves::find(std::string_view name) const {
     for (const SeriesTrace& one : traces_)
         if (one.info.name == name) return &one;

@@ -31,6 +31,8 @@ class HistoryCurves {
   public:
     HistoryCurves() { follow(common_series()); }
     void append(const StepReport& report);
+    /// Adds what has been measured of the last report since it was appended.
+    void complete(const StepReport& last, const StepReport& completed);
     void clear() { *this = {}; }
 
     /// What the run reports, and has reported with other methods before.

@@ -1,7 +1,10 @@
 #include "gui/panels/dialogs.hpp"
 
+#include "core/base/error.hpp"
+#include "core/base/user_path.hpp"
+#include "core/scenario/toml.hpp"
+
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -106,10 +109,12 @@ void SaveDialog::show(std::string file, std::string title) {
 
 /// A typed path as a scenario file: "~/" is the home folder, and the name ends in ".toml".
 static std::string scenario_path(std::string text) {
-    const char* home = std::getenv("HOME");
-    if (home && text.starts_with("~/")) text = home + text.substr(1);
-    if (!text.empty() && !text.ends_with(".toml")) text += ".toml";
-    return text;
+    if (!text.empty() && !is_scenario_file(text)) text += ".toml";
+    try {
+        return user_path(text).string();
+    } catch (const InputError&) { // no home folder, as saving will say
+        return text;
+    }
 }
 
 std::optional<SaveDialog::Choice> SaveDialog::draw(ItemRectangles& items) {

@@ -194,8 +194,7 @@ bool has_same_row(const Values& values, const ParameterRow& row) {
     });
 }
 
-/// The choices of a row that go with the rest of the scenario. Without a scenario, all do.
-/// A colour of another method is none here.
+/// Whether a row can have a value: a colour of another method is none of its choices.
 bool allows(const ParameterRow& row, const Value& value) {
     const auto* choice = std::get_if<std::string>(&value);
     return row.kind != ParameterKind::choice ||

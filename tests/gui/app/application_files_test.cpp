@@ -1,5 +1,7 @@
+#include "core/spline/patch_file.hpp"
 #include "gui/application_fixture.hpp"
 
+#include <cstdlib>
 #include <fstream>
 #include <imgui.h>
 #include <iterator>
@@ -269,6 +271,103 @@ TEST_F(ApplicationTest, SaveAsAsksForFileAndTitleAndGivesTheirName) {
     EXPECT_TRUE(application.press_key("Ctrl+S"));
     ASSERT_TRUE(
         wait_until([&] { return load_scenario(*catalogue, file).monitor.values.real("amplitude") == 4; }));
+}
+
+/// Types into the fields of the dialog, instead of what they hold, and accepts.
+class SaveAsTest : public ApplicationTest {
+  protected:
+    void fill(const std::string& field, const std::string& text) {
+        ui.click(application.items().find(field)->second, drawing());
+        ui.control(true);
+        ui.key(ImGuiKey_A, true);
+        frame();
+        ui.key(ImGuiKey_A, false);
+        ui.control(false);
+        frame();
+        ui.type(text, drawing());
+    }
+    void save_as(const std::string& file) {
+        EXPECT_TRUE(application.press_key("Ctrl+Shift+S"));
+        for (int i = 0; i < 3; ++i) frame();
+        fill("save.path", file);
+        ui.click(application.items().find("save.ok")->second, drawing());
+    }
+    bool says(const std::string& text) {
+        return wait_until([&] { return application.messages().last().text == text; });
+    }
+};
+
+TEST_F(SaveAsTest, ARelativePathIsNotModifiedBySavingAndIsFoundFromTheSavedFile) {
+    const auto here = folder / "here", there = folder / "there";
+    std::filesystem::create_directories(here);
+    std::filesystem::create_directories(there);
+    std::ofstream(here / "p.json") << patch_json(nurbs_disk());
+    std::ofstream(here / "s.toml") << R"(title = "Disk of a file"
+[domain]
+type = "spline-patch"
+file = "p.json"
+cells = 4
+[monitor]
+type = "circle"
+[method]
+type = "picard-mixed"
+)";
+    application.open_file(here / "s.toml");
+    ASSERT_TRUE(wait_until([&] { return application.title() == "Disk of a file"; }))
+        << application.messages().last().text;
+    Scenario other = run().scenario;
+    set_value(*catalogue, other, "monitor.amplitude", 2.0);
+    application.document().change(run().id, other);
+    const auto file = there / "saved.toml";
+    save_as(file.string());
+    ASSERT_TRUE(says("Saved " + file.string())) << application.messages().last().text;
+    frame();
+    EXPECT_EQ(run().scenario.name, "saved");
+    EXPECT_TRUE(run().scenario.modified.empty());
+    EXPECT_EQ(run().scenario.domain.values.text("file"), "p.json") << "the run keeps its values";
+    application.open_file(file);
+    ASSERT_TRUE(says("Opened " + file.string())) << application.messages().last().text;
+    EXPECT_EQ(run().scenario.domain.values.text("file"), (here / "p.json").string());
+    EXPECT_TRUE(run().scenario.modified.empty());
+    other = run().scenario;
+    std::filesystem::copy(here / "p.json", there / "p.json");
+    other.domain.values.set("file", (there / "p.json").string());
+    application.document().change(run().id, other);
+    EXPECT_EQ(run().scenario.modified, std::vector<std::string>{"domain.file"}) << "of the same name";
+}
+
+TEST_F(SaveAsTest, ASaveThatFailsLeavesTheFileToSaveTo) {
+    const auto file = folder / "good.toml";
+    save_as(file.string());
+    ASSERT_TRUE(says("Saved " + file.string())) << application.messages().last().text;
+    std::ofstream(folder / "obstacle") << "a file where a folder should be";
+    save_as((folder / "obstacle" / "bad.toml").string());
+    ASSERT_TRUE(wait_until([&] { return application.messages().error().open(); }));
+    frame();
+    ui.click(application.items().find("error.ok")->second, drawing());
+    Scenario changed = run().scenario;
+    set_value(*catalogue, changed, "monitor.amplitude", 4.0);
+    application.document().change(run().id, changed);
+    EXPECT_TRUE(application.press_key("Ctrl+S"));
+    ASSERT_TRUE(says("Saved " + file.string())) << application.messages().last().text;
+    EXPECT_EQ(load_scenario(*catalogue, file).monitor.values.real("amplitude"), 4);
+}
+
+TEST_F(SaveAsTest, TheFileIsTakenAsEverywhereElse) {
+    save_as((folder / "upper.TOML").string());
+    EXPECT_TRUE(says("Saved " + (folder / "upper.TOML").string())) << application.messages().last().text;
+    save_as((folder / "none").string());
+    EXPECT_TRUE(says("Saved " + (folder / "none.toml").string())) << application.messages().last().text;
+    const char* home = std::getenv("HOME");
+    const std::string before = home ? home : "";
+    ::setenv("HOME", folder.c_str(), 1);
+    save_as("~/at-home");
+    EXPECT_TRUE(says("Saved " + (folder / "at-home.toml").string())) << application.messages().last().text;
+    ::unsetenv("HOME");
+    save_as("~/lost");
+    EXPECT_TRUE(wait_until([&] { return application.messages().last().error; }));
+    EXPECT_EQ(application.messages().last().text, "cannot expand '~/lost.toml': HOME is not set");
+    if (home) ::setenv("HOME", before.c_str(), 1);
 }
 
 TEST_F(ApplicationTest, ASavedScenarioOpensAgain) {

@@ -1,8 +1,12 @@
 // The glyphs of the font: the embedded one, and fonts of the system for what it lacks.
+#include "gui/base/font_finder.hpp"
 #include "gui/base/system_fonts.hpp"
 #include "gui/base/theme.hpp"
 
+#include <chrono>
+#include <future>
 #include <gtest/gtest.h>
+#include <thread>
 
 namespace gaspard {
 namespace {
@@ -29,6 +33,30 @@ TEST(Font, ACharacterThatNoFontHasIsLeftOut) {
     const auto fonts = system_fonts({U'網', U'\uFDD0'});
     ASSERT_EQ(fonts.size(), 1u);
     EXPECT_EQ(fonts[0].characters, std::vector<char32_t>{U'網'});
+}
+
+TEST(Font, IsFoundOnAnotherThreadAndThenUsed) {
+    std::promise<std::thread::id> first, second;
+    int woken = 0;
+    FontFinder finder([&] { (++woken == 1 ? first : second).set_value(std::this_thread::get_id()); });
+    ImFontAtlas atlas;
+    const auto load = [&] { load_font(atlas, dark_theme(), 1, "網格", finder.fonts()); };
+    load();
+    finder.look_for(missing_characters(atlas, "網"));
+    auto found = first.get_future();
+    ASSERT_EQ(found.wait_for(std::chrono::seconds(60)), std::future_status::ready);
+    EXPECT_NE(found.get(), std::this_thread::get_id());
+    EXPECT_TRUE(finder.collect());
+    EXPECT_FALSE(finder.collect()) << "nothing new";
+    load();
+    EXPECT_EQ(missing_characters(atlas, "網格"), std::vector<char32_t>{U'格'});
+    finder.look_for({U'網', U'格'});
+    ASSERT_EQ(second.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
+    EXPECT_TRUE(finder.collect());
+    load();
+    EXPECT_FALSE(lacks_glyphs(atlas, "網格"));
+    ASSERT_EQ(finder.fonts().size(), 1U) << "one font has both";
+    EXPECT_EQ(finder.fonts()[0].characters, (std::vector<char32_t>{U'網', U'格'})) << "asked for once";
 }
 
 TEST(Font, ReadsUtf8) {

@@ -144,6 +144,62 @@ TEST_F(DocumentTest, AChangeOfValuesMarksTheHistory) {
     EXPECT_EQ(document.runs()[1].marks.size(), 1U);
 }
 
+TEST_F(DocumentTest, WhatIsMeasuredLaterCompletesTheHistory) {
+    std::atomic<SolverThread*> solver = nullptr;
+    std::atomic<bool> held = false;
+    const auto hold = [&](const Snapshot& snapshot) { // before the next step
+        if (!solver || snapshot.report.value("equidistribution") || held.exchange(true)) return;
+        solver.load()->post(PauseCommand{});
+    };
+    Document watched(
+        catalogue, [] {}, hold);
+    const auto collected = [&](const auto& condition) {
+        return wait_until([&] { return watched.collect(), condition(); });
+    };
+    Scenario ring = small_ring();
+    for (const auto& [key, value] : {std::pair{"monitor.amplitude", 2.0}, {"method.step_size", 0.01}})
+        set_value(*catalogue, ring, key, value);
+    set_value(*catalogue, ring, "method.max_iterations", std::int64_t{100000});
+    set_value(*catalogue, ring, "method.diagnostics_every", std::int64_t{1000});
+    watched.open(ring);
+    const DocumentRun& one = watched.active();
+    watched.viewports().front().view.set("color", std::string("area")); // which needs no masses
+    ASSERT_TRUE(collected([&] { return one.status.run == RunStatus::converged && !one.history.empty(); }));
+    solver = one.solver.get();
+    Scenario changed = one.scenario;
+    set_value(*catalogue, changed, "monitor.amplitude", 2.001); // shown at once, but not yet solved
+    watched.change(one.id, changed);
+    ASSERT_TRUE(collected([&] { return one.changes.settled() && one.status.paused; }));
+    ASSERT_TRUE(held) << "the change was not shown in part";
+    ASSERT_TRUE(one.snapshot->report.value("equidistribution"));
+    EXPECT_EQ(one.history.back().value("equidistribution"), one.snapshot->report.value("equidistribution"));
+    const Trace& curve = one.curves.find("equidistribution")->trace;
+    EXPECT_EQ(curve.values.back(), *one.snapshot->report.value("equidistribution"));
+    EXPECT_EQ(one.curves.find("residual")->trace.values.size(), one.history.size()) << "no row twice";
+    EXPECT_EQ(one.marks.size(), 1U);
+}
+
+TEST_F(DocumentTest, ANameThatIsSavedAgainStandsForTheValuesSavedLast) {
+    document.open(small_ring());
+    const auto change = [&](double amplitude) {
+        Scenario changed = run().scenario;
+        set_value(*catalogue, changed, "monitor.amplitude", amplitude);
+        document.change(run().id, changed);
+    };
+    for (const double amplitude : {20.0, 30.0}) {
+        change(amplitude);
+        Scenario saved = run().scenario;
+        saved.name = saved.title = "mine";
+        saved.modified.clear();
+        document.name_saved(run().id, saved);
+        EXPECT_EQ(run().title, "mine");
+    }
+    change(20);
+    EXPECT_EQ(run().title, "mine (modified)");
+    change(10);
+    EXPECT_EQ(run().title, small_ring().title) << "as it was opened";
+}
+
 TEST_F(DocumentTest, RunsDifferInColour) {
     document.open(small_ring());
     document.open(find_scenario(*catalogue, "plane-bell"));
