@@ -151,6 +151,17 @@ int dispatch(int argc, char** argv) {
     return window_command(catalogue, scenario, settings, size);
 }
 
+/// As one line without control characters, of a length that can be read: names and values come from the user.
+std::string one_line(std::string_view text) {
+    constexpr std::size_t longest = 1000;
+    std::string line;
+    for (const char c : text.substr(0, longest))
+        line += static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? ' ' : c;
+    while (line.size() == longest && !line.empty() && (static_cast<unsigned char>(line.back()) & 0x80) != 0)
+        line.pop_back(); // no half letter
+    return text.size() > longest ? line + " ..." : line;
+}
+
 } // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -162,7 +173,7 @@ int run_command_line(int argc, char** argv) {
         std::cerr << "gaspard: cannot write to standard output\n";
         return code == 0 ? exit_fault : code;
     } catch (const InputError& error) {
-        std::cerr << "gaspard: " << error.what() << "\n";
+        std::cerr << "gaspard: " << one_line(error.what()) << "\n";
         return exit_input;
     } catch (const std::bad_alloc&) {
         std::cerr << "gaspard: not enough memory\n";

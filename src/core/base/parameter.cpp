@@ -45,12 +45,24 @@ std::string kind_name(ParameterKind kind) {
     return {};
 }
 
+enum class Reading { number, too_large, none };
+
+/// Whether a text that from_chars finds out of range is too small, as 1e-400 is.
+bool is_tiny(std::string_view text) {
+    const auto power = text.find_first_of("eE");
+    if (power != std::string_view::npos) return text.substr(power + 1).starts_with('-');
+    return text.find_first_not_of("-+0") == text.find('.');
+}
+
 template <class Number>
-bool read_all(std::string_view text, Number& number) {
+Reading read_all(std::string_view text, Number& number) {
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (end != text.data() + text.size()) return false;
-    if (code == std::errc::result_out_of_range) number = std::numeric_limits<Number>::max();
-    return code == std::errc{} || code == std::errc::result_out_of_range;
+    if (end != text.data() + text.size()) return Reading::none;
+    if (code == std::errc{}) return Reading::number;
+    if (code != std::errc::result_out_of_range) return Reading::none;
+    if (std::is_integral_v<Number> || !is_tiny(text)) return Reading::too_large;
+    number = 0;
+    return Reading::number;
 }
 
 // A real number keeps its decimal point, so that 60.0 is not printed as the integer 60.
@@ -267,10 +279,20 @@ void Values::set(std::string_view key, const Value& value) {
 
 void Values::parse(std::string_view key, std::string_view text) {
     const ParameterRow& row = rows_[index(key)];
+    const auto refuse_large = [&] {
+        throw InputError(section_ + "." + row.key + " = " + std::string(text.substr(0, 40)) +
+                         " is out of range: " + describe_range(row));
+    };
     if (row.kind == ParameterKind::real || row.kind == ParameterKind::real_or_auto) {
-        if (double real = 0; read_all(text, real)) return set(key, real);
+        double real = 0;
+        const Reading reading = read_all(text, real);
+        if (reading == Reading::too_large) refuse_large();
+        if (reading == Reading::number) return set(key, real);
     } else if (row.kind == ParameterKind::integer) {
-        if (std::int64_t whole = 0; read_all(text, whole)) return set(key, whole);
+        std::int64_t whole = 0;
+        const Reading reading = read_all(text, whole);
+        if (reading == Reading::too_large) refuse_large();
+        if (reading == Reading::number) return set(key, whole);
     } else if (row.kind == ParameterKind::boolean) {
         if (text == "true" || text == "false") return set(key, text == "true");
     }

@@ -2,6 +2,7 @@
 #include "core/base/check.hpp"
 #include "core/mesh/mesh.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace gaspard {
@@ -187,10 +188,21 @@ ValueAndSlope lagrange(int order, double node, double s) {
 
 void tensor_shapes(const CellTable& cell, Vec3 point, std::span<double> values, std::span<Vec3> gradients) {
     const int order = cell.kind.order;
+    using Line = std::array<ValueAndSlope, highest_order + 1>; // of the polynomials of one direction
+    const auto along = [&](double s, bool used) {
+        Line line;
+        line.fill({1, 0});
+        for (int k = 0; used && k <= order; ++k)
+            line[static_cast<std::size_t>(k)] = lagrange(order, static_cast<double>(k) / order, s);
+        return line;
+    };
+    const Line x = along(point.x, true), y = along(point.y, cell.dimension > 1),
+               z = along(point.z, cell.dimension > 2);
+    const auto of = [&](const Line& line, double node) {
+        return line[static_cast<std::size_t>(std::lround(node * order))];
+    };
     for (std::size_t i = 0; i < cell.nodes.size(); ++i) {
-        const auto a = lagrange(order, cell.nodes[i].x, point.x);
-        const auto b = cell.dimension > 1 ? lagrange(order, cell.nodes[i].y, point.y) : ValueAndSlope{1, 0};
-        const auto c = cell.dimension > 2 ? lagrange(order, cell.nodes[i].z, point.z) : ValueAndSlope{1, 0};
+        const auto a = of(x, cell.nodes[i].x), b = of(y, cell.nodes[i].y), c = of(z, cell.nodes[i].z);
         values[i] = a.value * b.value * c.value;
         gradients[i] = {a.slope * b.value * c.value, a.value * b.slope * c.value,
                         a.value * b.value * c.slope};

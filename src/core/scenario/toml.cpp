@@ -6,6 +6,7 @@
 #include "core_assets.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <deque>
 #include <sstream>
 #include <toml++/toml.h>
@@ -83,6 +84,16 @@ void write_section(std::ostream& out, const std::string& type, const Values& val
     for (const auto& row : values.rows()) out << row.key << " = " << toml_value(values.at(row.key)) << "\n";
 }
 
+/// What the parser says, without its own names and its story: "1e400 could not be interpreted as a value".
+std::string in_short(std::string_view what) {
+    what = what.substr(0, what.find(" (TOML"));
+    if (const auto colon = what.find(": "); what.starts_with("Error while parsing") && colon != what.npos)
+        what.remove_prefix(colon + 2);
+    std::string text(what);
+    if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
 } // namespace
 
 Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const std::string& origin,
@@ -93,9 +104,7 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
     try {
         document = toml::parse(text, origin);
     } catch (const toml::parse_error& error) {
-        const std::string_view what = error.description(); // " (TOML_MAX_...)" is the parser's own name
-        throw InputError(place(origin, error.source()) +
-                         "TOML syntax error: " + std::string(what.substr(0, what.find(" (TOML"))));
+        throw InputError(place(origin, error.source()) + "TOML syntax error: " + in_short(error.description()));
     }
     Scenario scenario = default_scenario(catalogue);
     scenario.name = std::filesystem::path(origin).stem().string();

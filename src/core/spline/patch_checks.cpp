@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace gaspard {
 
@@ -114,6 +115,18 @@ void divide_by_weights(PatchParts& parts, const std::string& origin) {
         parts.control.set(i, (1 / parts.weights[i]) * parts.control[i]);
 }
 
+/// The unit vector to which all vectors are parallel, in either direction; nullopt if there is none.
+static std::optional<Vec3> common_direction(const Points& vectors) {
+    Vec3 longest;
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+        if (norm(vectors[i]) > norm(longest)) longest = vectors[i];
+    if (!(norm(longest) > 0)) return std::nullopt;
+    const Vec3 unit = (1 / norm(longest)) * longest;
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+        if (norm(cross(vectors[i], unit)) > 1e-9 * norm(longest)) return std::nullopt;
+    return unit;
+}
+
 void check_regular(const PatchMap& map, const std::string& origin) {
     constexpr std::size_t side = 64; // sampled at the centres of side x side squares
     constexpr double least = 1e-9;   // relative to the largest Jacobian
@@ -122,11 +135,13 @@ void check_regular(const PatchMap& map, const std::string& origin) {
         xi.set(i, {(static_cast<double>(i % side) + 0.5) / side, (static_cast<double>(i / side) + 0.5) / side,
                    0});
     map.tangents(xi, first, second);
+    Points normals(xi.size());
+    for (std::size_t i = 0; i < xi.size(); ++i) normals.set(i, cross(first[i], second[i]));
+    const std::optional<Vec3> plane = common_direction(normals);
     double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
     std::size_t where = 0;
     for (std::size_t i = 0; i < xi.size(); ++i) {
-        const Vec3 normal = cross(first[i], second[i]);
-        const double jacobian = map.space_dimension() == 2 ? normal.z : norm(normal);
+        const double jacobian = plane ? dot(normals[i], *plane) : norm(normals[i]);
         if (!std::isfinite(jacobian)) not_a_patch(origin, "the map is not finite everywhere");
         if (jacobian < smallest) smallest = jacobian, where = i;
         largest = std::max(largest, jacobian);

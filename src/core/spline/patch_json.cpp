@@ -54,6 +54,8 @@ Points points(const Json& control, const std::string& origin) {
         const auto point = numbers(control[i], what, origin);
         if (point.size() != 2 && point.size() != 3)
             not_a_patch(origin, what + " must have two or three coordinates");
+        if (point.size() != control[0].size())
+            not_a_patch(origin, what + " must have as many coordinates as control_points[0]");
         all.set(i, {point[0], point[1], point.size() == 3 ? point[2] : 0});
     }
     return all;

@@ -21,13 +21,25 @@ using Node = pugi::xml_node;
 constexpr double most_knots = 1e6; // of a uniform knot vector
 
 /// Whitespace between comments counts, since it separates numbers.
-constexpr unsigned parse_options = pugi::parse_default | pugi::parse_ws_pcdata;
+constexpr unsigned parse_options = pugi::parse_default | pugi::parse_ws_pcdata | pugi::parse_fragment;
+
+/// A document is one element; text after it comes from a damaged file.
+void check_root(const pugi::xml_document& document, const std::string& origin) {
+    int elements = 0;
+    for (const pugi::xml_node& node : document) {
+        elements += node.type() == pugi::node_element ? 1 : 0;
+        const std::string_view text = node.value();
+        const bool is_text = node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
+        if (elements > 1 || (is_text && text.find_first_not_of(" \t\r\n") != std::string_view::npos))
+            cannot_read(origin, "it has more than one XML element, or text outside of it");
+    }
+    if (elements == 0) cannot_read(origin, "it has no XML element");
+}
 
 void load(pugi::xml_document& document, const PatchText& file) {
     const auto result = document.load_buffer(file.text.data(), file.text.size(), parse_options);
     if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
-    if (result.status == pugi::status_no_document_element) cannot_read(file.origin, "it has no XML element");
-    if (result) return;
+    if (result) return check_root(document, file.origin);
     const auto at =
         std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), file.text.size());
     const auto line =

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 #include <unordered_map>
 
@@ -191,7 +192,9 @@ class Cutter {
     }
 
     std::size_t pieces_of_edge(std::uint32_t cell, Vec3 a, Vec3 b) {
-        for (std::size_t pieces = 1;; pieces *= 2) {
+        // A value of the nodes varies along an edge that is straight, too.
+        const int order = mesh_.kind.order;
+        for (std::size_t pieces = order > 2 ? std::bit_ceil(static_cast<unsigned>(order)) : 1;; pieces *= 2) {
             check_number(pieces);
             bool fine = true;
             for (std::size_t i = 0; i < pieces && fine; ++i) {

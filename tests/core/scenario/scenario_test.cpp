@@ -269,5 +269,21 @@ TEST_F(ScenarioTest, EveryRowIsFitForASliderAndATooltip) {
     examine(default_scenario(catalogue).output);
 }
 
+TEST_F(ScenarioTest, NumbersThatNoDoubleHoldsAreNamedAsTheyAreTyped) {
+    const auto set = [&](const std::string& setting) {
+        Scenario scenario = default_scenario(catalogue);
+        apply_settings(catalogue, scenario, {setting});
+        return scenario;
+    };
+    for (const char* number : {"1e400", "-1e400", "99999999999999999999e300"})
+        expect_in(std::string("monitor.amplitude = ") + number + " is out of range",
+                  message_of([&] { set(std::string("monitor.amplitude=") + number); }));
+    expect_in("domain.cells = 99999999999999999999 is out of range",
+              message_of([&] { set("domain.cells=99999999999999999999"); }));
+    for (const char* number : {"1e-400", "-1e-400", "0."})
+        EXPECT_EQ(set(std::string("monitor.amplitude=") + number).monitor.values.real("amplitude"), 0);
+    expect_in("'1e400' could not be interpreted", parse_message("[monitor]\namplitude = 1e400\n"));
+}
+
 } // namespace
 } // namespace gaspard

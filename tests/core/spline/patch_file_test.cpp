@@ -77,7 +77,7 @@ TEST(PatchFile, ReadsBack) {
 TEST(PatchFile, ScalesKnotsAndDefaultsWeightsToOne) {
     const SplinePatch patch = parsed(
         R"({"degrees": [1, 1], "knots": [[2, 2, 3, 4, 4], [0, 0, 5, 5]],
-            "control_points": [[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1, 7]]})");
+            "control_points": [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 7]]})");
     EXPECT_EQ(patch.space.directions[0].knots, (std::vector<double>{0, 0, 0.5, 1, 1}));
     EXPECT_EQ(patch.weights, std::vector<double>(6, 1.0));
     EXPECT_EQ(patch_map(patch)->space_dimension(), 3);
@@ -495,6 +495,25 @@ TEST(PatchFile, JsonOfSplinepy) {
 TEST(PatchFile, IsReadOnlyUpToALimit) {
     for (const char* endless : {"/dev/zero", "/dev/urandom"})
         expect_in("it is larger than 32 MiB", message_of<InputError>([&] { read_patch(endless); }));
+}
+
+TEST(PatchFile, IsJudgedInItsOwnPlane) {
+    const auto patch = [](const std::string& points) {
+        return R"({"degrees":[1,1],"knots":[[0,0,1,1],[0,0,1,1]],"control_points":[)" + points + "]}";
+    };
+    Values values("domain", spline_domains().back().rows);
+    values.set("file", patch("[0,0,1],[1,0,1],[1,1,1],[0,1,1]")); // a bow tie at z = 1
+    expect_in("the map folds", message_of<InputError>([&] { make_spline_domain("spline-patch", values); }));
+    values.set("file", patch("[0,0,1],[1,0,1],[0,1,1],[1,1,1]"));
+    EXPECT_NO_THROW(make_spline_domain("spline-patch", values));
+    expect_in("control_points[3] must have as many coordinates", refusal(patch("[0,0],[1,0],[0,1],[1,1,5]")));
+}
+
+TEST(PatchXml, IsOneElement) {
+    const std::string good = patch_xml(nurbs_disk());
+    EXPECT_NO_THROW(parsed(good + "<!-- the end -->\n"));
+    expect_in("outside of it", refusal(good + "garbage"));
+    expect_in("more than one XML element", refusal(good + "<another/>"));
 }
 
 } // namespace

@@ -235,7 +235,7 @@ TEST_F(Renderer, NodalValuesAreBilinearInAQuadrilateral) {
 
 TEST(Facets, PairTheTrianglesOfQuadrilaterals) {
     const Tessellation squares = tessellate(*ring_snapshot(2).mesh);
-    const Facets facets = make_facets(squares, true);
+    const DrawnFacets facets = make_facets(squares, true);
     ASSERT_EQ(facets.facets.size(), 4U);
     EXPECT_EQ(facets.facets[0], (Facet{0, 1, 4, 3})) << "in order around the first cell";
     ASSERT_EQ(facets.corners.size(), squares.triangles.size());
