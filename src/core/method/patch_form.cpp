@@ -145,8 +145,14 @@ void PatchForm::positions(std::span<const double> whole, Points& x) {
             psi_.x[k * side + side - 1] = psi_.y[(side - 1) * side + k] = 1;
         }
     // Beyond an edge that is one point, F has the opposite orientation. The penalty of the standard form lets the
-    // map pass the edge by its error at the boundary; what is beyond belongs to the point.
+    // map pass such an edge, or end before it, by its error at the boundary: the edge is put on its point.
     const PointEdges& tips = domain_->point_edges();
+    for (std::size_t k = 0; k < side; ++k) {
+        if (tips.left) psi_.x[k * side] = 0;
+        if (tips.right) psi_.x[k * side + side - 1] = 1;
+        if (tips.bottom) psi_.y[k] = 0;
+        if (tips.top) psi_.y[(side - 1) * side + k] = 1;
+    }
     for (std::size_t i = 0; i < psi_.size(); ++i) {
         psi_.x[i] = std::clamp(psi_.x[i], tips.left ? 0 : psi_.x[i], tips.right ? 1 : psi_.x[i]);
         psi_.y[i] = std::clamp(psi_.y[i], tips.bottom ? 0 : psi_.y[i], tips.top ? 1 : psi_.y[i]);
