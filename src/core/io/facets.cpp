@@ -149,7 +149,16 @@ Facets border(const Mesh& mesh) {
     const auto all = cell_dimension(mesh.kind) == 2
                          ? surface_border(mesh)
                          : single_candidates(mesh, local, static_cast<std::size_t>(facets.corners));
+    const auto is_point = [&](const auto& candidate) {
+        const auto& nodes = local[candidate.local];
+        const auto at = [&](int node) {
+            return mesh
+                .nodes[static_cast<std::size_t>(mesh.cell(candidate.cell)[static_cast<std::size_t>(node)])];
+        };
+        return std::all_of(nodes.begin(), nodes.end(), [&](int node) { return at(node) == at(nodes[0]); });
+    };
     for (const auto& candidate : all) {
+        if (cell_dimension(mesh.kind) == 2 && is_point(candidate)) continue;
         facets.cells.push_back(candidate.cell);
         for (const int node : local[candidate.local])
             facets.nodes.push_back(mesh.cell(candidate.cell)[static_cast<std::size_t>(node)]);

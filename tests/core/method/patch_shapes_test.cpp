@@ -255,6 +255,12 @@ TEST(AdaptedCone, HasNoCellThroughItsTip) {
     }
 }
 
+TEST(CollapsedEdges, AreNoSides) {
+    const Tip tip{"cone", cone};
+    const SplineDomain domain(3, 8, patch_map(parse_patch({tip.patch, tip.name, {}}).patch));
+    EXPECT_EQ(border(*domain.mesh()).size(), 3 * 8);
+}
+
 TEST(CollapsedEdges, AreOnePointToTheLastBit) {
     for (const Tip& tip : {Tip{"triangle", triangle}, Tip{"dome", dome}, Tip{"far_egg", far_egg()}}) {
         const SplineDomain domain(3, 8, patch_map(parse_patch({tip.patch, tip.name, {}}).patch));
