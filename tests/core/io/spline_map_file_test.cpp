@@ -1,8 +1,8 @@
 #include "core/io/run_files.hpp"
 #include "core/io/spline_map_file.hpp"
-#include "core/scenario/toml.hpp"
 #include "core/spline/patch_file.hpp"
 #include "core/spline/tensor_space.hpp"
+#include "support/solved_run.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <algorithm>
@@ -13,19 +13,10 @@
 namespace gaspard {
 namespace {
 
-gaspard::Run short_run(const std::string& name, const std::vector<std::string>& settings) {
-    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
-    Scenario scenario = find_scenario(*catalogue, name);
-    apply_settings(*catalogue, scenario, settings);
-    gaspard::Run run(catalogue, scenario);
-    run.solve();
-    return run;
-}
-
 TEST(SplineMapFile, HoldsTheMapOfThePatchExactly) {
     for (const std::string method : {"picard", "picard-mixed"}) {
         TemporaryFolder folder;
-        gaspard::Run run = short_run("spline-circle", {"domain.cells=8", "method.type=" + method});
+        gaspard::Run run = solved_run("spline-circle", {"domain.cells=8", "method.type=" + method});
         write_run_files(folder.path(), run, {});
         std::ifstream in(folder.path() / "map.json");
         const auto json = nlohmann::json::parse(in);
@@ -54,10 +45,10 @@ TEST(SplineMapFile, HoldsTheMapOfThePatchExactly) {
 double patch_error(const std::string& domain, const std::string& method, int degree, int cells) {
     TemporaryFolder folder;
     gaspard::Run run =
-        short_run("spline-circle",
-                  {"domain.type=" + domain, "method.type=" + method, "monitor.type=bell",
-                   "monitor.amplitude=2", "monitor.sharpness=5", "method.start=identity",
-                   "domain.degree=" + std::to_string(degree), "domain.cells=" + std::to_string(cells)});
+        solved_run("spline-circle",
+                   {"domain.type=" + domain, "method.type=" + method, "monitor.type=bell",
+                    "monitor.amplitude=2", "monitor.sharpness=5", "method.start=identity",
+                    "domain.degree=" + std::to_string(degree), "domain.cells=" + std::to_string(cells)});
     write_run_files(folder.path(), run, parse_formats("patch"));
     const SplinePatch patch = read_patch(folder.path() / "adapted-patch.json").patch;
     EXPECT_EQ(read_patch(folder.path() / "adapted-patch.xml").patch, patch);
@@ -87,7 +78,7 @@ TEST(AdaptedPatch, IsExactForAffinePatchesAndOfOrderPPlus1Otherwise) {
 
 TEST(SplineMapFile, IsNotWrittenForOtherDomains) {
     TemporaryFolder folder;
-    gaspard::Run run = short_run("plane-ring", {"domain.cells=8", "method.max_iterations=2"});
+    gaspard::Run run = solved_run("plane-ring", {"domain.cells=8", "method.max_iterations=2"});
     write_run_files(folder.path(), run, {});
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "summary.json"));
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "map.json"));

@@ -1,7 +1,6 @@
 // Runs on patches are judged by the spline map, not by the cells that are drawn of it.
 #include "core/method/spline_map.hpp"
-#include "core/scenario/toml.hpp"
-#include "core/session/run.hpp"
+#include "support/solved_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +8,6 @@
 
 namespace gaspard {
 namespace {
-
-gaspard::Run solved(const std::string& name, const std::vector<std::string>& settings) {
-    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
-    Scenario scenario = find_scenario(*catalogue, name);
-    apply_settings(*catalogue, scenario, settings);
-    gaspard::Run run(catalogue, scenario);
-    run.solve();
-    return run;
-}
 
 double bound(const gaspard::Run& run) { return *run.history().back().value("bound_jacobian_psi"); }
 
@@ -74,14 +64,14 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return one.param.scenario.substr(7); });
 
 TEST_P(MapFolds, JudgeTheMeshWhateverItsCells) {
-    const gaspard::Run run = solved(GetParam().scenario, GetParam().settings);
+    const gaspard::Run run = solved_run(GetParam().scenario, GetParam().settings);
     EXPECT_EQ(run.status(), GetParam().status);
     EXPECT_EQ(run.history().back().tangled_cells, GetParam().folded);
     EXPECT_NEAR(bound(run), GetParam().smallest, 5e-4);
 }
 
 TEST_P(MapFolds, AreWhereSamplingFindsThem) {
-    gaspard::Run run = solved(GetParam().scenario, GetParam().settings);
+    gaspard::Run run = solved_run(GetParam().scenario, GetParam().settings);
     const Sampled sampled = smallest_sample(run, GetParam().samples);
     EXPECT_LE(bound(run), sampled.smallest + 1e-12);
     EXPECT_NEAR(bound(run), sampled.smallest, 2e-5);
@@ -96,7 +86,7 @@ TEST_P(MapFolds, AreWhereSamplingFindsThem) {
 }
 
 TEST(MapFoldsInCells, AreSaidApartFromThoseOfTheMap) {
-    const gaspard::Run run = solved("spline-two-circles", {"domain.cells=4"});
+    const gaspard::Run run = solved_run("spline-two-circles", {"domain.cells=4"});
     const StepReport& last = run.history().back();
     EXPECT_EQ(run.status(), RunStatus::converged);
     EXPECT_EQ(last.tangled_cells, 0u);
@@ -106,7 +96,7 @@ TEST(MapFoldsInCells, AreSaidApartFromThoseOfTheMap) {
 }
 
 TEST(MapFoldsOnAGrid, TheGridOfThePaperMissesTheSpirals) {
-    const gaspard::Run run = solved("spline-spiral", {"domain.cells=32"});
+    const gaspard::Run run = solved_run("spline-spiral", {"domain.cells=32"});
     EXPECT_GT(*run.history().back().value("min_jacobian_psi"), 0.03);
     EXPECT_LT(bound(run), -0.21);
 }
