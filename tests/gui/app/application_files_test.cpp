@@ -226,28 +226,38 @@ TEST_F(ApplicationTest, AChangedScenarioIsCalledModifiedAndUndoGivesItsNameBack)
     EXPECT_EQ(application.title(), title + " (modified)");
 }
 
-TEST_F(ApplicationTest, SaveAsAsksForFileAndTitleAndGivesTheirName) {
+/// Types into the fields of the dialog, instead of what they hold, and accepts.
+class SaveAsTest : public ApplicationTest {
+  protected:
+    void fill(const std::string& field, const std::string& text) {
+        ui.click(application.items().find(field)->second, drawing());
+        ui.control(true);
+        ui.key(ImGuiKey_A, true);
+        frame();
+        ui.key(ImGuiKey_A, false);
+        ui.control(false);
+        frame();
+        ui.type(text, drawing());
+    }
+    void save_as(const std::string& file, const std::string& title = {}) {
+        EXPECT_TRUE(application.press_key("Ctrl+Shift+S"));
+        for (int i = 0; i < 3; ++i) frame();
+        fill("save.path", file);
+        if (!title.empty()) fill("save.title", title);
+        ui.click(application.items().find("save.ok")->second, drawing());
+    }
+    bool says(const std::string& text) {
+        return wait_until([&] { return application.messages().last().text == text; });
+    }
+};
+
+TEST_F(SaveAsTest, AsksForFileAndTitleAndGivesTheirName) {
     const std::string title = small_ring().title;
     Scenario changed = run().scenario;
     set_value(*catalogue, changed, "monitor.amplitude", 3.0);
     application.document().change(run().id, changed);
     const auto file = folder / "gentle.toml";
-    const auto save = [&] {
-        EXPECT_TRUE(application.press_key("Ctrl+Shift+S"));
-        for (int i = 0; i < 3; ++i) frame();
-        for (const auto& [field, text] :
-             {std::pair{"save.path", file.string()}, {"save.title", "A gentle ring"}}) {
-            ui.click(application.items().find(field)->second, drawing());
-            ui.control(true);
-            ui.key(ImGuiKey_A, true);
-            frame();
-            ui.key(ImGuiKey_A, false);
-            ui.control(false);
-            frame();
-            ui.type(text, drawing());
-        }
-        ui.click(application.items().find("save.ok")->second, drawing());
-    };
+    const auto save = [&] { save_as(file.string(), "A gentle ring"); };
     save();
     ASSERT_TRUE(wait_until([&] { return application.title() == "A gentle ring"; })) << application.title();
     EXPECT_EQ(load_scenario(*catalogue, file).title, "A gentle ring");
@@ -272,30 +282,6 @@ TEST_F(ApplicationTest, SaveAsAsksForFileAndTitleAndGivesTheirName) {
     ASSERT_TRUE(
         wait_until([&] { return load_scenario(*catalogue, file).monitor.values.real("amplitude") == 4; }));
 }
-
-/// Types into the fields of the dialog, instead of what they hold, and accepts.
-class SaveAsTest : public ApplicationTest {
-  protected:
-    void fill(const std::string& field, const std::string& text) {
-        ui.click(application.items().find(field)->second, drawing());
-        ui.control(true);
-        ui.key(ImGuiKey_A, true);
-        frame();
-        ui.key(ImGuiKey_A, false);
-        ui.control(false);
-        frame();
-        ui.type(text, drawing());
-    }
-    void save_as(const std::string& file) {
-        EXPECT_TRUE(application.press_key("Ctrl+Shift+S"));
-        for (int i = 0; i < 3; ++i) frame();
-        fill("save.path", file);
-        ui.click(application.items().find("save.ok")->second, drawing());
-    }
-    bool says(const std::string& text) {
-        return wait_until([&] { return application.messages().last().text == text; });
-    }
-};
 
 TEST_F(SaveAsTest, ARelativePathIsNotModifiedBySavingAndIsFoundFromTheSavedFile) {
     const auto here = folder / "here", there = folder / "there";
