@@ -362,5 +362,37 @@ TEST_F(DocumentEditsTest, ComparisonsAndSteppingAreNoEdits) {
     document.cancel_comparison();
 }
 
+/// A square patch as the text of domain.file.
+std::string square_patch(int side) {
+    const std::string a = std::to_string(side);
+    return R"({"degrees":[1,1],"knots":[[0,0,1,1],[0,0,1,1]],"control_points":[[0,0],[)" + a + ",0],[0," + a +
+           "],[" + a + "," + a + "]]}";
+}
+
+// The window changes the name of a file; the solver reads it, and monitors fit the patch for both.
+TEST_F(DocumentEditsTest, MonitorsFitAnotherFileOnceTheSolverHasReadIt) {
+    Scenario opened = find_scenario(*catalogue, "spline-circle");
+    apply_settings(*catalogue, opened,
+                   {"domain.type=spline-patch", "domain.file=" + square_patch(1), "domain.cells=8",
+                    "monitor.radius=0.2"});
+    document.open(opened);
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    Scenario changed = run().scenario;
+    changed.domain.values.set("file", square_patch(50));
+    update_rows(*catalogue, changed); // as the panel does, which does not read
+    EXPECT_EQ(changed.monitor.values.real("radius"), 0.2);
+    document.change(run().id, changed);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_TRUE(is_located(*catalogue, run().scenario));
+    EXPECT_EQ(run().scenario.monitor.values.real("radius"), 10);
+    EXPECT_EQ(run().status.scenario->monitor, run().scenario.monitor) << "the solver has the same values";
+    EXPECT_TRUE(document.undo());
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_EQ(run().scenario.monitor.values.real("radius"), 0.2);
+    EXPECT_TRUE(document.redo());
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_EQ(run().scenario.monitor.values.real("radius"), 10);
+}
+
 } // namespace
 } // namespace gaspard
