@@ -309,6 +309,13 @@ class Runs(Contract):
 
 
 class BadInput(Contract):
+    def test_whatever_is_typed_the_error_is_one_line_that_can_be_read(self):
+        self.refused(self.run_quick("--set", "monitor.type=bell\ncells=3"), "bell cells=3")
+        result = self.run_quick("--set", "monitor.\x1b[31m=" + 50000 * "k")
+        self.refused(result, "monitor.")
+        self.assertNotIn("\x1b", result.stderr)
+        self.assertLess(len(result.stderr), 1200)
+
     def test_cameras_too_close_for_an_svg_and_unknown_backends(self):
         close = "view.camera=centre 0.5 0.5 height 1e-6"
         self.refused(self.run_quick("--formats", "svg", "--set", close), "too small for an SVG")
