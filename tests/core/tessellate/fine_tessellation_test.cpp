@@ -242,5 +242,21 @@ TEST(FineTessellation, RejectsNonFinitePositions) {
     EXPECT_THROW(tessellate_within(mesh, x, 1e-3), InternalError);
 }
 
+// A field that varies along a straight edge is drawn by its nodes, and not by the ends of the edge.
+TEST(FineTessellation, CutsStraightEdgesOfHighOrderIntoTheirOrderOrMore) {
+    const CellKind kind{CellShape::quadrilateral, 5};
+    Mesh square{.kind = kind, .space_dimension = 2, .nodes = {}, .cells = {}};
+    const auto nodes = reference_nodes(kind);
+    square.nodes = Points(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        square.nodes.set(i, nodes[i]);
+        square.cells.push_back(static_cast<std::int32_t>(i));
+    }
+    const Tessellation t = tessellate_within(square, square.nodes, 1e-2);
+    EXPECT_EQ(t.segments.size() / 2, 4U * 8) << "8 pieces: the power of two from 5 on";
+    EXPECT_EQ(t.triangle_cells.size(), 2U * 8 * 8);
+    EXPECT_EQ(cracks(t), 4U * 8) << "only the border has one triangle";
+}
+
 } // namespace
 } // namespace gaspard
