@@ -105,6 +105,8 @@ void print_outcome(const Run& run, const std::filesystem::path& folder, bool oth
         std::printf("equidistribution %.6e, ", *value);
     std::printf("%zu tangled cells, %.3f s\n", last.tangled_cells.value_or(0), last.seconds);
     if (!last.note.empty()) std::printf("%s\n", last.note.c_str());
+    if (const auto report = run.monitor_report())
+        for (const std::string& note : report->notes) std::printf("%s\n", note.c_str());
     if (const auto patches = run.discretisation().patches())
         std::printf("%s; domain.patch selects another\n", patches->note.c_str());
     std::printf("files in %s%s\n", folder.string().c_str(),

@@ -97,6 +97,8 @@ std::string summary_json(Run& run) {
     json["modified"] = scenario.modified;
     json.update(values_json(scenario));
     if (const auto patches = run.discretisation().patches()) json["patch"] = patches->note;
+    if (const auto report = run.monitor_report(); report && !report->notes.empty())
+        json["monitor_notes"] = report->notes;
     json["cells"] = run.discretisation().mesh()->cell_count();
     json["unknowns"] = run.discretisation().unknowns();
     json["status"] = status_name(last.status);

@@ -20,19 +20,25 @@
 #include "core/base/export.hpp"
 #include "core/base/parameter.hpp"
 #include "core/base/points.hpp"
-#include "core/mesh/discretisation.hpp"
+#include "core/mesh/data_context.hpp"
 #include "core/mesh/space.hpp"
 
-#include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <vector>
 
 namespace gaspard GASPARD_API {
+
+/// What a monitor says about itself once it is made.
+struct MonitorReport {
+    std::vector<std::string> notes{}; ///< sentences for people: "12 of 3600 values are missing"
+    /// By keys of text rows, the values that they may take: the variables of a file.
+    std::map<std::string, std::vector<std::string>> choices{};
+};
 
 /// Immutable once a run has it. May be called from several threads at once if a run uses more than one.
 /// Exceptions propagate to the caller of the run (see Run::step).
@@ -52,21 +58,16 @@ class Monitor {
     virtual void check() const {}
     /// The kind of space to which the monitor is restricted; nullopt if it has no restriction.
     virtual std::optional<SpaceKind> made_for() const { return std::nullopt; }
+    /// For the user, beside the results.
+    virtual MonitorReport report() const { return {}; }
     /// On a sphere: the axis of rotational symmetry of m; nullopt if there is none.
     virtual std::optional<Vec3> symmetry_axis() const { return std::nullopt; }
 };
 
 class TensorMonitor; // core/monitor/tensor.hpp
 
-/// What a monitor may use while it is made; the operators of the domain exist by then. Monitors that read
-/// files or compute on the mesh report progress, and throw Interrupted if asked to stop.
-struct MonitorContext {
-    Space space{};                                  ///< the space of the domain
-    const Discretisation* discretisation = nullptr; ///< null: the monitor is made without a run
-    std::filesystem::path folder{};                 ///< base of relative paths; empty: the working directory
-    Progress progress{};
-    std::stop_token stop{};
-};
+/// What a monitor may use while it is made.
+using MonitorContext = DataContext;
 
 /// Where rows and formula of a monitor are written. On a domain with a box (Space::box), the figure is scaled
 /// and moved to it; see monitor/placement.hpp.

@@ -212,7 +212,10 @@ ProblemData own_problem(std::shared_ptr<const Monitor> own, const DomainExtent& 
     if (!own) throw InputError("the monitor is null");
     own->check();
     const double unit = unit_of(OwnMonitor(own, extent, 1), nodes);
-    return {.monitor = std::make_shared<OwnMonitor>(std::move(own), extent, unit), .unit = unit};
+    auto report = std::make_shared<const MonitorReport>(own->report());
+    return {.monitor = std::make_shared<OwnMonitor>(std::move(own), extent, unit),
+            .unit = unit,
+            .report = std::move(report)};
 }
 
 ProblemData stoppable(ProblemData data, std::stop_token stop) {

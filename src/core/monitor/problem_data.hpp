@@ -23,6 +23,7 @@ struct ProblemData {
     std::shared_ptr<const TensorMonitor> tensor{}; ///< null: the problem has a scalar monitor
     std::shared_ptr<const Monitor> target{};       ///< density on the target domain; null: constant
     std::shared_ptr<const Values> pde{};           ///< null: no PDE is solved on the mesh
+    std::shared_ptr<const MonitorReport> report{}; ///< of the scalar monitor; null: it says nothing
 };
 
 /// Problem data of a scalar monitor. Throws InputError if the monitor is not positive (Monitor::check).

@@ -61,7 +61,8 @@ std::shared_ptr<const Monitor> density_of(std::shared_ptr<const TensorMonitor> t
 ProblemData scalar_problem(std::shared_ptr<const Monitor> monitor) {
     GASPARD_CHECK(monitor != nullptr);
     monitor->check();
-    return {.monitor = std::move(monitor)};
+    auto report = std::make_shared<const MonitorReport>(monitor->report());
+    return {.monitor = std::move(monitor), .report = std::move(report)};
 }
 
 ProblemData tensor_problem(std::shared_ptr<const TensorMonitor> tensor) {

@@ -49,6 +49,7 @@ MonitorContext Run::monitor_context(const Course& course, const Progress& progre
     return {.space = space_of(*catalogue_, scenario),
             .discretisation = course.discretisation.get(),
             .folder = scenario.folder,
+            .files = files_,
             .progress = progress,
             .stop = std::move(stop)};
 }
@@ -487,6 +488,7 @@ std::shared_ptr<const Snapshot> Run::snapshot(Diagnostics at_most) {
     snapshot->exact = now_.exact;
     snapshot->control = now_.discretisation->control_points();
     snapshot->patches = now_.discretisation->patches();
+    snapshot->monitor_report = now_.data.report;
     Field monitor{mesh_colour("monitor"), std::vector<double>(snapshot->x.size())};
     now_.data.monitor->values(snapshot->x, monitor.values);
     for (double& value : monitor.values) value *= now_.data.unit;

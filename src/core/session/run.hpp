@@ -87,6 +87,8 @@ class Run {
     /// The space of the domain.
     Space space() const { return space_of(*catalogue_, scenario()); }
     double setup_seconds() const { return setup_seconds_; }
+    /// What the monitor says about itself; null: nothing.
+    std::shared_ptr<const MonitorReport> monitor_report() const { return now_.data.report; }
     /// The current iterate as a value, with the diagnostics of method.diagnostics, or fewer, even if the
     /// history skips them.
     std::shared_ptr<const Snapshot> snapshot(Diagnostics at_most = Diagnostics::full);
@@ -149,6 +151,7 @@ class Run {
 
     std::shared_ptr<const Catalogue> catalogue_;
     int threads_ = 1;
+    std::shared_ptr<FileCache> files_ = std::make_shared<FileCache>(); ///< of the monitors
     bool own_start_ = false; ///< the first state was the caller's
     Course now_;
     State last_finite_;

@@ -12,6 +12,7 @@
 #include "core/base/points.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/patch_list.hpp"
+#include "core/monitor/monitor.hpp"
 #include "core/session/series_table.hpp"
 
 #include <cstdint>
@@ -81,6 +82,7 @@ struct Snapshot {
     std::shared_ptr<const std::vector<std::uint32_t>> tangled{};
     std::shared_ptr<const Points> control{}; ///< control points that may be moved; null where there are none
     std::shared_ptr<const PatchList> patches{}; ///< of a file with several; otherwise null
+    std::shared_ptr<const MonitorReport> monitor_report{}; ///< null: the monitor says nothing
     /// monitor (of nodes), jacobian and, with full diagnostics, mass (M_i) of cells; the method's own
     std::vector<Field> fields;
     StepReport report;

@@ -7,6 +7,7 @@
 #include "core/session/run.hpp"
 #include "support/built_in.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -49,6 +50,21 @@ TEST_F(Follow, AFunctionMovesTheMeshAsTheBuiltInMonitorOfTheSameFormula) {
     EXPECT_EQ(built_in.solve().iteration, own.history().back().iteration);
     const Points x = built_in.snapshot()->x, y = own.snapshot()->x;
     for (std::size_t i = 0; i < x.size(); ++i) EXPECT_LT(norm(x[i] - y[i]), 1e-10);
+}
+
+TEST_F(Follow, WhatAMonitorSaysStandsInSnapshotAndSummary) {
+    class Talking final : public Monitor {
+        void values(const Points&, std::span<double> values) const override {
+            std::fill(values.begin(), values.end(), 1.0);
+        }
+        MonitorReport report() const override { return {.notes = {"3 of 5 values are missing"}}; }
+    };
+    gaspard::Run run = make();
+    EXPECT_EQ(summary_json(run).find("monitor_notes"), std::string::npos);
+    run.follow(std::make_shared<Talking>());
+    ASSERT_NE(run.snapshot()->monitor_report, nullptr);
+    EXPECT_EQ(run.snapshot()->monitor_report->notes.at(0), "3 of 5 values are missing");
+    EXPECT_NE(summary_json(run).find("\"monitor_notes\": [\n    \"3 of 5 values are missing\""), std::string::npos);
 }
 
 TEST_F(Follow, TheMapIsTheStartAndTheHistoryNew) {

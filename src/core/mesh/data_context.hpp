@@ -1,0 +1,25 @@
+// What functions and monitors may use while they are made; the operators of the domain exist by then.
+#pragma once
+
+#include "core/base/export.hpp"
+#include "core/base/file_cache.hpp"
+#include "core/mesh/discretisation.hpp"
+#include "core/mesh/space.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <stop_token>
+
+namespace gaspard GASPARD_API {
+
+/// Those that read files or compute on the mesh report progress, and throw Interrupted if asked to stop.
+struct DataContext {
+    Space space{};                                  ///< the space of the domain
+    const Discretisation* discretisation = nullptr; ///< null: made without a run
+    std::filesystem::path folder{};                 ///< base of relative paths; empty: the working directory
+    std::shared_ptr<FileCache> files{};             ///< of the run; null: every file is read anew
+    Progress progress{};
+    std::stop_token stop{};
+};
+
+} // namespace GASPARD_API
