@@ -41,7 +41,7 @@ foreach(package IN LISTS packages)
   set(CPACK_DEBIAN_${key}_PACKAGE_NAME ${name})
   set(CPACK_DEBIAN_${key}_FILE_NAME DEB-DEFAULT)
 endforeach()
-install(FILES examples/follow_a_feature.cpp examples/CMakeLists.txt
+install(FILES examples/follow_a_feature.cpp examples/typed_formula.cpp examples/CMakeLists.txt
   DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libgaspard-dev/examples COMPONENT development)
 
 set(CPACK_GENERATOR DEB)

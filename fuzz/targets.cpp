@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/function/formula.hpp"
 #include "core/io/state_file.hpp"
 #include "core/io/surface_mesh.hpp"
 #include "core/scenario/catalogue.hpp"
@@ -119,6 +120,35 @@ void read_state_bytes(std::string_view bytes) {
     run.solve();
 }
 
+void evaluate_formula(const std::string& text, const Space& space) {
+    FormulaOptions options{.space = space, .sample = Points(3)};
+    for (std::size_t i = 0; i < options.sample.size(); ++i)
+        options.sample.set(i, {0.3 * static_cast<double>(i), 0.7, 0.1});
+    for (const std::string& name : check_formula(text, space)) options.parameters[name] = 0.5;
+    const Points x = options.sample;
+    const auto function = formula_function(text, std::move(options));
+    std::vector<double> values(x.size());
+    Points gradients;
+    function->values(x, values);
+    function->gradients(x, gradients);
+    GASPARD_CHECK(gradients.size() == x.size());
+    function->jump();
+}
+
+/// In the spaces in which it is a formula, with its gradients.
+void read_formula(std::string_view bytes) {
+    const std::string text(bytes);
+    try {
+        evaluate_formula(text, {SpaceKind::periodic_square});
+    } catch (const ExpressionError&) { // dist may have three arguments elsewhere
+    }
+    try {
+        evaluate_formula(text, {SpaceKind::sphere});
+    } catch (const ExpressionError&) {
+    }
+    evaluate_formula(text, {.kind = SpaceKind::euclidean, .dimension = 3});
+}
+
 void read_surface(std::string_view bytes, const char* ending) {
     const InputFile file(bytes, ending);
     const Mesh mesh = read_surface_mesh(file.path());
@@ -143,6 +173,7 @@ std::span<const FuzzTarget> fuzz_targets() {
         {"settings", &read_settings},
         {"view", &read_view},
         {"state", &read_state_bytes},
+        {"formula", &read_formula},
         {"surface-obj", [](std::string_view bytes) { read_surface(bytes, ".obj"); }},
         {"surface-off", [](std::string_view bytes) { read_surface(bytes, ".off"); }},
         {"surface-ply", [](std::string_view bytes) { read_surface(bytes, ".ply"); }},

@@ -15,6 +15,8 @@ python3 "$here/bench/parts.py" "$here/build-bench/bench"
 "$here/build-bench/bench/bench_sphere" --benchmark_min_time=0.2 --benchmark_repetitions=3 \
   --benchmark_report_aggregates_only=true --benchmark_display_aggregates_only=true 2>/dev/null | grep -v -E '_stddev|_cv|_mean'
 echo
+"$here/build-bench/bench/bench_formula"
+echo
 python3 "$here/bench/splines.py" "$here/build-bench/bench/bench_splines"
 echo
 "$here/build-bench/bench/measure_orders"

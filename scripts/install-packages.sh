@@ -3,7 +3,7 @@
 set -euo pipefail
 build="build-essential cmake ninja-build pkg-config libglfw3-dev libimgui-dev libglm-dev libeigen3-dev
   libtinygltf-dev libegl-dev libgl-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libnetcdf-dev
-  libopenmesh-dev libpugixml-dev libstb-dev libgl1-mesa-dri libfontconfig-dev"
+  libopenmesh-dev libpugixml-dev libmuparser-dev libstb-dev libgl1-mesa-dri libfontconfig-dev"
 # Not in every release: Mesa has dropped OSMesa after 25.0. Pictures are then drawn through EGL.
 optional="libosmesa6"
 test="libgtest-dev libassimp-dev libtinyxml2-dev libpng-dev xvfb xdotool x11-utils python3

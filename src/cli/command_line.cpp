@@ -115,6 +115,8 @@ int dispatch(int argc, char** argv) {
     CLI::App* show = app.add_subcommand("show", "Print the complete scenario as TOML, including defaults");
     show->add_option("SCENARIO", show_scenario, scenario_help)->required();
     add_settings(*show, show_settings);
+    bool as_formula = false;
+    show->add_flag("--as-formula", as_formula, "Write the built-in monitor as a formula that can be changed");
     CLI::App* reproduce = app.add_subcommand("reproduce", "Reproduce a published table or figure");
     reproduce->add_option("ID", id, "Table or figure, such as mcrae-fig2 (default: list all)");
     reproduce->add_option("--out", out, "Output folder (default: ./gaspard-out/ID)")->type_name("DIR");
@@ -145,7 +147,7 @@ int dispatch(int argc, char** argv) {
     if (app.got_subcommand("run")) return run_command(catalogue, run);
     if (app.got_subcommand("compare")) return compare_command(catalogue, compare);
     if (app.got_subcommand(list)) return list_command(*catalogue, what);
-    if (app.got_subcommand(show)) return show_command(*catalogue, show_scenario, show_settings);
+    if (app.got_subcommand(show)) return show_command(*catalogue, show_scenario, show_settings, as_formula);
     if (app.got_subcommand(reproduce))
         return reproduce_command(catalogue, id, out, !reproduce_without_picture);
     return window_command(catalogue, scenario, settings, size);

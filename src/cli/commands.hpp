@@ -33,7 +33,7 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
 int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArguments& arguments);
 int list_command(const Catalogue& catalogue, const std::string& what);
 int show_command(const Catalogue& catalogue, const std::string& scenario,
-                 const std::vector<std::string>& settings);
+                 const std::vector<std::string>& settings, bool as_formula);
 int reproduce_command(std::shared_ptr<const Catalogue> catalogue, const std::string& id,
                       const std::string& out, bool render);
 int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string& scenario,

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 
 #include <iostream>
+#include <utility>
 
 namespace gaspard {
 
@@ -100,11 +101,18 @@ int list_command(const Catalogue& catalogue, const std::string& what) {
 }
 
 int show_command(const Catalogue& catalogue, const std::string& name,
-                 const std::vector<std::string>& settings) {
+                 const std::vector<std::string>& settings, bool as_formula) {
     ScenarioInput input = load_input(catalogue, name, settings);
     check_input(catalogue, input);
     check_domain(catalogue, input);
-    const Scenario& scenario = input.scenario;
+    Scenario scenario = input.scenario;
+    if (as_formula && scenario.monitor.type != "formula") {
+        auto typed = with_formula(catalogue, scenario);
+        if (!typed)
+            throw InputError("--as-formula: monitor '" + scenario.monitor.type +
+                             "' cannot be written as a formula");
+        scenario = std::move(*typed);
+    }
     std::cout << to_toml(scenario.folder.empty() ? scenario : with_absolute_paths(scenario));
     return 0;
 }

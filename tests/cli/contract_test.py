@@ -467,6 +467,23 @@ class Information(Contract):
             self.assertIn(word, text)
         self.assertNotIn("relaxation", gaspard("list", "monitors").stdout)
 
+    def test_show_writes_a_monitor_as_a_formula(self):
+        text = gaspard("show", "plane-bell", "--set", "monitor.amplitude=7", "--as-formula").stdout
+        self.assertIn("expression = '1 + amplitude*sech(sharpness*dist(center_x, center_y)^2)^2'", text)
+        self.assertIn("amplitude = 7.0", text)
+        file = os.path.join(self.folder.name, "typed.toml")
+        with open(file, "w") as toml:
+            toml.write(text)
+        self.assertEqual(gaspard("show", file).stdout, text)
+        self.assertEqual(gaspard("show", file, "--as-formula").stdout, text)
+        self.refused(gaspard("show", "plane-ring", "--set", "monitor.type=random-bells", "--as-formula"),
+                     "'random-bells'")
+
+    def test_a_wrong_formula_is_one_sentence(self):
+        wrong = gaspard("run", "plane-ring", "--set", "monitor.type=formula", "--set", "monitor.expression=1 + sine(x)",
+                        "--no-render")
+        self.refused(wrong, "monitor.expression: unknown function 'sine' at character 5 (did you mean 'sin'?)")
+
     def test_show_is_complete_and_reads_back(self):
         text = gaspard("show", "plane-ring", "--set", "monitor.amplitude=3").stdout
         self.assertIn("amplitude = 3.0", text)

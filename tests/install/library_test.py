@@ -46,6 +46,12 @@ def main():
         worst = max(float(step[2]) for step in steps)
         check(worst < 0.02, "the mesh does not keep up: equidistribution %g" % worst)
 
+        formula = [os.path.join(user, "typed_formula")]
+        out = run(formula, cwd=folder)
+        check(re.fullmatch(r"converged after \d+ iterations\n", out), "the typed formula: %s" % out)
+        bad = subprocess.run(formula + ["1 + sine(x)"], capture_output=True, text=True)
+        check(bad.returncode == 2 and "unknown function 'sine' at character 5" in bad.stderr, bad.stderr)
+
         # A program may have another Eigen than the one that the library was made with.
         consumer = os.path.join(folder, "consumer")
         run(["cmake", "-S", os.path.join(os.path.dirname(os.path.abspath(__file__)), "consumer"), "-B", consumer,

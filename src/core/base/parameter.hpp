@@ -36,6 +36,12 @@ enum class ParameterRole {
     defines_rows,   ///< other rows depend on its value, so it is set before them
 };
 
+/// The ends of a slider.
+struct SliderRange {
+    double minimum = 0, maximum = 1;
+    friend bool operator==(const SliderRange&, const SliderRange&) = default;
+};
+
 struct ParameterRow {
     std::string key{};    ///< key within its section: "amplitude"
     std::string label{};  ///< label of its slider: "Amplitude"
@@ -45,6 +51,7 @@ struct ParameterRow {
     double minimum = -std::numeric_limits<double>::infinity(); ///< inclusive; numeric kinds only
     double maximum = std::numeric_limits<double>::infinity();  ///< inclusive; numeric kinds only
     ParameterScale scale = ParameterScale::linear;
+    std::optional<SliderRange> slider{}; ///< if not the whole range, which may be too wide to slide along
     Value default_value = 0.0;
     std::vector<std::string> choices{}; ///< kind choice only
     std::string help{};                 ///< one line

@@ -6,6 +6,7 @@
 #include "core/base/export.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/patch_list.hpp"
+#include "core/mesh/patch_parameters.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -27,6 +28,8 @@ class Discretisation {
     virtual std::shared_ptr<const Points> control_points() const { return nullptr; }
     /// The patches of the domain's file if it has several; otherwise null.
     virtual std::shared_ptr<const PatchList> patches() const { return nullptr; }
+    /// The parameters of points of a patch; null on other domains.
+    virtual std::shared_ptr<const PatchParameters> parameters() const { return nullptr; }
     /// Number of unknowns.
     virtual std::size_t unknowns() const = 0;
 };

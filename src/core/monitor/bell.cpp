@@ -21,6 +21,9 @@ MonitorType bell_monitor() {
             },
         .make = [](const Values& values, const MonitorContext& context) {
             return make_sech_monitor(values, 0, context.space);
+        },
+        .formula = [](const Space& space) {
+            return "1 + amplitude*sech(sharpness*" + distance_formula(space) + "^2)^2";
         }};
 }
 

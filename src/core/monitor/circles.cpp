@@ -7,10 +7,13 @@
 //   m(x) = 1 + sum_i A sech^2( B (|x - c_i|^2 - r^2) )
 #include "core/base/exponential.hpp"
 #include "core/monitor/formula.hpp"
+#include "core/monitor/placement.hpp"
 #include "core/monitor/radial.hpp"
 
 #include <array>
+#include <cmath>
 #include <numbers>
+#include <string>
 
 namespace gaspard {
 
@@ -74,6 +77,12 @@ struct SmoothCircles {
     }
 };
 
+/// With all three coordinates: on surfaces in space the distance is that in space.
+std::string distance_formula(Vec3 from) {
+    return "dist(" + format_number(from.x) + ", " + format_number(from.y) + ", " + format_number(from.z) +
+           ")";
+}
+
 ParameterRow positive_amplitude(double value, const std::string& where) {
     ParameterRow row = amplitude_row(1000, value, where);
     row.minimum = 0; // keeps the sum positive
@@ -112,7 +121,12 @@ MonitorType circle_monitor() {
                 const double r = v.real("radius");
                 return std::make_shared<FormulaMonitor<CreasedCircles<1>>>(CreasedCircles<1>{
                     {Circle{v.real("amplitude"), r * r, center_in_space(v)}}, v.real("sharpness")});
-            }};
+            },
+            .formula =
+                [](const Space&) {
+                    return std::string("1 + amplitude*exp(-sharpness*abs(dist(center_x, center_y, center_z)^2"
+                                       " - radius^2))");
+                }};
 }
 
 MonitorType three_circles_monitor() {
@@ -138,7 +152,18 @@ MonitorType three_circles_monitor() {
                 {Circle{a, 0.1, {0.45, 0.4, 0}}, Circle{a, 0.2, {0, 0, 0}}, Circle{a, 0.1, {-0.45, 0.4, 0}},
                  Circle{v.real("mouth"), 0.4, {0, -1.25, 0}}},
                 v.real("sharpness")});
-        }};
+        },
+        .formula =
+            [](const Space& space) {
+                const Placement at = placement_of(MonitorFigure::unit_disk, space);
+                const auto circle = [&](const std::string& height, double radius_squared, Vec3 centre) {
+                    return " + " + height + "*exp(-sharpness*abs(" +
+                           distance_formula(at.origin + at.scale * centre) + "^2 - " +
+                           format_number(at.scale * at.scale * radius_squared) + "))";
+                };
+                return "1" + circle("amplitude", 0.1, {0.45, 0.4, 0}) + circle("amplitude", 0.2, {0, 0, 0}) +
+                       circle("amplitude", 0.1, {-0.45, 0.4, 0}) + circle("mouth", 0.4, {0, -1.25, 0});
+            }};
 }
 
 MonitorType two_circles_monitor() {
@@ -177,7 +202,17 @@ MonitorType two_circles_monitor() {
             const double x = std::sqrt(3.0) / 2;
             return std::make_shared<FormulaMonitor<SmoothCircles>>(SmoothCircles{
                 {Circle{a, r * r, {x, 0.5, z}}, Circle{a, r * r, {-x, 0.5, z}}}, v.real("sharpness")});
-        }};
+        },
+        .formula =
+            [](const Space& space) {
+                const Placement at = placement_of(MonitorFigure::unit_disk, space);
+                const auto circle = [&](double x) {
+                    const Vec3 centre = at.origin + at.scale * Vec3{x, 0.5, 0};
+                    return " + amplitude*sech(sharpness*(dist(" + format_number(centre.x) + ", " +
+                           format_number(centre.y) + ", center_z)^2 - radius^2))^2";
+                };
+                return "1" + circle(std::sqrt(3.0) / 2) + circle(-std::sqrt(3.0) / 2);
+            }};
 }
 
 } // namespace gaspard

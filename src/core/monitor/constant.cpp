@@ -44,7 +44,8 @@ MonitorType constant_monitor() {
                 },
             .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 return std::make_shared<ConstantMonitor>(v.real("value"));
-            }};
+            },
+            .formula = [](const Space&) { return std::string("value"); }};
 }
 
 } // namespace gaspard

@@ -28,7 +28,15 @@ MonitorType cross_monitor() {
                 const SechProfile band{v.real("amplitude"), v.real("sharpness"), std::numbers::pi / 2};
                 return std::make_shared<GeodesicMonitor<SechProfile>>(
                     1.0, band, std::vector{place_of(v, "pole1"), place_of(v, "pole2")});
-            }};
+            },
+            .formula =
+                [](const Space& space) {
+                    const auto band = [&](const char* pole) {
+                        return " + amplitude*sech(sharpness*(" + distance_formula(space, pole) +
+                               "^2 - (pi/2)^2))^2";
+                    };
+                    return "1" + band("pole1") + band("pole2");
+                }};
 }
 
 } // namespace gaspard

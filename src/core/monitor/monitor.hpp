@@ -92,6 +92,9 @@ struct MonitorType {
     /// Further rows that depend on the values of `rows`, such as the constants of a formula; a row on which
     /// they depend has the role defines_rows. Throws InputError if the values are invalid.
     std::function<std::vector<ParameterRow>(const Values&, const Space&)> further_rows{};
+    /// The same monitor as a formula to change (function/formula.hpp), with the rows' keys as parameters; in
+    /// the coordinates of the space, also where the figure is placed. Not set if it has none.
+    std::function<std::string(const Space&)> formula{};
 };
 
 /// All built-in monitors, in the order of `gaspard list`.

@@ -12,20 +12,8 @@ namespace gaspard {
 
 namespace {
 
-/// x = o + s v
-struct Placement {
-    Vec3 origin;
-    double scale = 1;
-};
-
-Placement placement_of(MonitorFigure figure, const Box& box) {
-    const double side = longest_side(box);
-    if (figure == MonitorFigure::unit_disk) return {box.centre(), side / 2};
-    return {box.centre() - side * Vec3{0.5, 0.5, 0}, side};
-}
-
-bool is_placed(const MonitorType& type, const Space& space) {
-    return type.figure != MonitorFigure::none && space.kind == SpaceKind::euclidean && space.box;
+bool is_placed(MonitorFigure figure, const Space& space) {
+    return figure != MonitorFigure::none && space.kind == SpaceKind::euclidean && space.box;
 }
 
 /// The same space without its place.
@@ -95,7 +83,7 @@ std::vector<ParameterRow> placed(std::vector<ParameterRow> rows, const MonitorTy
                                  const Space& space) {
     if (type.figure == MonitorFigure::none || space.kind != SpaceKind::euclidean) return rows;
     if (space.box) {
-        const Placement placement = placement_of(type.figure, *space.box);
+        const Placement placement = placement_of(type.figure, space);
         for (ParameterRow& row : rows) place_row(row, placement, space.middle - space.box->centre());
     }
     for (const Box& box : space.reach)
@@ -162,24 +150,32 @@ class PlacedMonitor final : public Monitor {
 
 } // namespace
 
+Placement placement_of(MonitorFigure figure, const Space& space) {
+    if (!is_placed(figure, space)) return {};
+    const Box& box = *space.box;
+    const double side = longest_side(box);
+    if (figure == MonitorFigure::unit_disk) return {box.centre(), side / 2};
+    return {box.centre() - side * Vec3{0.5, 0.5, 0}, side};
+}
+
 std::vector<ParameterRow> rows_on(const MonitorType& type, const Space& space) {
     return placed(type.rows(figure_space(space)), type, space);
 }
 
 std::vector<ParameterRow> further_rows_on(const MonitorType& type, const Values& values, const Space& space) {
     if (!type.further_rows) return {};
-    if (!is_placed(type, space)) return type.further_rows(values, space);
+    if (!is_placed(type.figure, space)) return type.further_rows(values, space);
     const Space bare = figure_space(space);
     return placed(type.further_rows(first_figure_values(type, values, bare), bare), type, space);
 }
 
 std::shared_ptr<const Monitor> make_on(const MonitorType& type, const Values& values,
                                        const MonitorContext& context) {
-    if (!is_placed(type, context.space)) return type.make(values, context);
+    if (!is_placed(type.figure, context.space)) return type.make(values, context);
     MonitorContext bare = context;
     bare.space = figure_space(context.space);
     return std::make_shared<PlacedMonitor>(type.make(figure_values(type, values, bare.space), bare),
-                                           placement_of(type.figure, *context.space.box));
+                                           placement_of(type.figure, context.space));
 }
 
 double transferred(const ParameterRow& from, const ParameterRow& to, double value) {

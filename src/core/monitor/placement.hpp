@@ -14,6 +14,14 @@
 
 namespace gaspard {
 
+/// x = origin + scale v
+struct Placement {
+    Vec3 origin{};
+    double scale = 1;
+};
+/// Where a figure lies in a space; the identity if the space has no box.
+Placement placement_of(MonitorFigure figure, const Space& space);
+
 /// MonitorType::rows for any space. Default centres lie at Space::middle where the figure has its middle.
 std::vector<ParameterRow> rows_on(const MonitorType& type, const Space& space);
 /// MonitorType::further_rows for values of such rows; empty if the type has none. Throws InputError.

@@ -92,6 +92,12 @@ std::vector<ParameterRow> center_rows(const Space& space) {
     return rows;
 }
 
+std::string distance_formula(const Space& space, const std::string& point) {
+    if (space.kind == SpaceKind::sphere) return "dist(" + point + "_latitude, " + point + "_longitude)";
+    const std::string third = space.dimension == 3 ? ", " + point + "_z" : "";
+    return "dist(" + point + "_x, " + point + "_y" + third + ")";
+}
+
 std::shared_ptr<const Monitor> make_sech_monitor(const Values& values, double radius, const Space& space) {
     if (space.kind == SpaceKind::sphere)
         return std::make_shared<GeodesicMonitor<SechProfile>>(

@@ -49,6 +49,9 @@ ParameterRow sharpness_row(double value, const std::string& half_height,
 /// Rows for the centre: x, y and, for a surface in space, z; on the sphere latitude and longitude.
 std::vector<ParameterRow> center_rows(const Space& space);
 
+/// The distance from a point with such rows as a formula: "dist(center_x, center_y)".
+std::string distance_formula(const Space& space, const std::string& point = "center");
+
 /// The monitor for the values of these rows; on the sphere, angles replace distances. `radius` is a separate
 /// argument because the bell has no such row.
 std::shared_ptr<const Monitor> make_sech_monitor(const Values& values, double radius, const Space& space);

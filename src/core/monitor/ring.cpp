@@ -31,6 +31,9 @@ MonitorType ring_monitor() {
             },
         .make = [](const Values& values, const MonitorContext& context) {
             return make_sech_monitor(values, values.real("radius"), context.space);
+        },
+        .formula = [](const Space& space) {
+            return "1 + amplitude*sech(sharpness*(" + distance_formula(space) + "^2 - radius^2))^2";
         }};
 }
 

@@ -1,6 +1,7 @@
 #include "core/monitor/sum.hpp"
 
 #include "core/base/check.hpp"
+#include "core/monitor/radial.hpp"
 
 #include <algorithm>
 
@@ -71,7 +72,15 @@ MonitorType ring_and_bell_monitor() {
                        const MonitorContext& context) -> std::shared_ptr<const Monitor> {
                 return std::make_shared<SumMonitor>(std::vector{make_part(ring_monitor(), values, context),
                                                                 make_part(bell_monitor(), values, context)});
-            }};
+            },
+            .formula =
+                [](const Space& space) {
+                    const auto part = [&](const std::string& type, const std::string& inner) {
+                        return " + " + type + "_amplitude*sech(" + type + "_sharpness*(" +
+                               distance_formula(space, type + "_center") + "^2" + inner + "))^2";
+                    };
+                    return "1" + part("ring", " - ring_radius^2") + part("bell", "");
+                }};
 }
 
 } // namespace gaspard

@@ -2,9 +2,12 @@
 // and 7.7 (sin(2 pi/3) is a constant, as printed).
 #include "core/base/exponential.hpp"
 #include "core/monitor/formula.hpp"
+#include "core/monitor/placement.hpp"
 #include "core/monitor/radial.hpp"
 
+#include <cmath>
 #include <numbers>
+#include <string>
 
 namespace gaspard {
 
@@ -105,7 +108,13 @@ MonitorType spiral_monitor() {
                            v.real("sharpness"),
                            v.real("winding"),
                            {v.real("center_x"), v.real("center_y"), 0}});
-            }};
+            },
+            .formula =
+                [](const Space&) {
+                    const std::string angle = "winding*dist(center_x, center_y)^2";
+                    return "1 + amplitude/(1 + (sharpness*((x - center_x)*cos(" + angle +
+                           ") + (y - center_y)*sin(" + angle + ")))^2)";
+                }};
 }
 
 MonitorType cosine_waves_monitor() {
@@ -131,7 +140,11 @@ MonitorType cosine_waves_monitor() {
             .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 return std::make_shared<FormulaMonitor<CosineWaves>>(
                     CosineWaves{v.real("frequency"), center_in_space(v)});
-            }};
+            },
+            .formula =
+                [](const Space&) {
+                    return std::string("1/(2 + cos(2*pi*frequency*dist(center_x, center_y, center_z)))");
+                }};
 }
 
 MonitorType sine_waves_monitor() {
@@ -150,7 +163,18 @@ MonitorType sine_waves_monitor() {
             .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
                 return std::make_shared<FormulaMonitor<SineWaves>>(
                     SineWaves{v.real("amplitude"), v.real("sharpness")});
-            }};
+            },
+            .formula =
+                [](const Space& space) {
+                    const Placement at = placement_of(MonitorFigure::unit_square, space);
+                    const std::string side = format_number(at.scale), left = format_number(at.origin.x);
+                    const auto wave = [&](double height, const std::string& factor) {
+                        return " + amplitude*exp(-sharpness*abs(y - " +
+                               format_number(at.origin.y + at.scale * height) + " - " + side +
+                               "*sin(2*pi*(x - " + left + ")/" + side + ")" + factor + "/4))";
+                    };
+                    return "1" + wave(0.5, "*sin(2*pi/3)") + wave(0.25, "");
+                }};
 }
 
 } // namespace gaspard

@@ -73,7 +73,12 @@ MonitorType x_n_monitor() {
                 const StepProfile profile{std::pow(v.real("ratio"), -4), v.real("alpha"), v.real("beta")};
                 return std::make_shared<GeodesicMonitor<StepProfile>>(0.0, profile,
                                                                       std::vector{place_of(v, "center")});
-            }};
+            },
+            .formula =
+                [](const Space& space) {
+                    return "sqrt((1 - ratio^-4)/2*(tanh((beta - " + distance_formula(space) +
+                           ")/alpha) + 1) + ratio^-4)";
+                }};
 }
 
 } // namespace gaspard

@@ -35,7 +35,8 @@ bool contains(const std::vector<std::string>& list, const std::string& word) {
 Capability plane_capability() {
     return {.domain = "plane",
             .boundaries = {"periodic", "walls"},
-            .monitors = {"ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant"},
+            .monitors = {"ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant",
+                         "formula"},
             .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 const Values& domain = context.scenario.domain.values;
@@ -50,7 +51,7 @@ Capability sphere_capability(const DomainType& type, SphereGrid (*grid)(const Va
     return {.domain = type.name,
             .boundaries = {},
             .monitors = {"x-n", "cross", "ring", "bell", "ring-and-bell", "random-bells", "random-waves",
-                         "constant"},
+                         "constant", "formula"},
             .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
             .prepare = [grid](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 const Values& domain = context.scenario.domain.values;
@@ -66,7 +67,8 @@ Capability spline_capability(const std::string& domain_type) {
     return {.domain = domain_type,
             .boundaries = {},
             .monitors = {"circle", "spiral", "three-circles", "two-circles", "cosine-waves", "sine-waves",
-                         "ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant"},
+                         "ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant",
+                         "formula"},
             .methods = {"picard", "picard-mixed", "newton", "accelerated", "auto"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 if (context.progress) context.progress(0, "preparing the patch");

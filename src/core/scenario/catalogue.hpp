@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -85,6 +86,10 @@ bool is_located(const Catalogue& catalogue, const Scenario& scenario);
 /// the sections monitor.target and pde on domain and method. Values set by the user are kept if the key still
 /// exists and allows them; on a domain of another size they are scaled. Reads no file.
 void update_rows(const Catalogue& catalogue, Scenario& scenario);
+
+/// The scenario with its monitor as a formula to change, with the same values and ranges; nullopt if the
+/// monitor has none (MonitorType::formula).
+std::optional<Scenario> with_formula(const Catalogue& catalogue, const Scenario& scenario);
 
 /// Updates the rows of the view for a method. Values set by the user are kept if the method allows them.
 void update_view_rows(const Catalogue& catalogue, std::string_view method, Values& view);

@@ -59,6 +59,7 @@ bool same_rows(const std::vector<ParameterRow>& a, const std::vector<ParameterRo
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
         return one.key == other.key && one.minimum == other.minimum && one.maximum == other.maximum &&
                one.default_value == other.default_value && one.unit == other.unit &&
+               one.slider == other.slider && one.role == other.role && one.scale == other.scale &&
                one.origin == other.origin && one.measure == other.measure && one.choices == other.choices;
     });
 }
@@ -241,6 +242,31 @@ void update_rows(const Catalogue& catalogue, Scenario& scenario) {
     update_monitor_rows(catalogue, space, scenario.monitor);
     update_monitor_rows(catalogue, space, scenario.target);
     update_view_rows(catalogue, scenario.method.type, scenario.view);
+}
+
+/// The rows' ranges as monitor.ranges.
+static std::string written_ranges(const std::vector<ParameterRow>& rows) {
+    std::vector<std::string> ranges;
+    for (const ParameterRow& row : rows)
+        ranges.push_back(row.key + " " + format_number(row.minimum) + " " + format_number(row.maximum) +
+                         (row.scale == ParameterScale::logarithmic ? " log" : ""));
+    return join(ranges, ", ");
+}
+
+std::optional<Scenario> with_formula(const Catalogue& catalogue, const Scenario& scenario) {
+    if (scenario.monitor.type.empty() || scenario.monitor.type == own_monitor) return std::nullopt;
+    const MonitorType& type = catalogue.monitor(scenario.monitor.type);
+    if (!type.formula) return std::nullopt;
+    const Values& before = scenario.monitor.values;
+    Scenario changed = scenario;
+    set_value_unlocated(catalogue, changed, "monitor.type", std::string("formula"));
+    const std::string expression = type.formula(space_of(catalogue, scenario));
+    set_value_unlocated(catalogue, changed, "monitor.expression", expression);
+    set_value_unlocated(catalogue, changed, "monitor.ranges", written_ranges(before.rows()));
+    for (const ParameterRow& row : before.rows())
+        if (has_key(changed, "monitor." + row.key)) // a formula need not use all, such as a third coordinate
+            set_value_unlocated(catalogue, changed, "monitor." + row.key, before.at(row.key));
+    return changed;
 }
 
 void update_view_rows(const Catalogue& catalogue, std::string_view method, Values& view) {

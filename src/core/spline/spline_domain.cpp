@@ -6,6 +6,7 @@
 #include "core/spline/control_points.hpp"
 #include "core/spline/patch_checks.hpp"
 #include "core/spline/patch_file.hpp"
+#include "core/spline/patch_inverse.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +126,7 @@ Vec3 middle_of(const PatchMap& map) {
 Space anywhere() {
     constexpr double large = 1e12, small = 1e-12;
     const auto cube = [](double half) { return Box{{-half, -half, -half}, {half, half, half}}; };
-    return {.dimension = 3, .reach = {cube(large), cube(small)}};
+    return {.dimension = 3, .reach = {cube(large), cube(small)}, .patch = true};
 }
 
 std::vector<ParameterRow> rows() {
@@ -150,7 +151,7 @@ std::vector<ParameterRow> rows() {
 
 DomainType domain_type(const Shipped& one, std::vector<ParameterRow> rows) {
     const auto map = one.map();
-    const Space space{.dimension = map->space_dimension(), .reach = {box_around(*map)}};
+    const Space space{.dimension = map->space_dimension(), .reach = {box_around(*map)}, .patch = true};
     return {.name = one.name,
             .label = one.label,
             .help = one.help,
@@ -184,7 +185,7 @@ Space space_of_patch(const Values& values, const DomainContent& content) {
         const std::string &file = values.text("file"), &points = values.text("control_points");
         SplinePatch patch = read->found->patch;
         const auto map = patch_map(patch);
-        Space space{.dimension = map->space_dimension()};
+        Space space{.dimension = map->space_dimension(), .patch = true};
         const Box box = box_around(*map);
         if (!(longest_side(box) > 0)) return anywhere();
         if (file.find_first_not_of(" \t\r\n") == std::string::npos) {
@@ -209,6 +210,7 @@ SplineDomain::SplineDomain(int degree, std::size_t cells, std::shared_ptr<const 
     : degree_(degree), cells_(cells), map_(std::move(map)), control_(std::move(control)),
       patches_(std::move(patches)) {
     GASPARD_CHECK(map_ != nullptr && cells_ >= 1 && degree_ >= 2 && degree_ <= highest_degree);
+    parameters_ = patch_parameters(map_);
     mesh_ = std::make_shared<const Mesh>(patch_mesh(cells_, degree_, node_lines(), *map_));
     point_edges_ = find_point_edges(node_lines().size(), mesh_->nodes);
 }

@@ -29,6 +29,7 @@ class SplineDomain final : public Discretisation {
     std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
     std::shared_ptr<const Points> control_points() const override { return control_; }
     std::shared_ptr<const PatchList> patches() const override { return patches_; }
+    std::shared_ptr<const PatchParameters> parameters() const override { return parameters_; }
     /// Unknowns of the standard form.
     std::size_t unknowns() const override;
 
@@ -45,6 +46,7 @@ class SplineDomain final : public Discretisation {
     std::shared_ptr<const PatchMap> map_;
     std::shared_ptr<const Points> control_;
     std::shared_ptr<const PatchList> patches_;
+    std::shared_ptr<const PatchParameters> parameters_;
     std::shared_ptr<const Mesh> mesh_;
     PointEdges point_edges_;
 };

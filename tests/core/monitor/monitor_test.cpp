@@ -181,17 +181,27 @@ TEST(Monitors, RefuseRoomOfTheWrongSize) {
     EXPECT_THROW(make_monitor("constant", plain)->values(Points(2), values), InternalError);
 }
 
+/// With the parameters of the default formula.
+std::vector<ParameterRow> all_rows(const MonitorType& type, const Space& space) {
+    std::vector<ParameterRow> rows = type.rows(space);
+    if (type.further_rows)
+        for (ParameterRow& row : type.further_rows(Values("monitor", rows), space)) rows.push_back(row);
+    return rows;
+}
+
 // Every parameter within its row's range: the ends, the default, and in between as the slider runs.
 void randomise(Values& values, std::mt19937& random) {
     std::uniform_real_distribution<double> unit(0, 1);
     for (const ParameterRow& row : values.rows()) {
+        if (row.kind == ParameterKind::text || row.kind == ParameterKind::choice) continue;
         ASSERT_TRUE(row.kind == ParameterKind::real || row.kind == ParameterKind::integer);
         const double pick = unit(random), u = unit(random);
-        double value = row.scale == ParameterScale::logarithmic && row.minimum > 0
-                           ? row.minimum * std::pow(row.maximum / row.minimum, u)
-                           : row.minimum + u * (row.maximum - row.minimum);
-        value = std::clamp(value, row.minimum, row.maximum);
-        value = pick < 0.1 ? row.minimum : pick > 0.9 ? row.maximum : value;
+        const auto [least, largest] = row.slider.value_or(SliderRange{row.minimum, row.maximum});
+        double value = row.scale == ParameterScale::logarithmic && least > 0
+                           ? least * std::pow(largest / least, u)
+                           : least + u * (largest - least);
+        value = std::clamp(value, least, largest);
+        value = pick < 0.1 ? least : pick > 0.9 ? largest : value;
         if (row.kind == ParameterKind::integer)
             values.set(row.key, static_cast<std::int64_t>(value));
         else
@@ -202,11 +212,11 @@ void randomise(Values& values, std::mt19937& random) {
 TEST(Monitors, ArePositiveForAllParametersInRange) {
     std::mt19937 random(4);
     const Points x = random_points(200, -1, 2, 5);
-    ASSERT_EQ(monitor_types().size(), 14u);
+    ASSERT_EQ(monitor_types().size(), 15u);
     for (const MonitorType& type : monitor_types())
         for (int trial = 0; trial < 200; ++trial)
             for (const Space& space : {plain, torus, sphere}) {
-                Values values("monitor", type.rows(space));
+                Values values("monitor", all_rows(type, space));
                 randomise(values, random);
                 const auto monitor = type.make(values, {space});
                 EXPECT_EQ(complaint(*monitor), "");

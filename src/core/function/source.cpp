@@ -1,0 +1,57 @@
+#include "core/function/source.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/join.hpp"
+
+#include <utility>
+
+namespace gaspard {
+
+SourceType formula_source();
+
+const std::vector<SourceType>& source_types() {
+    static const std::vector<SourceType> all = {formula_source()};
+    return all;
+}
+
+const SourceType& source_type(std::string_view name) {
+    std::vector<std::string> known;
+    for (const SourceType& type : source_types()) {
+        if (type.name == name) return type;
+        known.push_back(type.name);
+    }
+    throw InputError("unknown type '" + std::string(name) + "'" + did_you_mean(name, known) +
+                     "; available: " + join(known, ", "));
+}
+
+std::vector<ParameterRow> all_rows(const SourceType& type, const Values& values, const Space& space) {
+    std::vector<ParameterRow> rows = type.rows(space);
+    if (type.further_rows)
+        for (ParameterRow& row : type.further_rows(values, space)) rows.push_back(std::move(row));
+    return rows;
+}
+
+std::string key_name(const Values& values, std::string_view key) {
+    return values.section() + "." + std::string(key);
+}
+
+std::vector<ParameterRow> prefixed(std::vector<ParameterRow> rows, std::string_view prefix) {
+    const std::string begin(prefix);
+    for (ParameterRow& row : rows) {
+        row.key = begin + row.key;
+        if (!row.point.empty()) row.point = begin + row.point;
+        if (!row.former_key.empty()) row.former_key = begin + row.former_key;
+    }
+    return rows;
+}
+
+Values part(const Values& values, std::string_view prefix, std::vector<ParameterRow> rows) {
+    const std::string begin(prefix), name = begin.substr(0, begin.find_last_not_of('.') + 1);
+    Values part(name.empty() ? values.section() : values.section() + "." + name,
+                without_ranges(std::move(rows)));
+    for (const ParameterRow& row : std::vector<ParameterRow>(part.rows()))
+        if (const std::string key = begin + row.key; values.has(key)) part.set(row.key, values.at(key));
+    return part;
+}
+
+} // namespace gaspard
