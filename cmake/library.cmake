@@ -7,8 +7,8 @@ include(CMakePackageConfigHelpers)
 set(public_headers
   gaspard.hpp base/box.hpp base/error.hpp base/export.hpp base/field.hpp base/file_cache.hpp base/parameter.hpp base/points.hpp base/series.hpp base/version.hpp
   mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/patch_list.hpp mesh/patch_parameters.hpp mesh/space.hpp mesh/sphere_mesh.hpp mesh/surface_topology.hpp
-  function/formula.hpp function/scalar_function.hpp mesh/data_context.hpp
-  monitor/formula_monitor.hpp monitor/function.hpp monitor/monitor.hpp monitor/problem_data.hpp monitor/tensor.hpp
+  data/field_data.hpp data/image.hpp function/field_options.hpp function/formula.hpp function/image_options.hpp function/scalar_function.hpp mesh/data_context.hpp
+  monitor/field_monitor.hpp monitor/formula_monitor.hpp monitor/function.hpp monitor/image_monitor.hpp monitor/monitor.hpp monitor/problem_data.hpp monitor/tensor.hpp
   method/method.hpp
   scenario/catalogue.hpp scenario/output_rows.hpp scenario/pde_type.hpp scenario/scenario.hpp scenario/toml.hpp session/run.hpp session/series_table.hpp session/snapshot.hpp
   tessellate/check_view.hpp tessellate/colour_choice.hpp io/formats.hpp io/run_files.hpp io/state_file.hpp io/surface_mesh.hpp
@@ -30,7 +30,7 @@ target_include_directories(gaspard_library INTERFACE
   $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(gaspard_library PUBLIC Threads::Threads
   PRIVATE $<BUILD_INTERFACE:gaspard_options> $<BUILD_INTERFACE:tomlplusplus::tomlplusplus>
-    $<BUILD_INTERFACE:pugixml::pugixml> $<BUILD_INTERFACE:TinyGLTF::TinyGLTF> $<BUILD_INTERFACE:PkgConfig::STB> $<BUILD_INTERFACE:PkgConfig::NETCDF> $<BUILD_INTERFACE:PkgConfig::MUPARSER> $<BUILD_INTERFACE:OpenMeshCore>)
+    $<BUILD_INTERFACE:pugixml::pugixml> $<BUILD_INTERFACE:TinyGLTF::TinyGLTF> $<BUILD_INTERFACE:PkgConfig::STB> $<BUILD_INTERFACE:PkgConfig::NETCDF> $<BUILD_INTERFACE:PkgConfig::MUPARSER> $<BUILD_INTERFACE:PNG::PNG> $<BUILD_INTERFACE:JPEG::JPEG> $<BUILD_INTERFACE:OpenMeshCore>)
 # The list of symbols leaves out instances of the standard library's templates, which no visibility hides.
 # -Bsymbolic: the library calls its own inline functions, not those of a program compiled with other options.
 set(symbols ${PROJECT_SOURCE_DIR}/cmake/library.map)

@@ -2,6 +2,8 @@
 
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/data/field_file.hpp"
+#include "core/data/image.hpp"
 #include "core/function/formula.hpp"
 #include "core/io/state_file.hpp"
 #include "core/io/surface_mesh.hpp"
@@ -103,6 +105,13 @@ void read_view(std::string_view bytes) {
 }
 
 /// With the right checksum, which random bytes would never have; then started from.
+void read_picture(std::string_view bytes) {
+    const Image image = decode_image(bytes, "picture", 64);
+    GASPARD_CHECK(image.width >= 1 && image.width <= 64 && image.height >= 1 && image.height <= 64);
+    GASPARD_CHECK(image.grey.size() == image.width * image.height);
+    for (const float grey : image.grey) GASPARD_CHECK(grey >= 0 && grey <= 1);
+}
+
 void read_state_bytes(std::string_view bytes) {
     std::uint64_t hash = 0xcbf29ce484222325U;
     for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
@@ -165,6 +174,22 @@ void read_patch_file(std::string_view bytes, const char* ending) {
     GASPARD_CHECK(patch_json(parse_patch({text, "again", {}}).patch) == text);
 }
 
+/// All variables of a file.
+void read_fields(std::string_view bytes, FieldData (*read)(std::string_view, const FieldRequest&)) {
+    const FieldData first = read(bytes, {});
+    GASPARD_CHECK(find_variable(first.variable, first.variables) == 0);
+    for (std::size_t i = 1; i < first.variables.size() && i < 4; ++i) {
+        const FieldData other = read(bytes, {.variable = first.variables[i], .time = -1, .level = -1});
+        if (const auto* data = std::get_if<ScatteredData>(&other.data))
+            GASPARD_CHECK(data->points.size() == data->values.size());
+    }
+}
+
+/// Files of HDF5 are read by its library alone, which is not ours to test.
+void read_netcdf(std::string_view bytes) {
+    if (bytes.starts_with("CDF")) read_fields(bytes, &parse_netcdf_field);
+}
+
 } // namespace
 
 std::span<const FuzzTarget> fuzz_targets() {
@@ -174,12 +199,17 @@ std::span<const FuzzTarget> fuzz_targets() {
         {"view", &read_view},
         {"state", &read_state_bytes},
         {"formula", &read_formula},
+        {"image", &read_picture},
         {"surface-obj", [](std::string_view bytes) { read_surface(bytes, ".obj"); }},
         {"surface-off", [](std::string_view bytes) { read_surface(bytes, ".off"); }},
         {"surface-ply", [](std::string_view bytes) { read_surface(bytes, ".ply"); }},
         {"surface-stl", [](std::string_view bytes) { read_surface(bytes, ".stl"); }},
         {"patch-json", [](std::string_view bytes) { read_patch_file(bytes, ".json"); }},
         {"patch-xml", [](std::string_view bytes) { read_patch_file(bytes, ".xml"); }},
+        {"csv", [](std::string_view bytes) { read_fields(bytes, &parse_csv_field); }},
+        {"netcdf", &read_netcdf},
+        {"vtk", [](std::string_view bytes) { read_fields(bytes, &parse_legacy_vtk_field); }},
+        {"vtu", [](std::string_view bytes) { read_fields(bytes, &parse_xml_vtk_field); }},
         {"patch-text", [](std::string_view bytes) { read_patch_file(bytes, ".txt"); }},
     };
     return targets;

@@ -6,6 +6,8 @@
 //   scenario/toml.hpp        scenarios from built-in names and files
 //   monitor/function.hpp     a monitor from a function of your own
 //   monitor/formula_monitor.hpp  a monitor from a formula, as text
+//   monitor/field_monitor.hpp    a monitor from a field: a variable of a NetCDF, CSV or VTK file
+//   monitor/image_monitor.hpp    a monitor from a picture
 //   monitor/monitor.hpp      the class of monitors: many points per call, gradients
 //   spline/spline_patch.hpp  a domain from a patch of your own; patch_file.hpp reads and writes them
 //   session/run.hpp          a problem being solved; follow() and solve() move the mesh along
@@ -28,8 +30,10 @@
 #include "core/io/state_file.hpp"
 #include "core/io/surface_mesh.hpp"
 #include "core/mesh/surface_topology.hpp"
+#include "core/monitor/field_monitor.hpp"
 #include "core/monitor/formula_monitor.hpp"
 #include "core/monitor/function.hpp"
+#include "core/monitor/image_monitor.hpp"
 #include "core/monitor/monitor.hpp"
 #include "core/scenario/catalogue.hpp"
 #include "core/scenario/toml.hpp"

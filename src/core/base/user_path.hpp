@@ -11,7 +11,8 @@ namespace gaspard {
 std::filesystem::path user_path(std::string_view text);
 /// The same, relative to a folder; an empty folder is the working directory.
 std::filesystem::path user_path(std::string_view text, const std::filesystem::path& folder);
-/// Whether a value of a row with the role `file` is a path: not empty, and not the content itself ("{ ...").
+/// Whether a value of a row with the role `file` is a path: not empty, and not the content itself ("{ ...",
+/// "data:...").
 bool is_path(std::string_view text);
 /// Whether a name ends in an extension such as ".toml", in any case.
 bool has_extension(const std::filesystem::path& file, std::string_view extension);

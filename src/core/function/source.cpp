@@ -8,9 +8,11 @@
 namespace gaspard {
 
 SourceType formula_source();
+SourceType image_source();
+SourceType field_source();
 
 const std::vector<SourceType>& source_types() {
-    static const std::vector<SourceType> all = {formula_source()};
+    static const std::vector<SourceType> all = {formula_source(), image_source(), field_source()};
     return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/data/netcdf_lock.hpp"
 
 #include <cstdlib>
 #include <map>
@@ -84,8 +85,7 @@ void put_values(int file, int id, const NetcdfVariable& variable, std::size_t si
 } // namespace
 
 std::string netcdf_bytes(const NetcdfFile& file) {
-    static std::mutex one_at_a_time; // the library is not thread-safe
-    const std::lock_guard lock(one_at_a_time);
+    const std::lock_guard lock(netcdf_mutex());
     OpenFile open;
     std::map<std::string, int> dimensions;
     for (const auto& [name, size] : file.dimensions) {

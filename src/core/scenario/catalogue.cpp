@@ -36,7 +36,7 @@ Capability plane_capability() {
     return {.domain = "plane",
             .boundaries = {"periodic", "walls"},
             .monitors = {"ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant",
-                         "formula"},
+                         "formula", "image", "field"},
             .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 const Values& domain = context.scenario.domain.values;
@@ -51,7 +51,7 @@ Capability sphere_capability(const DomainType& type, SphereGrid (*grid)(const Va
     return {.domain = type.name,
             .boundaries = {},
             .monitors = {"x-n", "cross", "ring", "bell", "ring-and-bell", "random-bells", "random-waves",
-                         "constant", "formula"},
+                         "constant", "formula", "image", "field"},
             .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
             .prepare = [grid](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 const Values& domain = context.scenario.domain.values;
@@ -68,7 +68,7 @@ Capability spline_capability(const std::string& domain_type) {
             .boundaries = {},
             .monitors = {"circle", "spiral", "three-circles", "two-circles", "cosine-waves", "sine-waves",
                          "ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant",
-                         "formula"},
+                         "formula", "image", "field"},
             .methods = {"picard", "picard-mixed", "newton", "accelerated", "auto"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 if (context.progress) context.progress(0, "preparing the patch");

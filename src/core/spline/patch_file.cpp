@@ -1,6 +1,6 @@
 #include "core/spline/patch_file.hpp"
 
-#include "core/base/read_file.hpp"
+#include "core/base/read_data_file.hpp"
 #include "core/base/user_path.hpp"
 #include "core/spline/patch_json.hpp"
 #include "core/spline/patch_text.hpp"
@@ -71,6 +71,10 @@ FoundPatch read_patch(const std::filesystem::path& file, const std::string& whic
 FoundPatch find_patch(const std::string& json_or_file, const std::filesystem::path& folder,
                       const std::string& which) {
     if (is_path(json_or_file)) return read_patch(user_path(json_or_file, folder), which);
+    if (is_data_uri(json_or_file)) {
+        const std::string text = read_data_file(json_or_file, folder, largest_patch_file);
+        return parse_patch({text, data_file_name(json_or_file), which});
+    }
     if (!without_blanks(json_or_file).empty()) return parse_patch({json_or_file, "domain.file", which});
     choose_patch({{"disk", {}, {}}}, {{}, "the built-in disk", which});
     return {nurbs_disk(), "the built-in disk"};

@@ -1,0 +1,73 @@
+// A scalar field of a file as plain data: values on a rectilinear grid or at scattered points. What the
+// values are for, and where they lie in a domain, is not decided here.
+#pragma once
+
+#include "core/base/export.hpp"
+#include "core/base/points.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace gaspard GASPARD_API {
+
+/// The largest number of values (of one variable, at one time and level) and of points that is read: 32 Mi.
+/// Readers refuse more before they allocate memory for them.
+inline constexpr std::size_t largest_field = std::size_t{1} << 25;
+
+enum class Coordinates {
+    none,       ///< rows and columns of a table; (0, 0) is its lower left entry
+    cartesian,  ///< x, y (and z)
+    geographic, ///< longitude and latitude in degrees, in this order
+};
+
+/// Values at (axes[0][i], axes[1][j]) are values[j * axes[0].size() + i]. Axes increase strictly.
+struct GridData {
+    Coordinates coordinates = Coordinates::none;
+    std::array<std::vector<double>, 2> axes;
+    std::vector<double> values; ///< NaN where a value is missing
+};
+
+struct ScatteredData {
+    Coordinates coordinates = Coordinates::cartesian;
+    int dimension = 2;          ///< 3: z is used
+    Points points;              ///< geographic: x is the longitude, y the latitude
+    std::vector<double> values; ///< NaN where a value is missing
+};
+
+/// What to read of a file.
+struct FieldRequest {
+    std::string variable{}; ///< empty: the first
+    std::int64_t time = 0;  ///< index of the step, from 0; -1 is the last
+    std::int64_t level = 0; ///< likewise
+};
+
+struct FieldData {
+    std::string variable;               ///< the name of what was read
+    std::vector<std::string> variables; ///< all that can be read
+    std::variant<GridData, ScatteredData> data;
+    std::vector<std::string> notes{}; ///< sentences about the choices that the reader made
+};
+
+/// Missing values are NaN.
+std::size_t count_missing(const std::vector<double>& values);
+const std::vector<double>& values_of(const FieldData& field);
+
+/// The same data as a grid if its points in the plane are all points of a rectilinear grid, in any order.
+/// Coordinates that differ by less than 1e-9 of the extent are the same.
+std::optional<GridData> as_grid(const ScatteredData& data);
+/// Sorts the axes of a grid, and its values with them. Throws InputError (without a file's name) if a
+/// coordinate is not finite or appears twice.
+GridData with_sorted_axes(GridData grid);
+
+/// The index of the variable in `names`; the first if it is empty. Throws InputError if there is none.
+std::size_t find_variable(std::string_view variable, const std::vector<std::string>& names);
+/// An index along `what` ("time") of `count` entries. Throws InputError if it is out of range.
+std::size_t find_index(std::int64_t index, std::size_t count, std::string_view what);
+
+} // namespace GASPARD_API

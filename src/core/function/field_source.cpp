@@ -1,0 +1,112 @@
+// The source whose function is a field of a file, and its rows.
+#include "core/base/error.hpp"
+#include "core/base/read_data_file.hpp"
+#include "core/data/field_file.hpp"
+#include "core/function/field_function.hpp"
+
+#include <utility>
+
+namespace gaspard {
+
+std::shared_ptr<const FieldData> read_field(const Values& values, const DataContext& context) {
+    const std::string& file = values.text("file");
+    if (file.empty())
+        throw InputError(key_name(values, "file") + " is empty; it is the path of a NetCDF, CSV or VTK file");
+    const FieldRequest request{values.text("variable"), values.integer("time"), values.integer("level")};
+    const std::function<std::shared_ptr<const FieldData>()> read = [&] {
+        if (context.progress) context.progress(0, "Reading the field");
+        return std::make_shared<const FieldData>(
+            parse_field(read_data_file(file, context.folder), data_file_name(file, context.folder), request));
+    };
+    if (!context.files) return read();
+    const std::string name = is_data_uri(file) ? file : data_file_name(file, context.folder);
+    return context.files->get<FieldData>(name,
+                                         "field " + std::to_string(request.time) + ' ' +
+                                             std::to_string(request.level) + ' ' + request.variable,
+                                         read);
+}
+
+std::vector<ParameterRow> field_rows(const Space&) {
+    constexpr double most = 1e6;
+    return {{.key = "file",
+             .label = "File",
+             .kind = ParameterKind::text,
+             .default_value = std::string(),
+             .help = "a NetCDF, CSV or VTK file (.vtk, .vtu, .vti, ...), relative to the folder of the "
+                     "scenario's file",
+             .role = ParameterRole::file},
+            {.key = "variable",
+             .label = "Variable",
+             .kind = ParameterKind::text,
+             .default_value = std::string(),
+             .help = "name of the variable, array or column; empty: the first"},
+            {.key = "time",
+             .label = "Time",
+             .kind = ParameterKind::integer,
+             .minimum = -1,
+             .maximum = most,
+             .slider = SliderRange{0, 20},
+             .default_value = std::int64_t{0},
+             .help = "index of the time step, from 0; -1: the last"},
+            {.key = "level",
+             .label = "Level",
+             .kind = ParameterKind::integer,
+             .minimum = -1,
+             .maximum = most,
+             .slider = SliderRange{0, 20},
+             .default_value = std::int64_t{0},
+             .help = "index of the level (height, depth, z), from 0; -1: the last"},
+            {.key = "transform",
+             .label = "Transform",
+             .kind = ParameterKind::choice,
+             .default_value = std::string("none"),
+             .choices = {"none", "absolute", "logarithm"},
+             .help = "what is done to the values: nothing, the absolute value, or the logarithm (base 10)"},
+            {.key = "missing",
+             .label = "Missing values",
+             .kind = ParameterKind::choice,
+             .default_value = std::string("nearest"),
+             .choices = {"nearest", "floor", "error"},
+             .help = "what stands in for missing values and outside of the data: the nearest value, the "
+                     "lowest value, "
+                     "or nothing (an error)"},
+            {.key = "placement",
+             .label = "Placement",
+             .kind = ParameterKind::choice,
+             .default_value = std::string("auto"),
+             .choices = {"auto", "coordinates", "fit"},
+             .help = "where the data lie: by their coordinates, fitted to the domain, or by coordinates if "
+                     "they cover "
+                     "half of the domain"}};
+}
+
+FieldOptions field_options(const Values& values) {
+    const std::string &transform = values.text("transform"), &missing = values.text("missing"),
+                      &placement = values.text("placement");
+    FieldOptions options;
+    options.transform = transform == "absolute"    ? FieldTransform::absolute
+                        : transform == "logarithm" ? FieldTransform::logarithm
+                                                   : FieldTransform::none;
+    options.missing = missing == "floor"   ? MissingValues::lowest
+                      : missing == "error" ? MissingValues::error
+                                           : MissingValues::nearest;
+    options.placement = placement == "coordinates" ? FieldPlacement::coordinates
+                        : placement == "fit"       ? FieldPlacement::fit
+                                                   : FieldPlacement::automatic;
+    return options;
+}
+
+SourceType field_source() {
+    return {.name = "field",
+            .label = "Field",
+            .help = "a variable of a NetCDF, CSV or VTK file",
+            .rows = &field_rows,
+            .make = [](const Values& values, const DataContext& context) {
+                const auto field = read_field(values, context);
+                MadeFunction made = field_function(*field, field_options(values), context);
+                made.choices["variable"] = field->variables;
+                return made;
+            }};
+}
+
+} // namespace gaspard

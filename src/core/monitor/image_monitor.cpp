@@ -1,0 +1,54 @@
+#include "core/monitor/image_monitor.hpp"
+
+#include "core/function/image_function.hpp"
+#include "core/monitor/grid_density.hpp"
+
+#include <utility>
+
+namespace gaspard {
+
+std::shared_ptr<const Monitor> image_monitor(const Image& image, const ImageMonitorOptions& options,
+                                             const DataContext& context) {
+    ImageOptions dense = options.image; // d is large where the picture is dark
+    dense.invert = !dense.invert;
+    ImageGrid made = image_grid(image, dense, context);
+    to_density(made.values, options.contrast);
+    made.sigma = blur_density(made.grid, made.values, made.sigma, made.cell, context);
+    made.notes.insert(made.notes.begin(), blur_note(options.image, made));
+    return grid_density(std::move(made.grid), std::move(made.values), {std::move(made.notes), {}},
+                        context.space.kind);
+}
+
+std::shared_ptr<const Monitor> image_monitor(const std::string& file, const ImageMonitorOptions& options,
+                                             const DataContext& context) {
+    return image_monitor(*read_image(file, "file", context), options, context);
+}
+
+MonitorType image_file_monitor() {
+    return {.name = "image",
+            .label = "Image",
+            .help = "small cells where a picture is dark (or bright)",
+            .equation = "m(x) = 1 + (C - 1) (1 - brightness)^γ, blurred",
+            .rows =
+                [](const Space& space) {
+                    std::vector<ParameterRow> rows =
+                        image_rows(space, "small cells where the picture is bright instead of dark");
+                    rows.insert(rows.begin() + 1, {.key = "contrast",
+                                                   .label = "Contrast",
+                                                   .symbol = "C",
+                                                   .minimum = 1,
+                                                   .maximum = 1000,
+                                                   .scale = ParameterScale::logarithmic,
+                                                   .default_value = 20.0,
+                                                   .help = "the largest ratio of densities (1 / cell area)"});
+                    return rows;
+                },
+            .make =
+                [](const Values& values, const MonitorContext& context) {
+                    const auto image = read_image(values.text("file"), key_name(values, "file"), context);
+                    return image_monitor(
+                        *image, {image_options(values, context.space), values.real("contrast")}, context);
+                }};
+}
+
+} // namespace gaspard
