@@ -62,6 +62,21 @@ void add_compare(CLI::App& app, CompareArguments& compare) {
                       "Replace files of a comparison on another scenario as well");
 }
 
+void add_why(CLI::App& app, WhyArguments& why) {
+    CLI::App* command =
+        app.add_subcommand("why", "Compare interpolation errors of the uniform and the adapted mesh");
+    command->add_option("SCENARIO", why.scenario, scenario_help)->required();
+    add_settings(*command, why.settings);
+    command
+        ->add_option("--cells", why.cells,
+                     "Comma-separated list of cells per side (default: half, once and twice the scenario's)")
+        ->type_name("LIST");
+    command->add_option("--out", why.out, "Output folder (default: ./gaspard-out/SCENARIO-why)")
+        ->type_name("DIR");
+    command->add_flag("--no-render", why.no_render, "Do not draw an image");
+    command->add_flag("--overwrite", why.overwrite, "Replace files about another scenario as well");
+}
+
 /// Empty values are mistakes, such as those of an unset variable in a script.
 void refuse_empty_values(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options())
@@ -109,6 +124,8 @@ int dispatch(int argc, char** argv) {
     add_run(app, run);
     CompareArguments compare;
     add_compare(app, compare);
+    WhyArguments why;
+    add_why(app, why);
     CLI::App* list = app.add_subcommand("list", "List what is available, with parameters and ranges");
     list->add_option("WHAT", what,
                      "scenarios, domains, monitors, methods, formats, view or output (default: all)");
@@ -146,6 +163,7 @@ int dispatch(int argc, char** argv) {
     const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
     if (app.got_subcommand("run")) return run_command(catalogue, run);
     if (app.got_subcommand("compare")) return compare_command(catalogue, compare);
+    if (app.got_subcommand("why")) return why_command(catalogue, why);
     if (app.got_subcommand(list)) return list_command(*catalogue, what);
     if (app.got_subcommand(show)) return show_command(*catalogue, show_scenario, show_settings, as_formula);
     if (app.got_subcommand(reproduce))

@@ -29,8 +29,19 @@ struct CompareArguments {
     bool overwrite = false; ///< also files of a comparison on another scenario
 };
 
+/// The options of `why`, not yet checked.
+struct WhyArguments {
+    std::string scenario;
+    std::vector<std::string> settings;
+    std::optional<std::string> cells; ///< comma-separated; default: usual_resolutions()
+    std::string out;                  ///< empty: ./gaspard-out/SCENARIO-why
+    bool no_render = false;
+    bool overwrite = false; ///< also files about another scenario
+};
+
 int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& arguments);
 int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArguments& arguments);
+int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& arguments);
 int list_command(const Catalogue& catalogue, const std::string& what);
 int show_command(const Catalogue& catalogue, const std::string& scenario,
                  const std::vector<std::string>& settings, bool as_formula);

@@ -12,6 +12,8 @@
 //   spline/spline_patch.hpp  a domain from a patch of your own; patch_file.hpp reads and writes them
 //   session/run.hpp          a problem being solved; follow() and solve() move the mesh along
 //   session/snapshot.hpp     the positions of the nodes, with fields and numbers
+//   diagnostics/interpolation_error.hpp  why adapt: errors of a function on the uniform and the adapted mesh
+//   session/interpolation_study.hpp  the same against the number of cells
 //   io/run_files.hpp         meshes, history and state as files
 //   io/state_file.hpp        the unknowns, to continue later
 //   io/surface_mesh.hpp      surface meshes read from OBJ, OFF, PLY and STL
@@ -25,6 +27,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/version.hpp"
+#include "core/diagnostics/interpolation_error.hpp"
 #include "core/io/formats.hpp"
 #include "core/io/run_files.hpp"
 #include "core/io/state_file.hpp"
@@ -37,6 +40,7 @@
 #include "core/monitor/monitor.hpp"
 #include "core/scenario/catalogue.hpp"
 #include "core/scenario/toml.hpp"
+#include "core/session/interpolation_study.hpp"
 #include "core/session/run.hpp"
 #include "core/session/snapshot.hpp"
 #include "core/spline/patch_file.hpp"

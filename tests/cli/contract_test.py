@@ -82,7 +82,7 @@ class Runs(Contract):
         self.assertEqual(set(summary), {
             "scenario", "modified", "domain", "monitor", "method", "cells", "unknowns", "status", "iterations", "residual",
             "equidistribution", "theta", "tangled_cells", "min_jacobian", "max_jacobian", "exact_rms", "exact_rms_nodes",
-            "setup_seconds", "solve_seconds", "cpu_seconds", "seconds_per_iteration", "peak_memory_bytes", "version",
+            "interpolation", "setup_seconds", "solve_seconds", "cpu_seconds", "seconds_per_iteration", "peak_memory_bytes", "version",
             "inner_iterations", "note"})
         self.assertEqual(summary["status"], "converged")
         self.assertEqual((summary["scenario"], summary["modified"]), ("plane-ring", ["domain.cells"]))
@@ -558,6 +558,96 @@ class Information(Contract):
         result = gaspard("compare", "plane-ring", *QUICK, "--methods", "newton", "--no-render", "--out", self.out)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 
+    def why(self, *arguments, name="plane-ring"):
+        return gaspard("why", name, "--set", "method.type=auto", "--out", self.out, *arguments)
+
+    def test_why_compares_errors_of_both_meshes(self):
+        result = self.why("--cells", "30,15")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(set(os.listdir(self.out)), {"why.csv", "why.json", "why.svg", "why.png"})
+        with open(self.path("why.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([(row["n"], row["cells"], row["norm"]) for row in rows],
+                         [(n, str(int(n) ** 2), norm) for n in ("15", "30") for norm in ("l2", "maximum", "h1")])
+        for row in rows:
+            self.assertEqual(row["status"], "converged")
+            self.assertAlmostEqual(float(row["ratio"]), float(row["uniform"]) / float(row["adapted"]), places=12)
+            if row["norm"] != "maximum": # of which a lower bound is known
+                self.assertLess(float(row["uniform_uncertainty"]), 0.01)
+            self.assertIn("%.3e" % float(row["uniform"]), result.stdout)
+            self.assertIn("%.3e" % float(row["adapted"]), result.stdout)
+        self.assertGreater(float(rows[3]["ratio"]), 1.2)
+        with open(self.path("why.json")) as file:
+            record = json.load(file)
+        self.assertEqual((record["scenario"], record["modified"]), ("plane-ring", ["method.type"]))
+        self.assertEqual(record["rows"][1]["adapted"]["l2"], float(rows[3]["adapted"]))
+        self.assertIsNone(record["rows"][0]["uniform"]["order"]["l2"])
+        svg = xml.etree.ElementTree.parse(self.path("why.svg")).getroot()
+        self.assertIn("L2, adapted", "".join(svg.itertext()))
+        self.assertGreater(os.path.getsize(self.path("why.png")), 10000)
+        # Again, the same bytes; about another scenario only when asked.
+        before = self.bytes("why.csv")
+        self.assertEqual(self.why("--cells", "15,30", "--no-render").returncode, 0)
+        self.assertEqual(self.bytes("why.csv"), before)
+        other = self.why("--cells", "8", "--no-render", name="plane-bell")
+        self.assertEqual((other.returncode, other.stdout), (2, ""))
+        self.assertIn("'plane-ring'", other.stderr)
+        self.assertEqual(self.why("--cells", "8", "--no-render", "--overwrite", name="plane-bell").returncode, 0)
+
+    def test_why_refuses_wrong_numbers_of_cells(self):
+        for cells, part in (("15,many", "15,30,60"), ("15,15", "twice"), ("1000", "480"), ("2", "4 to 480")):
+            self.refused(self.why("--cells", cells), part)
+        self.refused(self.why(name="plane-rng"), "plane-ring")
+
+    def test_why_of_a_constant_says_that_there_is_no_error(self):
+        result = self.why("--cells", "8", "--set", "monitor.type=constant")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn("both meshes interpolate the function exactly", result.stdout)
+        self.assertNotIn("why.png", os.listdir(self.out))
+
+    def test_why_has_the_exit_code_of_the_mesh_that_did_not_converge(self):
+        result = self.why("--cells", "8,12", "--no-render", "--set", "method.max_iterations=2")
+        self.assertEqual(result.returncode, 3, result.stderr)
+        with open(self.path("why.csv")) as file:
+            self.assertEqual({row["status"] for row in csv.DictReader(file)}, {"iteration-limit"})
+
+    def test_why_is_interrupted_after_meshes_that_were_done(self):
+        with subprocess.Popen([PROGRAM, "why", "plane-bell", "--cells", "8,240,480", "--no-render", "--out", self.out],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            while "H1" not in process.stdout.readline():
+                pass
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=120)
+        self.assertEqual((process.returncode, err), (130, ""))
+        with open(self.path("why.csv")) as file:
+            self.assertEqual({row["n"] for row in csv.DictReader(file)}, {"8"})
+
+    def test_the_documented_table_of_why_is_what_the_program_prints(self):
+        with open(os.path.join(DOCS, "monitors.md")) as file:
+            page = file.read()
+        command, table = re.search(r"^gaspard why (.*?)\n```\n+(\|.*?)\n\n", page, re.DOTALL | re.MULTILINE).groups()
+        documented = [[cell.strip() for cell in line.strip("|").split("|")] for line in table.splitlines()[2:]]
+        self.assertEqual(len(documented), 9)
+        result = gaspard("why", *command.split(), cwd=self.folder.name, timeout=300)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with open(os.path.join(self.folder.name, "gaspard-out/plane-ring-why/why.csv")) as file:
+            for row, cells in zip(csv.DictReader(file), documented, strict=True):
+                self.assertEqual(cells[0], row["n"])
+                for name, cell in zip(("uniform", "uniform_order", "adapted", "adapted_order", "ratio"), cells[2:]):
+                    if row[name] == "":
+                        self.assertEqual(cell, "")
+                        continue
+                    digits = len(cell.split("e")[0].split(".")[1]) if "." in cell else 0
+                    unit = 10.0 ** -digits * float("1e" + (cell.split("e")[1] if "e" in cell else "0"))
+                    self.assertAlmostEqual(float(cell), float(row[name]), delta=unit, msg=name)
+
+    def test_the_summary_compares_interpolation_errors(self):
+        self.assertEqual(self.run_quick("--set", "view.color=interpolation_error", render=True).returncode, 0)
+        errors = self.summary()["interpolation"]
+        self.assertAlmostEqual(errors["ratio"]["l2"], errors["uniform"]["l2"] / errors["adapted"]["l2"])
+        self.run_quick("--set", "monitor.type=constant")
+        self.assertIsNone(self.summary()["interpolation"])
+
     def test_picard_has_the_residual_of_all_methods_and_ends_by_its_increment(self):
         settings = ("--set", "domain.cells=16")
         result = gaspard("run", "spline-circle", *settings, "--no-render", "--out", self.out)
@@ -577,7 +667,7 @@ class Information(Contract):
     def test_every_option_is_documented(self):
         with open(os.path.join(DOCS, "command-line.md")) as file:
             page = file.read()
-        for command in ([], ["run"], ["compare"], ["list"], ["show"], ["reproduce"]):
+        for command in ([], ["run"], ["compare"], ["why"], ["list"], ["show"], ["reproduce"]):
             for option in re.findall(r"--[a-z-]+", gaspard(*command, "--help").stdout):
                 self.assertIn(option, page, "of gaspard " + " ".join(command))
 

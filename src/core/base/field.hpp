@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gaspard GASPARD_API {
@@ -28,6 +29,9 @@ struct FieldInfo {
 /// The values are in the mesh's numbering.
 struct Field : FieldInfo {
     std::vector<double> values{};
+    /// The values that an automatic range of colours spans, for fields that are compared; default: all
+    /// values.
+    std::optional<std::pair<double, double>> range{};
 };
 
 } // namespace GASPARD_API

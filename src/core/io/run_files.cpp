@@ -5,6 +5,7 @@
 #include "core/base/version.hpp"
 #include "core/diagnostics/quality.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/interpolation_files.hpp"
 #include "core/io/spline_map_file.hpp"
 #include "core/io/state_file.hpp"
 #include "core/method/spline_map.hpp"
@@ -89,7 +90,18 @@ Json values_json(const Scenario& scenario) {
 
 } // namespace
 
+/// Null if nothing is measured, or the function is interpolated exactly, or has no value somewhere.
+static Json interpolation_of(Run& run) {
+    try {
+        const auto errors = run.interpolation({.tolerance = 1e-2, .parts = 100});
+        if (errors && !errors->exact()) return interpolation_json(*errors);
+    } catch (const InputError&) { // the function; the monitor made of it has values
+    }
+    return nullptr;
+}
+
 std::string summary_json(Run& run) {
+    const Json interpolation = interpolation_of(run);
     const Scenario& scenario = run.scenario();
     const StepReport& last = run.history().back();
     Json json;
@@ -111,6 +123,7 @@ std::string summary_json(Run& run) {
     for (const char* name : {"min_jacobian", "max_jacobian", "exact_rms", "exact_rms_nodes"})
         json[name] = or_null(last.value(name));
     add_measures(json, last);
+    json["interpolation"] = interpolation;
     json["setup_seconds"] = run.setup_seconds();
     json["solve_seconds"] = last.seconds;
     json["cpu_seconds"] = last.cpu_seconds;

@@ -118,7 +118,13 @@ std::vector<ParameterRow> common_method_rows() {
          .default_value = std::string("full"),
          .choices = {"full", "geometry", "none"},
          .help = "full: equidistribution and Jacobians; geometry: Jacobians, without further evaluations of "
-                 "the monitor; none: only tangled cells, of the last iterate"}};
+                 "the monitor; none: only tangled cells, of the last iterate"},
+        {.key = "interpolation",
+         .label = "Interpolation errors",
+         .kind = ParameterKind::boolean,
+         .default_value = true,
+         .help = "measures how well the uniform and the adapted mesh interpolate the monitor, or the function "
+                 "from which it is made; needs diagnostics = full"}};
 }
 
 } // namespace gaspard

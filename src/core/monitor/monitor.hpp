@@ -20,6 +20,7 @@
 #include "core/base/export.hpp"
 #include "core/base/parameter.hpp"
 #include "core/base/points.hpp"
+#include "core/function/scalar_function.hpp"
 #include "core/mesh/data_context.hpp"
 #include "core/mesh/space.hpp"
 
@@ -62,6 +63,9 @@ class Monitor {
     virtual MonitorReport report() const { return {}; }
     /// On a sphere: the axis of rotational symmetry of m; nullopt if there is none.
     virtual std::optional<Vec3> symmetry_axis() const { return std::nullopt; }
+    /// The function u from which m was made, whose interpolation error the mesh is to reduce
+    /// (diagnostics/interpolation_error.hpp); null: m itself.
+    virtual std::shared_ptr<const ScalarFunction> solution() const { return nullptr; }
 };
 
 class TensorMonitor; // core/monitor/tensor.hpp

@@ -74,6 +74,7 @@ class OwnMonitor final : public Monitor {
     void check() const override { own_->check(); }
     std::optional<SpaceKind> made_for() const override { return own_->made_for(); }
     std::optional<Vec3> symmetry_axis() const override { return own_->symmetry_axis(); }
+    std::shared_ptr<const ScalarFunction> solution() const override { return own_->solution(); }
 
   private:
     std::shared_ptr<const Monitor> own_;
@@ -98,6 +99,7 @@ class StoppableMonitor final : public Monitor {
     void check() const override { whole_->check(); }
     std::optional<SpaceKind> made_for() const override { return whole_->made_for(); }
     std::optional<Vec3> symmetry_axis() const override { return whole_->symmetry_axis(); }
+    std::shared_ptr<const ScalarFunction> solution() const override { return whole_->solution(); }
 
   private:
     void look() const {

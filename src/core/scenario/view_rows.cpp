@@ -118,7 +118,20 @@ const std::vector<FieldInfo>& mesh_colours() {
         {.name = "displacement",
          .label = "displacement",
          .symbol = "|x − ξ|",
-         .help = "|x − ξ| of the nodes"}};
+         .help = "|x − ξ| of the nodes"},
+        {.name = "interpolation_error",
+         .label = "interpolation error",
+         .place = FieldPlace::cell,
+         .help = "L2 error of each cell (method.interpolation), in the colours of both meshes"},
+        {.name = "interpolation_error_uniform",
+         .label = "interpolation error, uniform mesh",
+         .place = FieldPlace::cell,
+         .help = "the same on the uniform mesh"},
+        {.name = "interpolation_ratio",
+         .label = "interpolation error, uniform / adapted",
+         .place = FieldPlace::cell,
+         .centre = 1,
+         .help = "how many times the error of each cell has become smaller"}};
     return table;
 }
 

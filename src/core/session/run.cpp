@@ -131,6 +131,8 @@ void Run::prepare_reports(Course& course) const {
     if (course.exact)
         for (SeriesInfo& one : exact_series()) diagnostics.push_back(std::move(one));
     if (course.method->knows_map()) diagnostics.push_back(folded_drawn_cells_series());
+    if (interpolates(course))
+        for (SeriesInfo& one : interpolation_series()) diagnostics.push_back(std::move(one));
     auto table = std::make_shared<const SeriesTable>(method_type(course).residual, std::move(diagnostics),
                                                      course.method->series(), method_type(course).criterion);
     if (!course.series || course.series->all() != table->all()) course.series = std::move(table);
@@ -371,6 +373,7 @@ void Run::measure(Course& course, StepReport& report, Diagnostics at_most) const
         next += static_cast<std::ptrdiff_t>(exact_series().size());
     }
     if (course.tangled) *next++ = static_cast<double>(quality.tangled_cells);
+    if (interpolates(course)) next += static_cast<std::ptrdiff_t>(interpolation_series().size());
     if (level == Diagnostics::full) {
         const std::vector<double> measures = course.method->measures(course.data);
         auto measure = measures.begin();
@@ -501,6 +504,7 @@ std::shared_ptr<const Snapshot> Run::snapshot(Diagnostics at_most) {
         snapshot->fields.push_back(std::move(mass));
     }
     snapshot->fields.push_back({mesh_colour("jacobian"), quality.cell_jacobian});
+    add_interpolation(*snapshot);
     add_fields_of_method(*snapshot);
     snapshot->report = history_.back();
     snapshot->version = version_;

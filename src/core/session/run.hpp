@@ -12,6 +12,7 @@
 #pragma once
 
 #include "core/base/export.hpp"
+#include "core/diagnostics/interpolation_error.hpp"
 #include "core/scenario/catalogue.hpp"
 #include "core/session/snapshot.hpp"
 
@@ -89,6 +90,13 @@ class Run {
     double setup_seconds() const { return setup_seconds_; }
     /// What the monitor says about itself; null: nothing.
     std::shared_ptr<const MonitorReport> monitor_report() const { return now_.data.report; }
+    /// The function whose interpolation error the mesh is to reduce (Monitor::solution), else the monitor.
+    std::shared_ptr<const ScalarFunction> solution() const;
+    /// Its interpolation errors on the uniform mesh and on that of the current iterate, measured unless they
+    /// are known to this tolerance; null if method.interpolation is off or method.diagnostics is not full.
+    /// The report and the snapshots to come have them, too. Of `options`, the threads are those of the run.
+    /// Throws InputError if the function is not finite somewhere, Interrupted if asked to stop.
+    std::shared_ptr<const InterpolationComparison> interpolation(InterpolationOptions options = {});
     /// The current iterate as a value, with the diagnostics of method.diagnostics, or fewer, even if the
     /// history skips them.
     std::shared_ptr<const Snapshot> snapshot(Diagnostics at_most = Diagnostics::full);
@@ -122,6 +130,15 @@ class Run {
             measured{}; ///< what the meter's last measurement is of the present iterate
     };
 
+    /// What has been measured of interpolation errors.
+    struct Interpolated {
+        std::shared_ptr<const Mesh> mesh{};
+        std::shared_ptr<const Monitor> monitor{}; ///< of `uniform` and `last`
+        double tolerance = 0;
+        std::shared_ptr<const InterpolationError> uniform{};
+        std::shared_ptr<const InterpolationComparison> last{};
+    };
+
     class Timer;
 
     static Diagnostics diagnostics(const Course& course);
@@ -145,6 +162,8 @@ class Run {
     void take_series(const Course& course, const SeriesValues& values, StepReport& report) const;
     void measure(Course& course, StepReport& report, Diagnostics at_most) const;
     void add_fields_of_method(Snapshot& snapshot);
+    static bool interpolates(const Course& course);
+    void add_interpolation(Snapshot& snapshot) const;
     bool out_of_bounds(const Course& course, const StepReport& report) const;
     RunStatus judge(Course& course, const StepReport& report, std::string& note) const;
     void take_back(Evaluation& evaluation, std::string& note);
@@ -154,6 +173,7 @@ class Run {
     std::shared_ptr<FileCache> files_ = std::make_shared<FileCache>(); ///< of the monitors
     bool own_start_ = false; ///< the first state was the caller's
     Course now_;
+    Interpolated interpolated_;
     State last_finite_;
     std::vector<StepReport> history_;
     bool stale_ = false;  ///< an exception has left the method at another state or other data

@@ -10,6 +10,7 @@
 #include "core/base/export.hpp"
 #include "core/base/field.hpp"
 #include "core/base/points.hpp"
+#include "core/diagnostics/interpolation_error.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/patch_list.hpp"
 #include "core/monitor/monitor.hpp"
@@ -83,7 +84,12 @@ struct Snapshot {
     std::shared_ptr<const Points> control{}; ///< control points that may be moved; null where there are none
     std::shared_ptr<const PatchList> patches{}; ///< of a file with several; otherwise null
     std::shared_ptr<const MonitorReport> monitor_report{}; ///< null: the monitor says nothing
-    /// monitor (of nodes), jacobian and, with full diagnostics, mass (M_i) of cells; the method's own
+    /// The interpolation errors on the uniform and on an adapted mesh, as last measured (Run::interpolation):
+    /// of this mesh if its version is that of the snapshot, else of one before it. Null where they were not
+    /// measured.
+    std::shared_ptr<const InterpolationComparison> interpolation{};
+    /// monitor (of nodes), jacobian and, with full diagnostics, mass (M_i) of cells; the method's own; with
+    /// interpolation errors, those of mesh_colours() with these names
     std::vector<Field> fields;
     StepReport report;
     std::uint64_t version = 0; ///< increases with every iterate

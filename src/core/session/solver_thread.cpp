@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gaspard {
 
@@ -206,6 +207,7 @@ void SolverThread::publish(std::stop_token stop) {
         shown_ = true;
         following_ = false;
         partly_shown_ = dragged() && needed_ != Diagnostics::full;
+        measure_interpolation(stop);
         auto snapshot = run_->snapshot(partly_shown_ ? needed_.load() : Diagnostics::full);
         if (options_.before_publishing) options_.before_publishing(*snapshot);
         latest_.put(std::move(snapshot));
@@ -218,6 +220,26 @@ void SolverThread::publish(std::stop_token stop) {
         status.progress = 1;
         status.activity.clear();
     });
+}
+
+/// Before a snapshot, if that is due. The errors of a mesh that changes soon are measured less precisely.
+void SolverThread::measure_interpolation(std::stop_token stop) {
+    if (!(options_.interpolation_share > 0)) return;
+    const bool running = running_ && run_->status() == RunStatus::running;
+    if (running && run_->history().size() == 1) return; // the first picture does not wait for them
+    if (running && since_errors_.seconds() < errors_rest_) return;
+    const Stopwatch watch;
+    try {
+        run_->interpolation({.tolerance = 1e-2, .halvings = 4, .parts = 30, .stop = stop});
+    } catch (const InputError& error) { // the function has no value somewhere
+        say(error.what(), true);
+        errors_rest_ = std::numeric_limits<double>::infinity();
+        return;
+    } catch (const Interrupted&) { // the thread ends
+        return;
+    }
+    errors_rest_ = watch.seconds() * (1 / options_.interpolation_share - 1);
+    since_errors_ = {};
 }
 
 /// How much of a report has been measured.

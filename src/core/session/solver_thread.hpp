@@ -2,8 +2,8 @@
 //
 // If values change a little while a solved mesh is shown, as during dragging, the next snapshot and the next
 // change wait until the mesh has adapted to the new values (residual below 1e-2), for at most 0.1 s. All
-// snapshots shown are thus adapted, and only the latest values matter. Until 0.25 s after the last change, they
-// have only the diagnostics that are needed (SolverThread::need).
+// snapshots shown are thus adapted, and only the latest values matter. Until 0.25 s after the last change,
+// they have only the diagnostics that are needed (SolverThread::need).
 #pragma once
 
 #include "core/base/stopwatch.hpp"
@@ -83,6 +83,9 @@ class SolverThread {
         /// Called on the solver thread before a snapshot is published, for expensive preparation of its
         /// display.
         std::function<void(const Snapshot&)> before_publishing{};
+        /// The share of the time that interpolation errors may take while the run is running; those of a
+        /// final mesh are always measured. 0: none are measured.
+        double interpolation_share = 0;
     };
 
     SolverThread(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, Options options);
@@ -115,6 +118,7 @@ class SolverThread {
     void begin_anew(std::stop_token stop);
     void answer(std::uint64_t number, bool refused);
     void publish(std::stop_token stop);
+    void measure_interpolation(std::stop_token stop);
     bool send_reports(std::stop_token stop);
     void say(std::string message, bool error = false);
     void attempt(const std::function<void()>& work);
@@ -140,6 +144,8 @@ class SolverThread {
     std::atomic<Diagnostics> needed_ = Diagnostics::full;
     bool following_ = false; ///< values have changed a little since the last snapshot
     Stopwatch since_change_; ///< time since that change
+    Stopwatch since_errors_; ///< time since interpolation errors were last measured
+    double errors_rest_ = 0; ///< seconds for which they are not measured again
     bool running_ = false;
 
     Latest<Snapshot> latest_;

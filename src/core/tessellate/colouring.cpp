@@ -39,8 +39,8 @@ bool constant(const ColourRange& range, const FieldInfo& info) {
     return range.high - range.low <= 1e-12 * size;
 }
 
-ColourRange automatic_range(std::span<const double> values, const FieldInfo& info, bool log, bool diverging) {
-    ColourRange range = range_of(values);
+ColourRange automatic_range(ColourRange range, std::span<const double> values, const FieldInfo& info,
+                            bool log, bool diverging) {
     if (constant(range, info)) {
         const double middle = info.is_signed() ? *info.centre : range.low + (range.high - range.low) / 2;
         return {middle, middle};
@@ -49,6 +49,12 @@ ColourRange automatic_range(std::span<const double> values, const FieldInfo& inf
     if (!diverging || !info.centre) return range;
     const double half = std::max(range.high - *info.centre, *info.centre - range.low);
     return {*info.centre - half, *info.centre + half};
+}
+
+/// Of all values, also of those of other fields that are compared.
+ColourRange whole_range(const Field* field, std::span<const double> values) {
+    if (field == nullptr || !field->range) return range_of(values);
+    return {field->range->first, field->range->second};
 }
 
 const ColourMap& map_of(const ColourChoice& choice, const FieldInfo& info) {
@@ -181,7 +187,8 @@ std::optional<Colouring> ColouringMaker::make(const Snapshot& snapshot, const Co
                            choice.logarithmic && !info->is_signed() && choice.low > 0 && choice.high > 0};
     else
         colouring.range =
-            automatic_range(colouring.values, *info, choice.logarithmic, colouring.map->diverging);
+            automatic_range(whole_range(snapshot.field(choice.colouring), colouring.values),
+                            colouring.values, *info, choice.logarithmic, colouring.map->diverging);
     count(colouring);
     return colouring;
 }

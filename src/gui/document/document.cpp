@@ -123,6 +123,7 @@ std::unique_ptr<SolverThread> Document::make_solver(const Scenario& scenario) co
     SolverThread::Options options;
     options.notify = notify_;
     options.before_publishing = before_publishing_;
+    options.interpolation_share = 0.1;
     const unsigned cores = std::thread::hardware_concurrency(); // one of them is left to the window
     options.run.threads = cores > 2 ? static_cast<int>(cores) - 1 : 1;
     return std::make_unique<SolverThread>(catalogue_, scenario, std::move(options));

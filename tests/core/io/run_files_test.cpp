@@ -82,6 +82,7 @@ TEST(Summary, HasTheFieldsOfTheContractInTheirOrder) {
                                                        "max_jacobian",
                                                        "exact_rms",
                                                        "exact_rms_nodes",
+                                                       "interpolation",
                                                        "setup_seconds",
                                                        "solve_seconds",
                                                        "cpu_seconds",

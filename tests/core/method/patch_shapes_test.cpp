@@ -114,6 +114,7 @@ TEST_P(Tips, AreMeshedByEveryMethod) {
 TEST_P(Tips, GiveNumbersEverywhere) {
     gaspard::Run run(catalogue(), on_patch(GetParam().patch, {"monitor.type=bell", "monitor.amplitude=3"}));
     run.solve();
+    run.interpolation(); // its fields are among the colours
     const auto snapshot = run.snapshot();
     for (const Field& field : snapshot->fields)
         for (const double value : field.values) ASSERT_TRUE(std::isfinite(value)) << field.name;
