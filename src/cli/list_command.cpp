@@ -22,6 +22,12 @@ void print_head(const std::string& name, const std::string& help) {
     std::cout << "  " << name << std::string(name.size() < 19 ? 19 - name.size() : 1, ' ') << help << "\n";
 }
 
+/// Further choices of view.color.
+void print_colours(const std::vector<FieldInfo>& fields) {
+    for (const FieldInfo& field : fields)
+        std::cout << "    view.color = " << field.name << "  " << field.help << "\n";
+}
+
 void list_scenarios(const Catalogue& catalogue) {
     std::cout << "Scenarios\n";
     for (const auto& builtin : builtin_scenarios()) {
@@ -42,6 +48,7 @@ void list_monitors(const Catalogue& catalogue) {
     std::cout << "Monitors (monitor.type)\n";
     for (const auto& type : catalogue.monitors) {
         print_head(type.name, type.help + ": " + type.equation);
+        print_colours(type.fields);
         const Values plane = monitor_section(catalogue, type.name).values;
         const Values sphere = monitor_section(catalogue, type.name, {SpaceKind::sphere}).values;
         print_rows(plane);
@@ -56,14 +63,13 @@ void list_methods(const Catalogue& catalogue) {
     for (const auto& type : catalogue.methods) {
         print_head(type.name, type.help);
         print_rows(method_section(catalogue, type.name).values);
-        for (const FieldInfo& field : type.fields) // choices of view.color with this method
-            std::cout << "    view.color = " << field.name << "  " << field.help << "\n";
+        print_colours(type.fields);
     }
 }
 
 void list_view(const Catalogue& catalogue) {
     std::cout << "View\n";
-    print_rows(view_section(catalogue, catalogue.methods.front().name));
+    print_rows(view_section(catalogue, catalogue.methods.front().name, catalogue.monitors.front().name));
 }
 
 void list_output(const Catalogue& catalogue) {

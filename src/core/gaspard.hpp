@@ -8,6 +8,8 @@
 //   monitor/formula_monitor.hpp  a monitor from a formula, as text
 //   monitor/field_monitor.hpp    a monitor from a field: a variable of a NetCDF, CSV or VTK file
 //   monitor/image_monitor.hpp    a monitor from a picture
+//   monitor/derived.hpp      a monitor from a function u, such as the solution of a PDE
+//   monitor/combine.hpp      a monitor from several others
 //   monitor/monitor.hpp      the class of monitors: many points per call, gradients
 //   spline/spline_patch.hpp  a domain from a patch of your own; patch_file.hpp reads and writes them
 //   session/run.hpp          a problem being solved; follow() and solve() move the mesh along
@@ -34,6 +36,8 @@
 #include "core/io/surface_mesh.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "core/monitor/field_monitor.hpp"
+#include "core/monitor/combine.hpp"
+#include "core/monitor/derived.hpp"
 #include "core/monitor/formula_monitor.hpp"
 #include "core/monitor/function.hpp"
 #include "core/monitor/image_monitor.hpp"

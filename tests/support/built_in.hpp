@@ -1,6 +1,7 @@
 // Built-in monitors by name, as a scenario selects them.
 #pragma once
 
+#include "core/base/growing_values.hpp"
 #include "core/monitor/problem_data.hpp"
 
 #include <stdexcept>
@@ -14,12 +15,20 @@ inline MonitorType monitor_type(const std::string& name) {
     throw std::invalid_argument("no monitor " + name);
 }
 
+/// The values of all its rows, with their defaults.
+inline Values default_values(const MonitorType& type, const Space& space) {
+    const auto further = [&](const Values& values) {
+        return type.further_rows ? type.further_rows(values, space) : std::vector<ParameterRow>();
+    };
+    return grown_values("monitor", type.rows(space), further, [](Values&) {});
+}
+
 using Settings = std::vector<std::pair<std::string, double>>;
 
 inline std::shared_ptr<const Monitor> make_monitor(const std::string& name, Space space,
                                                    const Settings& settings = {}) {
     const MonitorType type = monitor_type(name);
-    Values values("monitor", type.rows(space));
+    Values values = default_values(type, space);
     for (const auto& [key, value] : settings)
         for (const auto& row : values.rows())
             if (row.key == key && row.kind == ParameterKind::integer)

@@ -102,6 +102,7 @@ MonitorType circle_monitor() {
             .help = "small cells along a circle, where m has a crease",
             .equation = "m(x) = 1 + A exp( -B | |x - c|^2 - r^2 | )",
             .figure = MonitorFigure::unit_square,
+            .spaces = {SpaceKind::euclidean},
             .rows =
                 [](const Space&) {
                     std::vector<ParameterRow> rows = {amplitude_row(1000, 5, "on the circle"),
@@ -137,6 +138,7 @@ MonitorType three_circles_monitor() {
         .equation =
             "m(x) = 1 + sum_i A exp( -B | |x - c_i|^2 - r_i^2 | ) + A_m exp( -B | |x - c_m|^2 - r_m^2 | )",
         .figure = MonitorFigure::unit_disk,
+        .spaces = {SpaceKind::euclidean},
         .rows =
             [](const Space&) {
                 ParameterRow mouth = positive_amplitude(0, "on the mouth");
@@ -173,6 +175,7 @@ MonitorType two_circles_monitor() {
         .help = "small cells along two large circles (spheres in space) that intersect",
         .equation = "m(x) = 1 + sum_i A sech^2( B (|x - c_i|^2 - r^2) ), c_i = (+-sqrt(3)/2, 1/2, c3)",
         .figure = MonitorFigure::unit_disk,
+        .spaces = {SpaceKind::euclidean},
         .rows =
             [](const Space&) {
                 return std::vector<ParameterRow>{positive_amplitude(5, "on the circles"),

@@ -13,6 +13,7 @@ MonitorType cross_monitor() {
             .help = "small cells along two great circles",
             .equation =
                 "m(x) = 1 + A sech^2( B (|x - p1|^2 - (pi/2)^2) ) + A sech^2( B (|x - p2|^2 - (pi/2)^2) )",
+            .spaces = {SpaceKind::sphere},
             .rows =
                 [](const Space&) {
                     std::vector<ParameterRow> rows = {amplitude_row(1000, 10.0, "on each band"),

@@ -18,6 +18,7 @@
 #pragma once
 
 #include "core/base/export.hpp"
+#include "core/base/field.hpp"
 #include "core/base/parameter.hpp"
 #include "core/base/points.hpp"
 #include "core/function/scalar_function.hpp"
@@ -59,6 +60,9 @@ class Monitor {
     virtual void check() const {}
     /// The kind of space to which the monitor is restricted; nullopt if it has no restriction.
     virtual std::optional<SpaceKind> made_for() const { return std::nullopt; }
+    /// What the monitor was made of, as values at points of the domain (such as u and the indicator of a derived
+    /// monitor): the fields of MonitorType::fields or some of them, in their order.
+    virtual std::vector<Field> fields(const Points&) const { return {}; }
     /// For the user, beside the results.
     virtual MonitorReport report() const { return {}; }
     /// On a sphere: the axis of rotational symmetry of m; nullopt if there is none.
@@ -89,16 +93,20 @@ struct MonitorType {
     std::string help;
     std::string equation; ///< as in the source, with the rows' symbols
     MonitorFigure figure = MonitorFigure::none;
+    std::vector<SpaceKind> spaces{}; ///< offered as a part of others on these alone (combine_type.cpp); empty: all
     std::function<std::vector<ParameterRow>(const Space&)> rows; ///< points have different keys on a sphere
     /// Exactly one of these two is set, for a scalar or a tensor monitor. They throw InputError.
     std::function<std::shared_ptr<const Monitor>(const Values&, const MonitorContext&)> make{};
     std::function<std::shared_ptr<const TensorMonitor>(const Values&, const MonitorContext&)> make_tensor{};
-    /// Further rows that depend on the values of `rows`, such as the constants of a formula; a row on which
-    /// they depend has the role defines_rows. Throws InputError if the values are invalid.
+    /// Further rows that depend on the values of `rows`, such as the constants of a formula, and on those of
+    /// further ones, as far as the values have these already (base/growing_values.hpp); a row on which others
+    /// depend has the role defines_rows. Throws InputError if the values are invalid.
     std::function<std::vector<ParameterRow>(const Values&, const Space&)> further_rows{};
     /// The same monitor as a formula to change (function/formula.hpp), with the rows' keys as parameters; in
     /// the coordinates of the space, also where the figure is placed. Not set if it has none.
     std::function<std::string(const Space&)> formula{};
+    /// Fields of nodes that its monitors may have besides m (Monitor::fields): colours and files offer them.
+    std::vector<FieldInfo> fields{};
 };
 
 /// All built-in monitors, in the order of `gaspard list`.

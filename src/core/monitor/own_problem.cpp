@@ -75,6 +75,7 @@ class OwnMonitor final : public Monitor {
     std::optional<SpaceKind> made_for() const override { return own_->made_for(); }
     std::optional<Vec3> symmetry_axis() const override { return own_->symmetry_axis(); }
     std::shared_ptr<const ScalarFunction> solution() const override { return own_->solution(); }
+    std::vector<Field> fields(const Points& x) const override { return own_->fields(into(extent_, x)); }
 
   private:
     std::shared_ptr<const Monitor> own_;
@@ -100,6 +101,7 @@ class StoppableMonitor final : public Monitor {
     std::optional<SpaceKind> made_for() const override { return whole_->made_for(); }
     std::optional<Vec3> symmetry_axis() const override { return whole_->symmetry_axis(); }
     std::shared_ptr<const ScalarFunction> solution() const override { return whole_->solution(); }
+    std::vector<Field> fields(const Points& x) const override { return whole_->fields(x); }
 
   private:
     void look() const {

@@ -135,6 +135,8 @@ class PlacedMonitor final : public Monitor {
             gradients.set(i, (1 / placement_.scale) * gradients[i]);
     }
     void check() const override { figure_->check(); }
+    MonitorReport report() const override { return figure_->report(); }
+    std::vector<Field> fields(const Points& x) const override { return figure_->fields(in_figure(x)); }
 
   private:
     Points in_figure(const Points& x) const {

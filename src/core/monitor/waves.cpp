@@ -85,6 +85,7 @@ MonitorType spiral_monitor() {
             .help = "small cells along the arms of a spiral",
             .equation = "m(x) = 1 + A / (1 + (B r cos(angle - k r^2))^2), r, angle relative to c",
             .figure = MonitorFigure::unit_square,
+            .spaces = {SpaceKind::euclidean},
             .rows =
                 [](const Space&) {
                     std::vector<ParameterRow> rows = {
@@ -123,6 +124,7 @@ MonitorType cosine_waves_monitor() {
             .help = "rings around a point; max m / min m = 3",
             .equation = "m(x) = 1 / (2 + cos(2 pi k |x - c|))",
             .figure = MonitorFigure::unit_square,
+            .spaces = {SpaceKind::euclidean},
             .rows =
                 [](const Space&) {
                     std::vector<ParameterRow> rows = {{.key = "frequency",
@@ -154,6 +156,7 @@ MonitorType sine_waves_monitor() {
             .equation = "m(x) = 1 + A exp( -B |y - 1/2 - sin(2 pi x) sin(2 pi/3) / 4| ) "
                         "+ A exp( -B |y - 1/4 - sin(2 pi x) / 4| )",
             .figure = MonitorFigure::unit_square,
+            .spaces = {SpaceKind::euclidean},
             .rows =
                 [](const Space&) {
                     ParameterRow amplitude = amplitude_row(1000, 5, "on the waves");

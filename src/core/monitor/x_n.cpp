@@ -37,6 +37,7 @@ MonitorType x_n_monitor() {
             .help = "small cells in a disc on the sphere, N times larger outside",
             .equation =
                 "m(x) = sqrt( (1 - gamma)/2 (tanh((beta - |x - c|)/alpha) + 1) + gamma ), gamma = 1/N^4",
+            .spaces = {SpaceKind::sphere},
             .rows =
                 [](const Space&) {
                     std::vector<ParameterRow> rows = {

@@ -1,6 +1,7 @@
 #include "core/scenario/catalogue.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/growing_values.hpp"
 #include "core/base/join.hpp"
 #include "core/method/plane_equation.hpp"
 #include "core/method/spline_equation.hpp"
@@ -36,7 +37,7 @@ Capability plane_capability() {
     return {.domain = "plane",
             .boundaries = {"periodic", "walls"},
             .monitors = {"ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant",
-                         "formula", "image", "field"},
+                         "formula", "image", "field", "derived", "combine"},
             .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 const Values& domain = context.scenario.domain.values;
@@ -51,7 +52,7 @@ Capability sphere_capability(const DomainType& type, SphereGrid (*grid)(const Va
     return {.domain = type.name,
             .boundaries = {},
             .monitors = {"x-n", "cross", "ring", "bell", "ring-and-bell", "random-bells", "random-waves",
-                         "constant", "formula", "image", "field"},
+                         "constant", "formula", "image", "field", "derived", "combine"},
             .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
             .prepare = [grid](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 const Values& domain = context.scenario.domain.values;
@@ -68,7 +69,7 @@ Capability spline_capability(const std::string& domain_type) {
             .boundaries = {},
             .monitors = {"circle", "spiral", "three-circles", "two-circles", "cosine-waves", "sine-waves",
                          "ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant",
-                         "formula", "image", "field"},
+                         "formula", "image", "field", "derived", "combine"},
             .methods = {"picard", "picard-mixed", "newton", "accelerated", "auto"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 if (context.progress) context.progress(0, "preparing the patch");
@@ -114,9 +115,8 @@ Section domain_section(const Catalogue& catalogue, std::string_view type) {
 Section monitor_section(const Catalogue& catalogue, std::string_view type, const Space& space,
                         const std::string& section) {
     const MonitorType& monitor = catalogue.monitor(type);
-    auto rows = rows_on(monitor, space);
-    for (auto& row : further_rows_on(monitor, Values(section, rows), space)) rows.push_back(std::move(row));
-    return {std::string(type), Values(section, std::move(rows))};
+    const auto further = [&](const Values& values) { return further_rows_on(monitor, values, space); };
+    return {std::string(type), grown_values(section, rows_on(monitor, space), further, [](Values&) {})};
 }
 
 Section method_section(const Catalogue& catalogue, std::string_view type) {
@@ -127,8 +127,11 @@ Section pde_section(const Catalogue& catalogue, std::string_view type) {
     return {std::string(type), Values("pde", catalogue.pde(type).rows)};
 }
 
-Values view_section(const Catalogue& catalogue, std::string_view method) {
-    return {"view", view_rows(catalogue.method(method).fields)};
+Values view_section(const Catalogue& catalogue, std::string_view method, std::string_view monitor) {
+    std::vector<FieldInfo> fields = catalogue.method(method).fields;
+    if (monitor != own_monitor)
+        for (const FieldInfo& field : catalogue.monitor(monitor).fields) fields.push_back(field);
+    return {"view", view_rows(fields)};
 }
 
 Scenario default_scenario(const Catalogue& catalogue) {
@@ -138,7 +141,8 @@ Scenario default_scenario(const Catalogue& catalogue) {
                       .domain = domain_section(catalogue, catalogue.domains.front().name),
                       .monitor = monitor_section(catalogue, catalogue.monitors.front().name),
                       .method = method_section(catalogue, catalogue.methods.front().name),
-                      .view = view_section(catalogue, catalogue.methods.front().name),
+                      .view = view_section(catalogue, catalogue.methods.front().name,
+                                           catalogue.monitors.front().name),
                       .output = Values("output", catalogue.output_rows)};
     update_rows(catalogue, scenario);
     return scenario;

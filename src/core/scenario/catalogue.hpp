@@ -69,8 +69,8 @@ Section monitor_section(const Catalogue& catalogue, std::string_view type, const
 Section method_section(const Catalogue& catalogue, std::string_view type);
 Section pde_section(const Catalogue& catalogue, std::string_view type);
 
-/// The values of the section "view" for a method: its fields are among the colours.
-Values view_section(const Catalogue& catalogue, std::string_view method);
+/// The values of the section "view" for a method and a monitor: their fields are among the colours.
+Values view_section(const Catalogue& catalogue, std::string_view method, std::string_view monitor);
 
 /// The first domain, monitor and method of the catalogue, with default values.
 Scenario default_scenario(const Catalogue& catalogue);
@@ -91,8 +91,9 @@ void update_rows(const Catalogue& catalogue, Scenario& scenario);
 /// monitor has none (MonitorType::formula).
 std::optional<Scenario> with_formula(const Catalogue& catalogue, const Scenario& scenario);
 
-/// Updates the rows of the view for a method. Values set by the user are kept if the method allows them.
-void update_view_rows(const Catalogue& catalogue, std::string_view method, Values& view);
+/// Updates the rows of a view of the scenario, for its method and its monitor. Values set by the user are kept if
+/// these allow them.
+void update_view_rows(const Catalogue& catalogue, const Scenario& scenario, Values& view);
 
 /// Throws InputError if the scenario has no such key, or if the key is reserved.
 void check_key(const Catalogue& catalogue, Scenario& scenario, std::string_view key);

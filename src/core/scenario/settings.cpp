@@ -1,5 +1,6 @@
 // Setting values of a scenario by their full keys, from TOML or the command line.
 #include "core/base/check.hpp"
+#include "core/base/growing_values.hpp"
 #include "core/base/join.hpp"
 #include "core/base/user_path.hpp"
 #include "core/monitor/placement.hpp"
@@ -152,16 +153,10 @@ void update_monitor_rows(const Catalogue& catalogue, const Space& space, Section
     if (section.type.empty() || section.type == own_monitor) return;
     const MonitorType& type = catalogue.monitor(section.type);
     const std::string name = section.values.section();
-    Values values(name, rows_on(type, space));
-    if (type.further_rows) {
-        carry_over(section.values, values);
-        auto rows = values.rows();
-        for (auto& row : further_rows_on(type, values, space)) rows.push_back(std::move(row));
-        values = Values(name, std::move(rows));
-    }
-    if (same_rows(values.rows(), section.values.rows())) return;
-    carry_over(section.values, values);
-    section.values = std::move(values);
+    Values values = grown_values(
+        name, rows_on(type, space), [&](const Values& known) { return further_rows_on(type, known, space); },
+        [&](Values& known) { carry_over(section.values, known); });
+    if (!same_rows(values.rows(), section.values.rows())) section.values = std::move(values);
 }
 
 /// A path on the command line is relative to the working directory, also if the scenario has a folder.
@@ -241,7 +236,7 @@ void update_rows(const Catalogue& catalogue, Scenario& scenario) {
                     [&](const std::string& type) { return pde_section(catalogue, type); });
     update_monitor_rows(catalogue, space, scenario.monitor);
     update_monitor_rows(catalogue, space, scenario.target);
-    update_view_rows(catalogue, scenario.method.type, scenario.view);
+    update_view_rows(catalogue, scenario, scenario.view);
 }
 
 /// The rows' ranges as monitor.ranges.
@@ -269,11 +264,15 @@ std::optional<Scenario> with_formula(const Catalogue& catalogue, const Scenario&
     return changed;
 }
 
-void update_view_rows(const Catalogue& catalogue, std::string_view method, Values& view) {
-    const auto known = [&](const MethodType& type) { return type.name == method; };
-    if (std::none_of(catalogue.methods.begin(), catalogue.methods.end(), known))
+void update_view_rows(const Catalogue& catalogue, const Scenario& scenario, Values& view) {
+    const auto known = [](const auto& types, const std::string& name) {
+        return std::any_of(types.begin(), types.end(), [&](const auto& type) { return type.name == name; });
+    };
+    const std::string& monitor = scenario.monitor.type;
+    if (!known(catalogue.methods, scenario.method.type) ||
+        (monitor != own_monitor && !known(catalogue.monitors, monitor)))
         return; // the run will refuse it
-    Values now = view_section(catalogue, method);
+    Values now = view_section(catalogue, scenario.method.type, monitor);
     if (same_rows(now.rows(), view.rows())) return;
     carry_over(view, now);
     view = std::move(now);

@@ -27,15 +27,35 @@ Value to_value(const toml::node& node, const std::string& key) {
     throw InputError(key + " must be a single value, not a section or a list");
 }
 
-/// Sets every key of one table, its type first. Keys that do not exist yet are postponed, because they may
-/// depend on the values of others. Errors name file and line.
+using Entries = std::deque<std::pair<std::string, const toml::node*>>;
+
+/// The keys of a table. Tables in a monitor's, such as [monitor.u], are parts of it, whose keys begin with their name;
+/// monitor.target is a section of its own.
+void add_entries(Entries& entries, const toml::table& table, const std::string& section) {
+    for (const auto& [key, node] : table) {
+        const std::string name = section + "." + std::string(key.str());
+        const auto* part = section.starts_with("monitor") ? node.as_table() : nullptr;
+        if (name == "monitor.target" && part) continue;
+        if (part && !part->empty())
+            add_entries(entries, *part, name);
+        else
+            entries.emplace_back(name, &node);
+    }
+}
+
+/// Sets every key of one table, the types first, those of parts after those of what they belong to. Keys that do
+/// not exist yet are postponed, because they may depend on the values of others. Errors name file and line.
 void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::table& table,
                   const std::string& section, const std::string& origin, ScenarioSource& source) {
-    std::deque<std::pair<std::string, const toml::node*>> entries;
-    for (const auto& [key, node] : table) entries.emplace_back(section + "." + std::string(key.str()), &node);
-    std::stable_partition(entries.begin(), entries.end(),
-                          [&](const auto& entry) { return entry.first == section + ".type"; });
-    if (entries.empty()) {
+    Entries entries;
+    add_entries(entries, table, section);
+    const auto types = std::stable_partition(entries.begin(), entries.end(), [](const auto& entry) {
+        return entry.first.ends_with(".type");
+    });
+    std::stable_sort(entries.begin(), types, [](const auto& a, const auto& b) {
+        return std::ranges::count(a.first, '.') < std::ranges::count(b.first, '.');
+    });
+    if (table.empty()) {
         try {
             check_section(scenario, section);
         } catch (const InputError& error) {
@@ -45,8 +65,6 @@ void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::ta
     for (std::size_t waiting = 0; !entries.empty();) {
         const auto [key, node] = entries.front();
         entries.pop_front();
-        const bool subsection = key == "monitor.target" && node->is_table();
-        if (subsection) continue; // parse_scenario reads it after this table
         if (!has_key(scenario, key) && waiting <= entries.size()) {
             ++waiting;
             entries.emplace_back(key, node);

@@ -15,7 +15,7 @@ const std::vector<FieldInfo>& mesh_colours();
 /// The one of that name, which must be there.
 const FieldInfo& mesh_colour(std::string_view name);
 
-/// `further`: other fields to colour by (MethodType::fields).
+/// `further`: other fields to colour by (MethodType::fields, MonitorType::fields).
 std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further = {});
 
 } // namespace gaspard

@@ -506,6 +506,7 @@ std::shared_ptr<const Snapshot> Run::snapshot(Diagnostics at_most) {
     snapshot->fields.push_back({mesh_colour("jacobian"), quality.cell_jacobian});
     add_interpolation(*snapshot);
     add_fields_of_method(*snapshot);
+    add_fields_of_monitor(*snapshot);
     snapshot->report = history_.back();
     snapshot->version = version_;
     return snapshot;
@@ -520,6 +521,15 @@ void Run::add_fields_of_method(Snapshot& snapshot) {
         GASPARD_CHECK(values[i].size() ==
                       (of_nodes ? snapshot.mesh->node_count() : snapshot.mesh->cell_count()));
         snapshot.fields.push_back({infos[i], std::move(values[i])});
+    }
+}
+
+/// Those whose names are taken, by a caller's monitor, are left out.
+void Run::add_fields_of_monitor(Snapshot& snapshot) const {
+    for (Field& field : now_.data.monitor->fields(snapshot.x)) {
+        if (snapshot.field(field.name) != nullptr) continue;
+        GASPARD_CHECK(field.place == FieldPlace::node && field.values.size() == snapshot.x.size());
+        snapshot.fields.push_back(std::move(field));
     }
 }
 

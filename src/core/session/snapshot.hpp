@@ -88,8 +88,8 @@ struct Snapshot {
     /// of this mesh if its version is that of the snapshot, else of one before it. Null where they were not
     /// measured.
     std::shared_ptr<const InterpolationComparison> interpolation{};
-    /// monitor (of nodes), jacobian and, with full diagnostics, mass (M_i) of cells; the method's own; with
-    /// interpolation errors, those of mesh_colours() with these names
+    /// monitor (of nodes), jacobian and, with full diagnostics, mass (M_i) of cells; those of the method
+    /// and of the monitor; with interpolation errors, those of mesh_colours() with these names
     std::vector<Field> fields;
     StepReport report;
     std::uint64_t version = 0; ///< increases with every iterate

@@ -6,7 +6,7 @@
 //   jacobian         det dx/dxi, the smallest sampled in each cell
 //   equidistribution M_i / mean of M - 1 of each cell: 0 where the monitor is equidistributed
 //   displacement     |x - xi| of the nodes
-//   a field of the method (MethodType::fields), by its name
+//   a field of the method or the monitor (MethodType::fields, MonitorType::fields), by its name
 //   none             no colours
 #pragma once
 

@@ -141,8 +141,9 @@ void Document::show(const FinishedRun& finished) {
 
 void Document::change(RunId run, const Scenario& scenario, bool dragging) {
     DocumentRun& entry = live(run);
-    const bool other_method = scenario.method.type != entry.scenario.method.type;
-    if (other_method) record_views();
+    const bool other_types = scenario.method.type != entry.scenario.method.type ||
+                             scenario.monitor.type != entry.scenario.monitor.type;
+    if (other_types) record_views();
     const RunValues before = values_of(entry);
     const std::vector<EditPart> views = views_of(run);
     const std::uint64_t for_good = entry.changes.asked_for_good;
@@ -153,22 +154,19 @@ void Document::change(RunId run, const Scenario& scenario, bool dragging) {
     for (const ValueChange& one : scenario_changes(before.scenario, after.scenario))
         key += dragging ? "" : " " + one.key;
     Edit edit{.key = std::move(key), .before = {before}, .after = {after}, .settled = false};
-    if (other_method) { // it may have other fields to colour by
+    if (other_types) { // they may have other fields to colour by
         edit.before.insert(edit.before.end(), views.begin(), views.end());
         for (EditPart& view : views_of(run)) edit.after.push_back(std::move(view));
     }
     record(std::move(edit));
 }
 
-/// Gives the views of a run the choices of its method, such as the fields to colour by.
+/// Gives the views of a run the choices of its method and its monitor, such as the fields to colour by.
 void Document::update_views(const DocumentRun& run) {
-    const std::string& type = run.scenario.method.type;
-    const bool known = std::any_of(catalogue_->methods.begin(), catalogue_->methods.end(),
-                                   [&](const MethodType& method) { return method.name == type; });
-    for (std::size_t i = 0; known && i < viewports_.size() && i < recorded_.size(); ++i)
+    for (std::size_t i = 0; i < viewports_.size() && i < recorded_.size(); ++i)
         if (viewports_[i].run == run.id)
             for (Values* view : {&viewports_[i].view, &recorded_[i]})
-                update_view_rows(*catalogue_, type, *view);
+                update_view_rows(*catalogue_, run.scenario, *view);
 }
 
 void Document::post_change(DocumentRun& run, const Scenario& scenario) {

@@ -1,0 +1,186 @@
+#include "core/monitor/derived.hpp"
+
+#include "core/base/check.hpp"
+#include "core/base/error.hpp"
+#include "core/function/grid_function.hpp"
+#include "core/monitor/derived_fields.hpp"
+#include "core/monitor/indicator.hpp"
+#include "core/monitor/stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double points_per_cell = 6;
+
+std::string two_digits(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", value);
+    return text;
+}
+
+/// Points that are not finite, of an iteration that diverges, have no value.
+bool is_finite(Vec3 p) { return std::isfinite(p.x + p.y + p.z); }
+
+class DerivedMonitor final : public Monitor {
+  public:
+    struct Stages {
+        std::shared_ptr<const ScalarFunction> u;
+        std::vector<std::pair<FieldInfo, GridFunction>> fields; ///< the stages before the last
+        GridFunction logarithm;                                 ///< of m
+        std::vector<std::string> notes;
+    };
+    DerivedMonitor(Stages stages, std::optional<SpaceKind> made_for)
+        : stages_(std::move(stages)), made_for_(made_for) {}
+
+    void values(const Points& x, std::span<double> values) const override {
+        GASPARD_CHECK(values.size() == x.size());
+        stages_.logarithm.values(x, values);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = is_finite(x[i]) ? std::exp(values[i]) : std::numeric_limits<double>::quiet_NaN();
+    }
+    void gradients(const Points& x, Points& gradients) const override {
+        std::vector<double> m(x.size());
+        values(x, m);
+        stages_.logarithm.gradients(x, gradients);
+        for (std::size_t i = 0; i < m.size(); ++i) gradients.set(i, m[i] * gradients[i]);
+    }
+    std::optional<SpaceKind> made_for() const override { return made_for_; }
+    MonitorReport report() const override { return {.notes = stages_.notes}; }
+
+    std::vector<Field> fields(const Points& x) const override {
+        std::vector<Field> fields;
+        const auto add = [&](const FieldInfo& info, const ScalarFunction& function) {
+            Field field{info, std::vector<double>(x.size())};
+            function.values(x, field.values);
+            fields.push_back(std::move(field));
+        };
+        add(derived_fields().front(), *stages_.u);
+        for (const auto& [info, function] : stages_.fields) add(info, function);
+        return fields;
+    }
+
+  private:
+    Stages stages_;
+    std::optional<SpaceKind> made_for_;
+};
+
+void check_options(const DerivedOptions& o) {
+    const auto require = [](bool good, const char* text) {
+        if (!good) throw InputError(std::string("derived_monitor: ") + text);
+    };
+    require(o.alpha > 0 && std::isfinite(o.alpha), "alpha must be positive and finite");
+    require(o.order > 0 && std::isfinite(o.order), "order must be positive and finite");
+    require(std::isfinite(o.level), "level must be finite");
+    require(o.width > 0 && std::isfinite(o.width), "width must be positive and finite");
+    require(o.fraction >= 0 && o.fraction < 1, "fraction must be at least 0 and less than 1");
+    require(o.floor >= 0 && std::isfinite(o.floor), "floor must be at least 0 and finite");
+    require(o.contrast >= 1 && std::isfinite(o.contrast), "contrast must be at least 1 and finite");
+    require(!o.smoothing || (*o.smoothing >= 0 && *o.smoothing <= 1000), "smoothing must be from 0 to 1000 cells");
+}
+
+/// The stages as far as they are computed.
+class Maker {
+  public:
+    Maker(std::shared_ptr<const ScalarFunction> u, const DerivedOptions& options, const MonitorContext& context)
+        : options_(options), context_(context), domain_(domain_grid(context, points_per_cell)),
+          u_(std::move(u)) {}
+
+    std::shared_ptr<const Monitor> make() {
+        const IndicatorValues indicator = indicator_on(domain_, *u_, options_, options_.smooth, context_);
+        if (indicator.constant) notes_.emplace_back("u is constant on the domain.");
+        values_ = indicator.q;
+        for (double& value : values_) value += indicator.background;
+        add_field(1);
+        if (options_.average) {
+            values_ = indicator.q;
+            average_stage(domain_, values_, options_.fraction);
+        }
+        add_field(2);
+        if (options_.limit) limit();
+        add_field(3);
+        check_positive_values();
+        if (options_.smooth) smooth();
+        for (double& value : values_) value = std::log(value);
+        return std::make_shared<DerivedMonitor>(
+            DerivedMonitor::Stages{u_, std::move(fields_), GridFunction(domain_.grid, values_), notes_},
+            context_.space.kind);
+    }
+
+  private:
+    void add_field(std::size_t number) {
+        fields_.emplace_back(derived_fields()[number], GridFunction(domain_.grid, values_));
+    }
+    /// Of all cells, those that go to what is above the least value.
+    double fraction() const { return 1 - domain_.least(values_) / domain_.mean(values_); }
+
+    void limit() {
+        const double before = fraction();
+        limit_stage(domain_, values_, options_.floor, options_.contrast);
+        const double after = fraction();
+        if (options_.average && std::abs(after - before) > 0.02)
+            notes_.push_back("The limit changes the fraction of cells that go to the feature from " +
+                             two_digits(before) + " to " + two_digits(after) + ".");
+    }
+
+    void smooth() {
+        std::vector<double> smoothed;
+        const double needed = needed_smoothing(domain_, values_, context_, smoothed);
+        if (!options_.smoothing) {
+            if (needed > 0)
+                notes_.push_back("The monitor is smoothed over " + two_digits(needed) +
+                                 " cells of the uniform mesh, so that the mesh can follow it.");
+            values_ = std::move(smoothed);
+            return;
+        }
+        if (*options_.smoothing < needed)
+            notes_.push_back("The mesh may not follow the monitor: it is smoothed over " +
+                             two_digits(*options_.smoothing) + " cells, and would need " + two_digits(needed) +
+                             ".");
+        smoothing_stage(domain_, values_, *options_.smoothing * domain_.cell, context_);
+    }
+
+    void check_positive_values() const {
+        for (std::size_t i = 0; i < values_.size(); ++i)
+            if (!(values_[i] > 0))
+                throw InputError("the derived monitor is " + format_number(values_[i]) +
+                                 " at some points; turn on monitor.average, or monitor.limit with a floor");
+    }
+
+    const DerivedOptions& options_;
+    const MonitorContext& context_;
+    DomainGrid domain_;
+    std::shared_ptr<const ScalarFunction> u_;
+    std::vector<double> values_;
+    std::vector<std::pair<FieldInfo, GridFunction>> fields_;
+    std::vector<std::string> notes_;
+};
+
+} // namespace
+
+std::vector<FieldInfo> derived_fields() {
+    const auto info = [](const char* name, const char* label, const char* help) {
+        FieldInfo field;
+        field.name = name, field.label = label, field.help = help;
+        return field;
+    };
+    return {info("u", "u", "the function from which the monitor is derived"),
+            info("indicator", "indicator", "of u, before the other stages"),
+            info("averaged", "averaged", "the indicator after the average"),
+            info("limited", "limited", "after floor and limit; the monitor is this, smoothed")};
+}
+
+std::shared_ptr<const Monitor> derived_monitor(std::shared_ptr<const ScalarFunction> u,
+                                               const DerivedOptions& options, const MonitorContext& context) {
+    if (!u) throw InputError("derived_monitor: the function is null");
+    check_options(options);
+    return Maker(std::move(u), options, context).make();
+}
+
+} // namespace gaspard

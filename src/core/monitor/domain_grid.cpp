@@ -1,0 +1,146 @@
+#include "core/monitor/domain_grid.hpp"
+
+#include "core/base/check.hpp"
+#include "core/monitor/own_problem.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double most_points = 6e5;
+constexpr std::size_t least_count = 32, most_count = 4096; ///< of points along a direction
+constexpr double default_cells = 60;
+
+/// Grids in powers of 2, 3 and 5 have fast Fourier transforms.
+std::size_t fast_count(double wanted) {
+    const auto least = static_cast<std::size_t>(
+        std::clamp(std::ceil(wanted), double(least_count), double(most_count)));
+    const auto is_fast = [](std::size_t n) {
+        for (const std::size_t prime : {2U, 3U, 5U})
+            while (n % prime == 0) n /= prime;
+        return n == 1;
+    };
+    std::size_t count = least;
+    while (!is_fast(count) || count % 2 != 0) ++count;
+    return count;
+}
+
+/// Lengths of the chart's directions, along its middle lines; for surfaces the mean of some lines.
+std::array<double, 3> lengths_of(const Chart& chart) {
+    constexpr int samples = 9;
+    std::array<double, 3> lengths{};
+    Points s(samples * samples);
+    const auto at = [&](std::size_t d, int i) {
+        const ChartDirection& own = chart.direction(d);
+        return own.low + (own.high - own.low) * (i + 0.5) / samples;
+    };
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        Vec3 p{at(0, static_cast<int>(i) % samples), 0, 0};
+        if (chart.dimension() > 1) p.y = at(1, static_cast<int>(i) / samples);
+        if (chart.dimension() > 2) p.z = at(2, samples / 2);
+        s.set(i, p);
+    }
+    std::array<Points, 3> tangents;
+    chart.tangents(s, tangents);
+    for (std::size_t d = 0; d < chart.dimension(); ++d) {
+        double longest = 0;
+        for (std::size_t i = 0; i < s.size(); ++i) longest = std::max(longest, norm(tangents[d][i]));
+        lengths[d] = longest * (chart.direction(d).high - chart.direction(d).low);
+    }
+    return lengths;
+}
+
+/// Puts the points beside a planar patch at the nearest points of the patch, and takes their measure.
+void keep_to_patch(DomainGrid& domain, const PatchParameters& parameters) {
+    Points uv, nearest;
+    parameters.find(domain.x, uv);
+    for (std::size_t i = 0; i < uv.size(); ++i)
+        uv.set(i, {std::clamp(uv.x[i], 0.0, 1.0), std::clamp(uv.y[i], 0.0, 1.0), 0});
+    parameters.points(uv, nearest);
+    const double close = 1e-6 * domain.size;
+    for (std::size_t i = 0; i < uv.size(); ++i) {
+        if (norm(nearest[i] - domain.x[i]) <= close) continue;
+        domain.x.set(i, nearest[i]), domain.s.set(i, nearest[i]);
+        domain.measures[i] = 0;
+    }
+}
+
+double sum_of(std::span<const double> values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum;
+}
+
+/// The measure of the domain, on a coarse grid.
+double measure_of(const DataContext& context, const std::shared_ptr<const Chart>& chart) {
+    const std::vector<std::size_t> counts(chart->dimension(), 48);
+    DomainGrid coarse{.grid = grid_on(chart, counts)};
+    coarse.s = coarse.grid.coordinates();
+    coarse.measures = measures(coarse.grid);
+    chart->points(coarse.s, coarse.x);
+    const auto parameters = context.discretisation ? context.discretisation->parameters() : nullptr;
+    if (parameters && chart->kind() == ChartKind::box) keep_to_patch(coarse, *parameters);
+    return sum_of(coarse.measures);
+}
+
+} // namespace
+
+double DomainGrid::mean(std::span<const double> values) const {
+    double sum = 0, whole = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) sum += measures[i] * values[i], whole += measures[i];
+    return sum / whole;
+}
+
+double DomainGrid::least(std::span<const double> values) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (measures[i] > 0) least = std::min(least, values[i]);
+    return least;
+}
+
+double DomainGrid::largest(std::span<const double> values) const {
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (measures[i] > 0) largest = std::max(largest, values[i]);
+    return largest;
+}
+
+DomainGrid domain_grid(const DataContext& context, double per_cell) {
+    const auto chart = chart_of(context);
+    const auto lengths = lengths_of(*chart);
+    const std::size_t dimension = chart->dimension();
+    DomainGrid domain;
+    const double measure = measure_of(context, chart);
+    const double power = 1 / static_cast<double>(dimension);
+    if (context.discretisation) {
+        const Mesh& mesh = *context.discretisation->mesh();
+        domain.size = extent_of(mesh, context.space, false).size;
+        domain.cell = std::pow(measure / static_cast<double>(mesh.cell_count()), power);
+    } else {
+        domain.size = chart->kind() == ChartKind::sphere ? 1 : *std::max_element(lengths.begin(), lengths.end());
+        domain.cell = std::pow(measure, power) / default_cells;
+    }
+    double spacing = domain.cell / per_cell, points = 1;
+    for (std::size_t d = 0; d < dimension; ++d) points *= std::max(1.0, lengths[d] / spacing);
+    if (points > most_points) spacing *= std::pow(points / most_points, power);
+    std::vector<std::size_t> counts(dimension);
+    for (std::size_t d = 0; d < dimension; ++d) { // of open ends the Fourier transforms have 2 (count - 1) points
+        const bool open = chart->direction(d).ends == ChartEnds::open;
+        counts[d] = fast_count(lengths[d] / spacing) + (open ? 1 : 0);
+    }
+    domain.grid = grid_on(chart, counts);
+    domain.s = domain.grid.coordinates();
+    domain.measures = measures(domain.grid);
+    chart->points(domain.s, domain.x);
+    const auto parameters = context.discretisation ? context.discretisation->parameters() : nullptr;
+    domain.patch = parameters && chart->kind() == ChartKind::box;
+    if (domain.patch) keep_to_patch(domain, *parameters);
+    return domain;
+}
+
+} // namespace gaspard
