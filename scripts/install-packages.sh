@@ -7,7 +7,7 @@ build="build-essential cmake ninja-build pkg-config libglfw3-dev libimgui-dev li
   libstb-dev libgl1-mesa-dri libfontconfig-dev"
 # Not in every release: Mesa has dropped OSMesa after 25.0. Pictures are then drawn through EGL.
 optional="libosmesa6"
-test="libgtest-dev libassimp-dev libtinyxml2-dev xvfb xdotool x11-utils python3
+test="libgtest-dev libassimp-dev libtinyxml2-dev xvfb xdotool x11-utils python3 python3-xlib
   desktop-file-utils fonts-droid-fallback"
 bench="libbenchmark-dev python3 python3-dolfin python3-numpy python3-petsc4py python3-scipy"
 package="dpkg-dev file"

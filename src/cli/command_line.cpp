@@ -118,6 +118,7 @@ int dispatch(int argc, char** argv) {
     RunArguments run;
     bool reproduce_without_picture = false;
     std::string show_scenario;
+    ShowOptions show_options;
     app.add_option("SCENARIO", scenario, scenario_help);
     add_settings(app, settings);
     app.add_option("--size", size, "Size of the window in pixels")->type_name("WxH");
@@ -132,8 +133,10 @@ int dispatch(int argc, char** argv) {
     CLI::App* show = app.add_subcommand("show", "Print the complete scenario as TOML, including defaults");
     show->add_option("SCENARIO", show_scenario, scenario_help)->required();
     add_settings(*show, show_settings);
-    bool as_formula = false;
-    show->add_flag("--as-formula", as_formula, "Write the built-in monitor as a formula that can be changed");
+    show->add_flag("--as-formula", show_options.as_formula,
+                   "Write the built-in monitor as a formula that can be changed");
+    show->add_flag("--portable", show_options.portable,
+                   "With the content of its data files (at most 2 MB), so that it needs no other file");
     CLI::App* reproduce = app.add_subcommand("reproduce", "Reproduce a published table or figure");
     reproduce->add_option("ID", id, "Table or figure, such as mcrae-fig2 (default: list all)");
     reproduce->add_option("--out", out, "Output folder (default: ./gaspard-out/ID)")->type_name("DIR");
@@ -165,7 +168,8 @@ int dispatch(int argc, char** argv) {
     if (app.got_subcommand("compare")) return compare_command(catalogue, compare);
     if (app.got_subcommand("why")) return why_command(catalogue, why);
     if (app.got_subcommand(list)) return list_command(*catalogue, what);
-    if (app.got_subcommand(show)) return show_command(*catalogue, show_scenario, show_settings, as_formula);
+    if (app.got_subcommand(show))
+        return show_command(*catalogue, show_scenario, show_settings, show_options);
     if (app.got_subcommand(reproduce))
         return reproduce_command(catalogue, id, out, !reproduce_without_picture);
     return window_command(catalogue, scenario, settings, size);

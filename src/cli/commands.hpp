@@ -43,8 +43,13 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
 int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArguments& arguments);
 int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& arguments);
 int list_command(const Catalogue& catalogue, const std::string& what);
+/// Options of `gaspard show`.
+struct ShowOptions {
+    bool as_formula = false; ///< with the built-in monitor as a formula
+    bool portable = false;   ///< with the content of its data files
+};
 int show_command(const Catalogue& catalogue, const std::string& scenario,
-                 const std::vector<std::string>& settings, bool as_formula);
+                 const std::vector<std::string>& settings, const ShowOptions& options);
 int reproduce_command(std::shared_ptr<const Catalogue> catalogue, const std::string& id,
                       const std::string& out, bool render);
 int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string& scenario,

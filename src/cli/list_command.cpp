@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/scenario_input.hpp"
 #include "core/base/error.hpp"
+#include "core/scenario/data_files.hpp"
 
 #include <iostream>
 #include <utility>
@@ -107,19 +108,23 @@ int list_command(const Catalogue& catalogue, const std::string& what) {
 }
 
 int show_command(const Catalogue& catalogue, const std::string& name,
-                 const std::vector<std::string>& settings, bool as_formula) {
+                 const std::vector<std::string>& settings, const ShowOptions& options) {
     ScenarioInput input = load_input(catalogue, name, settings);
     check_input(catalogue, input);
     check_domain(catalogue, input);
     Scenario scenario = input.scenario;
-    if (as_formula && scenario.monitor.type != "formula") {
+    if (options.as_formula && scenario.monitor.type != "formula") {
         auto typed = with_formula(catalogue, scenario);
         if (!typed)
             throw InputError("--as-formula: monitor '" + scenario.monitor.type +
                              "' cannot be written as a formula");
         scenario = std::move(*typed);
     }
-    std::cout << to_toml(scenario.folder.empty() ? scenario : with_absolute_paths(scenario));
+    if (options.portable)
+        scenario = with_packed_data(std::move(scenario));
+    else if (!scenario.folder.empty())
+        scenario = with_absolute_paths(std::move(scenario));
+    std::cout << to_toml(scenario);
     return 0;
 }
 

@@ -4,6 +4,7 @@
 //
 //   scenario/catalogue.hpp   the available domains, monitors and methods; scenarios: plain, checked values
 //   scenario/toml.hpp        scenarios from built-in names and files
+//   scenario/data_files.hpp  the files that a scenario refers to: their paths, or their content
 //   monitor/function.hpp     a monitor from a function of your own
 //   monitor/formula_monitor.hpp  a monitor from a formula, as text
 //   monitor/field_monitor.hpp    a monitor from a field: a variable of a NetCDF, CSV or VTK file
@@ -43,6 +44,7 @@
 #include "core/monitor/image_monitor.hpp"
 #include "core/monitor/monitor.hpp"
 #include "core/scenario/catalogue.hpp"
+#include "core/scenario/data_files.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/interpolation_study.hpp"
 #include "core/session/run.hpp"

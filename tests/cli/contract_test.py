@@ -758,6 +758,16 @@ class Files(Contract):
             self.refused(gaspard(command, scenario), "formats.toml:2: output.formats: unknown format 'gld'", "'glb'")
         self.refused(gaspard("compare", "plane-ring", "--set", "view.layout=projection", "--out", self.out), "projection")
 
+    def test_a_portable_scenario_needs_no_other_file(self):
+        patch = self.file("one.xml", self.gismo(1))
+        scenario = self.file("mine.toml", self.SCENARIO % "one.xml")
+        text = gaspard("show", scenario, "--portable").stdout
+        self.assertIn("data:application/xml;base64,", text)
+        self.assertNotIn("one.xml", text)
+        os.remove(patch)
+        self.refused(gaspard("show", scenario), "one.xml")
+        self.assertEqual(gaspard("show", self.file("portable.toml", text)).stdout, text)
+
     def test_empty_values_are_refused(self):
         for option in ("--out", "--tolerance", "--max-iterations", "--threads", "--seed", "--start", "--formats", "--size"):
             self.refused(gaspard("run", "plane-ring", option, ""), option + " is empty")

@@ -166,6 +166,13 @@ std::vector<FieldInfo> fields() {
     return infos;
 }
 
+std::vector<MonitorStage> stages() {
+    std::vector<MonitorStage> parts;
+    for (const std::string letter : letters)
+        parts.push_back({"Part " + letter, "part-" + letter, {letter + "."}});
+    return parts;
+}
+
 } // namespace
 
 MonitorType combined_monitor_type() {
@@ -177,7 +184,8 @@ MonitorType combined_monitor_type() {
             .rows = rows,
             .make = make,
             .further_rows = further_rows,
-            .fields = fields()};
+            .fields = fields(),
+            .stages = stages()};
 }
 
 } // namespace gaspard

@@ -210,7 +210,14 @@ MonitorType derived_monitor_type() {
             .rows = rows,
             .make = make,
             .further_rows = further_rows,
-            .fields = derived_fields()};
+            .fields = derived_fields(),
+            .stages = {{"Function u", "u", {"u."}},
+                       {"Indicator",
+                        "indicator",
+                        {"kind", "alpha", "order", "level", "width", "profile", "normalise"}},
+                       {"Average", "averaged", {"average", "fraction"}},
+                       {"Limit", "limited", {"limit", "floor", "contrast"}},
+                       {"Smooth", "monitor", {"smooth", "smoothing"}}}};
 }
 
 } // namespace gaspard

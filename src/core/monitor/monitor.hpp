@@ -85,6 +85,15 @@ enum class MonitorFigure {
     unit_disk,   ///< for the unit disk
 };
 
+/// A stage in the making of a monitor, or a part of it, as the window groups its rows.
+struct MonitorStage {
+    std::string label; ///< "Average"
+    std::string field; ///< that shows its result: one of MonitorType::fields, or "monitor"
+    /// Of its rows, in any order; "u." stands for all that begin with it. If the first one is of kind boolean, it
+    /// switches the stage.
+    std::vector<std::string> keys;
+};
+
 /// A type of monitor as the user sees it. To add one, write a file with its rows and `make`, and add a line
 /// to monitors.cpp.
 struct MonitorType {
@@ -107,6 +116,7 @@ struct MonitorType {
     std::function<std::string(const Space&)> formula{};
     /// Fields of nodes that its monitors may have besides m (Monitor::fields): colours and files offer them.
     std::vector<FieldInfo> fields{};
+    std::vector<MonitorStage> stages{}; ///< rows of none of them come first
 };
 
 /// All built-in monitors, in the order of `gaspard list`.

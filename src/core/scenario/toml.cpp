@@ -178,17 +178,6 @@ std::string with_place(const ScenarioSource& source, const std::string& message)
 
 bool is_scenario_file(std::string_view name_or_file) { return has_extension(name_or_file, ".toml"); }
 
-Scenario with_absolute_paths(Scenario scenario) {
-    for (Section* section :
-         {&scenario.domain, &scenario.monitor, &scenario.target, &scenario.method, &scenario.pde})
-        for (const ParameterRow& row : std::vector<ParameterRow>(section->values.rows()))
-            if (const std::string text = row.role == ParameterRole::file ? section->values.text(row.key) : "";
-                is_path(text))
-                section->values.set(row.key,
-                                    std::filesystem::absolute(user_path(text, scenario.folder)).string());
-    return scenario;
-}
-
 std::string to_toml(const Scenario& scenario) {
     std::ostringstream out;
     out.imbue(std::locale::classic());

@@ -33,8 +33,6 @@ Scenario load_scenario(const Catalogue& catalogue, const std::filesystem::path& 
                        ScenarioSource* source = nullptr);
 /// Whether a text is the path of a scenario file, .toml in any case, and not a name.
 bool is_scenario_file(std::string_view name_or_file);
-/// The scenario with absolute paths, so that it can be saved in any folder.
-Scenario with_absolute_paths(Scenario scenario);
 /// The complete scenario including default values; parse_scenario returns the same scenario.
 std::string to_toml(const Scenario& scenario);
 

@@ -2,7 +2,9 @@
 
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
+#include "core/base/user_path.hpp"
 #include "core/io/formats.hpp"
+#include "core/scenario/data_files.hpp"
 #include "core/scenario/toml.hpp"
 #include "gui/document/runs_csv.hpp"
 #include "gui/panels/status_bar.hpp"
@@ -58,6 +60,8 @@ bool Application::collect() {
         opening_file_ = opened->file;
         news = true;
     }
+    for (const DataFile& data : files_.take_data()) take_data(data), news = true;
+    if (auto listing = files_.take_listing()) open_dialog_.set_listing(std::move(*listing)), news = true;
     for (const ScenarioOnDisk& saved : files_.take_saved()) {
         if (run().openings != saved_in_) continue;
         document_.name_saved(run().id, saved.scenario);
@@ -69,15 +73,17 @@ bool Application::collect() {
 }
 
 /// Messages of the active run are shown at once, those of other runs are in the log only. A value refused
-/// while a handle is dragged is reported in the status bar only, because a dialog would end the drag.
+/// while a handle is dragged, or a formula is typed, is reported in the status bar and below the formula
+/// only, because a dialog would interrupt.
 void Application::take_messages() {
     for (DocumentRun& one : document_.runs())
         for (RunMessage& message : std::exchange(one.messages, {})) {
             if (&one != &run())
                 messages_.note({one.name + ": " + message.text, message.error});
-            else if (message.dragging && run().solver->status().run != RunStatus::failed)
+            else if (message.dragging && run().solver->status().run != RunStatus::failed) {
+                if (message.error) panel_.refuse_formula(message.text);
                 messages_.show({std::move(message.text), message.error});
-            else
+            } else
                 messages_.say({std::move(message.text), message.error});
         }
 }
@@ -140,7 +146,7 @@ WindowState Application::window_state() const {
             fullscreen_,
             quit_,
             (open_dialog_.opening() || save_dialog_.opening()) && !messages_.error().open(),
-            viewport_pane_.spinning()};
+            viewport_pane_.spinning() || panel_.waiting()};
 }
 
 void Application::follow(const MenuChoice& choice) {
@@ -176,6 +182,18 @@ void Application::use_quadratic_cells() {
     messages_.clear();
     run().solver->post(StartCommand{});
     run().wants_to_run = true;
+}
+
+bool Application::has_formula() {
+    const std::string& name = run().scenario.monitor.type;
+    const auto& types = catalogue_->monitors;
+    return run().live() && std::any_of(types.begin(), types.end(), [&](const MonitorType& type) {
+               return type.name == name && type.formula;
+           });
+}
+
+void Application::edit_as_formula() {
+    if (const auto scenario = with_formula(*catalogue_, run().scenario)) change_values(*scenario);
 }
 
 void Application::look_from(const std::string& direction) {
@@ -360,16 +378,79 @@ void Application::ask_where_to_save() {
     const Scenario& scenario = run().scenario;
     std::filesystem::path file = saved_as_;
     if (file.empty()) file = std::filesystem::absolute(scenario.folder / (scenario_stem(scenario) + ".toml"));
-    save_dialog_.show(file.string(), scenario_title(scenario));
+    save_dialog_.show(file.string(), scenario_title(scenario), has_data_files(scenario));
 }
 
 void Application::save_as(const SaveDialog::Choice& choice) {
     Scenario scenario = scenario_to_save();
     if (choice.title != scenario_title(scenario)) scenario.title = choice.title, scenario.modified.clear();
-    files_.save_scenario_as(scenario, choice.file);
+    files_.save_scenario_as(scenario, choice.file, choice.packed);
 }
 
 void Application::open_file(const std::filesystem::path& file) { files_.open(file); }
+
+void Application::ask_what_to_open() {
+    choosing_for_.clear();
+    open_dialog_.show({.title = "Open",
+                       .line = "Path of " + what_opens() + "; you can also drop a file on the window:",
+                       .endings = endings_of(),
+                       .recent = true});
+}
+
+/// The file of a value. Its folder is listed with those files that could be meant.
+void Application::ask_for_file(const FileWish& wish) {
+    choosing_for_ = wish.key;
+    const bool domain = wish.key.starts_with("domain.");
+    std::vector<std::string_view> endings = endings_of(domain ? FileUse::patch : FileUse::image);
+    if (!domain)
+        for (const std::string_view ending : endings_of(FileUse::field)) endings.push_back(ending);
+    std::string start;
+    if (is_path(wish.present)) {
+        std::filesystem::path file = wish.present; // with ~, as it is typed
+        if (file.is_relative() && !wish.present.starts_with("~")) file = run().scenario.folder / file;
+        start = (file.parent_path() / "").string();
+    }
+    open_dialog_.show({.title = "Choose a file",
+                       .line = "Path of the file (you can also drop it on the window):",
+                       .endings = std::move(endings),
+                       .start = start});
+}
+
+void Application::take_chosen(const std::string& path) {
+    if (choosing_for_.empty()) return files_.open(path);
+    try {
+        const std::string value =
+            is_path(path) ? std::filesystem::absolute(user_path(path)).lexically_normal().string() : path;
+        Scenario scenario = run().scenario;
+        set_value_unlocated(*catalogue_, scenario, choosing_for_, value);
+        change_values(scenario);
+    } catch (const InputError& error) {
+        messages_.say({error.what(), true});
+    }
+}
+
+void Application::take_data(const DataFile& data) {
+    if (!run().live())
+        return messages_.say({data.file.string() +
+                                  " cannot be used: this run has ended elsewhere and cannot be "
+                                  "changed",
+                              true});
+    try {
+        change_values(with_file(*catalogue_, run().opened, run().scenario, data.use, data.file));
+        messages_.show({"Reading " + data.file.string(), false});
+    } catch (const InputError& error) {
+        messages_.say({error.what(), true});
+    }
+}
+
+/// One edit, whatever changes.
+void Application::change_values(const Scenario& scenario) {
+    document_.record_views();
+    document_.end_gesture();
+    if (scenario.domain != run().scenario.domain) viewport().view.set("pick", std::string());
+    document_.change(run().id, scenario);
+    document_.end_gesture();
+}
 
 void Application::open_scenario(const Scenario& scenario) {
     opening_file_.clear();

@@ -20,6 +20,7 @@
 #include "gui/panels/plot_pane.hpp"
 #include "gui/panels/run_list.hpp"
 #include "gui/panels/viewport_pane.hpp"
+#include "gui/panels/why_panel.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -34,7 +35,7 @@
 namespace gaspard {
 
 struct ApplicationOptions {
-    std::function<void()> wake{}; ///< called on other threads when there is something to collect
+    std::function<void()> wake{};        ///< called on other threads when there is something to collect
     OutputFolders output{"gaspard-out"}; ///< files are written to folders of it with the names of scenarios
     std::optional<Scenario> named{};     ///< see Document::open
     Settings settings{};
@@ -69,7 +70,8 @@ class Application {
     /// something.
     bool press_key(std::string_view key);
     void perform(std::string_view action);
-    /// Reads a scenario file on another thread and, if it is valid, shows it.
+    /// Looks at a file on another thread: a scenario is shown, an image or a field becomes the monitor, a
+    /// spline patch the domain (file_kinds()).
     void open_file(const std::filesystem::path& file);
 
     const std::string& title() { return run().title; }
@@ -117,6 +119,10 @@ class Application {
     void note_what_is_missing();
     bool available(const std::string& choice) const;
     void use_quadratic_cells();
+    bool has_formula();
+    void edit_as_formula();
+    void draw_formula_button();
+    bool follow(WhyWish wish, Scenario& scenario);
     void follow(const MenuChoice& choice);
     void arrange();
     void draw_sidebar();
@@ -147,15 +153,21 @@ class Application {
     void take_opening();
     void toggle_format(const std::string& name);
     void open_builtin(const std::string& name);
+    void ask_what_to_open();
+    void ask_for_file(const FileWish& wish);
+    void take_chosen(const std::string& path);
+    void take_data(const DataFile& data);
+    void change_values(const Scenario& scenario);
 
     std::shared_ptr<const Catalogue> catalogue_;
     Settings settings_;
     Messages messages_;
     OpenDialog open_dialog_;
+    std::string choosing_for_; ///< the key of the value whose file is being chosen; empty: a file to open
     SaveDialog save_dialog_;
     std::uint64_t saved_in_ = 0;     ///< how many openings preceded the last save
     std::filesystem::path saved_as_; ///< the chosen file that it was last saved to; empty: none
-    std::string closing_note_; ///< of the last end, which is in the log
+    std::string closing_note_;       ///< of the last end, which is in the log
     std::shared_ptr<const Mesh> looked_for_missing_;
     std::string patch_note_; ///< "p.xml: patch 1 of 312 ...", as last said
     std::uint64_t openings_seen_ = 0;

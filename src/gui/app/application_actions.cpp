@@ -64,6 +64,20 @@ std::vector<Action> Application::edit_actions() {
                  const EditHistory& edits = document_.edits();
                  return edits.can_redo() ? "Redo " + edits.redo_label() : std::string("Redo");
              }},
+        {.name = "as-formula",
+         .label = "Edit as formula",
+         .menu = "Edit",
+         .keys = {"Ctrl+E"},
+         .help = "Turn the monitor into a formula with the same values, to change it.",
+         .needs_solver = true,
+         .run = [this] { edit_as_formula(); },
+         .enabled = [this] { return has_formula(); },
+         .reason =
+             [this] {
+                 return run().scenario.monitor.type == "formula"
+                            ? "Edit as formula: the monitor is a formula already."
+                            : "Edit as formula: this monitor cannot be written as a formula.";
+             }},
     };
 }
 
@@ -330,8 +344,8 @@ std::vector<Action> Application::file_actions() {
          .label = "Open ...",
          .menu = "File",
          .keys = {"Ctrl+O"},
-         .help = "Open a scenario file.",
-         .run = [this] { open_dialog_.show(); }},
+         .help = "Open a scenario, or use an image, a field or a spline patch in this one.",
+         .run = [this] { ask_what_to_open(); }},
         {.name = "save",
          .label = "Save scenario",
          .menu = "File",

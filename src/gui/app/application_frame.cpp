@@ -90,13 +90,29 @@ void Application::draw_sidebar() {
     Scenario scenario = run().scenario;
     const std::shared_ptr<const Snapshot> snapshot = run().snapshot; // while the panel shows its patches
     const PatchList* patches = snapshot && run().changes.settled() ? snapshot->patches.get() : nullptr;
-    const PanelContext context{*catalogue_, run().opened, theme_, items_, viewport_pane_.unavailable(),
-                               patches};
+    const PanelContext context{*catalogue_,
+                               run().opened,
+                               theme_,
+                               items_,
+                               viewport_pane_.unavailable(),
+                               patches,
+                               snapshot ? snapshot->monitor_report.get() : nullptr,
+                               viewport().view.text("color")};
     bool changed = false;
     for (const auto kind : all_sections) {
         if (!has_section(scenario, kind)) continue;
-        if (ImGui::CollapsingHeader(section_title(kind), ImGuiTreeNodeFlags_DefaultOpen))
-            changed |= panel_.draw_section(kind, context, scenario);
+        const bool open = ImGui::CollapsingHeader(
+            section_title(kind), ImGuiTreeNodeFlags_DefaultOpen | ImGuiTreeNodeFlags_AllowItemOverlap);
+        if (kind == SectionKind::monitor) draw_formula_button();
+        if (open) changed |= panel_.draw_section(kind, context, scenario);
+        ImGui::Spacing();
+    }
+    if (scenario.method.values.has("interpolation")) {
+        const bool open = ImGui::CollapsingHeader("Why adapt?");
+        remember_item(items_, "why");
+        if (open)
+            changed |= follow(
+                draw_why(snapshot.get(), scenario.method.values.boolean("interpolation"), items_), scenario);
         ImGui::Spacing();
     }
     if (ImGui::CollapsingHeader("Runs", ImGuiTreeNodeFlags_DefaultOpen)) {
@@ -113,12 +129,52 @@ void Application::draw_sidebar() {
     if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) draw_view(context);
     if (scenario.domain != run().scenario.domain) viewport().view.set("pick", std::string());
     scenario.view = viewport().view;
-    if (changed) {
-        document_.change(run().id,
-                         scenario); // once per frame; of those that wait, the solver takes the newest
+    const bool formula = panel_.take_formula_applied();
+    if (formula) document_.end_gesture();
+    if (changed) { // once per frame; of those that wait, the solver takes the newest
         messages_.clear();
+        document_.change(run().id, scenario, formula);
     }
+    if (formula) document_.end_gesture();
+    if (const auto wish = panel_.take_file_wish()) ask_for_file(*wish);
+    if (const auto field = panel_.take_field_wish()) viewport().view.set("color", *field);
     ImGui::End();
+}
+
+/// True if it changes the scenario.
+bool Application::follow(WhyWish wish, Scenario& scenario) {
+    Values& view = viewport().view;
+    switch (wish) {
+    case WhyWish::none:
+        return false;
+    case WhyWish::measure:
+        scenario.method.values.set("interpolation", true);
+        return true;
+    case WhyWish::maps:
+        view.set("color", std::string("interpolation_error"));
+        view.set("layout", std::string("side-by-side"));
+        return false;
+    case WhyWish::factors:
+        view.set("color", std::string("interpolation_ratio"));
+        view.set("layout", std::string("single"));
+        return false;
+    }
+    return false;
+}
+
+/// At the right end of the monitor's heading.
+void Application::draw_formula_button() {
+    const Action& row = action("as-formula");
+    const std::string label(row.label);
+    const float padding = ImGui::GetStyle().FramePadding.x;
+    const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * padding;
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width - padding);
+    ImGui::BeginDisabled(!row.is_enabled());
+    if (ImGui::SmallButton(label.c_str())) perform(row.name);
+    ImGui::EndDisabled();
+    remember_item(items_, "monitor.as-formula");
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", row.is_enabled() ? tooltip_of(row).c_str() : row.why_disabled().c_str());
 }
 
 void Application::draw_view(const PanelContext& context) {
@@ -171,11 +227,13 @@ void Application::draw_dialogs() {
         if (draw_progress("comparing methods", document_.comparison().progress(), layout_.viewport, items_))
             document_.cancel_comparison();
     }
+    if (const auto folder = open_dialog_.take_folder_wish())
+        files_.list(*folder, open_dialog_.purpose().endings);
     draw_help(help_, actions_, theme_);
     if (messages_.error().open()) // two dialogs at once would close each other
         messages_.error().draw(items_);
     else if (const auto path = open_dialog_.draw(settings_.recent, items_))
-        files_.open(*path);
+        take_chosen(*path);
     else if (const auto choice = save_dialog_.draw(items_))
         save_as(*choice);
 }

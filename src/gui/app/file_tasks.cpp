@@ -6,9 +6,11 @@
 #include "core/io/run_files.hpp"
 #include "core/io/run_folder.hpp"
 #include "core/io/svg.hpp"
+#include "core/scenario/data_files.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/tessellate/check_view.hpp"
 
+#include <fstream>
 #include <utility>
 
 namespace gaspard {
@@ -16,8 +18,7 @@ namespace gaspard {
 void FileTasks::open(const std::filesystem::path& file) {
     writer_.run([catalogue = catalogue_, arrivals = arrivals_, file] {
         const auto absolute = std::filesystem::absolute(user_path(file.string()));
-        if (!is_scenario_file(absolute.string()))
-            throw InputError(absolute.string() + " is not a scenario file: its name does not end in .toml");
+        if (!is_scenario_file(absolute.string())) return look_at(*arrivals, absolute);
         ScenarioSource source;
         Scenario scenario = load_scenario(*catalogue, absolute, &source);
         try {
@@ -35,6 +36,42 @@ void FileTasks::open(const std::filesystem::path& file) {
 std::optional<ScenarioOnDisk> FileTasks::take_opened() {
     std::lock_guard lock(arrivals_->mutex);
     return std::exchange(arrivals_->opened, std::nullopt);
+}
+
+/// Finds out what a file is that is no scenario.
+std::string FileTasks::look_at(Arrivals& arrivals, const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string head(16, '\0');
+    if (!std::filesystem::is_regular_file(file) || !stream)
+        throw InputError(
+            "cannot read " + file.string() + ": " +
+            (std::filesystem::exists(file) ? "it is not a file that can be read" : "there is no such file"));
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(stream.gcount()));
+    const auto use = use_of(file, head);
+    if (!use) throw InputError(file.string() + " cannot be opened; open or drop " + what_opens());
+    std::lock_guard lock(arrivals.mutex);
+    arrivals.data.push_back({*use, file});
+    return {};
+}
+
+std::vector<DataFile> FileTasks::take_data() {
+    std::lock_guard lock(arrivals_->mutex);
+    return std::exchange(arrivals_->data, {});
+}
+
+void FileTasks::list(const std::filesystem::path& folder, std::vector<std::string_view> endings) {
+    writer_.run([arrivals = arrivals_, folder, endings = std::move(endings)] {
+        FolderListing listing = list_folder(folder, endings);
+        std::lock_guard lock(arrivals->mutex);
+        arrivals->listing = std::move(listing);
+        return std::string();
+    });
+}
+
+std::optional<FolderListing> FileTasks::take_listing() {
+    std::lock_guard lock(arrivals_->mutex);
+    return std::exchange(arrivals_->listing, std::nullopt);
 }
 
 std::vector<ScenarioOnDisk> FileTasks::take_saved() {
@@ -64,7 +101,7 @@ namespace {
 
 /// As the file is read back: its name is that of the scenario.
 Scenario as_saved(Scenario scenario, const std::filesystem::path& file) {
-    scenario = with_absolute_paths(std::move(scenario));
+    scenario = with_relative_paths(std::move(scenario), std::filesystem::absolute(file).parent_path());
     scenario.title = scenario_title(scenario);
     scenario.name = file.stem().string();
     scenario.modified.clear();
@@ -80,16 +117,17 @@ void FileTasks::save_scenario(const Scenario& scenario) {
     });
 }
 
-void FileTasks::save_scenario_as(const Scenario& scenario, const std::filesystem::path& file) {
-    writer_.run([arrivals = arrivals_, scenario, file] {
+void FileTasks::save_scenario_as(const Scenario& scenario, const std::filesystem::path& file, bool packed) {
+    writer_.run([arrivals = arrivals_, scenario, file, packed] {
         const auto absolute = std::filesystem::absolute(user_path(file.string()));
-        save(*arrivals, {as_saved(scenario, absolute), absolute, true});
+        save(*arrivals, {as_saved(scenario, absolute), absolute, true}, packed);
         return "Saved " + absolute.string();
     });
 }
 
-void FileTasks::save(Arrivals& arrivals, ScenarioOnDisk scenario) {
-    write_atomically(scenario.file, to_toml(scenario.scenario));
+void FileTasks::save(Arrivals& arrivals, ScenarioOnDisk scenario, bool packed) {
+    write_atomically(scenario.file,
+                     to_toml(packed ? with_packed_data(scenario.scenario) : scenario.scenario));
     std::lock_guard lock(arrivals.mutex);
     arrivals.saved.push_back(std::move(scenario));
 }

@@ -5,9 +5,11 @@
 #include "core/io/image.hpp"
 #include "core/scenario/catalogue.hpp"
 #include "core/tessellate/plot.hpp"
+#include "gui/app/file_kinds.hpp"
 #include "gui/base/background_writer.hpp"
 #include "gui/base/output_folders.hpp"
 #include "gui/document/document.hpp"
+#include "gui/panels/dialogs.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -25,6 +27,12 @@ struct ScenarioOnDisk {
     bool chosen = false;        ///< the user has chosen the file to save to
 };
 
+/// A file that is there and can be taken into the scenario.
+struct DataFile {
+    FileUse use{};
+    std::filesystem::path file; ///< absolute
+};
+
 class FileTasks {
   public:
     /// Files are written to folders of `output` that have the names of scenarios. No file is replaced, except
@@ -34,8 +42,14 @@ class FileTasks {
         : catalogue_(std::move(catalogue)), board_(board), output_(std::move(output)),
           writer_(std::move(board)) {}
 
-    /// Reads a scenario file; take_opened() gives the scenario if it is valid.
+    /// Reads a scenario file; take_opened() gives the scenario if it is valid. Of another file of
+    /// file_kinds() it looks at the first bytes; take_data() gives what it is.
     void open(const std::filesystem::path& file);
+    /// The data files found since the last call, in order.
+    std::vector<DataFile> take_data();
+    /// Reads the names in a folder; take_listing() gives them. A folder that cannot be read is empty.
+    void list(const std::filesystem::path& folder, std::vector<std::string_view> endings);
+    std::optional<FolderListing> take_listing();
     /// The scenario read last, once.
     std::optional<ScenarioOnDisk> take_opened();
     /// Writes the files of a live run in its scenario's formats, on the solver's thread, to a folder of its
@@ -43,7 +57,8 @@ class FileTasks {
     void export_run(DocumentRun& run);
     /// "NAME.toml" or the next free name; take_saved() gives the scenario once it is written.
     void save_scenario(const Scenario& scenario);
-    void save_scenario_as(const Scenario& scenario, const std::filesystem::path& file);
+    /// `packed`: with the content of its data files, so that it needs no other file.
+    void save_scenario_as(const Scenario& scenario, const std::filesystem::path& file, bool packed = false);
     /// The scenarios written since the last call, in order.
     std::vector<ScenarioOnDisk> take_saved();
     /// "NAME.png" or the next free name.
@@ -56,8 +71,11 @@ class FileTasks {
         std::mutex mutex;
         std::optional<ScenarioOnDisk> opened;
         std::vector<ScenarioOnDisk> saved;
+        std::vector<DataFile> data;
+        std::optional<FolderListing> listing;
     };
-    static void save(Arrivals& arrivals, ScenarioOnDisk scenario);
+    static std::string look_at(Arrivals& arrivals, const std::filesystem::path& file);
+    static void save(Arrivals& arrivals, ScenarioOnDisk scenario, bool packed = false);
 
     std::shared_ptr<const Catalogue> catalogue_;
     std::shared_ptr<NoticeBoard> board_;

@@ -38,7 +38,8 @@ std::span<const MouseHelp> mouse_help() {
         {"Drag or wheel on a plot", "Pan or zoom; with Shift or Ctrl, or on an axis, in one direction only."},
         {"Right drag on a plot", "Zoom to a rectangle; double-click to show everything."},
         {"Ctrl+click a slider", "Type a value."},
-        {"Drop a .toml file", "Open it."},
+        {"Drop a file",
+         "Open a scenario; use an image or a field as the monitor, a spline patch as the domain."},
     };
     return rows;
 }

@@ -1,4 +1,4 @@
-// Writes files on a thread of its own. Each task ends with one sentence for the user.
+// Reads and writes files on a thread of its own. Each task ends with at most one sentence for the user.
 #pragma once
 
 #include "gui/base/notice.hpp"
@@ -25,7 +25,7 @@ class BackgroundWriter {
   public:
     explicit BackgroundWriter(std::shared_ptr<NoticeBoard> board);
     ~BackgroundWriter();
-    /// `task` returns a sentence about what it did; an exception becomes an error notice.
+    /// `task` returns a sentence about what it did, or nothing to say; an exception becomes an error notice.
     void run(std::function<std::string()> task);
     /// Writes to "NAME.ENDING", or to the next free name, in the folder of this name.
     void write_new(OutputFolders folders, std::string folder, std::string name, std::string ending,

@@ -98,4 +98,26 @@ bool icon_button(const char* id, Icon icon, const char* label, float width) {
     return pressed;
 }
 
+bool eye_button(const char* id, bool crossed, ImU32 colour, ImU32 hovered) {
+    const float em = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton(id, {1.6F * em, height});
+    if (ImGui::IsItemHovered()) colour = hovered;
+    const ImVec2 middle{at.x + 0.8F * em, at.y + height / 2};
+    const float half = 0.55F * em, thickness = std::max(1.0F, 0.09F * em);
+    // Two arcs that meet in the corners: their centres lie below and above.
+    constexpr float pi = 3.14159265F, opening = 0.9F;
+    const float radius = half / std::sin(opening), depth = radius * std::cos(opening);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PathArcTo({middle.x, middle.y + depth}, radius, -pi / 2 - opening, -pi / 2 + opening, 12);
+    list.PathStroke(colour, 0, thickness);
+    list.PathArcTo({middle.x, middle.y - depth}, radius, pi / 2 - opening, pi / 2 + opening, 12);
+    list.PathStroke(colour, 0, thickness);
+    list.AddCircleFilled(middle, 0.18F * em, colour, 12);
+    if (crossed)
+        list.AddLine({middle.x - 0.45F * em, middle.y + 0.4F * em},
+                     {middle.x + 0.45F * em, middle.y - 0.4F * em}, colour, thickness);
+    return pressed;
+}
+
 } // namespace gaspard

@@ -13,4 +13,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 col
 /// A button with an icon before its label; `width` 0 fits the label. True when pressed.
 bool icon_button(const char* id, Icon icon, const char* label, float width = 0);
 
+/// An eye as a button, an open one or one crossed out. True when pressed.
+bool eye_button(const char* id, bool crossed, ImU32 colour, ImU32 hovered);
+
 } // namespace gaspard

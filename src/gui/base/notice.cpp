@@ -12,6 +12,10 @@ void NoticeBoard::add(Notice notice) {
         std::lock_guard lock(mutex_);
         notices_.push_back(std::move(notice));
     }
+    wake();
+}
+
+void NoticeBoard::wake() {
     if (notify_) notify_();
 }
 
@@ -22,7 +26,8 @@ std::vector<Notice> NoticeBoard::take() {
 
 void report_outcome(NoticeBoard& board, const std::function<std::string()>& task) {
     try {
-        board.add({task(), false});
+        std::string said = task();
+        said.empty() ? board.wake() : board.add({std::move(said), false});
     } catch (const Interrupted&) {
         throw; // whoever cancelled it says so
     } catch (const std::exception& error) {

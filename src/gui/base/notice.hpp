@@ -19,6 +19,7 @@ class NoticeBoard {
     /// `notify` is called after every notice, on the thread that added it.
     explicit NoticeBoard(std::function<void()> notify) : notify_(std::move(notify)) {}
     void add(Notice notice);
+    void wake(); ///< without a notice: something else is there to collect
     std::vector<Notice> take();
 
   private:
@@ -27,8 +28,8 @@ class NoticeBoard {
     std::vector<Notice> notices_;
 };
 
-/// Runs `task`, which returns a sentence about what it did. An exception becomes an error notice;
-/// Interrupted is passed on.
+/// Runs `task`, which returns a sentence about what it did; if it is empty, nothing is said. An exception
+/// becomes an error notice; Interrupted is passed on.
 void report_outcome(NoticeBoard& board, const std::function<std::string()>& task);
 
 } // namespace gaspard

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <string>
 #include <vector>
 
 namespace gaspard {
@@ -25,9 +26,9 @@ Colour mix(Colour a, Colour b, float t) {
     return {a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b), a.a + t * (b.a - a.a)};
 }
 
-std::string_view embedded_font() {
+std::string_view embedded_font(std::string_view name) {
     for (const auto& file : gui_assets::files())
-        if (file.path == "assets/fonts/Roboto-Regular.ttf") return file.bytes;
+        if (file.path == "assets/fonts/" + std::string(name)) return file.bytes;
     check_failed("the font is embedded");
 }
 
@@ -197,18 +198,28 @@ void load_font(ImFontAtlas& atlas, const Theme& theme, float scale, std::string_
     std::vector<ImWchar> ranges(std::begin(always), std::end(always));
     for (const char32_t c : characters_of(text)) append_character(ranges, c);
     ranges.push_back(0);
-    const std::string_view bytes = embedded_font();
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = 2;
     atlas.Clear();
-    // ImGui asks for writable bytes, but only reads what it does not own.
+    const auto add = [&](std::string_view name, float pixels, const ImWchar* wanted) {
+        const std::string_view bytes = embedded_font(name);
+        // ImGui asks for writable bytes, but only reads what it does not own.
+        return atlas.AddFontFromMemoryTTF(const_cast<char*>(bytes.data()), static_cast<int>(bytes.size()),
+                                          pixels, &config, wanted);
+    };
     const float size = std::round(theme.font_size * scale);
-    const ImFont* font = atlas.AddFontFromMemoryTTF(
-        const_cast<char*>(bytes.data()), static_cast<int>(bytes.size()), size, &config, ranges.data());
+    const ImFont* font = add("Roboto-Regular.ttf", size, ranges.data());
     std::vector<std::vector<ImWchar>> added;
-    for (const SystemFont& found : fonts) add_font(atlas, found, size, added);
-    GASPARD_CHECK(font != nullptr && atlas.Build()); // it reads the ranges
+    for (const SystemFont& found : fonts) add_font(atlas, found, size, added); // into the font before
+    static constexpr ImWchar of_formulas[] = {0x0020, 0x00ff, 0x0370, 0x03ff, 0x2010, 0x2027, 0};
+    const ImFont* fixed = add("JetBrainsMono-Regular.ttf", std::round(0.93F * size), of_formulas);
+    GASPARD_CHECK(font != nullptr && fixed != nullptr && atlas.Build()); // it reads the ranges
+}
+
+ImFont* formula_font() {
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    return atlas.Fonts.Size > 1 ? atlas.Fonts[1] : ImGui::GetFont();
 }
 
 std::vector<char32_t> missing_characters(const ImFontAtlas& atlas, std::string_view text) {

@@ -48,14 +48,16 @@ Theme theme_named(std::string_view name);
 /// Sets the current ImGui context's style.
 void apply_theme(const Theme& theme, float scale);
 
-/// Makes the embedded font (Latin, Greek, Cyrillic, superscripts and some signs) the only one of `atlas`, at
-/// the theme's size times `scale`. Characters of `text` (UTF-8) that it lacks are taken from fonts of the
-/// system, where there are any. Its texture is made by ImGuiRenderer.
-/// This may take seconds.
+/// Makes the embedded fonts those of `atlas`, at the theme's size times `scale`: one for texts (Latin, Greek,
+/// Cyrillic, superscripts and some signs), and one with letters of equal width for formulas. Characters of
+/// `text` (UTF-8) that the first one lacks are taken from fonts of the system, where there are any. Its
+/// texture is made by ImGuiRenderer. This may take seconds.
 void load_font(ImFontAtlas& atlas, const Theme& theme, float scale, std::string_view text = {});
 /// The same with these fonts of the system, which were found before, for all their characters.
 void load_font(ImFontAtlas& atlas, const Theme& theme, float scale, std::string_view text,
                const std::vector<SystemFont>& fonts);
+/// The font with letters of equal width; the current one if the atlas has none.
+ImFont* formula_font();
 /// The characters of `text` for which the atlas has no glyph, each once.
 std::vector<char32_t> missing_characters(const ImFontAtlas& atlas, std::string_view text);
 /// Whether there are any.

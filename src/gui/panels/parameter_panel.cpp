@@ -1,12 +1,16 @@
 #include "gui/panels/parameter_panel.hpp"
 
-#include "core/base/check.hpp"
+#include "core/base/error.hpp"
 #include "gui/base/icons.hpp"
+#include "gui/panels/formula_rows.hpp"
+#include "gui/panels/slider_scale.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <imgui.h>
 #include <imgui_stdlib.h>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -28,120 +32,6 @@ Columns columns() {
     c.control = ImGui::GetWindowContentRegionMin().x + 8.9F * em;
     c.slider_width = std::max(2 * em, c.typed - gap - c.control);
     return c;
-}
-
-template <class AnyScenario>
-auto& section_of(AnyScenario& scenario, SectionKind kind) {
-    switch (kind) {
-    case SectionKind::domain:
-        return scenario.domain;
-    case SectionKind::monitor:
-        return scenario.monitor;
-    case SectionKind::target:
-        return scenario.target;
-    case SectionKind::method:
-        return scenario.method;
-    case SectionKind::pde:
-        return scenario.pde;
-    }
-    check_failed("the section has a kind");
-}
-
-const char* section_key(SectionKind kind) {
-    switch (kind) {
-    case SectionKind::domain:
-        return "domain";
-    case SectionKind::monitor:
-        return "monitor";
-    case SectionKind::target:
-        return "monitor.target";
-    case SectionKind::method:
-        return "method";
-    case SectionKind::pde:
-        return "pde";
-    }
-    return "";
-}
-
-/// An entry in a list of types.
-struct TypeEntry {
-    const std::string *name, *label, *help;
-};
-
-std::vector<TypeEntry> type_entries(const Catalogue& catalogue, SectionKind kind) {
-    std::vector<TypeEntry> entries;
-    const auto add = [&](const auto& types) {
-        for (const auto& type : types) entries.push_back({&type.name, &type.label, &type.help});
-    };
-    if (kind == SectionKind::domain)
-        add(catalogue.domains);
-    else if (kind == SectionKind::monitor || kind == SectionKind::target)
-        add(catalogue.monitors);
-    else if (kind == SectionKind::method)
-        add(catalogue.methods);
-    else
-        add(catalogue.pdes);
-    return entries;
-}
-
-Section fresh_section(const Catalogue& catalogue, const Scenario& opened, SectionKind kind,
-                      const std::string& type) {
-    if (const Section& before = section_of(opened, kind); before.type == type) return before;
-    switch (kind) {
-    case SectionKind::domain:
-        return domain_section(catalogue, type);
-    case SectionKind::monitor:
-        return monitor_section(catalogue, type); // with the plane's rows; update_rows() adapts them
-    case SectionKind::target:
-        return monitor_section(catalogue, type, {}, section_key(kind));
-    case SectionKind::method:
-        return method_section(catalogue, type);
-    case SectionKind::pde:
-        return pde_section(catalogue, type);
-    }
-    return {};
-}
-
-double number_of(const Values& values, const ParameterRow& row) {
-    return row.kind == ParameterKind::integer ? static_cast<double>(values.integer(row.key))
-                                              : values.real(row.key);
-}
-
-void set_number(Values& values, const ParameterRow& row, double number) {
-    if (row.kind == ParameterKind::integer)
-        values.set(row.key, static_cast<std::int64_t>(std::llround(number)));
-    else
-        values.set(row.key, number);
-}
-
-/// The scale of a slider: the value, its logarithm, or, if the range is not positive, asinh, which is like a
-/// logarithm for large values and is defined at zero.
-double along(const ParameterRow& row, double value) {
-    if (row.scale == ParameterScale::linear) return value;
-    return row.minimum > 0 ? std::log(value) : std::asinh(value);
-}
-
-double position_of(const ParameterRow& row, double value) {
-    const double low = along(row, row.minimum), high = along(row, row.maximum);
-    return high > low ? (along(row, value) - low) / (high - low) : 0;
-}
-
-double value_at(const ParameterRow& row, double position) {
-    const double low = along(row, row.minimum), high = along(row, row.maximum);
-    const double place = low + position * (high - low);
-    if (row.scale == ParameterScale::linear) return place;
-    return row.minimum > 0 ? std::exp(place) : std::sinh(place);
-}
-
-/// A value of a slider, rounded to the precision of the mouse. Typed values are not rounded.
-double rounded(const ParameterRow& row, double value) {
-    if (row.kind == ParameterKind::integer) return std::round(value);
-    const double size =
-        row.scale == ParameterScale::logarithmic ? std::abs(value) * 10 : row.maximum - row.minimum;
-    if (size == 0 || !std::isfinite(size)) return value;
-    const double decimals = 3 - std::floor(std::log10(size));
-    const double factor = std::pow(10.0, std::abs(decimals));
-    return decimals >= 0 ? std::round(value * factor) / factor : std::round(value / factor) * factor;
 }
 
 /// Beside the panel, so that it does not cover the row that it explains.
@@ -194,11 +84,83 @@ bool has_same_row(const Values& values, const ParameterRow& row) {
     });
 }
 
+/// The stages of a monitor; none for other sections.
+std::vector<MonitorStage> stages_of(const Catalogue& catalogue, SectionKind kind, const std::string& type) {
+    if (kind == SectionKind::monitor)
+        for (const MonitorType& one : catalogue.monitors)
+            if (one.name == type) return one.stages;
+    return {};
+}
+
+bool belongs_to(const ParameterRow& row, const MonitorStage& stage) {
+    return std::any_of(stage.keys.begin(), stage.keys.end(), [&](const std::string& key) {
+        return key.ends_with('.') ? row.key.starts_with(key) : row.key == key;
+    });
+}
+
+/// The row that switches a stage; null if there is none.
+const ParameterRow* switch_of(const std::vector<ParameterRow>& rows, const MonitorStage& stage) {
+    for (const ParameterRow& row : rows)
+        if (row.key == stage.keys.front() && row.kind == ParameterKind::boolean) return &row;
+    return nullptr;
+}
+
+/// Below the heading of part "a", "a: Amplitude" is called "Amplitude".
+ParameterRow without_prefix(ParameterRow row) {
+    const std::string part = row.key.substr(0, row.key.find('.')) + ": ";
+    if (row.label.starts_with(part)) row.label.erase(0, part.size());
+    return row;
+}
+
+/// The values that the monitor offers for a row of text; null if it offers none.
+const std::vector<std::string>* choices_of(const PanelContext& context, const Values& values,
+                                           const std::string& row) {
+    if (!context.report || values.section() != "monitor") return nullptr;
+    const auto found = context.report->choices.find(row);
+    return found == context.report->choices.end() || found->second.empty() ? nullptr : &found->second;
+}
+
 /// Whether a row can have a value: a colour of another method is none of its choices.
 bool allows(const ParameterRow& row, const Value& value) {
     const auto* choice = std::get_if<std::string>(&value);
     return row.kind != ParameterKind::choice ||
            (choice && std::find(row.choices.begin(), row.choices.end(), *choice) != row.choices.end());
+}
+
+/// The list of a choice. `fits`: the others are greyed out. An empty text is called automatic.
+std::optional<std::string> draw_list(const PanelContext& context, const std::string& key,
+                                     const std::string& current, const std::vector<std::string>& choices,
+                                     const std::function<bool(const std::string&)>& fits) {
+    const auto named = [](const std::string& choice) {
+        return choice.empty() ? "automatic" : choice.c_str();
+    };
+    std::optional<std::string> chosen;
+    const bool open = ImGui::BeginCombo("##choice", named(current));
+    remember_item(context.items, key);
+    if (!open) return chosen;
+    for (const auto& choice : choices) {
+        const auto flags = fits(choice) ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
+        if (ImGui::Selectable(named(choice), choice == current, flags) && fits(choice)) chosen = choice;
+        remember_item(context.items, key + "=" + choice);
+    }
+    ImGui::EndCombo();
+    return chosen;
+}
+
+void draw_quietly(const std::string& text) {
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+}
+
+/// The sentences of a monitor, below its rows.
+void draw_notes(const MonitorReport& report, ItemRectangles& items) {
+    for (std::size_t i = 0; i < report.notes.size(); ++i) {
+        draw_quietly(report.notes[i]);
+        remember_item(items, "monitor.note." + std::to_string(i));
+    }
 }
 
 /// Whether a choice can be combined with the rest of the scenario. Without a scenario, all can.
@@ -213,47 +175,6 @@ bool choice_fits(const PanelContext& context, const Scenario* scenario, const Va
 }
 
 } // namespace
-
-const char* section_title(SectionKind kind) {
-    switch (kind) {
-    case SectionKind::domain:
-        return "Domain";
-    case SectionKind::monitor:
-        return "Monitor";
-    case SectionKind::target:
-        return "Target density";
-    case SectionKind::method:
-        return "Method";
-    case SectionKind::pde:
-        return "PDE";
-    }
-    return "";
-}
-
-bool has_section(const Scenario& scenario, SectionKind kind) {
-    return !section_of(scenario, kind).type.empty();
-}
-
-std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& opened,
-                                  const Scenario& scenario, SectionKind kind, const std::string& type) {
-    Scenario changed = scenario;
-    section_of(changed, kind) = fresh_section(catalogue, opened, kind, type);
-    update_rows(catalogue, changed);
-    if (find_capability(catalogue, changed)) return changed;
-    if (kind != SectionKind::domain) return std::nullopt;
-    const auto row = std::find_if(catalogue.capabilities.begin(), catalogue.capabilities.end(),
-                                  [&](const Capability& one) { return one.domain == type; });
-    if (row == catalogue.capabilities.end()) return std::nullopt;
-    const auto adapt = [&](SectionKind other, const std::vector<std::string>& allowed) {
-        const std::string& present = section_of(changed, other).type;
-        if (allowed.empty() || std::find(allowed.begin(), allowed.end(), present) != allowed.end()) return;
-        section_of(changed, other) = fresh_section(catalogue, opened, other, allowed.front());
-    };
-    adapt(SectionKind::monitor, row->monitors);
-    adapt(SectionKind::method, row->methods);
-    update_rows(catalogue, changed);
-    return find_capability(catalogue, changed) ? std::optional(std::move(changed)) : std::nullopt;
-}
 
 bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context, Scenario& scenario) {
     const std::string key = std::string(section_key(kind)) + ".type";
@@ -291,20 +212,90 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
         }
         ImGui::EndCombo();
     }
+    changed |= draw_section_rows(kind, context, scenario);
+    if (kind == SectionKind::monitor && context.report) draw_notes(*context.report, context.items);
+    ImGui::PopID();
+    return changed;
+}
+
+bool ParameterPanel::draw_section_rows(SectionKind kind, const PanelContext& context, Scenario& scenario) {
+    const Section& section = section_of(scenario, kind);
+    const std::vector<MonitorStage> stages = stages_of(context.catalogue, kind, section.type);
+    std::vector<ParameterRow> rows = section.values.rows(); // a copy: a choice may replace the section
+    const auto of_stage = [](const MonitorStage& stage) {
+        return [&stage](const ParameterRow& row) { return belongs_to(row, stage); };
+    };
+    bool changed = false;
+    const auto draw = [&](const ParameterRow& row) { // true: the rows are other ones now
+        const Drawn drawn = draw_scenario_row(kind, context, row, scenario);
+        changed |= drawn != Drawn::unchanged;
+        return drawn == Drawn::other_rows;
+    };
+    for (const ParameterRow& row : rows)
+        if (std::none_of(stages.begin(), stages.end(),
+                         [&](const auto& one) { return belongs_to(row, one); }) &&
+            draw(row))
+            return true;
+    for (const MonitorStage& stage : stages) {
+        std::vector<ParameterRow> own;
+        std::copy_if(rows.begin(), rows.end(), std::back_inserter(own), of_stage(stage));
+        if (own.empty()) continue;
+        Values& values = section_of(scenario, kind).values;
+        const ParameterRow* toggle = switch_of(own, stage);
+        changed |= draw_stage(context, stage, toggle, values);
+        const bool on = toggle == nullptr || values.boolean(toggle->key);
+        ImGui::BeginDisabled(!on);
+        bool other_rows = false;
+        for (const ParameterRow& row : own)
+            if (&row != toggle && !other_rows) other_rows = draw(without_prefix(row));
+        ImGui::EndDisabled();
+        if (other_rows) return true;
+    }
+    return changed;
+}
+
+/// Draws one row and, if it changes what rows there are, updates them.
+ParameterPanel::Drawn ParameterPanel::draw_scenario_row(SectionKind kind, const PanelContext& context,
+                                                        const ParameterRow& row, Scenario& scenario) {
     const Section& opened = section_of(context.opened, kind);
     Section& section = section_of(scenario, kind);
-    const std::vector<ParameterRow> rows = section.values.rows(); // a copy: a choice may replace the section
-    for (const auto& row : rows) {
-        const Values* before =
-            opened.type == section.type && has_same_row(opened.values, row) ? &opened.values : nullptr;
-        const bool set = draw_row(context, row, before, section.values, &scenario);
-        changed |= set;
-        if (!set || !redefines_rows(row)) continue;
-        try {
-            update_rows(context.catalogue, scenario);
-        } catch (const InputError&) { // it is being typed; the run says what is wrong
-        }
-        break; // the rows are other ones now
+    const Values* before =
+        opened.type == section.type && has_same_row(opened.values, row) ? &opened.values : nullptr;
+    if (!draw_row(context, row, before, section.values, &scenario)) return Drawn::unchanged;
+    if (!redefines_rows(row)) return Drawn::changed;
+    try {
+        update_rows(context.catalogue, scenario);
+    } catch (const InputError&) { // it is being typed; the run says what is wrong
+    }
+    return Drawn::other_rows;
+}
+
+/// The heading of a stage: an eye that shows its result, its name, and its switch. True if that was used.
+bool ParameterPanel::draw_stage(const PanelContext& context, const MonitorStage& stage,
+                                const ParameterRow* toggle, Values& values) {
+    const std::string key = values.section() + ".stage." + stage.label;
+    const bool shown = context.shown_field == stage.field;
+    ImGui::PushID(key.c_str());
+    ImGui::Spacing();
+    const Colour colour = shown ? context.theme.accent : context.theme.faint_text;
+    if (eye_button("##eye", false, packed(colour), packed(context.theme.text))) field_wish_ = stage.field;
+    remember_item(context.items, key);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Colour the mesh by the result of this stage");
+    ImGui::SameLine(0, 0.3F * ImGui::GetFontSize());
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(to_imgui(shown ? context.theme.accent : context.theme.text), "%s",
+                       stage.label.c_str());
+    bool changed = false;
+    if (toggle != nullptr) {
+        bool on = values.boolean(toggle->key);
+        const std::string switched = values.section() + "." + toggle->key;
+        ImGui::SameLine(columns().control);
+        changed = ImGui::Checkbox("##on", &on);
+        if (changed) values.set(toggle->key, on);
+        remember_item(context.items, switched);
+        if (ImGui::IsItemHovered())
+            show_tooltip(toggle->label, toggle->help, details_of(*toggle, switched),
+                         ImGui::GetItemRectMin().y);
     }
     ImGui::PopID();
     return changed;
@@ -324,62 +315,71 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
                               Values& values, const Scenario* scenario) {
     const std::string key = values.section() + "." + row.key;
     const Columns c = columns();
-    const float wide = c.typed + c.typed_width - c.control;
     const Value before = values.at(row.key);
     ImGui::PushID(key.c_str());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     draw_label(row.label, row.symbol);
-    ImGui::SameLine(c.control);
+    const bool formula = scenario != nullptr && is_formula(row);
+    if (!formula) {
+        ImGui::SameLine(c.control);
+        draw_control(context, row, key, opened, values, scenario);
+    } else {
+        draw_formula(context, row, key, values, *scenario);
+    }
+    if (row_hovered(corner, c)) show_tooltip(row.label, row.help, details_of(row, key), corner.y);
+    const Value& origin =
+        opened && allows(row, opened->at(row.key)) ? opened->at(row.key) : row.default_value;
+    const bool draft = formulas_.has_draft(key); // a formula that is not applied is taken back first
+    if (values.at(row.key) != origin || draft) {
+        const ImVec2 next = ImGui::GetCursorPos();
+        ImGui::SetCursorScreenPos({ImGui::GetWindowPos().x + c.reset - ImGui::GetScrollX(), corner.y});
+        if (reset_button("##reset")) draft ? formulas_.restore(key) : values.set(row.key, origin);
+        remember_item(context.items, key + ".reset");
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s", draft ? "Back to the formula in use"
+                                          : ("Reset to " + format_value(origin)).c_str());
+        if (formula) ImGui::SetCursorPos(next);
+    }
+    if (row.role == ParameterRole::file && values.section() == "monitor" && values.text(row.key).empty())
+        draw_quietly("Drop a file onto the window, or choose one.");
+    ImGui::PopID();
+    return values.at(row.key) != before;
+}
+
+void ParameterPanel::draw_control(const PanelContext& context, const ParameterRow& row,
+                                  const std::string& key, const Values* opened, Values& values,
+                                  const Scenario* scenario) {
+    const Columns c = columns();
+    const float wide = c.typed + c.typed_width - c.control;
     switch (row.kind) {
     case ParameterKind::real:
     case ParameterKind::integer: {
         double number = number_of(values, row);
         if (draw_number(context, row, key, number)) set_number(values, row, number);
-        break;
+        return;
     }
     case ParameterKind::real_or_auto:
-        draw_number_or_auto(context, row, key, opened, values);
-        break;
+        return draw_number_or_auto(context, row, key, opened, values);
     case ParameterKind::boolean: {
         bool on = values.boolean(row.key);
         if (ImGui::Checkbox("##on", &on)) values.set(row.key, on);
         remember_item(context.items, key);
-        break;
+        return;
     }
     case ParameterKind::choice: {
         const std::string current = values.text(row.key);
+        const auto fits = [&](const std::string& choice) {
+            return choice == current || choice_fits(context, scenario, values, row.key, choice);
+        };
         ImGui::SetNextItemWidth(wide);
-        const bool open = ImGui::BeginCombo("##choice", current.c_str());
-        remember_item(context.items, key);
-        if (!open) break;
-        for (const auto& choice : row.choices) {
-            const bool fits = choice == current || choice_fits(context, scenario, values, row.key, choice);
-            const auto flags = fits ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
-            if (ImGui::Selectable(choice.c_str(), choice == current, flags) && fits)
-                values.set(row.key, choice);
-            remember_item(context.items, key + "=" + choice);
-        }
-        ImGui::EndCombo();
-        break;
+        if (const auto chosen = draw_list(context, key, current, row.choices, fits))
+            values.set(row.key, *chosen);
+        return;
     }
-    case ParameterKind::text: {
+    case ParameterKind::text:
         ImGui::SetNextItemWidth(wide);
-        draw_text(context, row, key, values);
-        break;
+        return draw_text(context, row, key, values);
     }
-    }
-    if (row_hovered(corner, c)) show_tooltip(row.label, row.help, details_of(row, key), corner.y);
-
-    const Value& origin =
-        opened && allows(row, opened->at(row.key)) ? opened->at(row.key) : row.default_value;
-    if (values.at(row.key) != origin) {
-        ImGui::SameLine(c.reset);
-        if (reset_button("##reset")) values.set(row.key, origin);
-        remember_item(context.items, key + ".reset");
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Reset to %s", format_value(origin).c_str());
-    }
-    ImGui::PopID();
-    return values.at(row.key) != before;
 }
 
 /// A list of patches, whose values are their numbers from 1.
@@ -399,15 +399,44 @@ static void draw_patches(const PanelContext& context, const PatchList& patches, 
 /// A text takes effect when its field is left, since a part of a name would be invalid.
 void ParameterPanel::draw_text(const PanelContext& context, const ParameterRow& row, const std::string& key,
                                Values& values) {
+    const std::string& value = values.text(row.key);
     if (row.role == ParameterRole::patch && context.patches != nullptr)
         return draw_patches(context, *context.patches, key, row, values);
-    std::string shown = typing_ == key ? typed_text_ : values.text(row.key);
+    if (row.role == ParameterRole::file) {
+        if (draw_file(key, value, ImGui::CalcItemWidth(), context.items))
+            file_wish_ = {key, row.label, value};
+        return;
+    }
+    if (const std::vector<std::string>* known = choices_of(context, values, row.key)) {
+        std::vector<std::string> choices = *known;
+        if (std::get<std::string>(row.default_value).empty()) choices.insert(choices.begin(), std::string());
+        const auto chosen = draw_list(context, key, value, choices, [](const std::string&) { return true; });
+        if (chosen) values.set(row.key, *chosen);
+        return;
+    }
+    std::string shown = typing_ == key ? typed_text_ : value;
     const bool edited = ImGui::InputText("##text", &shown);
     remember_item(context.items, key);
     if (edited) typing_ = key, typed_text_ = shown;
     if (typing_ != key || ImGui::IsItemActive()) return;
     typing_.clear();
     values.set(row.key, typed_text_);
+}
+
+/// Below the label, in the whole width.
+void ParameterPanel::draw_formula(const PanelContext& context, const ParameterRow& row,
+                                  const std::string& key, Values& values, const Scenario& scenario) {
+    const auto complaint_of = [&](const std::string& text) {
+        return formula_complaint(context.catalogue, scenario, values.section(), row.key, text);
+    };
+    const std::vector<FormulaWord> words = formula_words(context.catalogue, scenario);
+    const FormulaField::Context field{context.theme, context.items, words, complaint_of};
+    ImGui::SameLine(0, 0.6F * ImGui::GetFontSize());
+    formulas_.draw_help(key, field);
+    const auto applied = formulas_.draw(key, values.text(row.key), field);
+    if (!applied) return;
+    values.set(row.key, *applied);
+    formula_applied_ = true;
 }
 
 // A check box for "auto"; if it is not ticked, a slider follows. Unticked, it restores the number that was there
@@ -422,7 +451,8 @@ void ParameterPanel::draw_number_or_auto(const PanelContext& context, const Para
     if (!number) {
         if (!switched) return;
         const std::optional<double> at_first = opened ? opened->real_or_auto(row.key) : std::nullopt;
-        double restored = at_first.value_or(rounded(row, value_at(row, 0.5)));
+        double restored =
+            at_first.value_or(rounded(row, slider_ends(row), value_at(row, slider_ends(row), 0.5)));
         if (const auto before = before_auto_.find(key); before != before_auto_.end())
             restored = before->second;
         values.set(row.key, std::clamp(restored, row.minimum, row.maximum));
@@ -436,13 +466,23 @@ void ParameterPanel::draw_number_or_auto(const PanelContext& context, const Para
     if (switched) values.set(row.key, std::string("auto"));
 }
 
+/// The ends of a row's slider; a value beyond them widens it for good.
+SliderRange ParameterPanel::ends_of(const ParameterRow& row, const std::string& key, double value) {
+    const SliderRange said = slider_ends(row);
+    if (!row.slider) return said;
+    Widened& known = widened_[key];
+    if (known.said != said) known = {said, said};
+    return known.ends = widened(known.ends, value);
+}
+
 bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,
                                  double& value, float taken) {
     const Columns c = columns();
     bool changed = false;
-    const bool bounded = std::isfinite(row.minimum) && std::isfinite(row.maximum);
+    const SliderRange ends = ends_of(row, key, value);
+    const bool bounded = std::isfinite(ends.minimum) && std::isfinite(ends.maximum);
     if (bounded) {
-        double position = position_of(row, value);
+        double position = position_of(row, ends, value);
         constexpr double first = 0, last = 1;
         ImGui::SetNextItemWidth(std::max(ImGui::GetFontSize(), c.slider_width - taken));
         const bool typing_wanted = ImGui::GetIO().KeyCtrl;
@@ -452,7 +492,7 @@ bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow
         if (ImGui::IsItemClicked() && typing_wanted)
             focus_ = key;
         else if (moved && focus_ != key) {
-            value = std::clamp(rounded(row, value_at(row, position)), row.minimum, row.maximum);
+            value = std::clamp(rounded(row, ends, value_at(row, ends, position)), row.minimum, row.maximum);
             changed = true;
         }
         ImGui::SameLine(c.typed);

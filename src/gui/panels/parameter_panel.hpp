@@ -7,37 +7,35 @@
 #pragma once
 
 #include "core/mesh/patch_list.hpp"
+#include "core/monitor/monitor.hpp"
 #include "core/scenario/catalogue.hpp"
 #include "gui/base/item_rectangles.hpp"
 #include "gui/base/theme.hpp"
+#include "gui/panels/file_row.hpp"
+#include "gui/panels/formula_field.hpp"
+#include "gui/panels/sections.hpp"
 
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gaspard {
-
-enum class SectionKind { domain, monitor, target, method, pde };
-inline constexpr SectionKind all_sections[] = {SectionKind::domain, SectionKind::monitor, SectionKind::target,
-                                               SectionKind::method, SectionKind::pde};
-
-/// "Domain", as a heading.
-const char* section_title(SectionKind kind);
-/// Whether the scenario has such a section; target and pde are there only for some problems.
-bool has_section(const Scenario& scenario, SectionKind kind);
 
 /// What the panels need besides the values that they edit.
 struct PanelContext {
     const Catalogue& catalogue;
     const Scenario& opened; ///< as it was opened: the values that reset buttons restore
     const Theme& theme;
-    /// Filled with "monitor.amplitude" (its slider or list), "monitor.amplitude.input",
+    /// Filled with "monitor.amplitude" (its slider or list), "monitor.amplitude.input", "monitor.stage.Average",
     /// "monitor.amplitude.reset", "monitor.type", and "monitor.type=ring" while the list is open.
     ItemRectangles& items;
     std::vector<std::string> unavailable{}; ///< other choices to grey out: "layout=projection"
     const PatchList* patches =
         nullptr; ///< of the domain's file, to choose from ("domain.patch=3"); may be null
+    const MonitorReport* report = nullptr; ///< of the monitor as it is solved for; may be null
+    std::string shown_field{};             ///< that the cells are coloured by
 };
 
 class ParameterPanel {
@@ -48,7 +46,30 @@ class ParameterPanel {
     bool draw_rows(const PanelContext& context, const Values& opened, Values& values,
                    const std::vector<std::string>& keys);
 
+    /// The file that the user wants to choose for a value, once.
+    std::optional<FileWish> take_file_wish() { return std::exchange(file_wish_, std::nullopt); }
+    /// Whether a formula was applied since the last call: it is an edit of its own.
+    bool take_formula_applied() { return std::exchange(formula_applied_, false); }
+    /// The formula applied last was refused by the solver.
+    void refuse_formula(const std::string& why) { formulas_.refuse(why); }
+    /// Something will happen without input.
+    bool waiting() const { return formulas_.waiting(); }
+
+    /// The field that the user wants to see, once.
+    std::optional<std::string> take_field_wish() { return std::exchange(field_wish_, std::nullopt); }
+
   private:
+    enum class Drawn { unchanged, changed, other_rows };
+    Drawn draw_scenario_row(SectionKind kind, const PanelContext& context, const ParameterRow& row,
+                            Scenario& scenario);
+    bool draw_stage(const PanelContext& context, const MonitorStage& stage, const ParameterRow* toggle,
+                    Values& values);
+    bool draw_section_rows(SectionKind kind, const PanelContext& context, Scenario& scenario);
+    void draw_control(const PanelContext& context, const ParameterRow& row, const std::string& key,
+                      const Values* opened, Values& values, const Scenario* scenario);
+    void draw_formula(const PanelContext& context, const ParameterRow& row, const std::string& key,
+                      Values& values, const Scenario& scenario);
+    SliderRange ends_of(const ParameterRow& row, const std::string& key, double value);
     void draw_text(const PanelContext& context, const ParameterRow& row, const std::string& key,
                    Values& values);
     bool draw_row(const PanelContext& context, const ParameterRow& row, const Values* opened, Values& values,
@@ -65,12 +86,15 @@ class ParameterPanel {
     double typed_value_ = 0; ///< its content so far; it takes effect when the field is left
     std::string typed_text_; ///< the same for texts
     std::map<std::string, double> before_auto_; ///< by key: the number that "auto" replaced
-    std::string focus_;      ///< the key whose text field gets the keyboard focus
+    struct Widened {
+        SliderRange said, ends;
+    };
+    std::map<std::string, Widened> widened_; ///< sliders whose ends the row says, by key
+    FormulaField formulas_;
+    bool formula_applied_ = false;
+    std::optional<FileWish> file_wish_;
+    std::optional<std::string> field_wish_;
+    std::string focus_; ///< the key whose text field gets the keyboard focus
 };
-
-/// `scenario` with another type in one section; nothing if it cannot be combined with the other sections. With
-/// another domain, a monitor or method that does not fit is replaced by the first one that does.
-std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& opened,
-                                  const Scenario& scenario, SectionKind kind, const std::string& type);
 
 } // namespace gaspard

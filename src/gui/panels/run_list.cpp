@@ -1,5 +1,6 @@
 #include "gui/panels/run_list.hpp"
 
+#include "gui/base/icons.hpp"
 #include "gui/base/plot_text.hpp"
 #include "gui/plot/plot_curves.hpp"
 
@@ -26,26 +27,9 @@ void draw_swatch(const DocumentRun& run, const Theme& theme) {
 
 /// An open eye, or one crossed out.
 bool draw_eye(const char* id, bool hidden, const Theme& theme) {
-    const float em = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool pressed = ImGui::InvisibleButton(id, {1.6F * em, height});
-    const bool hovered = ImGui::IsItemHovered();
-    const ImU32 colour = packed(hovered ? theme.accent : hidden ? theme.faint_text : theme.text);
-    const ImVec2 middle{at.x + 0.8F * em, at.y + height / 2};
-    const float half = 0.55F * em, thickness = std::max(1.0F, 0.09F * em);
-    // Two arcs that meet in the corners: their centres lie below and above.
-    constexpr float pi = 3.14159265F, opening = 0.9F;
-    const float radius = half / std::sin(opening), depth = radius * std::cos(opening);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PathArcTo({middle.x, middle.y + depth}, radius, -pi / 2 - opening, -pi / 2 + opening, 12);
-    list.PathStroke(colour, 0, thickness);
-    list.PathArcTo({middle.x, middle.y - depth}, radius, pi / 2 - opening, pi / 2 + opening, 12);
-    list.PathStroke(colour, 0, thickness);
-    list.AddCircleFilled(middle, 0.18F * em, colour, 12);
-    if (hidden)
-        list.AddLine({middle.x - 0.45F * em, middle.y + 0.4F * em},
-                     {middle.x + 0.45F * em, middle.y - 0.4F * em}, colour, thickness);
-    if (hovered) ImGui::SetTooltip("%s", hidden ? "Show in the plots" : "Hide in the plots");
+    const bool pressed =
+        eye_button(id, hidden, packed(hidden ? theme.faint_text : theme.text), packed(theme.accent));
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hidden ? "Show in the plots" : "Hide in the plots");
     return pressed;
 }
 

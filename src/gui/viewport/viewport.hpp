@@ -72,7 +72,8 @@ class ViewportPlanner {
   public:
     ViewportPlanner() = default;
     /// With tessellations that may have been made elsewhere.
-    explicit ViewportPlanner(std::shared_ptr<TessellationCache> cache) : maker_(std::move(cache)) {}
+    explicit ViewportPlanner(std::shared_ptr<TessellationCache> cache)
+        : maker_(cache), uniform_maker_(std::move(cache)) {}
 
     /// Needs a current ImGui frame, for the sizes of texts. `view`: values of view_rows(). Texts that cannot
     /// be read are as good as empty, but for a complaint.
@@ -90,13 +91,16 @@ class ViewportPlanner {
     Camera camera_of(const MeshScene& scene, const Values& view, Size size, Insets insets,
                      std::string& complaint);
     Camera turned(Camera camera, const MeshScene& scene) const;
-    void place_views(const MeshScene& scene, const Values& view, ViewportPlan& plan, float scale);
+    MeshScene computational(const MeshScene& scene, const Snapshot& snapshot, const Values& view);
+    void place_views(const MeshScene& scene, const Snapshot& snapshot, const Values& view, ViewportPlan& plan,
+                     float scale);
     void place_runs(const MeshScene& scene, const Values& view, ViewportPlan& plan,
                     std::span<const NamedSnapshot> others, float scale);
     void add_arrows(ViewportPlan& plan, float scale);
     void add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan);
 
     SceneBuilder maker_;
+    SceneBuilder uniform_maker_{maker_.cache()}; ///< of the uniform mesh, where it has other colours
     std::vector<SceneBuilder> other_makers_; ///< of the meshes beside it, in their order
     ProjectionSceneBuilder projection_maker_;
     double spun_ = 0;

@@ -134,8 +134,21 @@ Camera ViewportPlanner::camera_of(const MeshScene& scene, const Values& view, Si
     return turned(home_.camera, scene);
 }
 
-void ViewportPlanner::place_views(const MeshScene& scene, const Values& view, ViewportPlan& plan,
-                                  float scale) {
+/// The computational mesh, for the left of two. Interpolation errors there are those of the uniform mesh.
+MeshScene ViewportPlanner::computational(const MeshScene& scene, const Snapshot& snapshot,
+                                         const Values& view) {
+    MeshScene left = scene;
+    if (view.text("color") == "interpolation_error" && snapshot.interpolation) {
+        Values of_uniform = view;
+        of_uniform.set("color", std::string("interpolation_error_uniform"));
+        left = uniform_maker_.make(snapshot, of_uniform);
+    }
+    left.blend = 0, left.overlay = nullptr;
+    return left;
+}
+
+void ViewportPlanner::place_views(const MeshScene& scene, const Snapshot& snapshot, const Values& view,
+                                  ViewportPlan& plan, float scale) {
     const std::string layout = layout_of(scene, view);
     if (layout == "single" || layout == "projection") {
         const MeshScene shown =
@@ -151,8 +164,8 @@ void ViewportPlanner::place_views(const MeshScene& scene, const Values& view, Vi
         available.max.x -= std::round(legend_width(*scene.colouring, plan.histogram, scale));
     const auto [first, second] = halves(available);
     const bool around = layout == "front-and-rear";
-    PlannedView left{scene, {}, first, around ? "front" : "computational"};
-    if (!around) left.scene.blend = 0, left.scene.overlay = nullptr;
+    PlannedView left{
+        around ? scene : computational(scene, snapshot, view), {}, first, around ? "front" : "computational"};
     const Insets insets{.top = static_cast<double>(title_height(left.title, scale))};
     left.camera = camera_of(scene, view, size_of(first), insets, plan.complaint);
     PlannedView right{scene, left.camera, second, around ? "rear" : blend_title(scene.blend)};
@@ -264,7 +277,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
     if (view.text("layout") == "runs" && !others.empty())
         place_runs(scene, view, plan, others, scale);
     else
-        place_views(scene, view, plan, scale);
+        place_views(scene, snapshot, view, plan, scale);
     if (view.boolean("arrows")) add_arrows(plan, scale);
     add_pick(snapshot, view, plan);
     return plan;

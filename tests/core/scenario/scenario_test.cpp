@@ -1,4 +1,5 @@
 #include "core/base/error.hpp"
+#include "core/scenario/data_files.hpp"
 #include "core/scenario/toml.hpp"
 
 #include <algorithm>

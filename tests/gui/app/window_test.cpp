@@ -361,6 +361,30 @@ TEST_F(WindowTest, AnIdleWindowCostsNothing) {
     ASSERT_TRUE(program->running());
 }
 
+TEST_F(WindowTest, AnImageDroppedOntoTheWindowBecomesTheMonitor) {
+    constexpr std::uint8_t dark = 30, white = 255;
+    Image disc{64, 64, {}};
+    for (int y = -32; y < 32; ++y)
+        for (int x = -32; x < 32; ++x) {
+            const std::uint8_t grey = x * x + y * y < 150 ? dark : white;
+            disc.rgba.insert(disc.rgba.end(), {grey, grey, grey, white});
+        }
+    write_png(folder / "a disc.png", disc);
+    write_quick_ring();
+    start("quick.toml", 1000, 700);
+    ChildProcess::Setup setup;
+    setup.command = {"/usr/bin/python3", GASPARD_SOURCE_DIR "/tests/gui/drop_file.py", display.name(), window,
+                     (folder / "a disc.png").string()};
+    setup.output = folder / "drop-log";
+    ASSERT_EQ(ChildProcess(setup).wait(60s), 0) << text_of(folder / "drop-log");
+    ASSERT_TRUE(eventually([&] {
+        const auto summary = exported("quick-modified");
+        return summary["monitor"]["type"] == "image" && summary["status"] == "converged";
+    })) << text_of(folder / "log");
+    press("ctrl+z");
+    EXPECT_EQ(exported("quick")["monitor"]["type"], "ring");
+}
+
 TEST(WithoutADisplay, TheWindowIsRefusedInOneSentence) {
     const auto log = std::filesystem::path(testing::TempDir()) / "gaspard-no-display";
     ChildProcess::Setup setup;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <future>
 #include <gtest/gtest.h>
+#include <string>
 #include <thread>
 
 namespace gaspard {
@@ -18,6 +19,16 @@ TEST(Font, HasLatinGreekAndCyrillic) {
     EXPECT_LE(atlas.TexWidth * atlas.TexHeight, 1 << 19) << "of bytes";
 }
 
+TEST(Font, FormulasHaveLettersOfEqualWidth) {
+    ImFontAtlas atlas;
+    load_font(atlas, dark_theme(), 1);
+    ASSERT_EQ(atlas.Fonts.Size, 2);
+    const ImFont& font = *atlas.Fonts[1];
+    for (const char c : std::string("iW+(^2"))
+        EXPECT_EQ(font.GetCharAdvance(c), font.GetCharAdvance('0')) << c;
+    EXPECT_NE(atlas.Fonts[0]->GetCharAdvance('i'), atlas.Fonts[0]->GetCharAdvance('W'));
+}
+
 TEST(Font, TakesOtherCharactersOfATextFromTheSystem) {
     ImFontAtlas atlas;
     load_font(atlas, dark_theme(), 1);
@@ -25,7 +36,7 @@ TEST(Font, TakesOtherCharactersOfATextFromTheSystem) {
     load_font(atlas, dark_theme(), 2, "Ω Ж é 網格");
     EXPECT_FALSE(lacks_glyphs(atlas, "Ω Ж é 網格"));
     EXPECT_TRUE(lacks_glyphs(atlas, "자"));
-    EXPECT_EQ(atlas.Fonts.Size, 1);
+    EXPECT_EQ(atlas.Fonts.Size, 2) << "one for texts, one for formulas";
 }
 
 TEST(Font, ACharacterThatNoFontHasIsLeftOut) {

@@ -21,7 +21,7 @@ class PanelTest : public testing::Test {
         ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
         for (const auto kind : all_sections)
             if (has_section(scenario, kind) &&
-                panel.draw_section(kind, {catalogue, opened, theme, items, {}, patches}, scenario))
+                panel.draw_section(kind, {catalogue, opened, theme, items, {}, patches, report}, scenario))
                 ++changes;
         ImGui::End();
     }
@@ -46,6 +46,7 @@ class PanelTest : public testing::Test {
     ParameterPanel panel;
     ItemRectangles items;
     const PatchList* patches = nullptr;
+    const MonitorReport* report = nullptr;
     int changes = 0;
 };
 
@@ -114,14 +115,45 @@ TEST_F(PanelTest, ATypedValueIsTakenExactlyWhenTheFieldIsLeft) {
 TEST_F(PanelTest, ATypedTextIsTakenWhenTheFieldIsLeft) {
     scenario.domain = domain_section(catalogue, "spline-patch");
     settle();
-    ui.click(items.at("domain.file"), drawing());
-    ui.type("disk.json", drawing());
-    EXPECT_EQ(changes, 0) << "half a name was taken";
-    EXPECT_EQ(scenario.domain.values.text("file"), "");
+    ui.click(items.at("domain.control_points"), drawing());
+    ui.type("0 0, 1 0", drawing());
+    EXPECT_EQ(changes, 0) << "half a text was taken";
+    EXPECT_EQ(scenario.domain.values.text("control_points"), "");
     ui.click(items.at("domain.cells.input"), drawing());
     settle();
-    EXPECT_EQ(scenario.domain.values.text("file"), "disk.json");
+    EXPECT_EQ(scenario.domain.values.text("control_points"), "0 0, 1 0");
     EXPECT_EQ(changes, 1);
+}
+
+TEST_F(PanelTest, AFileIsNamedAndAskedFor) {
+    EXPECT_EQ(file_label(""), "Choose a file");
+    EXPECT_EQ(file_label("/a/b/disk.json"), "disk.json");
+    EXPECT_EQ(file_label("{\"degree\": 2}"), "text in the scenario");
+    EXPECT_EQ(file_label("data:image/png;base64," + std::string(4000, 'A')), "in the scenario, 4 kB");
+    scenario.domain = domain_section(catalogue, "spline-patch");
+    scenario.domain.values.set("file", std::string("/a/b/disk.json"));
+    settle();
+    EXPECT_FALSE(panel.take_file_wish());
+    ui.click(items.at("domain.file"), drawing());
+    const auto wish = panel.take_file_wish();
+    ASSERT_TRUE(wish);
+    EXPECT_EQ(wish->key, "domain.file");
+    EXPECT_EQ(wish->present, "/a/b/disk.json");
+    EXPECT_FALSE(panel.take_file_wish()) << "once";
+    EXPECT_EQ(changes, 0);
+}
+
+TEST_F(PanelTest, NotesAndChoicesOfTheMonitorAreShown) {
+    scenario = *with_type(catalogue, opened, scenario, SectionKind::monitor, "formula");
+    MonitorReport said{{"12 of 3600 values are missing."}, {{"ranges", {"A 0 1", "A 0 2"}}}};
+    report = &said;
+    settle();
+    ASSERT_TRUE(items.count("monitor.note.0"));
+    EXPECT_GT(items.at("monitor.note.0").top, items.at("monitor.ranges").bottom) << "below the rows";
+    pick("monitor.ranges", "A 0 2");
+    EXPECT_EQ(scenario.monitor.values.text("ranges"), "A 0 2");
+    pick("monitor.ranges", "");
+    EXPECT_EQ(scenario.monitor.values.text("ranges"), "") << "automatic";
 }
 
 TEST_F(PanelTest, ThePatchesOfAFileAreAList) {

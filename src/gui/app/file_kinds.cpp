@@ -1,0 +1,104 @@
+#include "gui/app/file_kinds.hpp"
+
+#include "core/base/check.hpp"
+#include "core/base/error.hpp"
+#include "core/base/join.hpp"
+#include "core/base/user_path.hpp"
+#include "gui/panels/sections.hpp"
+
+#include <algorithm>
+
+namespace gaspard {
+
+namespace {
+
+bool is_image(std::string_view head) {
+    return head.starts_with("\x89PNG\r\n\x1a\n") || head.starts_with("\xff\xd8\xff");
+}
+
+bool is_netcdf(std::string_view head) {
+    return head.starts_with("CDF\x01") || head.starts_with("CDF\x02") || head.starts_with("CDF\x05") ||
+           head.starts_with("\x89HDF\r\n\x1a\n");
+}
+
+/// The section and the type that a use needs.
+struct Destination {
+    SectionKind section;
+    std::string type;
+};
+
+Destination destination_of(FileUse use) {
+    switch (use) {
+    case FileUse::image:
+        return {SectionKind::monitor, "image"};
+    case FileUse::field:
+        return {SectionKind::monitor, "field"};
+    case FileUse::patch:
+        return {SectionKind::domain, "spline-patch"};
+    case FileUse::scenario:
+        break;
+    }
+    check_failed("a scenario is opened, not taken into another one");
+}
+
+} // namespace
+
+std::span<const FileKind> file_kinds() {
+    static const std::vector<FileKind> kinds = {
+        {FileUse::scenario, "a scenario", {".toml"}},
+        {FileUse::image, "an image", {".png", ".jpg", ".jpeg"}},
+        {FileUse::field, "a field", {".nc", ".csv", ".vtk", ".vtu", ".vti", ".vtp"}},
+        {FileUse::patch, "a spline patch", {".json", ".xml"}},
+    };
+    return kinds;
+}
+
+std::optional<FileUse> use_of(const std::filesystem::path& file, std::string_view head) {
+    if (is_image(head)) return FileUse::image;
+    if (is_netcdf(head)) return FileUse::field;
+    for (const FileKind& kind : file_kinds())
+        for (const std::string_view ending : kind.endings)
+            if (has_extension(file, ending)) return kind.use;
+    return std::nullopt;
+}
+
+std::string what_opens() {
+    std::string text;
+    const auto kinds = file_kinds();
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        if (i > 0) text += i + 1 < kinds.size() ? ", " : " or ";
+        text += std::string(kinds[i].what) + " (" + join(kinds[i].endings, ", ") + ")";
+    }
+    return text;
+}
+
+std::vector<std::string_view> endings_of(std::optional<FileUse> use) {
+    std::vector<std::string_view> endings;
+    for (const FileKind& kind : file_kinds())
+        if (!use || *use == kind.use) endings.insert(endings.end(), kind.endings.begin(), kind.endings.end());
+    return endings;
+}
+
+Scenario with_file(const Catalogue& catalogue, const Scenario& opened, const Scenario& scenario, FileUse use,
+                   const std::filesystem::path& file) {
+    const Destination destination = destination_of(use);
+    const SectionKind section = destination.section;
+    std::optional<Scenario> changed = scenario;
+    if (section_of(scenario, section).type != destination.type)
+        changed = with_type(catalogue, opened, scenario, section, destination.type);
+    if (!changed)
+        throw InputError(file.string() + " cannot be used here: this domain and method have no " +
+                         std::string(section_key(section)) + " of type " + destination.type);
+    Values& values = section_of(*changed, section).values;
+    if (use == FileUse::patch) // they belong to the file before
+        for (const ParameterRow& row : std::vector<ParameterRow>(values.rows()))
+            if (row.role == ParameterRole::patch || row.role == ParameterRole::control_points)
+                values.set(row.key, row.default_value);
+    const ParameterRow* row = find_role(values.rows(), ParameterRole::file);
+    GASPARD_CHECK(row != nullptr);
+    values.set(row->key, file.string());
+    update_rows(catalogue, *changed);
+    return *changed;
+}
+
+} // namespace gaspard

@@ -1,0 +1,42 @@
+// What happens with a file that is opened in the window or dropped onto it: one table.
+#pragma once
+
+#include "core/scenario/catalogue.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gaspard {
+
+enum class FileUse {
+    scenario, ///< is opened
+    image,    ///< becomes monitor.file of the monitor "image"
+    field,    ///< becomes monitor.file of the monitor "field"
+    patch,    ///< becomes domain.file of the domain "spline-patch"
+};
+
+struct FileKind {
+    FileUse use;
+    std::string_view what;                 ///< "an image"
+    std::vector<std::string_view> endings; ///< ".png"
+};
+std::span<const FileKind> file_kinds();
+
+/// By the first bytes of the file (at least 16, if it has so many) for images and NetCDF, whatever they are
+/// called, and else by the name; nothing if it is none of the kinds.
+std::optional<FileUse> use_of(const std::filesystem::path& file, std::string_view head);
+
+/// "a scenario (.toml), an image (.png, .jpg, .jpeg), ... or a spline patch (.json, .xml)"
+std::string what_opens();
+/// The endings of all kinds, or of one.
+std::vector<std::string_view> endings_of(std::optional<FileUse> use = {});
+
+/// The scenario with a file as its image, field or patch. Throws InputError if the scenario cannot have one.
+Scenario with_file(const Catalogue& catalogue, const Scenario& opened, const Scenario& scenario, FileUse use,
+                   const std::filesystem::path& file);
+
+} // namespace gaspard
