@@ -13,6 +13,8 @@ namespace gaspard {
 namespace {
 
 constexpr double largest_coordinate = 1e12;
+/// Of the longest side of the box around the control points; areas and densities are within range then.
+constexpr double smallest_size = 1e-30;
 
 } // namespace
 
@@ -69,6 +71,22 @@ void check_weights(const std::vector<double>& weights, std::size_t count, const 
             not_a_patch(origin, "weights must be positive (1e-6 to 1e6), but one is " + format_number(w));
 }
 
+void check_coordinates(const Points& control, const std::string& origin) {
+    for (std::size_t i = 0; i < control.size(); ++i)
+        for (const double c : {control.x[i], control.y[i], control.z[i]})
+            if (!(std::abs(c) <= largest_coordinate))
+                not_a_patch(origin, "control point " + std::to_string(i) + " has a coordinate larger than " +
+                                        format_number(largest_coordinate));
+    double size = 0;
+    for (const auto* c : {&control.x, &control.y, &control.z}) {
+        const auto [low, high] = std::minmax_element(c->begin(), c->end());
+        if (low != c->end()) size = std::max(size, *high - *low);
+    }
+    if (size > 0 && size < smallest_size) // without any extent the map has no area: check_regular
+        not_a_patch(origin, "it measures only " + format_number(size) + "; the smallest size is " +
+                                format_number(smallest_size) + ": give the coordinates in a smaller unit");
+}
+
 } // namespace
 
 SplinePatch make_patch(PatchParts parts, const std::string& origin) {
@@ -81,11 +99,7 @@ SplinePatch make_patch(PatchParts parts, const std::string& origin) {
     if (patch.control.size() != n)
         not_a_patch(origin, "the knots require " + std::to_string(n) + " control points, but there are " +
                                 std::to_string(patch.control.size()));
-    for (std::size_t i = 0; i < n; ++i)
-        for (const double c : {patch.control.x[i], patch.control.y[i], patch.control.z[i]})
-            if (!(std::abs(c) <= largest_coordinate))
-                not_a_patch(origin, "control point " + std::to_string(i) + " has a coordinate larger than " +
-                                        format_number(largest_coordinate));
+    check_coordinates(patch.control, origin);
     patch.weights = std::move(parts.weights);
     if (patch.weights.empty()) patch.weights.assign(n, 1.0);
     check_weights(patch.weights, n, origin);

@@ -35,12 +35,10 @@ std::optional<std::size_t> parse_index(const std::string& text) {
     return index;
 }
 
-[[noreturn]] void refuse_choice(const PatchText& file, std::size_t count,
-                                const std::vector<PatchEntry>& all) {
-    const bool ids =
-        std::any_of(all.begin(), all.end(), [](const PatchEntry& one) { return !one.id.empty(); });
+[[noreturn]] void refuse_choice(const PatchText& file, std::size_t count, bool ids,
+                                const std::string& which = {}) {
     throw InputError("domain.patch = '" + file.which + "': " + file.origin + " has " + std::to_string(count) +
-                     (count == 1 ? " patch" : " patches") + "; give a number from 1 to " +
+                     (count == 1 ? " patch" : " patches") + which + "; give a number from 1 to " +
                      std::to_string(count) + (ids ? ", or id:ID with an id of the file" : ""));
 }
 
@@ -49,18 +47,23 @@ std::size_t find_entry(const std::vector<PatchEntry>& all, const std::vector<std
                        const PatchText& file) {
     constexpr std::string_view by_id = "id:";
     if (file.which.empty() && !readable.empty()) return readable.front();
+    const bool any_id =
+        std::any_of(all.begin(), all.end(), [](const PatchEntry& one) { return !one.id.empty(); });
     if (file.which.starts_with(by_id)) {
         const std::string id = file.which.substr(by_id.size());
         std::optional<std::size_t> found; // ids are unique only among geometries of one kind of element
-        for (std::size_t i = all.size(); i-- > 0 && !id.empty();)
-            if (all[i].id == id && (!found || all[i].refusal.empty() || !all[*found].refusal.empty()))
-                found = i;
+        for (std::size_t i = all.size(); i-- > 0 && !id.empty();) {
+            if (all[i].id != id) continue;
+            const bool both = found && all[i].refusal.empty() && all[*found].refusal.empty();
+            if (both) refuse_choice(file, readable.size(), false, " (several of them with this id)");
+            if (!found || all[i].refusal.empty() || !all[*found].refusal.empty()) found = i;
+        }
         if (found) return *found;
-        refuse_choice(file, readable.size(), all);
+        refuse_choice(file, readable.size(), any_id);
     }
     if (readable.empty()) return 0;
     const auto index = parse_index(file.which);
-    if (!index || *index < 1 || *index > readable.size()) refuse_choice(file, readable.size(), all);
+    if (!index || *index < 1 || *index > readable.size()) refuse_choice(file, readable.size(), any_id);
     return readable[*index - 1];
 }
 

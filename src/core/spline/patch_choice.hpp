@@ -2,7 +2,7 @@
 //
 //   ""        the first that can be read
 //   "3"       the third that can be read, as counted in "patch 3 of 312"
-//   "id:100"  the geometry whose id in the file is 100
+//   "id:100"  the geometry whose id in the file is 100; refused where several have it
 #pragma once
 
 #include "core/base/export.hpp"

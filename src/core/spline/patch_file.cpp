@@ -15,6 +15,8 @@ namespace gaspard {
 
 namespace {
 
+constexpr std::string_view utf16_json = "JSON in UTF-16; save it as UTF-8";
+
 /// How the content of a kind of file begins, after blanks.
 struct FileKind {
     std::string_view begins;
@@ -22,11 +24,16 @@ struct FileKind {
     std::string_view name;                ///< of a kind that is not read
 };
 
-constexpr std::array<FileKind, 18> kinds = {{
+using namespace std::string_view_literals;
+
+constexpr std::array<FileKind, 21> kinds = {{
     {"{", &read_json_patch, {}},
     {"[", &read_json_patch, {}},
     {"<", &read_gismo, {}},
-    {"\xef\xbb\xbf<", &read_gismo, {}}, // byte order marks: UTF-8, UTF-16
+    {"\xff\xfe{", nullptr, utf16_json}, // after the byte order mark of UTF-16
+    {"\xff\xfe[", nullptr, utf16_json},
+    {"\xfe\xff\0{"sv, nullptr, utf16_json},
+    {"\xfe\xff\0["sv, nullptr, utf16_json},
     {"\xff\xfe", &read_gismo, {}},
     {"\xfe\xff", &read_gismo, {}},
     {"MFEM NURBS mesh", &read_mfem, {}},
@@ -48,9 +55,18 @@ std::string_view without_blanks(std::string_view text) {
     return text;
 }
 
+/// Programs on Windows begin files in UTF-8 with a mark; no reader needs it.
+std::string_view without_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    if (text.starts_with(mark)) text.remove_prefix(mark.size());
+    return text;
+}
+
 } // namespace
 
-FoundPatch parse_patch(const PatchText& file) {
+FoundPatch parse_patch(const PatchText& given) {
+    PatchText file = given;
+    file.text = without_mark(file.text);
     const std::string_view begin = without_blanks(file.text);
     if (begin.empty()) cannot_read(file.origin, "it is empty");
     for (const FileKind& kind : kinds) {

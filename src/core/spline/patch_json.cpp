@@ -46,6 +46,19 @@ std::string text_in(const Json& json, const char* key) {
 
 double number(const Json& json) { return json.is_number() ? json.get<double>() : 0; }
 
+/// Some files say a number that the data tell, too. Where both are there, they must agree.
+void check_said(const Json& json, const char* key, std::size_t actual, const std::string& of,
+                const std::string& origin) {
+    const auto found = json.find(key);
+    if (found == json.end() || (found->is_number() && found->get<double>() == static_cast<double>(actual)))
+        return;
+    not_a_patch(origin, "'" + std::string(key) + "' is " + found->dump().substr(0, 40) + ", but " + of + " " +
+                            std::to_string(actual));
+}
+
+/// Coordinates of each point, as points() found them.
+std::size_t coordinates(const Json& control) { return control.empty() ? 0 : control.front().size(); }
+
 Points points(const Json& control, const std::string& origin) {
     if (!control.is_array()) not_a_patch(origin, "control_points must be a list of points");
     Points all(control.size());
@@ -98,6 +111,18 @@ List first_fastest(const List& list, std::size_t first, std::size_t second, cons
     return turned;
 }
 
+/// geomdl's "rational", where it is given, agrees with the weights.
+void check_rational(const Json& json, const std::vector<double>& weights, const std::string& origin) {
+    const auto rational = json.find("rational");
+    if (rational == json.end()) return;
+    if (!rational->is_boolean()) not_a_patch(origin, "'rational' must be true or false");
+    if (rational->get<bool>() && weights.empty())
+        not_a_patch(origin, "'rational' is true, but there are no weights");
+    if (!rational->get<bool>() &&
+        std::any_of(weights.begin(), weights.end(), [](double w) { return w != 1; }))
+        not_a_patch(origin, "'rational' is false, but there are weights other than 1");
+}
+
 SplinePatch geomdl_patch(const Json& json, const std::string& origin) {
     PatchParts parts;
     parts.degrees = {number(member(json, "degree_u", origin)), number(member(json, "degree_v", origin))};
@@ -105,7 +130,9 @@ SplinePatch geomdl_patch(const Json& json, const std::string& origin) {
                    numbers(member(json, "knotvector_v", origin), "knotvector_v", origin)};
     const Json& control = member(json, "control_points", origin);
     if (!control.is_object()) not_a_patch(origin, "control_points must be an object");
-    const Points given = points(member(control, "points", origin), origin);
+    const Json& rows = member(control, "points", origin);
+    const Points given = points(rows, origin);
+    check_said(json, "dimension", coordinates(rows), "the number of coordinates of a point is", origin);
     const double u = number(member(json, "size_u", origin)), v = number(member(json, "size_v", origin));
     const bool whole = u >= 1 && v >= 1 && u == std::floor(u) && v == std::floor(v);
     if (!whole || u * v != static_cast<double>(given.size()))
@@ -123,6 +150,7 @@ SplinePatch geomdl_patch(const Json& json, const std::string& origin) {
             first_fastest(weights, first, second,
                           [](auto& to, std::size_t a, const auto& from, std::size_t b) { to[a] = from[b]; });
     }
+    check_rational(json, parts.weights, origin);
     return make_patch(std::move(parts), origin);
 }
 
@@ -138,6 +166,7 @@ FoundPatch geomdl(const Json& shape, const PatchText& file) {
     if (!shape.is_object()) not_a_patch(file.origin, "'shape' must be an object");
     const Json& data = member(shape, "data", file.origin);
     const Json list = data.is_array() ? data : Json::array({data});
+    check_said(shape, "count", list.size(), "the number of entries of 'data' is", file.origin);
     std::vector<PatchEntry> entries;
     for (const Json& one : list) entries.push_back({"surface", {}, geomdl_refusal(shape, one)});
     ChosenPatch chosen = choose_patch(entries, file);
@@ -167,6 +196,7 @@ SplinePatch splinepy_patch(const Json& json, const std::string& origin) {
     const std::string type = text_in(json, "SplineType");
     const Json& degrees = list_in(json, "degrees", origin);
     PatchParts parts;
+    check_said(json, "para_dim", degrees.size(), "the number of degrees is", origin);
     for (std::size_t d = 0; d < 2; ++d) {
         const double degree = parts.degrees[d] = d < degrees.size() ? number(degrees[d]) : 0;
         if (has_knots(type)) {
@@ -189,6 +219,7 @@ SplinePatch splinepy_patch(const Json& json, const std::string& origin) {
         parts.control = points_in_rows(values, d);
     } else {
         parts.control = points(control, origin);
+        check_said(json, "dim", coordinates(control), "the number of coordinates of a point is", origin);
     }
     if (has_weights(type)) {
         parts.weights = splinepy_numbers(member(json, "weights", origin), "weights", origin);
@@ -197,8 +228,10 @@ SplinePatch splinepy_patch(const Json& json, const std::string& origin) {
     return make_patch(std::move(parts), origin);
 }
 
-FoundPatch splinepy(const Json& list, const PatchText& file) {
+FoundPatch splinepy(const Json& json, const PatchText& file) {
+    const Json& list = json["SplineList"];
     if (!list.is_array()) not_a_patch(file.origin, "'SplineList' must be a list");
+    check_said(json, "NumberOfSplines", list.size(), "the number of entries of 'SplineList' is", file.origin);
     std::vector<PatchEntry> entries;
     for (const Json& one : list) {
         PatchEntry entry{text_in(one, "SplineType"), {}, {}};
@@ -227,7 +260,7 @@ FoundPatch read_json_patch(const PatchText& file) {
         not_a_patch(file.origin, error.what());
     }
     if (json.is_object() && json.contains("shape")) return geomdl(json["shape"], file);
-    if (json.is_object() && json.contains("SplineList")) return splinepy(json["SplineList"], file);
+    if (json.is_object() && json.contains("SplineList")) return splinepy(json, file);
     const ChosenPatch chosen = choose_patch({{"patch", {}, {}}}, file);
     return {own_patch(json, file.origin), chosen.origin, nullptr};
 }

@@ -134,6 +134,8 @@ FoundPatch read_mfem(const PatchText& file) {
     words.skip_line();
     if (!words.find("dimension") || words.number("the dimension") != 2)
         cannot_read(file.origin, "it is an MFEM mesh that is not of dimension 2");
+    if (!words.find("elements")) not_a_patch(file.origin, "'elements' is missing");
+    const std::size_t elements = words.count("the number of elements", most_points);
     if (!words.find("patches"))
         cannot_read(file.origin,
                     "it is an MFEM NURBS mesh without a section 'patches': its control points are "
@@ -144,6 +146,10 @@ FoundPatch read_mfem(const PatchText& file) {
         words.set_origin(origin);
         all.push_back(mfem_patch(words, origin));
     }
+    if (all.size() != elements)
+        not_a_patch(file.origin, "it says that it has " + std::to_string(elements) +
+                                     " elements, each of which is a patch, but there are " +
+                                     std::to_string(all.size()) + " patches");
     return choose(std::move(all), "MFEM patch", file);
 }
 

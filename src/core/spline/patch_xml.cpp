@@ -21,7 +21,8 @@ using Node = pugi::xml_node;
 constexpr double most_knots = 1e6; // of a uniform knot vector
 
 /// Whitespace between comments counts, since it separates numbers.
-constexpr unsigned parse_options = pugi::parse_default | pugi::parse_ws_pcdata | pugi::parse_fragment;
+constexpr unsigned parse_options =
+    pugi::parse_default | pugi::parse_ws_pcdata | pugi::parse_fragment | pugi::parse_doctype;
 
 /// A document is one element; text after it comes from a damaged file.
 void check_root(const pugi::xml_document& document, const std::string& origin) {
@@ -29,30 +30,15 @@ void check_root(const pugi::xml_document& document, const std::string& origin) {
     for (const pugi::xml_node& node : document) {
         elements += node.type() == pugi::node_element ? 1 : 0;
         const std::string_view text = node.value();
+        if (node.type() == pugi::node_doctype &&
+            (text.find("<!ENTITY") != text.npos || text.find("<!ATTLIST") != text.npos))
+            cannot_read(origin, "its <!DOCTYPE> declares entities or attributes, which are not read; remove "
+                                "the declarations");
         const bool is_text = node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
         if (elements > 1 || (is_text && text.find_first_not_of(" \t\r\n") != std::string_view::npos))
             cannot_read(origin, "it has more than one XML element, or text outside of it");
     }
     if (elements == 0) cannot_read(origin, "it has no XML element");
-}
-
-void load(pugi::xml_document& document, const PatchText& file) {
-    const auto result = document.load_buffer(file.text.data(), file.text.size(), parse_options);
-    if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
-    if (result) return check_root(document, file.origin);
-    const auto at =
-        std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), file.text.size());
-    const auto line =
-        1 + std::count(file.text.begin(), file.text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    cannot_read(file.origin, "XML syntax error at line " + std::to_string(line));
-}
-
-/// All text of an element, without that of its children.
-std::string text_of(const Node& node) {
-    std::string text;
-    for (const Node& child : node)
-        if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) text += child.value();
-    return text;
 }
 
 /// The next node in document order; within `node` only if `inside`.
@@ -61,6 +47,42 @@ Node next_node(const Node& node, const Node& root, bool inside) {
     for (Node at = node; at && at != root; at = at.parent())
         if (at.next_sibling()) return at.next_sibling();
     return {};
+}
+
+/// XML forbids two attributes of one name, but the library's parser takes the first.
+void check_attributes(const pugi::xml_document& document, const std::string& origin) {
+    std::vector<std::string_view> names;
+    for (Node at = document.first_child(); at; at = next_node(at, document, true)) {
+        names.clear();
+        for (const pugi::xml_attribute& one : at.attributes()) names.emplace_back(one.name());
+        std::sort(names.begin(), names.end());
+        const auto twice = std::adjacent_find(names.begin(), names.end());
+        if (twice != names.end())
+            cannot_read(origin, "<" + std::string(at.name()) + "> has the attribute '" + std::string(*twice) +
+                                    "' twice");
+    }
+}
+
+void load(pugi::xml_document& document, const PatchText& file) {
+    const auto result = document.load_buffer(file.text.data(), file.text.size(), parse_options);
+    if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
+    if (!result) {
+        const auto at =
+            std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), file.text.size());
+        const auto line =
+            1 + std::count(file.text.begin(), file.text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+        cannot_read(file.origin, "XML syntax error at line " + std::to_string(line));
+    }
+    check_root(document, file.origin);
+    check_attributes(document, file.origin);
+}
+
+/// All text of an element, without that of its children.
+std::string text_of(const Node& node) {
+    std::string text;
+    for (const Node& child : node)
+        if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) text += child.value();
+    return text;
 }
 
 /// Elements below `root` with a name, in document order.
@@ -159,8 +181,16 @@ std::vector<double> uniform(double degree, double csize, const std::string& orig
     return knots;
 }
 
+/// The only child of this name; empty if there is none.
+Node optional_child(const Node& parent, const char* name, const std::string& origin) {
+    const Node found = parent.child(name);
+    if (found.next_sibling(name))
+        not_a_patch(origin, "<" + std::string(parent.name()) + "> has more than one <" + name + ">");
+    return found;
+}
+
 Node child(const Node& parent, const char* name, const std::string& origin) {
-    if (const Node found = parent.child(name)) return found;
+    if (const Node found = optional_child(parent, name, origin)) return found;
     not_a_patch(origin, "<" + std::string(parent.name()) + "> has no <" + name + ">");
 }
 
@@ -193,7 +223,7 @@ SplinePatch read_geometry(const Node& geometry, bool rational, const std::string
                              : numbers(lines[d], origin);
     }
     read_coefs(parts, geometry, origin);
-    const Node weights = basis.child("weights");
+    const Node weights = optional_child(basis, "weights", origin);
     if (rational != static_cast<bool>(weights))
         not_a_patch(origin, rational ? "its <Basis> has no <weights>" : "a TensorBSpline2 has no <weights>");
     if (rational) {

@@ -340,6 +340,11 @@ TEST(PatchXml, OneOfSeveralPatches) {
     expect_in("THBSpline2, id 11 is a truncated hierarchical spline", refusal(many, "id:11"));
     expect_in("BSpline, id 1 is a curve", refusal(many, "id:1"));
     EXPECT_EQ(parse_patch({document(bilinear(unit, "0")), "p.xml", "1"}).patches, nullptr);
+    const std::string twice = document(bilinear(unit, "7") + bilinear("5 0 6 0 5 1 6 1", "7"));
+    EXPECT_EQ(refusal(twice, "id:7"),
+              "domain.patch = 'id:7': p.file has 2 patches (several of them with this "
+              "id); give a number from 1 to 2");
+    EXPECT_EQ(parsed(twice, "2").control.x[0], 5);
     const std::string same = document("<MultiPatch id=\"0\"/>" + bilinear(unit, "0"));
     EXPECT_EQ(flat(parsed(same, "id:0").control), unit_corners) << "ids of other elements may be the same";
 }
@@ -428,11 +433,15 @@ TEST(PatchText, MfemNurbsMeshes) {
     expect_quarter(parsed(head + "patches\n" + knots + cartesian));
     expect_quarter(parsed(head + "patches\n" + knots + "controlpoints\n1 0 1\n2 0 1\n" + s + " " + s + " " +
                           s + "\n1.4142135623730951 1.4142135623730951 " + s + "\n0 1 1\n0 2 1\n"));
-    const std::string two =
-        head + "patches\n" + knots + cartesian + knots + with(cartesian, "1 0 1", "1.5 0 1");
+    const auto of = [&](int elements) { // in a row
+        std::string text = std::to_string(elements) + "\n";
+        for (int i = 0; i < elements; ++i) text += "1 3 0 1 2 3\n";
+        return with(head, "1\n1 3 0 1 2 3\n", text) + "patches\n";
+    };
+    const std::string two = of(2) + knots + cartesian + knots + with(cartesian, "1 0 1", "1.5 0 1");
     EXPECT_EQ(parsed(two, "2").control.x[0], 1.5);
-    const std::string bad = head + "patches\n" + knots + cartesian + knots +
-                            with(cartesian, "2 2 " + s, "2 2 -1") + knots + cartesian;
+    const std::string bad =
+        of(3) + knots + cartesian + knots + with(cartesian, "2 2 " + s, "2 2 -1") + knots + cartesian;
     expect_quarter(parsed(bad));
     expect_quarter(parsed(bad, "3"));
     expect_in("p.file, patch 2 of 3,", refusal(bad, "2"));
@@ -440,6 +449,9 @@ TEST(PatchText, MfemNurbsMeshes) {
     expect_in("without a section 'patches'", refusal(head + "knotvectors\n2\n"));
     expect_in("not of dimension 2", refusal(with(head, "dimension\n2", "dimension\n3")));
     expect_in("but the file ends", refusal(head + "patches\n" + knots + "controlpoints\n1 0 1\n"));
+    expect_in("says that it has 2 elements, each of which is a patch, but there are 1 patches",
+              refusal(of(2) + knots + cartesian));
+    expect_in("'elements' is missing", refusal(with(head, "elements", "element") + "patches\n"));
 }
 
 TEST(PatchText, GeometriesOfGeoPdes) {
@@ -471,6 +483,15 @@ TEST(PatchFile, JsonOfGeomdl) { // the second direction is fastest
               refusal(with(text, "\"delta\"", "\"trims\": {\"count\": 1, \"data\": []}, \"delta\"")));
     expect_in("a curve, not a surface", refusal(with(text, "\"surface\"", "\"curve\"")));
     expect_in("size_u", refusal(with(text, "\"size_u\": 2", "\"size_u\": 4")));
+    expect_in("'count' is 2, but the number of entries of 'data' is 1",
+              refusal(with(text, "\"count\": 1", "\"count\": 2")));
+    expect_in("'dimension' is 3, but the number of coordinates of a point is 2",
+              refusal(with(text, "\"dimension\": 2", "\"dimension\": 3")));
+    expect_in("'rational' is false, but there are weights",
+              refusal(with(text, "\"rational\": true", "\"rational\": false")));
+    expect_in("'rational' is true, but there are no weights",
+              refusal(with(text, "\"weights\"", "\"weight\"")));
+    expect_in("'rational' must be", refusal(with(text, "\"rational\": true", "\"rational\": 1")));
     for (const char* sizes : {"\"size_u\": 4, \"size_v\": 1.5", "\"size_u\": 1.5, \"size_v\": 4"})
         expect_in("size_u and size_v", refusal(with(text, "\"size_u\": 2, \"size_v\": 3", sizes)));
 }
@@ -488,6 +509,12 @@ TEST(PatchFile, JsonOfSplinepy) {
     const std::string d =
         "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAPA/AAAAAAAAAAAAAAAAAAAAAAAAAAAAAPA/AAAAAAAA8D8AAAAAAADwPw==";
     EXPECT_EQ(flat(parsed(with(text, "[[0,0],[1,0],[0,1],[1,1]]", "\"" + d + "\"")).control), unit_corners);
+    expect_in("'dim' is 3, but the number of coordinates of a point is 2",
+              refusal(with(text, "\"dim\": 2", "\"dim\": 3")));
+    expect_in("'para_dim' is 3, but the number of degrees is 2",
+              refusal(with(text, "\"para_dim\": 2", "\"para_dim\": 3")));
+    expect_in("'NumberOfSplines' is 3, but the number of entries of 'SplineList' is 2",
+              refusal(with(text, "\"NumberOfSplines\": 2", "\"NumberOfSplines\": 3")));
     expect_in("Bezier is a solid",
               refusal(R"({"SplineList": [{"SplineType": "Bezier", "degrees": [1, 1, 1]}]})"));
 }
@@ -514,6 +541,47 @@ TEST(PatchXml, IsOneElement) {
     EXPECT_NO_THROW(parsed(good + "<!-- the end -->\n"));
     expect_in("outside of it", refusal(good + "garbage"));
     expect_in("more than one XML element", refusal(good + "<another/>"));
+}
+
+TEST(PatchXml, NothingIsThereTwice) {
+    const std::string good = document(bilinear(unit, "0"));
+    expect_in("<Geometry> has the attribute 'type' twice",
+              refusal(with(good, "id=\"0\"", "id=\"0\" type=\"TensorNurbs2\"")));
+    expect_in("<Geometry> has more than one <coefs>",
+              refusal(with(good, "</coefs>", "</coefs><coefs geoDim=\"2\">0 0 2 0 0 2 2 2</coefs>")));
+    expect_in("<Geometry> has more than one <Basis>", refusal(with(good, "<coefs", "<Basis/><coefs")));
+    expect_in("<Basis> has more than one <weights>",
+              refusal(with(patch_xml(nurbs_disk()), "<weights>", "<weights/><weights>")));
+}
+
+TEST(PatchXml, ADocumentTypeIsSkippedButNotItsDeclarations) {
+    const auto typed = [](const std::string& type) {
+        return with(document(bilinear(unit, "0")), "<xml>", "<!DOCTYPE xml" + type + "><xml>");
+    };
+    EXPECT_EQ(flat(parsed(typed("")).control), unit_corners);
+    EXPECT_EQ(flat(parsed(typed(" SYSTEM \"gismo.dtd\"")).control), unit_corners);
+    for (const char* declaration : {"<!ENTITY one \"1\">", "<!ATTLIST coefs geoDim CDATA \"2\">"})
+        expect_in("its <!DOCTYPE> declares entities or attributes",
+                  refusal(typed(" [" + std::string(declaration) + "]")));
+}
+
+TEST(PatchFile, AByteOrderMarkIsSkipped) {
+    const std::string mark = "\xef\xbb\xbf", json = patch_json(nurbs_disk());
+    EXPECT_EQ(parsed(mark + json), nurbs_disk());
+    EXPECT_EQ(parsed(mark + patch_xml(nurbs_disk())), nurbs_disk());
+    expect_in("it is JSON in UTF-16; save it as UTF-8", refusal(std::string("\xff\xfe{\0", 4)));
+    expect_in("it is JSON in UTF-16; save it as UTF-8", refusal(std::string("\xfe\xff\0[", 4)));
+}
+
+TEST(PatchFile, ATinyPatchIsNamed) {
+    const auto patch = [](const std::string& s) {
+        return R"({"degrees":[1,1],"knots":[[0,0,1,1],[0,0,1,1]],"control_points":[[0,0],[)" + s + ",0],[0," +
+               s + "],[" + s + "," + s + "]]}";
+    };
+    for (const char* size : {"1e-31", "1e-100", "1e-200", "1e-320"})
+        expect_in("it measures only " + format_number(*parse_number(size)) + "; the smallest size is 1e-30",
+                  refusal(patch(size)));
+    EXPECT_NO_THROW(parsed(patch("1.5e-30")));
 }
 
 } // namespace
