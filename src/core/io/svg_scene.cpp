@@ -5,6 +5,7 @@
 #include "core/tessellate/camera.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -118,6 +119,15 @@ static SvgView view_of_camera(const Camera& camera, PagePoint corner, Size size)
     return view;
 }
 
+/// Three digits of a number that is not below `least`.
+static std::string at_least(double least) {
+    char text[32];
+    const auto [end, error] =
+        std::to_chars(text, text + sizeof text, 1.005 * least, std::chars_format::general, 3);
+    GASPARD_CHECK(error == std::errc());
+    return {text, end};
+}
+
 void check_svg_camera(const Points& nodes, const std::string& camera, double aspect) {
     constexpr double largest_zoom = 1e4; // so that coordinates in points stay far below 1e7
     if (camera.empty() || shows_all(camera)) return;
@@ -129,7 +139,7 @@ void check_svg_camera(const Points& nodes, const std::string& camera, double asp
     if (height < least)
         throw InputError("view.camera shows a height of " + format_number(height) +
                          ", which is too small for an SVG of this mesh; it must be at least " +
-                         format_number(std::ceil(1e6 * least) / 1e6));
+                         at_least(least));
 }
 
 SvgView svg_view(const SvgScene& scene, const MeshSvgOptions& options, PagePoint corner, double width) {

@@ -251,6 +251,25 @@ bool shows_all(std::string_view text) {
     });
 }
 
+namespace {
+
+/// Far beyond all meshes; what is computed with such numbers stays finite.
+constexpr double largest = 1e20, smallest_height = 1e-50, smallest_axis = 1e-20;
+
+bool is_axis(Vec3 v) { return norm(v) >= smallest_axis && norm(v) <= largest; }
+
+void check_ranges(std::string_view text, const Camera& camera, double height) {
+    const auto beyond = [](double c) { return !(std::abs(c) <= largest); };
+    if (beyond(camera.centre.x) || beyond(camera.centre.y) || beyond(camera.centre.z))
+        refuse_camera(text, "wants a centre with coordinates from -1e20 to 1e20");
+    if (!(height >= smallest_height && height <= largest))
+        refuse_camera(text, "wants a height from 1e-50 to 1e20");
+    if (!is_axis(camera.right) || !is_axis(camera.up))
+        refuse_camera(text, "wants a right and an up of lengths from 1e-20 to 1e20");
+}
+
+} // namespace
+
 Camera parse_camera(std::string_view text, Size size) {
     struct Part {
         std::string_view name;
@@ -283,9 +302,9 @@ Camera parse_camera(std::string_view text, Size size) {
         return Vec3{p.numbers[0], p.numbers[1], p.numbers.size() > 2 ? p.numbers[2] : 0};
     };
     const double height = axes_alone ? 1 : parts[1].numbers[0];
-    if (!(height > 0)) refuse_camera(text, "wants a height above 0");
     Camera camera{vector(parts[0], {}), height / size.height, vector(parts[2], {1, 0, 0}),
                   vector(parts[3], {0, 1, 0})};
+    check_ranges(text, camera, height);
     if (!make_orthonormal(camera.right, camera.up))
         refuse_camera(text, "wants a right and an up that point in different directions");
     return camera;

@@ -229,8 +229,13 @@ TEST(Camera, TextThatIsNoneIsRefusedInASentence) {
     for (const auto& [text, why] : {std::pair{"", "'centre'"},
                                     {"centre 1", "3 numbers after 'centre'"},
                                     {"centre 1 2", "1 number after 'height'"},
-                                    {"centre 1 2 height 0", "above 0"},
-                                    {"centre 1 2 height -3", "above 0"},
+                                    {"centre 1 2 height 0", "a height from 1e-50 to 1e20"},
+                                    {"centre 1 2 height -3", "a height from 1e-50 to 1e20"},
+                                    {"centre 1 2 height 1e300", "a height from 1e-50 to 1e20"},
+                                    {"centre 1 2 height 1e-300", "a height from 1e-50 to 1e20"},
+                                    {"centre 1 1e300 height 1", "coordinates from -1e20 to 1e20"},
+                                    {"right 1e200 0 0 up 0 1 0", "lengths from 1e-20 to 1e20"},
+                                    {"right 1 0 0 up 0 1e-200 0", "lengths from 1e-20 to 1e20"},
                                     {"centre 1 2 height nan", "the word 'nan'"},
                                     {"centre 1 2 height 1 2", "1 number after 'height'"},
                                     {"centre 1 2 3 4 height 1", "3 numbers after 'centre'"},
@@ -238,7 +243,7 @@ TEST(Camera, TextThatIsNoneIsRefusedInASentence) {
                                     {"centre 1 2 height 1 centre 1 2", "'centre' twice"},
                                     {"centre 1 2 height 1 up 0 1", "3 numbers after 'up'"},
                                     {"centre 1 2 height 1 right 1 0 0 up 2 0 0", "different directions"},
-                                    {"centre 1 2 height 1 right 0 0 0", "different directions"},
+                                    {"centre 1 2 height 1 right 0 0 0", "lengths from 1e-20 to 1e20"},
                                     {"7", "the word '7'"}}) {
         EXPECT_NE(refused(text).find(why), std::string::npos) << text << ": " << refused(text);
         EXPECT_NE(refused(text).find("a camera reads 'centre 0.5 0.5 0 height"), std::string::npos) << text;
