@@ -14,6 +14,7 @@ namespace gaspard {
 namespace {
 
 constexpr std::size_t most_triangles = std::size_t{4} << 20;
+constexpr std::size_t most_work_of_cell = 1'000'000; // about 10 ms
 
 /// A point of the coarsest tessellation, seen from a cell.
 struct Corner {
@@ -81,10 +82,11 @@ struct Grid {
 /// Subdivides the edges and faces of the coarsest tessellation.
 class Cutter {
   public:
-    Cutter(const Mesh& mesh, const Points& x, double tolerance)
+    Cutter(const Mesh& mesh, const Points& x, double tolerance, std::size_t most_work)
         : mesh_(mesh), coarse_(tessellate(mesh, 1)), fine_(coarse_), node_positions_{&mesh.nodes, &x},
           tolerance_(tolerance * longest_side({&mesh.nodes, &x})),
-          values_(static_cast<std::size_t>(nodes_per_cell(mesh.kind))), gradients_(values_.size()) {
+          values_(static_cast<std::size_t>(nodes_per_cell(mesh.kind))), gradients_(values_.size()),
+          work_left_(most_work + most_work_of_cell * mesh.cell_count()) {
         fine_.cuts = 0;
         for (auto* array : {&fine_.triangles, &fine_.triangle_cells, &fine_.segments, &fine_.segment_cells,
                             &fine_.segment_sides})
@@ -128,6 +130,10 @@ class Cutter {
     std::array<Vec3, 2> at(std::uint32_t cell, Vec3 where) {
         shape_functions(mesh_.kind, where, values_, gradients_);
         const auto nodes = mesh_.cell(cell);
+        if (work_left_ < nodes.size())
+            throw MachineError("a tessellation within output.curve_tolerance would take too long, because "
+                               "cells fold or bend strongly; increase the tolerance");
+        work_left_ -= nodes.size();
         std::array<Vec3, 2> sum;
         for (std::size_t i = 0; i < 2; ++i)
             for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -293,14 +299,15 @@ class Cutter {
     std::unordered_map<std::uint64_t, EdgePoints> edges_; ///< keyed by the end points, smaller first
     std::vector<double> values_;                          ///< of the shape functions
     std::vector<Vec3> gradients_;
+    std::size_t work_left_;
 };
 
 } // namespace
 
-Tessellation tessellate_within(const Mesh& mesh, const Points& x, double tolerance) {
+Tessellation tessellate_within(const Mesh& mesh, const Points& x, double tolerance, std::size_t most_work) {
     GASPARD_CHECK(tolerance > 0 && x.size() == mesh.node_count());
     if (mesh.kind.order == 1 && mesh.space_dimension < 3) return tessellate(mesh); // straight and flat
-    return Cutter(mesh, x, tolerance).cut();
+    return Cutter(mesh, x, tolerance, most_work).cut();
 }
 
 } // namespace gaspard

@@ -6,6 +6,7 @@
 #include "support/small_meshes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <map>
@@ -123,6 +124,33 @@ TEST(FineTessellation, RejectsTooManyTriangles) {
                   tessellate_within(mesh, mesh.nodes, 1e-16);
               }).find("increase the tolerance"),
               std::string::npos);
+}
+
+/// One cell of this order whose nodes are anywhere in the unit square.
+std::pair<Mesh, Points> tangled_cell(int order) {
+    const CellKind kind{CellShape::quadrilateral, order};
+    Mesh mesh{.kind = kind, .space_dimension = 2, .nodes = {}, .cells = {}};
+    const auto nodes = reference_nodes(kind);
+    mesh.nodes = Points(nodes.size());
+    Points x(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        mesh.nodes.set(i, nodes[i]);
+        mesh.cells.push_back(static_cast<std::int32_t>(i));
+        x.set(i, {std::fmod(0.618 * static_cast<double>(i), 1), std::fmod(0.755 * static_cast<double>(i), 1),
+                  0});
+    }
+    return {std::move(mesh), std::move(x)};
+}
+
+TEST(FineTessellation, DoesNotWorkWithoutEndOnTangledCellsOfHighOrder) {
+    const auto [mesh, x] = tangled_cell(7);
+    EXPECT_NE(message_of<MachineError>([&] {
+                  tessellate_within(mesh, x, 1e-4, 1'000'000);
+              }).find("would take too long, because cells fold or bend strongly; increase the tolerance"),
+              std::string::npos);
+    EXPECT_NO_THROW(tessellate_within(mesh, mesh.nodes, 1e-4, 0)) << "a straight cell";
+    const auto [cubic, y] = tangled_cell(3);
+    EXPECT_GT(tessellate_within(cubic, y, 1e-3).triangle_cells.size(), 10000U) << "the default is enough";
 }
 
 TEST(FineTessellation, TheCrackTestDetectsACrack) {
