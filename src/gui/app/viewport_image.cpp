@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/scenario/view_rows.hpp"
+#include "gui/app/strips.hpp"
 #include "gui/gl/imgui_context.hpp"
 #include "gui/gl/imgui_renderer.hpp"
 #include "gui/plot/plot_widget.hpp"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string_view>
 
@@ -52,27 +54,22 @@ class Canvas {
     /// `text`: what will be written that is not the program's own, such as titles.
     Canvas(int width, int height, float scale, const ImageOptions& options, std::string_view text)
         : theme_(theme_of(options)), scale_(scale), context_(make_offscreen_context(options.backend)),
-          target_(context_->gl(), width, height), mesh_renderer_(context_->gl()) {
+          width_(width), height_(height),
+          target_(context_->gl(), width, strip_height(width, height, options.most_pixels)),
+          mesh_renderer_(context_->gl()) {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
         load_font(*io.Fonts, theme_, scale, text);
         apply_theme(theme_, scale);
         text_renderer_.emplace(context_->gl());
         ImGui::NewFrame();
-        target_.bind();
-        const Gl& gl = context_->gl();
-        const Colour ground = theme_.background;
-        gl.ClearColor(ground.r * ground.a, ground.g * ground.a, ground.b * ground.a, ground.a);
-        gl.Clear(GL_COLOR_BUFFER_BIT);
     }
 
     void mesh(const Snapshot& snapshot, const Values& view, const ViewportText& text, PixelRect area) {
         ViewportPlanner planner;
-        const ViewportPlan plan = planner.plan(snapshot, view, text, on_screen(area), scale_);
-        for (const PlannedView& shown : plan.views)
-            mesh_renderer_.draw(shown.scene, shown.camera, in_pixels(shown.rect), target_.height(), theme_,
-                                scale_);
+        ViewportPlan plan = planner.plan(snapshot, view, text, on_screen(area), scale_);
         draw_viewport_overlay(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
+        std::move(plan.views.begin(), plan.views.end(), std::back_inserter(views_));
     }
 
     void plot(const Plot& plot, PixelRect area) {
@@ -85,13 +82,28 @@ class Canvas {
 
     Image finish() {
         ImGui::Render();
-        text_renderer_->draw(*ImGui::GetDrawData());
-        Image image = target_.read();
+        Image image =
+            draw_in_strips(width_, height_, target_.height(), [this](Strip strip) { return draw(strip); });
         if (theme_.background.a < 1) divide_by_alpha(image);
         return image;
     }
 
   private:
+    Image draw(Strip strip) {
+        target_.bind();
+        const Gl& gl = context_->gl();
+        const Colour ground = theme_.background;
+        gl.Disable(GL_SCISSOR_TEST);
+        gl.ClearColor(ground.r * ground.a, ground.g * ground.a, ground.b * ground.a, ground.a);
+        gl.Clear(GL_COLOR_BUFFER_BIT);
+        strip.height = target_.height(); // the last one may be cut off below the image
+        for (const PlannedView& shown : views_)
+            if (const auto part = in_strip(shown.camera, in_pixels(shown.rect), strip))
+                mesh_renderer_.draw(shown.scene, part->camera, part->area, target_.height(), theme_, scale_);
+        text_renderer_->draw(in_strip(*ImGui::GetDrawData(), strip));
+        return target_.read();
+    }
+
     static ScreenRect on_screen(PixelRect area) {
         const auto x = static_cast<float>(area.x), y = static_cast<float>(area.y);
         return {{x, y}, {x + static_cast<float>(area.width), y + static_cast<float>(area.height)}};
@@ -105,10 +117,12 @@ class Canvas {
     Theme theme_;
     float scale_;
     std::unique_ptr<OffscreenContext> context_;
-    RenderTarget target_;
+    int width_, height_;  ///< of the image
+    RenderTarget target_; ///< one strip of it
     ImGuiSession session_;
     std::optional<ImGuiRenderer> text_renderer_; ///< once the font is there
     MeshRenderer mesh_renderer_;
+    std::vector<PlannedView> views_;
 };
 
 } // namespace

@@ -17,10 +17,14 @@
 
 namespace gaspard {
 
+/// Larger images are drawn in strips of at most so many pixels (strips.hpp).
+inline constexpr int strip_pixels = 1 << 22;
+
 struct ImageOptions {
     bool light = false; ///< dark on white, for paper; so does view.theme
     OffscreenBackend backend = OffscreenBackend::any;
     Background background{}; ///< so is view.background
+    int most_pixels = strip_pixels;
 };
 
 /// What a viewport of the window would show of `snapshot`. `view` is the section of view_rows(); `subject`

@@ -1,5 +1,6 @@
 #include "gui/app/whole_window.hpp"
 
+#include "gui/app/strips.hpp"
 #include "gui/gl/imgui_context.hpp"
 
 #include <algorithm>
@@ -38,9 +39,11 @@ void WindowImage::draw_meshes(const Application& application, const WindowPixels
         });
         Camera camera = shown.camera;
         camera.scale /= static_cast<double>(pixels.density);
-        meshes_.at(static_cast<std::size_t>(first - views.begin()))
-            .draw(shown.scene, camera, pixels_of(shown.rectangle, pixels.density), pixels.height, theme,
-                  zoom * pixels.density);
+        std::optional<StripView> part{{camera, pixels_of(shown.rectangle, pixels.density)}};
+        if (pixels.top) part = in_strip(part->camera, part->area, {*pixels.top, pixels.height});
+        if (part)
+            meshes_.at(static_cast<std::size_t>(first - views.begin()))
+                .draw(shown.scene, part->camera, part->area, pixels.height, theme, zoom * pixels.density);
     }
 }
 
@@ -50,7 +53,8 @@ bool WindowImage::draw(const Application& application, const WindowPixels& pixel
         below_.emplace(gl_, pixels.width, pixels.height);
         whole_.emplace(gl_, pixels.width, pixels.height, 0); // text and panels need no multisampling
     }
-    Below wanted{application.views(), application.window_state().theme_name, pixels.density, zoom};
+    Below wanted{application.views(), application.window_state().theme_name, pixels.density, zoom,
+                 pixels.top};
     const bool anew = drawn_ != wanted;
     if (anew) {
         draw_meshes(application, pixels, zoom);
@@ -58,7 +62,8 @@ bool WindowImage::draw(const Application& application, const WindowPixels& pixel
     }
     whole_->copy(*below_);
     whole_->bind();
-    interface_.draw(*ImGui::GetDrawData());
+    const ImDrawData& data = *ImGui::GetDrawData();
+    interface_.draw(pixels.top ? in_strip(data, {*pixels.top, pixels.height}) : data);
     return anew;
 }
 
@@ -81,8 +86,11 @@ Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const Fini
         application.frame();
         ImGui::Render();
     }
-    image.draw(application, {width, height, 1}, zoom);
-    return image.read();
+    const int rows = strip_height(width, height);
+    return draw_in_strips(width, height, rows, [&](Strip strip) {
+        image.draw(application, {width, rows, 1, strip.top}, zoom);
+        return image.read();
+    });
 }
 
 } // namespace gaspard

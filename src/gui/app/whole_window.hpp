@@ -19,6 +19,7 @@ namespace gaspard {
 struct WindowPixels {
     int width = 0, height = 0;
     float density = 1;
+    std::optional<int> top{}; ///< of a strip of an image: how many rows of the window are above it
 };
 
 /// A part of the window in pixels of the framebuffer.
@@ -45,6 +46,7 @@ class WindowImage {
         std::vector<ShownView> views;
         std::string theme;
         float density = 1, zoom = 1;
+        std::optional<int> top{};
         friend bool operator==(const Below&, const Below&) = default;
     };
     void draw_meshes(const Application& application, const WindowPixels& pixels, float zoom);

@@ -1,6 +1,7 @@
 // Pictures compared with stored ones, and wrong pictures that must be found different.
 #include "core/scenario/view_rows.hpp"
 #include "core/tessellate/colouring.hpp"
+#include "gui/app/strips.hpp"
 #include "gui/app/viewport_image.hpp"
 #include "gui/base/theme.hpp"
 #include "gui/scenes.hpp"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
 
@@ -62,6 +64,46 @@ Image drawn(const Snapshot& snapshot, const std::vector<std::pair<std::string, s
 std::array<int, 4> pixel(const Image& image, int x, int y) {
     const auto* p = &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)];
     return {p[0], p[1], p[2], p[3]};
+}
+
+TEST(Strips, AnImageDrawnInStripsIsTheSame) {
+    const Snapshot snapshot = ring_snapshot(16);
+    Values values("view", view_rows());
+    for (const char* background : {"theme", "transparent"}) {
+        values.set("background", std::string(background));
+        const Image whole = render_view(snapshot, values, 400, 300, "plane, ring");
+        for (const int rows : {300, 150, 70, 1}) {
+            const Image strips =
+                render_view(snapshot, values, 400, 300, "plane, ring", {.most_pixels = 400 * rows + 399});
+            ASSERT_EQ(strips.rgba.size(), whole.rgba.size());
+            int different = 0; // by more than rounding
+            for (std::size_t i = 0; i < whole.rgba.size(); ++i)
+                different += std::abs(strips.rgba[i] - whole.rgba[i]) > 16 ? 1 : 0;
+            EXPECT_LT(different, rows == 300 ? 1 : 400)
+                << "of " << whole.rgba.size() << " in strips of " << rows;
+        }
+    }
+}
+
+TEST(Strips, AreWholeImagesUpToAFewMillionPixels) {
+    EXPECT_EQ(strip_height(2048, 2048), 2048);
+    EXPECT_EQ(strip_height(8192, 8192), 512);
+    EXPECT_EQ(strip_height(64, 8192), 8192);
+    EXPECT_EQ(strip_height(8192, 64), 64);
+    EXPECT_EQ(strip_height(100, 50, 10), 1) << "a row at least";
+    const Camera camera{{1, 2, 0}, 0.5, {1, 0, 0}, {0, 1, 0}};
+    const PixelRect area{10, 20, 200, 100};
+    EXPECT_FALSE(in_strip(camera, area, {120, 50}));
+    EXPECT_FALSE(in_strip(camera, area, {0, 20}));
+    EXPECT_EQ(in_strip(camera, area, {0, 200})->camera, camera);
+    const auto part = in_strip(camera, area, {50, 40});
+    ASSERT_TRUE(part);
+    EXPECT_EQ(part->area.y, 0);
+    EXPECT_EQ(part->area.height, 40);
+    // Pixel (7, 33) of the view is pixel (7, 3) of its part.
+    const Vec3 here = to_world(camera, area.size(), {7, 33}),
+               there = to_world(part->camera, {200, 40}, {7, 3});
+    EXPECT_LT(norm(here - there), 1e-12);
 }
 
 TEST(Background, IsTransparentOrAColour) {
