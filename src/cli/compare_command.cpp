@@ -108,6 +108,7 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
                               : user_path(arguments.out);
     check_domain(*catalogue, input);
     if (!arguments.no_render) check_offscreen_choice();
+    check_no_folders(folder, comparison_file_names(methods));
     if (!arguments.overwrite && !arguments.out.empty()) // the default folder has the scenario's name
         check_replaceable(folder, comparison_file_names(methods), "comparison.json", scenario.name);
     const InterruptWatch interrupt; // once the input is read: a signal ends a program that waits for it

@@ -5,6 +5,7 @@
 #include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/image.hpp"
+#include "core/io/run_folder.hpp"
 #include "core/published/published.hpp"
 #include "gui/app/viewport_image.hpp"
 
@@ -58,7 +59,8 @@ int reproduce_command(std::shared_ptr<const Catalogue> catalogue, const std::str
     const Recipe recipe = find_recipe(id);
     const std::filesystem::path folder =
         out.empty() ? std::filesystem::path("gaspard-out") / id : user_path(out);
-    check_writable(folder);
+    check_no_folders(folder, {id + ".csv", id + ".png"});
+    const auto made = check_writable(folder);
     const InterruptWatch interrupt;
     try {
         const auto announce = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
@@ -67,6 +69,7 @@ int reproduce_command(std::shared_ptr<const Catalogue> catalogue, const std::str
         write_atomically(folder / (id + ".csv"), published_csv(result.rows));
         if (result.figure && render) write_png(folder / (id + ".png"), draw(*result.figure));
     } catch (const Interrupted&) {
+        remove_empty(made);
         std::fprintf(stderr, "gaspard: interrupted; nothing was written\n");
         return exit_code(RunStatus::interrupted);
     }

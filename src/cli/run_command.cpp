@@ -147,7 +147,7 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
     const Scenario& scenario = input.scenario;
     RunOptions options{.threads = threads_of(arguments)};
     if (arguments.start) options.start = read_state(user_path(*arguments.start));
-    const InterruptWatch interrupt; // once the input is read: a signal ends a program that waits for it
+    InterruptWatch interrupt; // once the input is read: a signal ends a program that waits for it
     const std::filesystem::path folder = arguments.out.empty()
                                              ? std::filesystem::path("gaspard-out") / scenario.name
                                              : user_path(arguments.out);
@@ -156,13 +156,13 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
         Run run(catalogue, scenario, std::move(options), {}, interrupt.token());
         check_with_mesh(input, *run.discretisation().mesh());
         if (!arguments.no_render) check_offscreen_choice();
-        if (!arguments.overwrite && !arguments.out.empty()) { // the default folder has the scenario's name
-            std::vector<std::string> names = run_file_names(run, input.formats);
-            if (!arguments.no_render) names.emplace_back("view.png");
+        std::vector<std::string> names = run_file_names(run, input.formats);
+        if (!arguments.no_render) names.emplace_back("view.png");
+        check_no_folders(folder, names);
+        if (!arguments.overwrite && !arguments.out.empty()) // the default folder has the scenario's name
             check_replaceable(folder, names, "summary.json", scenario.name);
-        }
         const bool other_values = holds_other_values(folder, scenario);
-        check_writable(folder); // after all checks of the input
+        const auto made = check_writable(folder); // after all checks of the input
         {
             ProgressLine line(arguments.quiet);
             while (run.status() == RunStatus::running) {
@@ -174,11 +174,18 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
             }
         }
         if (!arguments.quiet) print_outcome(run, folder, other_values);
-        std::exception_ptr failure; // rethrown after the other files are written
+        const std::stop_token stop = interrupt.restart(); // what was interrupted is written, too
+        std::exception_ptr failure;                       // rethrown after the other files are written
         try {
-            write_run_files(folder, run, input.formats);
+            write_run_files(folder, run, input.formats, {}, stop);
+            if (!arguments.no_render && stop.stop_requested()) throw Interrupted();
         } catch (const MachineError&) {
             failure = std::current_exception();
+        } catch (const Interrupted&) {
+            remove_empty(made);
+            std::cerr << "gaspard: interrupted while files were written; each file in " << folder.string()
+                      << " is complete, but some are missing or of an earlier run\n";
+            return exit_code(RunStatus::interrupted);
         }
         if (!arguments.no_render) draw_view(catalogue, run, folder, arguments.whole_window);
         if (failure) std::rethrow_exception(failure);

@@ -7,6 +7,7 @@ import re
 import resource
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -413,21 +414,73 @@ class Machine(Contract):
             self.summary()
 
     def test_one_file_that_fails_does_not_keep_the_others(self):
-        os.makedirs(self.path("summary.json"))
-        result = self.run_quick()
+        few = ["--max-iterations", "5"]  # so that history.csv, which has times in it, is small
+        self.assertEqual(self.run_quick("--formats", "msh,svg", *few).returncode, 3)
+        sizes = {name: os.path.getsize(self.path(name)) for name in os.listdir(self.out)}
+        shutil.rmtree(self.out)
+        largest = max(sizes, key=sizes.get)
+        others = set(sizes) - {largest}
+        result = self.run_quick("--formats", "msh,svg", *few, limit=max(sizes[name] for name in others) + 100)
         self.assertEqual(result.returncode, 1)
-        self.assertIn("summary.json", result.stderr)
-        for name in ("history.csv", "state.bin", "adapted.obj", "adapted.glb"):
-            self.assertTrue(os.path.exists(self.path(name)), name)
+        self.assertIn(largest, result.stderr)
+        self.assertEqual(set(os.listdir(self.out)), others)
 
     def test_netcdf_fails_like_every_other_format(self):
-        os.makedirs(self.path("adapted.ugrid.nc"))
-        result = self.run_quick("--formats", "ugrid,glb-curved")
+        few = ["--max-iterations", "5"]
+        self.assertEqual(self.run_quick("--formats", "ugrid,obj", *few).returncode, 3)
+        sizes = {name: os.path.getsize(self.path(name)) for name in os.listdir(self.out)}
+        shutil.rmtree(self.out)
+        least = min(sizes["computational.ugrid.nc"], sizes["adapted.ugrid.nc"])
+        larger = {name for name, size in sizes.items() if size >= least}
+        result = self.run_quick("--formats", "ugrid,obj", *few, limit=least - 1)
         self.assertEqual(result.returncode, 1)
         self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
-        self.assertIn("adapted.ugrid.nc", result.stderr)
-        self.assertEqual(set(os.listdir(self.out)), {"history.csv", "state.bin", "summary.json", "adapted.ugrid.nc",
-                                                     "computational.ugrid.nc", "adapted-curved.glb"})
+        self.assertIn("computational.ugrid.nc", result.stderr)
+        self.assertEqual(set(os.listdir(self.out)), set(sizes) - larger)
+
+    def test_a_folder_where_a_file_would_be_written_is_found_before_solving(self):
+        def check(name, *command):
+            os.makedirs(self.path(name))
+            result = gaspard(*command, "--out", self.out)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+            self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+            self.assertIn(self.path(name) + " is a folder", result.stderr)
+            self.assertEqual(os.listdir(self.out), [name])
+            shutil.rmtree(self.out)
+        for name in ("summary.json", "adapted.glb", "view.png"):
+            for more in ([], ["--overwrite"]):
+                check(name, "run", "plane-ring", "--set", "domain.cells=400", *more)
+        check("newton.csv", "compare", "plane-ring", "--set", "domain.cells=400", "--methods", "auto,newton")
+        check("mcrae-fig11.csv", "reproduce", "mcrae-fig11")
+
+    def test_a_signal_while_files_are_written_ends_it_after_one_of_them(self):
+        formats = "obj,vtu,msh,ply,ugrid,svg"
+        process = subprocess.Popen([PROGRAM, "run", "plane-ring", "--out", self.out, "--no-render", "--formats", formats,
+                                    "--set", "domain.cells=300", "--max-iterations", "1"], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        while process.poll() is None and not os.path.exists(self.path("summary.json")):
+            time.sleep(0.002)
+        process.send_signal(signal.SIGTERM)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, err)
+        self.assertEqual(len(err.strip().splitlines()), 1, err)
+        self.assertIn("interrupted while files were written", err)
+        names = os.listdir(self.out)
+        self.assertNotIn("adapted.svg", names)
+        self.assertEqual([name for name in names if "tmp" in name], [])
+        self.summary()
+
+    def test_a_large_image_takes_a_bounded_memory(self):
+        process = subprocess.Popen([PROGRAM, "run", "plane-ring", "--out", self.out, "--formats", "obj", "--quiet",
+                                    "--size", "8192x4096", *QUICK], stderr=subprocess.PIPE, text=True)
+        with process.stderr:
+            self.assertEqual(process.stderr.read(), "")
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, 0)
+        self.assertLess(usage.ru_maxrss, 1 << 20)  # KiB; in one piece it takes 1.6 GiB
+        with open(self.path("view.png"), "rb") as file:
+            self.assertEqual(struct.unpack(">II", file.read(24)[16:]), (8192, 4096))
 
     def test_a_standard_output_that_takes_nothing_is_noticed(self):
         with open("/dev/full", "w") as full:
@@ -514,6 +567,17 @@ class Information(Contract):
         self.assertGreater(os.path.getsize(self.path("mcrae-fig2.png")), 10000)
         for name in ("mcrae-fig2", "mcrae-fig3", "mcrae-fig13"):
             self.assertIn(name, gaspard("reproduce").stdout)
+
+    def test_an_interrupted_reproduction_leaves_nothing(self):
+        process = subprocess.Popen([PROGRAM, "reproduce", "mcrae-fig11", "--out", os.path.join(self.out, "below")],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.assertNotEqual(process.stderr.readline(), "")  # it computes
+        self.assertTrue(os.path.exists(self.out))
+        process.send_signal(signal.SIGTERM)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, out), (130, ""))
+        self.assertIn("nothing was written", err)
+        self.assertFalse(os.path.exists(self.out))
 
     def test_compare_writes_table_histories_and_picture(self):
         result = gaspard("compare", "plane-ring", *QUICK, "--methods", "newton,relaxation,auto", "--out", self.out)

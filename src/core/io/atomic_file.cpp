@@ -114,14 +114,18 @@ void make_folder(const fs::path& folder) {
     if (error) throw MachineError("cannot make the folder " + folder.string() + ": " + error.message());
 }
 
-void check_writable(const fs::path& folder) {
-    const std::vector<fs::path> made = missing_folders(folder);
+void remove_empty(const std::vector<fs::path>& folders) {
+    std::error_code ignored; // of folders that are not empty, or were not created
+    for (const fs::path& folder : folders) fs::remove(folder, ignored);
+}
+
+std::vector<fs::path> check_writable(const fs::path& folder) {
+    std::vector<fs::path> made = missing_folders(folder);
     std::error_code error;
     fs::create_directories(folder, error);
     if (!error) error = std::error_code(try_to_write(folder), std::generic_category());
-    if (!error) return;
-    std::error_code ignored; // for folders that were not created
-    for (const auto& p : made) fs::remove(p, ignored);
+    if (!error) return made;
+    remove_empty(made);
     const std::string sentence = "cannot write to the folder " + folder.string() + ": " + error.message();
     for (const int trouble : {ENOSPC, EDQUOT, EIO, EMFILE, ENFILE})
         if (error.value() == trouble) throw MachineError(sentence); // not specific to the folder

@@ -5,6 +5,7 @@
 #include <functional>
 #include <ostream>
 #include <string_view>
+#include <vector>
 
 namespace gaspard {
 
@@ -17,7 +18,10 @@ void write_atomically(const std::filesystem::path& file, std::string_view bytes)
 /// Creates the folder and its parents if necessary. Throws MachineError naming the folder and the cause.
 void make_folder(const std::filesystem::path& folder);
 /// Creates the folder if necessary and checks that it is writable, so that this is known before solving.
-/// Throws InputError naming the folder and the cause (MachineError for a full or failing disk).
-void check_writable(const std::filesystem::path& folder);
+/// Returns the folders that it created, innermost first. Throws InputError naming the folder and the cause
+/// (MachineError for a full or failing disk).
+std::vector<std::filesystem::path> check_writable(const std::filesystem::path& folder);
+/// Removes those of these folders that are empty, in this order.
+void remove_empty(const std::vector<std::filesystem::path>& folders);
 
 } // namespace gaspard

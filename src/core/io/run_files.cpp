@@ -151,6 +151,8 @@ std::vector<std::string> run_file_names(const Run& run, const std::vector<const 
 }
 
 bool holds_other_values(const std::filesystem::path& folder, const Scenario& scenario) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(folder / "summary.json", ignored)) return false;
     try {
         const Json before = Json::parse(read_file(folder / "summary.json"), nullptr, false);
         const Json now = values_json(scenario);

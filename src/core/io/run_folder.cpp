@@ -13,6 +13,8 @@ namespace {
 
 /// Of the run whose record this is; nothing if it cannot be read.
 std::optional<std::string> scenario_of(const std::filesystem::path& record) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(record, ignored)) return std::nullopt; // a pipe might never end
     try {
         const auto json = nlohmann::json::parse(read_file(record), nullptr, false);
         if (const auto name = json.find("scenario");
@@ -35,6 +37,14 @@ std::string first_present(const std::filesystem::path& folder, const std::vector
     for (const std::string& name : names)
         if (std::filesystem::is_regular_file(folder / name, ignored)) return name;
     return {};
+}
+
+void check_no_folders(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+    std::error_code ignored; // as above
+    for (const std::string& name : names)
+        if (std::filesystem::is_directory(folder / name, ignored))
+            throw InputError((folder / name).string() + " is a folder, but a file of that name would be "
+                                                        "written; choose another folder with --out");
 }
 
 void check_replaceable(const std::filesystem::path& folder, const std::vector<std::string>& names,

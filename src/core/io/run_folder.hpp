@@ -16,6 +16,9 @@ std::string record_json(const Scenario& scenario);
 /// The first of these names that the folder has a file of; empty if there is none.
 std::string first_present(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
+/// Throws InputError if the folder has a folder of one of these names, which no file can replace.
+void check_no_folders(const std::filesystem::path& folder, const std::vector<std::string>& names);
+
 /// Throws InputError if the folder has files of these names that are not those of a run of this scenario: its
 /// `record`, a JSON file such as summary.json, has another name as "scenario" or cannot be read.
 void check_replaceable(const std::filesystem::path& folder, const std::vector<std::string>& names,
