@@ -5,6 +5,7 @@
 #include "gui_assets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -83,51 +84,49 @@ ImU32 packed(Colour c, float opacity) {
     return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a * opacity});
 }
 
-Theme dark_theme() {
-    Theme t;
-    t.background = hex(0x14171c);
-    t.panel = hex(0x1b1f26);
-    t.frame = hex(0x272d37);
-    t.border = hex(0x363e4b);
-    t.grid = hex(0x8fa3bf, 0.13F);
-    t.text = hex(0xdde3ec);
-    t.faint_text = hex(0x8b97a8);
-    t.accent = hex(0x5aa9e6);
-    t.good = hex(0x63c98a);
-    t.warning = hex(0xe8b04c);
-    t.bad = hex(0xef6a6a);
-    t.surface = hex(0x222832);
-    t.line_on_dark = hex(0xf2f6ff, 0.62F);
-    t.line_on_light = hex(0x0b1016, 0.62F);
-    t.overlay = hex(0xff4a3d);
-    t.tangled = hex(0xff2bd6);
-    t.curves = {hex(0x5aa9e6), hex(0xf2a65a), hex(0x63c98a), hex(0xe4718f),
-                hex(0xb79cf0), hex(0x58cfd0), hex(0xd9c75b), hex(0xa9b4c2)};
-    return t;
+namespace {
+
+/// A colour of both themes.
+struct ColourRow {
+    Colour Theme::*colour;
+    Colour dark, light;
+};
+
+Theme make_theme(Colour ColourRow::*which) {
+    static constexpr ColourRow table[] = {
+        {&Theme::background, hex(0x14171c), hex(0xffffff)},
+        {&Theme::panel, hex(0x1b1f26), hex(0xf5f6f8)},
+        {&Theme::frame, hex(0x272d37), hex(0xe7eaef)},
+        {&Theme::border, hex(0x363e4b), hex(0xc4cad4)},
+        {&Theme::grid, hex(0x8fa3bf, 0.13F), hex(0x2b3a52, 0.13F)},
+        {&Theme::text, hex(0xdde3ec), hex(0x1c222b)},
+        {&Theme::faint_text, hex(0x8b97a8), hex(0x5d6877)},
+        {&Theme::accent, hex(0x5aa9e6), hex(0x1f74b8)},
+        {&Theme::good, hex(0x63c98a), hex(0x1f8a4c)},
+        {&Theme::warning, hex(0xe8b04c), hex(0xa86a00)},
+        {&Theme::bad, hex(0xef6a6a), hex(0xc23434)},
+        {&Theme::surface, hex(0x222832), hex(0xffffff)},
+        {&Theme::line_on_dark, hex(0xf2f6ff, 0.62F), hex(0xffffff, 0.6F)},
+        {&Theme::line_on_light, hex(0x0b1016, 0.62F), hex(0x10161f, 0.75F)},
+        {&Theme::overlay, hex(0xff4a3d), hex(0xd0141e)},
+        {&Theme::tangled, hex(0xff2bd6), hex(0xe600b8)},
+    };
+    static constexpr std::array<Colour, 8> dark_curves = {hex(0x5aa9e6), hex(0xf2a65a), hex(0x63c98a),
+                                                          hex(0xe4718f), hex(0xb79cf0), hex(0x58cfd0),
+                                                          hex(0xd9c75b), hex(0xa9b4c2)};
+    static constexpr std::array<Colour, 8> light_curves = {hex(0x1f74b8), hex(0xd9701a), hex(0x1f8a4c),
+                                                           hex(0xc2315a), hex(0x7550c8), hex(0x128a8c),
+                                                           hex(0x8f7b00), hex(0x5d6877)};
+    Theme theme;
+    for (const ColourRow& row : table) theme.*row.colour = row.*which;
+    theme.curves = which == &ColourRow::dark ? dark_curves : light_curves;
+    return theme;
 }
 
-Theme light_theme() {
-    Theme t;
-    t.background = hex(0xffffff);
-    t.panel = hex(0xf5f6f8);
-    t.frame = hex(0xe7eaef);
-    t.border = hex(0xc4cad4);
-    t.grid = hex(0x2b3a52, 0.13F);
-    t.text = hex(0x1c222b);
-    t.faint_text = hex(0x5d6877);
-    t.accent = hex(0x1f74b8);
-    t.good = hex(0x1f8a4c);
-    t.warning = hex(0xa86a00);
-    t.bad = hex(0xc23434);
-    t.surface = hex(0xffffff);
-    t.line_on_dark = hex(0xffffff, 0.6F);
-    t.line_on_light = hex(0x10161f, 0.75F);
-    t.overlay = hex(0xd0141e);
-    t.tangled = hex(0xe600b8);
-    t.curves = {hex(0x1f74b8), hex(0xd9701a), hex(0x1f8a4c), hex(0xc2315a),
-                hex(0x7550c8), hex(0x128a8c), hex(0x8f7b00), hex(0x5d6877)};
-    return t;
-}
+} // namespace
+
+Theme dark_theme() { return make_theme(&ColourRow::dark); }
+Theme light_theme() { return make_theme(&ColourRow::light); }
 
 Theme theme_named(std::string_view name) {
     GASPARD_CHECK(name == "dark" || name == "light");
