@@ -84,22 +84,30 @@ class WindowTest : public testing::Test {
     void move(float x, float y) {
         display.xdotool({"mousemove", "--window", window, std::to_string(std::lround(x)),
                          std::to_string(std::lround(y))});
-        std::this_thread::sleep_for(80ms); // a frame for each
+    }
+    /// Waits for a frame that has seen everything so far: it takes a screenshot, whose key comes last.
+    void settle() {
+        press("p");
+        EXPECT_TRUE(eventually([&] {
+            std::error_code none; // the folder is not there yet, or files in it come and go
+            std::filesystem::recursive_directory_iterator file(folder / "gaspard-out", none);
+            for (; !none && file != end(file); file.increment(none)) {
+                const auto path = file->path();
+                if (path.filename() == "screenshot.png") return std::filesystem::remove(path);
+            }
+            return false;
+        })) << text_of(folder / "log");
     }
     void drag(const ItemRectangle& item, float from, float to) {
         move(item.left + from * item.width(), item.center_y());
         display.xdotool({"mousedown", "1"});
-        std::this_thread::sleep_for(100ms);
         for (int i = 1; i <= 4; ++i)
             move(item.left + (from + (to - from) * static_cast<float>(i) / 4) * item.width(),
                  item.center_y());
+        settle(); // the value follows the pointer only while the button is down
         display.xdotool({"mouseup", "1"});
-        std::this_thread::sleep_for(100ms);
     }
-    void press(const std::string& key) {
-        display.xdotool({"key", key});
-        std::this_thread::sleep_for(100ms);
-    }
+    void press(const std::string& key) { display.xdotool({"key", key}); }
     /// A ring that solves for as long as a test needs, whatever its sliders say.
     void write_slow_ring(int cells) const {
         const Catalogue catalogue = builtin_catalogue();
@@ -250,10 +258,10 @@ TEST_F(WindowTest, EscapeAndQuitWorkWhileADialogsFieldIsWrittenIn) {
     move(5, 5);
     press("ctrl+o");
     press("Escape");
-    std::this_thread::sleep_for(300ms);
-    press("e"); // not a letter for the field any more
-    EXPECT_TRUE(eventually([&] { return std::filesystem::exists(out("plane-ring") / "summary.json"); }))
-        << text_of(folder / "log");
+    EXPECT_TRUE(eventually([&] {
+        press("e"); // not a letter for the field any more
+        return std::filesystem::exists(out("plane-ring") / "summary.json");
+    })) << text_of(folder / "log");
     press("ctrl+o");
     press("ctrl+q");
     EXPECT_EQ(program->wait(10s), 0) << text_of(folder / "log");
@@ -263,8 +271,7 @@ TEST_F(WindowTest, ClosingWhileSolvingEndsQuickly) {
     write_slow_ring(300);
     start("slow.toml", 1000, 700);
     const double before = program->cpu_seconds();
-    std::this_thread::sleep_for(1s);
-    EXPECT_GT(program->cpu_seconds() - before, 0.3) << "it is not solving";
+    EXPECT_TRUE(eventually([&] { return program->cpu_seconds() - before > 0.3; })) << "it is not solving";
     press("ctrl+q");
     EXPECT_EQ(program->wait(8s), 0) << text_of(folder / "log");
 }
@@ -276,10 +283,15 @@ TEST_F(WindowTest, WhatWasChangedIsThereTheNextTime) {
     press("F10");
     press("F4");
     display.xdotool({"windowsize", window, "1100", "760"});
-    std::this_thread::sleep_for(700ms);
+    EXPECT_TRUE(eventually([&] {
+        const std::string size = display.xdotool({"getwindowgeometry", "--shell", window});
+        return size.find("WIDTH=1100") != std::string::npos && size.find("HEIGHT=760") != std::string::npos;
+    }));
+    settle();
     move(700, 300); // over the picture: pan, zoom
     display.xdotool({"mousedown", "1"});
     move(740, 330);
+    settle();
     display.xdotool({"mouseup", "1", "click", "4", "click", "4"});
     press("ctrl+q"); // while it solves
     ASSERT_EQ(program->wait(10s), 0) << text_of(folder / "log");
@@ -356,7 +368,7 @@ TEST_F(WindowTest, AnIdleWindowCostsNothing) {
         const double last = std::exchange(before, program->cpu_seconds());
         return before - last < 0.005;
     }));
-    std::this_thread::sleep_for(3s);
+    std::this_thread::sleep_for(3s); // the time that is measured
     EXPECT_LT(program->cpu_seconds() - before, 0.05);
     ASSERT_TRUE(program->running());
 }
