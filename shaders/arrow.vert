@@ -1,12 +1,13 @@
 #version 330 core
-// An arrow from xi to x of one shown point, as a rectangle on the screen whose fragments know where in it they are.
-// Six vertices (two triangles) per arrow.
+// An arrow from xi to x of one shown point, as a rectangle on the screen whose fragments know where in it
+// they are. Six vertices (two triangles) per arrow.
 #include "place.glsl"
 uniform usampler2D segments; // one shown point each
 uniform mat4 clip;
 uniform vec2 half_viewport; // half its size in pixels
 uniform float head_width;   // half of it, in pixels
-uniform float pull;         // towards the viewer, in clip coordinates, so that no surface between the ends hides it
+uniform float pull;         // towards the viewer, in clip coordinates, so that no surface between the ends
+                            // hides it
 
 noperspective out vec2 place; // in pixels from xi: along the arrow, across it
 flat out float arrow_length;

@@ -5,8 +5,9 @@ uniform vec2 corner;    // lower left of the viewport
 uniform vec4 light_ink;
 uniform vec4 dark_ink;
 
-// Light adds up linearly, sRGB does not: half a pixel of light ink on a dark ground needs more than half of the way from
-// one sRGB value to the other, and dark ink on a light ground less. Powers that come near, for the two themes.
+// Light adds up linearly, sRGB does not: half a pixel of light ink on a dark ground needs more than half of
+// the way from one sRGB value to the other, and dark ink on a light ground less. Powers that come near, for
+// the two themes.
 const vec2 evening = vec2(0.62, 1.35);
 
 out vec4 colour;

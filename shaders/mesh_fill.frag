@@ -1,6 +1,6 @@
 #version 330 core
-// The inside of cells: a colour map or one colour, softly lit by a lamp at the viewer: what faces the viewer has its
-// colour, what turns away is darker.
+// The inside of cells: a colour map or one colour, softly lit by a lamp at the viewer: what faces the viewer
+// has its colour, what turns away is darker.
 #include "colour_map.glsl"
 uniform vec4 surface;             // used where its alpha is above zero
 uniform bool flat_cells;          // each cell has a value of its own
@@ -23,8 +23,8 @@ float own_value() {
     return texelFetch(cell_values, ivec2(int(cell & 2047u), int(cell >> 11)), 0).r;
 }
 
-/// Bilinear in the quadrilateral: with bend_of() in mesh_fill.vert, q = s t solves q = (x - alpha q) (y - beta q), where x
-/// and y are linear in the half.
+/// Bilinear in the quadrilateral: with bend_of() in mesh_fill.vert, q = s t solves q = (x - alpha q) (y -
+/// beta q), where x and y are linear in the half.
 float nodal_value() {
     vec2 at = far_half > 0.5 ? 1.0 - inside : inside;
     float product = at.x * at.y, b = 1.0 + bend.x * at.y + bend.y * at.x;

@@ -22,8 +22,8 @@ vec4 shown(uint number) {
 ///
 ///   p = a + s (b - a) + t (c - a) + s t g,   g = a - b - c + d = alpha (b - a) + beta (c - a),
 ///
-/// and the values likewise. Gives alpha, beta and what s t is multiplied by in the value when s and t are written with the
-/// linear coordinates (s + alpha s t, t + beta s t) of p.
+/// and the values likewise. Gives alpha, beta and what s t is multiplied by in the value when s and t are
+/// written with the linear coordinates (s + alpha s t, t + beta s t) of p.
 vec3 bend_of(vec4 a, vec4 b, vec4 c, vec4 d) {
     vec4 first = b - a, second = c - a, g = a - b - c + d;
     float ff = dot(first.xyz, first.xyz), fs = dot(first.xyz, second.xyz), ss = dot(second.xyz, second.xyz);
@@ -42,7 +42,8 @@ void main() {
     value = point.w;
     inside = vec2(corner == 1 || corner == 2, corner >= 2);
     pixel = gl_Position.xyz * clip_to_pixels;
-    // The half at the first point ends with corner 3, which gives its flat values; the half at the third with corner 1.
+    // The half at the first point ends with corner 3, which gives its flat values; the half at the third with
+    // corner 1.
     far_half = corner == 1 ? 1.0 : 0.0;
     bend = vec3(0.0);
     if (nodal && points.z != points.w && (corner & 1) == 1) {

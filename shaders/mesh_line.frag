@@ -1,6 +1,6 @@
 #version 330 core
-// Coverage of a pixel by a line with round ends. Into a LineLayer: light ink on dark colours, dark ink on light ones.
-// Straight into a picture: one ink for all, or the colour map.
+// Coverage of a pixel by a line with round ends. Into a LineLayer: light ink on dark colours, dark ink on
+// light ones. Straight into a picture: one ink for all, or the colour map.
 #include "colour_map.glsl"
 uniform bool by_map;
 uniform vec4 surface; // as in mesh_fill.frag
@@ -16,8 +16,9 @@ flat in float softness;
 flat in vec3 tint;
 out vec4 colour;
 
-/// How much of a pixel lies on one side of an edge that is so far beyond its middle. A pixel is a square, or when soft a
-/// tent over two: with either, a line sheds the same ink on the pixels across it wherever it lies between them.
+/// How much of a pixel lies on one side of an edge that is so far beyond its middle. A pixel is a square, or
+/// when soft a tent over two: with either, a line sheds the same ink on the pixels across it wherever it lies
+/// between them.
 float part(float beyond) {
     float hard = clamp(beyond + 0.5, 0.0, 1.0);
     float x = clamp(beyond, -1.0, 1.0);

@@ -1,6 +1,6 @@
 #version 330 core
-// A cell's edge as a rectangle on the screen, a little wider than the line, whose fragments know their distance from
-// it. Six vertices (two triangles) per segment; a segment of no length becomes a disc.
+// A cell's edge as a rectangle on the screen, a little wider than the line, whose fragments know their
+// distance from it. Six vertices (two triangles) per segment; a segment of no length becomes a disc.
 #include "place.glsl"
 uniform usampler2D segments; // two points, and two at the far sides of the cells beside
 uniform bool flat_cells;         // as in mesh_fill.frag; of cells that are lines
@@ -10,12 +10,14 @@ uniform mat4 clip;
 uniform vec2 half_viewport; // half its size in pixels
 uniform float half_width;   // of the line, in pixels
 uniform vec2 fade;          // lines closer together than .x pixels vanish, beyond .y they are whole
-uniform float haze;         // how strongly an even tint, as dense as the lines, takes the place of vanished ones
+uniform float haze;         // how strongly an even tint, as dense as the lines, takes the place of vanished
+                            // ones
 uniform float pieces;       // of an edge: how many segments it is drawn with
-uniform float pull;         // towards the viewer, in clip coordinates, so that faces do not hide their own edges
+uniform float pull;         // towards the viewer, in clip coordinates, so that faces do not hide their own
+                            // edges
 uniform vec3 viewer;        // as in mesh_fill.frag
-uniform float bent;         // of a map, which bends lines so that those ahead of one may be far: the least part of the
-                            // distance to the far side that counts as spacing
+uniform float bent;         // of a map, which bends lines so that those ahead of one may be far: the least
+                            // part of the distance to the far side that counts as spacing
 uniform vec2 limb;          // on a ball that turns away lines fade: gone at the cosine .x, whole from .y on
 
 noperspective out vec2 place; // in pixels from the first point: along the line, across it
@@ -57,8 +59,9 @@ void main() {
         float spacing = min(seen_spacing(ends.z, from, across), seen_spacing(ends.w, from, across));
         strength = smoothstep(fade.x, fade.y, spacing);
         softness = 1.0 - smoothstep(1.5 * fade.y, 3.0 * fade.y, spacing);
-        // The lines that cross here stand about as close as this edge is long. What has vanished of both lines tints the
-        // cells; the tint grows with the lines' density, but never so far that denser ones could not be told.
+        // The lines that cross here stand about as close as this edge is long. What has vanished of both
+        // lines tints the cells; the tint grows with the lines' density, but never so far that denser ones
+        // could not be told.
         float crossing = line_length * pieces;
         float vanished = 2.0 * half_width * ((1.0 - strength) / max(spacing, 1e-3) +
                                              (1.0 - smoothstep(fade.x, fade.y, crossing)) / max(crossing, 1e-3));

@@ -1,4 +1,5 @@
-// Where a shown point stands on its way from xi to x. Points are fetched by number from tables that are 2048 texels wide.
+// Where a shown point stands on its way from xi to x. Points are fetched by number from tables that are 2048
+// texels wide.
 uniform sampler2D computational; // xi relative to the picture's centre
 uniform sampler2D physical;      // x likewise; w: where the value lies in the range of colours, 0 to 1
 uniform float blend;

@@ -17,15 +17,16 @@ struct ScenarioInput {
     std::vector<const Format*> formats{};
 };
 
-/// Loads a scenario and applies key=value settings; of two for one key the later one counts. Throws InputError.
+/// Loads a scenario and applies key=value settings; of two for one key the later one counts. Throws
+/// InputError.
 ScenarioInput load_input(const Catalogue& catalogue, const std::string& name,
                          const std::vector<std::string>& settings);
 /// Updates Scenario::modified.
 void note_changes(ScenarioInput& input);
 /// Applies further settings.
 void change_input(const Catalogue& catalogue, ScenarioInput& input, const std::vector<std::string>& settings);
-/// Checks the combination, the view and the list of formats, and fills `formats`. Throws InputError, with file
-/// and line where the file has the value that is wrong. Makes nothing and reads no file.
+/// Checks the combination, the view and the list of formats, and fills `formats`. Throws InputError, with
+/// file and line where the file has the value that is wrong. Makes nothing and reads no file.
 void check_input(const Catalogue& catalogue, ScenarioInput& input);
 /// Makes the mesh if something has to be checked with it that `run` would refuse: a patch file, a layout, a
 /// camera for SVG. Throws InputError.

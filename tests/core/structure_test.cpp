@@ -133,4 +133,19 @@ TEST(Structure, FilesAreBelowTheSizeLimit) {
         }
 }
 
+/// clang-format leaves comments as they are (ReflowComments), and counts as it likes in what follows them.
+TEST(Structure, CommentsAreNotTooWide) {
+    constexpr std::size_t widest = 110; // characters; in UTF-8 a character has one byte that is not 10xxxxxx
+    for (const char* folder : {"src", "tests"})
+        for (const auto& file : sources(folder)) {
+            std::ifstream in(file);
+            for (std::string line; std::getline(in, line);) {
+                if (line.find("//") == line.npos) continue;
+                const auto characters = std::count_if(
+                    line.begin(), line.end(), [](unsigned char byte) { return (byte & 0xc0) != 0x80; });
+                EXPECT_LE(static_cast<std::size_t>(characters), widest) << file << ": " << line;
+            }
+        }
+}
+
 } // namespace

@@ -17,8 +17,8 @@ namespace gaspard GASPARD_API {
 class FileCache {
   public:
     /// The content of a file (a path or a data: URI, as an absolute path) as `make` has made it; `purpose`
-    /// distinguishes the contents that are made of one file, and implies the type T. Calls `make` if there is none,
-    /// or if size or time of the file have changed since; what `make` throws is passed on.
+    /// distinguishes the contents that are made of one file, and implies the type T. Calls `make` if there is
+    /// none, or if size or time of the file have changed since; what `make` throws is passed on.
     template <class T>
     std::shared_ptr<const T> get(const std::string& file, std::string_view purpose,
                                  const std::function<std::shared_ptr<const T>()>& make) {

@@ -8,8 +8,8 @@
 
 namespace gaspard {
 
-/// A decimal number, with a sign or without, or a quotient of two ("1/2"), whatever the locale; nullopt if the
-/// word is anything else, or the number is not finite. Numbers too small for a double are 0.
+/// A decimal number, with a sign or without, or a quotient of two ("1/2"), whatever the locale; nullopt if
+/// the word is anything else, or the number is not finite. Numbers too small for a double are 0.
 std::optional<double> parse_number(std::string_view word);
 
 /// The numbers between blanks and line ends. Throws InputError that names `what` and the first word that is

@@ -58,8 +58,8 @@ struct ParameterRow {
     ParameterRole role = ParameterRole::none;
     std::string point{};   ///< coordinates only: the point they belong to ("center")
     bool periodic = false; ///< minimum and maximum are equivalent
-    /// The value stands for (value - origin) / measure, a number that does not depend on size and place of the
-    /// domain. It is kept when the domain changes.
+    /// The value stands for (value - origin) / measure, a number that does not depend on size and place of
+    /// the domain. It is kept when the domain changes.
     double origin = 0, measure = 1;
     std::optional<Value> remedy{}; ///< the value that often helps if a run fails
     std::string former_key{};      ///< of earlier versions; scenario files and --set may still use it

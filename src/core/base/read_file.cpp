@@ -23,8 +23,8 @@ std::string size_text(std::uintmax_t bytes) {
 /// A file that is open for reading.
 class Input {
   public:
-    /// Without waiting for a named pipe to be opened for writing. To open a pipe again as /dev/stdin would wait
-    /// for another writer.
+    /// Without waiting for a named pipe to be opened for writing. To open a pipe again as /dev/stdin would
+    /// wait for another writer.
     explicit Input(const std::filesystem::path& file)
         : descriptor_(file == "/dev/stdin" ? dup(STDIN_FILENO)
                                            : ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}

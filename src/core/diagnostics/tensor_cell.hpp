@@ -1,5 +1,5 @@
-// Points and tangents of a quadrilateral of any order on a grid of reference points, summed one direction after
-// the other: for order k and m points per direction about 3 m (k + 1) (m + k + 1) products instead of
+// Points and tangents of a quadrilateral of any order on a grid of reference points, summed one direction
+// after the other: for order k and m points per direction about 3 m (k + 1) (m + k + 1) products instead of
 // 3 m^2 (k + 1)^2.
 #pragma once
 

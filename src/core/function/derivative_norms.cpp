@@ -104,7 +104,8 @@ void DerivativeNorms::shift(const Points& s, const Points& x, const Points& dire
     }
 }
 
-/// Points at which u has no gradient, beside the domain, become those of the domain: the difference is one-sided.
+/// Points at which u has no gradient, beside the domain, become those of the domain: the difference is
+/// one-sided.
 void DerivativeNorms::keep_finite(const Points& s, const Points& x, Points& moved, Points& gradients) const {
     const auto is_finite = [&](std::size_t i) { return std::isfinite(norm(gradients[i])); };
     bool all = true;

@@ -1,10 +1,12 @@
 // Norms of the derivatives of a function u on a domain:
 //
-//   |grad u|   of the Cartesian gradient; on spheres and surfaces of the tangential one, P grad u, P = I - n n^T
+//   |grad u|   of the Cartesian gradient; on spheres and surfaces of the tangential one, P grad u,
+//              P = I - n n^T
 //   |H|_F      of the Hessian H = D grad u; on spheres and surfaces of the covariant one, H = P D(P grad u) P
 //
-// Gradients are those of u, hence exact where u has exact ones. H is their central difference along orthogonal
-// tangents, over 2e-5 of the domain's size: a relative error of 1e-4 where u varies over 1e-3 of the size.
+// Gradients are those of u, hence exact where u has exact ones. H is their central difference along
+// orthogonal tangents, over 2e-5 of the domain's size: a relative error of 1e-4 where u varies over 1e-3 of
+// the size.
 #pragma once
 
 #include "core/function/scalar_function.hpp"
@@ -18,8 +20,8 @@ namespace gaspard {
 /// Immutable; refers to u.
 class DerivativeNorms {
   public:
-    /// `size`: of the domain, a length. `box`: differences take points of the chart's box alone, as u may not go on
-    /// beside it.
+    /// `size`: of the domain, a length. `box`: differences take points of the chart's box alone, as u may not
+    /// go on beside it.
     DerivativeNorms(const ScalarFunction& u, std::shared_ptr<const Chart> chart, double size, bool box);
 
     /// At points x of the domain with coordinates s; x.size() norms. Not finite where u's gradients are not.

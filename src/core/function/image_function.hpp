@@ -4,7 +4,8 @@
 //
 // with the brightness b, 0 (black) to 1 (white), or 1 - b if inverted, and the Gaussian blur G_sigma of
 // function/smoothing.hpp. The picture stands as on the screen, its top at large y (v, or the north pole), in
-// the box of the domain's chart; on a sphere it is an equirectangular map. Beside the picture its edges go on.
+// the box of the domain's chart; on a sphere it is an equirectangular map. Beside the picture its edges go
+// on.
 #pragma once
 
 #include "core/data/image.hpp"

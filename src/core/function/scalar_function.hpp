@@ -1,5 +1,6 @@
-// A scalar function u(x) on a domain, of any sign: a formula, an image, a field from a file. Monitors are made of
-// such functions (monitor/monitor.hpp says at which points of each kind of domain they are evaluated).
+// A scalar function u(x) on a domain, of any sign: a formula, an image, a field from a file. Monitors are
+// made of such functions (monitor/monitor.hpp says at which points of each kind of domain they are
+// evaluated).
 #pragma once
 
 #include "core/base/export.hpp"
@@ -15,8 +16,8 @@ class ScalarFunction {
     virtual ~ScalarFunction() = default;
     /// u at every point (physical coordinates). `values`: x.size() entries.
     virtual void values(const Points& x, std::span<double> values) const = 0;
-    /// grad u at every point, in Cartesian coordinates; on a sphere the tangential gradient. Resizes `gradients`
-    /// to x.size().
+    /// grad u at every point, in Cartesian coordinates; on a sphere the tangential gradient. Resizes
+    /// `gradients` to x.size().
     virtual void gradients(const Points& x, Points& gradients) const = 0;
 };
 

@@ -28,8 +28,8 @@ struct Facets {
     }
 };
 
-/// The facets that belong to exactly one cell, in the order of cells. Empty for a sphere. An edge that is one point,
-/// such as the tip of a cone, is none.
+/// The facets that belong to exactly one cell, in the order of cells. Empty for a sphere. An edge that is one
+/// point, such as the tip of a cone, is none.
 Facets border(const Mesh& mesh);
 
 /// The visible faces: the cells of a surface, the boundary of solids; empty for lines.

@@ -137,8 +137,8 @@ std::vector<std::vector<Side>> outline(const Facets& faces, std::span<const std:
     std::vector<Side> sides;
     for (const auto face : chosen)
         for (const Side& side : sides_of_face(faces, face)) sides.push_back(side);
-    // Where two of the faces meet, their sides run in opposite directions and cancel. No half-edge structure is
-    // built for each set of faces: it would cost more than these sides.
+    // Where two of the faces meet, their sides run in opposite directions and cancel. No half-edge structure
+    // is built for each set of faces: it would cost more than these sides.
     std::stable_sort(sides.begin(), sides.end(),
                      [](const Side& a, const Side& b) { return key_of(a) < key_of(b); });
     std::size_t kept = 0;

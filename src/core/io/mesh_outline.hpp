@@ -40,8 +40,8 @@ std::vector<Side> sides_of_face(const Facets& faces, std::size_t face);
 /// Every edge once, sorted by its end nodes (smaller first), directed as in its first face.
 std::vector<DrawnEdge> edges_of(const Facets& faces);
 
-/// Joins edges to lines, each edge to one line only; where lines cross, the straightest continuation is taken.
-/// `positions` decide what is straight; those of the computational mesh work best.
+/// Joins edges to lines, each edge to one line only; where lines cross, the straightest continuation is
+/// taken. `positions` decide what is straight; those of the computational mesh work best.
 std::vector<std::vector<Side>> chain(const std::vector<Side>& edges, const Points& positions);
 
 /// Closed lines around the union of these faces; edges between two of them are left out.

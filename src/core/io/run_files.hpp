@@ -21,9 +21,9 @@ std::string summary_json(Run& run);
 std::vector<std::string> run_file_names(const Run& run, const std::vector<const Format*>& formats);
 /// Whether the summary.json in a folder has other values of domain, monitor, method or PDE than the scenario.
 bool holds_other_values(const std::filesystem::path& folder, const Scenario& scenario);
-/// Writes all of them into a folder, which is made with its parents if it is not there, each under a temporary
-/// name that is then renamed; what fails does not keep the others from being tried. Throws the first MachineError;
-/// Interrupted when stopped between two files, each of which is whole.
+/// Writes all of them into a folder, which is made with its parents if it is not there, each under a
+/// temporary name that is then renamed; what fails does not keep the others from being tried. Throws the
+/// first MachineError; Interrupted when stopped between two files, each of which is whole.
 void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats,
                      const Progress& progress = {}, std::stop_token stop = {});
 

@@ -11,7 +11,8 @@ namespace gaspard {
 constexpr double points_per_mm = 72 / 25.4;
 constexpr double svg_font_size = 8; ///< points
 
-/// A document of this size in points around `content`, on a background of this colour; on none if it is empty.
+/// A document of this size in points around `content`, on a background of this colour; on none if it is
+/// empty.
 std::string svg_document(double width, double height, std::string_view title, std::string_view content,
                          std::string_view background = "#fff");
 

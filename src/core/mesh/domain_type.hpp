@@ -22,9 +22,9 @@ struct DomainType {
     std::string label;
     std::string help;
     std::vector<ParameterRow> rows;
-    /// `content`: what `read` has returned for these values; null if the type has no `read` or the file is not
-    /// read yet. Does not throw: if the file is invalid, which the run reports, the ranges of monitors are as
-    /// wide as possible.
+    /// `content`: what `read` has returned for these values; null if the type has no `read` or the file is
+    /// not read yet. Does not throw: if the file is invalid, which the run reports, the ranges of monitors
+    /// are as wide as possible.
     std::function<Space(const Values&, const DomainContent& content)> space;
     /// Reads the files of a domain that lies where they say; `folder` is the base of relative paths. Does not
     /// throw: errors are part of the content, and `Capability::prepare` throws them.

@@ -43,7 +43,8 @@ struct PolygonFaces {
 };
 
 /// What is wrong with the first face that has fewer than three corners, the same vertex twice, or a vertex
-/// out of range: "face 3 names vertex 9, but there are 4 vertices". Faces and vertices are counted from `base`.
+/// out of range: "face 3 names vertex 9, but there are 4 vertices". Faces and vertices are counted from
+/// `base`.
 std::optional<std::string> fault_of(std::size_t vertex_count, const PolygonFaces& faces,
                                     std::int32_t base = 0);
 

@@ -144,8 +144,9 @@ void PatchForm::positions(std::span<const double> whole, Points& x) {
             psi_.x[k * side] = psi_.y[k] = 0;
             psi_.x[k * side + side - 1] = psi_.y[(side - 1) * side + k] = 1;
         }
-    // Beyond an edge that is one point, F has the opposite orientation. The penalty of the standard form lets the
-    // map pass such an edge, or end before it, by its error at the boundary: the edge is put on its point.
+    // Beyond an edge that is one point, F has the opposite orientation. The penalty of the standard form lets
+    // the map pass such an edge, or end before it, by its error at the boundary: the edge is put on its
+    // point.
     const PointEdges& tips = domain_->point_edges();
     for (std::size_t k = 0; k < side; ++k) {
         if (tips.left) psi_.x[k * side] = 0;

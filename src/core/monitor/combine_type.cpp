@@ -1,5 +1,5 @@
-// The type "combine": up to four parts, each a monitor of any other kind with its own rows, whose keys begin with
-// the part's letter ("a.amplitude").
+// The type "combine": up to four parts, each a monitor of any other kind with its own rows, whose keys begin
+// with the part's letter ("a.amplitude").
 #include "core/base/check.hpp"
 #include "core/base/growing_values.hpp"
 #include "core/monitor/combine.hpp"

@@ -1,6 +1,6 @@
-// A monitor derived from a function u, such as the solution of a PDE, so that the mesh is dense where u needs it.
-// With v = u / range, where range = max u - min u over the domain, and lengths in units of the domain's size D
-// (longest side of its box, radius of a sphere), the indicator is 1 + q or q:
+// A monitor derived from a function u, such as the solution of a PDE, so that the mesh is dense where u needs
+// it. With v = u / range, where range = max u - min u over the domain, and lengths in units of the domain's
+// size D (longest side of its box, radius of a sphere), the indicator is 1 + q or q:
 //
 //   arc length   1 + q = sqrt(1 + a |D grad v|^2)
 //   curvature    1 + q = (1 + a |D^2 H|_F^2)^(1 / (2 k)),    H the Hessian of v
@@ -8,9 +8,10 @@
 //   magnitude    q = |u| / max |u|
 //   band         1 + q = 1 + a sech((v - c) / w) or 1 + a exp(-((v - c) / w)^2),    v = (u - min u) / range
 //
-// On spheres and surfaces gradient and Hessian are those of the surface (function/derivative_norms.hpp). Stages
-// (monitor/stages.hpp) turn it into m: average, limit, smoothing. They are computed once, on a grid; m is then the
-// exponential of a spline through log m, so that it costs the same whatever the stages, and has exact gradients.
+// On spheres and surfaces gradient and Hessian are those of the surface (function/derivative_norms.hpp).
+// Stages (monitor/stages.hpp) turn it into m: average, limit, smoothing. They are computed once, on a grid; m
+// is then the exponential of a spline through log m, so that it costs the same whatever the stages, and has
+// exact gradients.
 #pragma once
 
 #include "core/base/export.hpp"
@@ -42,9 +43,10 @@ struct DerivedOptions {
     std::optional<double> smoothing{}; ///< L in cells of the uniform mesh; nullopt: as much as the mesh needs
 };
 
-/// `context`: the space and the discretisation of the run (Run::space, Run::discretisation), which the monitor
-/// does not keep. Throws InputError if an option is out of its range, if u or what is needed of its derivatives
-/// is not finite at some point of the domain, or if m is not positive; Interrupted if asked to stop.
+/// `context`: the space and the discretisation of the run (Run::space, Run::discretisation), which the
+/// monitor does not keep. Throws InputError if an option is out of its range, if u or what is needed of its
+/// derivatives is not finite at some point of the domain, or if m is not positive; Interrupted if asked to
+/// stop.
 std::shared_ptr<const Monitor> derived_monitor(std::shared_ptr<const ScalarFunction> u,
                                                const DerivedOptions& options, const MonitorContext& context);
 

@@ -1,6 +1,6 @@
-// A regular grid for a computation on a domain: its points, the part of the domain that each stands for, and how
-// large the cells of the mesh are. A planar patch does not fill its box: grid points beside it have measure zero,
-// and functions take there the values of the nearest points of the patch.
+// A regular grid for a computation on a domain: its points, the part of the domain that each stands for, and
+// how large the cells of the mesh are. A planar patch does not fill its box: grid points beside it have
+// measure zero, and functions take there the values of the nearest points of the patch.
 #pragma once
 
 #include "core/function/grid.hpp"

@@ -118,8 +118,8 @@ bool is_inner(const DomainGrid& domain, std::size_t point) {
     return true;
 }
 
-/// Four places around every point of a grid, a quarter of the spacing away; where these may leave the domain, the
-/// point itself.
+/// Four places around every point of a grid, a quarter of the spacing away; where these may leave the domain,
+/// the point itself.
 Points moved(const DomainGrid& domain, std::size_t from, std::size_t to, int corner) {
     const double ds = (corner % 2 == 0 ? -0.25 : 0.25) * domain.grid.spacing(0);
     const double dt = (corner / 2 == 0 ? -0.25 : 0.25) * domain.grid.spacing(1);

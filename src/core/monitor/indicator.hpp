@@ -15,9 +15,9 @@ struct IndicatorValues {
     bool constant = false;  ///< u is
 };
 
-/// `fine`: q is averaged over the part of the domain that a point of the grid stands for, which matters where it
-/// varies from point to point; otherwise it is that of the point. Throws InputError where u, or what is needed of
-/// its derivatives, is not finite; Interrupted if asked to stop.
+/// `fine`: q is averaged over the part of the domain that a point of the grid stands for, which matters where
+/// it varies from point to point; otherwise it is that of the point. Throws InputError where u, or what is
+/// needed of its derivatives, is not finite; Interrupted if asked to stop.
 IndicatorValues indicator_on(const DomainGrid& domain, const ScalarFunction& u, const DerivedOptions& options,
                              bool fine, const DataContext& context);
 

@@ -60,8 +60,8 @@ class Monitor {
     virtual void check() const {}
     /// The kind of space to which the monitor is restricted; nullopt if it has no restriction.
     virtual std::optional<SpaceKind> made_for() const { return std::nullopt; }
-    /// What the monitor was made of, as values at points of the domain (such as u and the indicator of a derived
-    /// monitor): the fields of MonitorType::fields or some of them, in their order.
+    /// What the monitor was made of, as values at points of the domain (such as u and the indicator of a
+    /// derived monitor): the fields of MonitorType::fields or some of them, in their order.
     virtual std::vector<Field> fields(const Points&) const { return {}; }
     /// For the user, beside the results.
     virtual MonitorReport report() const { return {}; }
@@ -89,8 +89,8 @@ enum class MonitorFigure {
 struct MonitorStage {
     std::string label; ///< "Average"
     std::string field; ///< that shows its result: one of MonitorType::fields, or "monitor"
-    /// Of its rows, in any order; "u." stands for all that begin with it. If the first one is of kind boolean, it
-    /// switches the stage.
+    /// Of its rows, in any order; "u." stands for all that begin with it. If the first one is of kind
+    /// boolean, it switches the stage.
     std::vector<std::string> keys;
 };
 

@@ -4,11 +4,11 @@
 //   limit       m = ((m^4 + (F <m>)^4)^(1/4))^-4 + (C M)^-4)^(-1/4),       M the least value after the floor
 //   smoothing   (I - L^2/2 Delta)^2 g = m - 1
 //
-// The average is that of Beckett and Mackenzie (2000), with a parameter as in Huang and Russell (2011, section
-// 2.4): of a mesh that equidistributes m, the fraction f of all cells goes to q, that is, the average of q / m over
-// the cells is f. Floor and limit on the contrast are smooth: m >= F <m> and max m <= C min m hold exactly.
-// Smoothing twice, over L / sqrt(2) each time, has the variance of one Helmholtz filter over L, but no crease
-// where a feature is thinner than the grid. It keeps the average of m.
+// The average is that of Beckett and Mackenzie (2000), with a parameter as in Huang and Russell (2011,
+// section 2.4): of a mesh that equidistributes m, the fraction f of all cells goes to q, that is, the average
+// of q / m over the cells is f. Floor and limit on the contrast are smooth: m >= F <m> and max m <= C min m
+// hold exactly. Smoothing twice, over L / sqrt(2) each time, has the variance of one Helmholtz filter over L,
+// but no crease where a feature is thinner than the grid. It keeps the average of m.
 #pragma once
 
 #include "core/monitor/domain_grid.hpp"
@@ -32,8 +32,8 @@ void smoothing_stage(const DomainGrid& domain, std::span<double> values, double 
 ///
 /// over the domain, for cells of size h of the uniform mesh. A mesh cannot follow m where this is large.
 double steepness(const DomainGrid& domain, std::span<const double> values);
-/// The least of some lengths, in cells, over which m has to be smoothed so that the mesh can follow it; 0 if it can
-/// anyway. `smoothed`: m smoothed over it.
+/// The least of some lengths, in cells, over which m has to be smoothed so that the mesh can follow it; 0 if
+/// it can anyway. `smoothed`: m smoothed over it.
 double needed_smoothing(const DomainGrid& domain, std::span<const double> values, const DataContext& context,
                         std::vector<double>& smoothed);
 

@@ -77,8 +77,9 @@ Scenario default_scenario(const Catalogue& catalogue);
 
 /// The space of the scenario's domain, as far as it is known (locate_domain).
 Space space_of(const Catalogue& catalogue, const Scenario& scenario);
-/// Reads the files of the domain, if they are not read yet, and updates the rows: ranges and values of monitors
-/// fit the size and the place of a patch. Files that are invalid are reported when the domain is made.
+/// Reads the files of the domain, if they are not read yet, and updates the rows: ranges and values of
+/// monitors fit the size and the place of a patch. Files that are invalid are reported when the domain is
+/// made.
 void locate_domain(const Catalogue& catalogue, Scenario& scenario);
 /// Whether locate_domain() would not read anything.
 bool is_located(const Catalogue& catalogue, const Scenario& scenario);
@@ -91,8 +92,8 @@ void update_rows(const Catalogue& catalogue, Scenario& scenario);
 /// monitor has none (MonitorType::formula).
 std::optional<Scenario> with_formula(const Catalogue& catalogue, const Scenario& scenario);
 
-/// Updates the rows of a view of the scenario, for its method and its monitor. Values set by the user are kept if
-/// these allow them.
+/// Updates the rows of a view of the scenario, for its method and its monitor. Values set by the user are
+/// kept if these allow them.
 void update_view_rows(const Catalogue& catalogue, const Scenario& scenario, Values& view);
 
 /// Throws InputError if the scenario has no such key, or if the key is reserved.

@@ -21,8 +21,8 @@ struct Section {
     friend bool operator==(const Section&, const Section&) = default;
 };
 
-/// Where a domain lies, and what its files hold; kept by locate_domain() and update_rows(), so that a file is read
-/// once for its name. It follows from the other values, so that any two are equal.
+/// Where a domain lies, and what its files hold; kept by locate_domain() and update_rows(), so that a file is
+/// read once for its name. It follows from the other values, so that any two are equal.
 struct DomainPlace {
     std::string files;                     ///< the values that name the files
     std::shared_ptr<const void> content{}; ///< DomainType::read
@@ -38,12 +38,12 @@ struct Scenario {
     Section target{}; ///< "monitor.target": the density on the target domain
     Section pde{};    ///< "pde": the PDE that is solved on the mesh
     Values view, output;
-    /// Base of relative paths among the values (ParameterRole::file): the folder of the scenario's file; empty:
-    /// the working directory.
+    /// Base of relative paths among the values (ParameterRole::file): the folder of the scenario's file;
+    /// empty: the working directory.
     std::filesystem::path folder{};
     DomainPlace place{};
-    /// The keys that were changed since name and title were given; see modified_keys(). Whoever changes values
-    /// sets it; it is not checked.
+    /// The keys that were changed since name and title were given; see modified_keys(). Whoever changes
+    /// values sets it; it is not checked.
     std::vector<std::string> modified{};
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };

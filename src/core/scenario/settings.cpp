@@ -190,7 +190,8 @@ static std::string files_key(const Scenario& scenario) {
     return key;
 }
 
-/// The place as far as it is known without reading: while another file is not read yet, that of the one before.
+/// The place as far as it is known without reading: while another file is not read yet, that of the one
+/// before.
 static DomainPlace known_place(const Catalogue& catalogue, const Scenario& scenario) {
     const DomainType& type = catalogue.domain(scenario.domain.type);
     if (!type.read) return {{}, {}, type.space(scenario.domain.values, {})};

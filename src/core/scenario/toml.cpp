@@ -29,8 +29,8 @@ Value to_value(const toml::node& node, const std::string& key) {
 
 using Entries = std::deque<std::pair<std::string, const toml::node*>>;
 
-/// The keys of a table. Tables in a monitor's, such as [monitor.u], are parts of it, whose keys begin with their name;
-/// monitor.target is a section of its own.
+/// The keys of a table. Tables in a monitor's, such as [monitor.u], are parts of it, whose keys begin with
+/// their name; monitor.target is a section of its own.
 void add_entries(Entries& entries, const toml::table& table, const std::string& section) {
     for (const auto& [key, node] : table) {
         const std::string name = section + "." + std::string(key.str());
@@ -43,8 +43,9 @@ void add_entries(Entries& entries, const toml::table& table, const std::string& 
     }
 }
 
-/// Sets every key of one table, the types first, those of parts after those of what they belong to. Keys that do
-/// not exist yet are postponed, because they may depend on the values of others. Errors name file and line.
+/// Sets every key of one table, the types first, those of parts after those of what they belong to. Keys that
+/// do not exist yet are postponed, because they may depend on the values of others. Errors name file and
+/// line.
 void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::table& table,
                   const std::string& section, const std::string& origin, ScenarioSource& source) {
     Entries entries;

@@ -63,15 +63,15 @@ class Run {
 
     /// Continues with other values from the current map, transferred to the new problem; from the last map
     /// without tangled cells if that one has some or the run has diverged; from the identity map if no
-    /// transfer is possible. The history continues with a row for the current iterate under the new values, with
-    /// diagnostics up to `at_most`. Returns a message for the user if the map could not be transferred, else
-    /// an empty string. Throws InputError, and Interrupted if asked to stop.
+    /// transfer is possible. The history continues with a row for the current iterate under the new values,
+    /// with diagnostics up to `at_most`. Returns a message for the user if the map could not be transferred,
+    /// else an empty string. Throws InputError, and Interrupted if asked to stop.
     std::string change(const Scenario& scenario, const Progress& progress = {}, std::stop_token stop = {},
                        Diagnostics at_most = Diagnostics::full);
     /// Replaces the monitor of the scenario by that of the caller; the type of section "monitor" is then
     /// "own". Starts a new history from the current map (from the last one without tangled cells if the run
-    /// is tangled or diverged, or if the last step threw), so that history().back().iteration is the number of
-    /// iterations for this monitor. Throws InputError if the monitor is not positive and finite, with the
+    /// is tangled or diverged, or if the last step threw), so that history().back().iteration is the number
+    /// of iterations for this monitor. Throws InputError if the monitor is not positive and finite, with the
     /// point, or if the residual of the map is not finite for it; Interrupted if asked to stop.
     void follow(std::shared_ptr<const Monitor> monitor, std::stop_token stop = {});
     /// Restarts from the identity map, with a new history.

@@ -11,8 +11,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Finds what the library's parser accepts silently (keys that occur twice, many levels) or reports in its own
-/// words.
+/// Finds what the library's parser accepts silently (keys that occur twice, many levels) or reports in its
+/// own words.
 class JsonCheck final : public Json::json_sax_t {
   public:
     bool null() override { return true; }

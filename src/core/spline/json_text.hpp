@@ -7,8 +7,8 @@
 
 namespace gaspard {
 
-/// Parses JSON. Throws InputError, without a file's name, for a syntax error, a number that is too large for a
-/// double, a key that occurs twice in an object, and more than 100 levels.
+/// Parses JSON. Throws InputError, without a file's name, for a syntax error, a number that is too large for
+/// a double, a key that occurs twice in an object, and more than 100 levels.
 nlohmann::json parse_json(std::string_view text);
 
 } // namespace gaspard

@@ -9,8 +9,8 @@ namespace gaspard {
 /// finite element space, which number their control points across patches, are refused.
 FoundPatch read_mfem(const PatchText& file);
 
-/// "# nurbs mesh v.0.7" (or .6) and "v.2.1", as written by the NURBS toolbox for GeoPDEs: all x, then all y (z)
-/// of the homogeneous control points, then the weights.
+/// "# nurbs mesh v.0.7" (or .6) and "v.2.1", as written by the NURBS toolbox for GeoPDEs: all x, then all y
+/// (z) of the homogeneous control points, then the weights.
 FoundPatch read_geopdes(const PatchText& file);
 
 } // namespace gaspard

@@ -27,8 +27,8 @@ inline constexpr std::size_t tessellation_work = 400'000'000;
 /// Points, triangles and segments as from tessellate() (corners first), subdivided until they are within
 /// `tolerance` times the size of the mesh (longest side of the bounding box of xi and x), for nodes both at
 /// xi and at x. The segments of an edge are consecutive. Throws MachineError if this takes more than 4
-/// million triangles, as it may where cells are tangled, or sums over more than `most_work` nodes and a million
-/// for each cell.
+/// million triangles, as it may where cells are tangled, or sums over more than `most_work` nodes and a
+/// million for each cell.
 Tessellation tessellate_within(const Mesh& mesh, const Points& x, double tolerance,
                                std::size_t most_work = tessellation_work);
 

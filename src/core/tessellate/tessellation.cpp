@@ -248,8 +248,8 @@ void draw_line_cells(const Mesh& mesh, int cuts, PointMaker& points, Tessellatio
 } // namespace
 
 /// The largest distance of a node on an edge from its place on the chord, relative to the edge's length, over
-/// all edges that are not folded. With c pieces per edge the error is smaller by a factor c^2. An edge that is
-/// almost a point, at the tip of a patch, counts by the size of its cell.
+/// all edges that are not folded. With c pieces per edge the error is smaller by a factor c^2. An edge that
+/// is almost a point, at the tip of a patch, counts by the size of its cell.
 static double largest_bulge(const Mesh& mesh, const Points& x) {
     constexpr double short_edge = 0.01; // of the cell's longest
     double largest = 0;

@@ -150,7 +150,8 @@ struct ButtonChange {
     ImVec2 at;
 };
 
-/// A key that went down or up, in GLFW's terms. `name` is empty if the table of actions cannot contain the key.
+/// A key that went down or up, in GLFW's terms. `name` is empty if the table of actions cannot contain the
+/// key.
 struct KeyChange {
     int key = 0, scancode = 0, event = 0, modifiers = 0;
     std::string name;

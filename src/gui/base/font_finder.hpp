@@ -1,4 +1,5 @@
-// Looks for fonts of the system on a thread of its own: listing them and reading their files may take seconds.
+// Looks for fonts of the system on a thread of its own: listing them and reading their files may take
+// seconds.
 #pragma once
 
 #include "gui/base/system_fonts.hpp"

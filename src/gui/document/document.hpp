@@ -4,8 +4,8 @@
 // Edits are the changes of values of a live run, the opening of another scenario in its place, the changes of
 // a view, and the keeping, removing, renaming and hiding of runs. The values of one gesture, such as the drag
 // of a slider, are one edit. Not edits: starting, pausing, stepping, resetting, comparisons of methods
-// (method_comparison.hpp), and the pick of a view, which undo leaves as it is. An opening becomes an edit when
-// the solver has accepted it; other changes at once, but what the solver refuses leaves no edit.
+// (method_comparison.hpp), and the pick of a view, which undo leaves as it is. An opening becomes an edit
+// when the solver has accepted it; other changes at once, but what the solver refuses leaves no edit.
 #pragma once
 
 #include "gui/document/document_run.hpp"
@@ -48,8 +48,8 @@ class Document {
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
-    /// Adds a run, which starts to solve, and a viewport of it. The first run of a document is active. `named`:
-    /// the scenario that name and title belong to, if values were changed before it was opened.
+    /// Adds a run, which starts to solve, and a viewport of it. The first run of a document is active.
+    /// `named`: the scenario that name and title belong to, if values were changed before it was opened.
     void open(const Scenario& scenario, const std::optional<Scenario>& named = {});
     /// Adds a run that has ended, and a viewport of it. The run is kept, not live.
     void show(const FinishedRun& finished);
@@ -63,9 +63,9 @@ class Document {
     void change(RunId run, const Scenario& scenario, bool dragging = false);
     /// Opens another scenario in place of a run's, from its own start, once the solver has accepted it.
     void replace(RunId run, const Scenario& scenario);
-    /// Name and title of `saved` are from now on those of its values. A run with the values of a scenario that
-    /// was opened or saved has that scenario's name; with other values it has the name given last, and its
-    /// scenario lists them as modified.
+    /// Name and title of `saved` are from now on those of its values. A run with the values of a scenario
+    /// that was opened or saved has that scenario's name; with other values it has the name given last, and
+    /// its scenario lists them as modified.
     void name_saved(RunId run, const Scenario& saved);
     void start(RunId run); ///< a run that has ended starts over
     void pause(RunId run);

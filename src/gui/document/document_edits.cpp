@@ -60,7 +60,8 @@ void Document::record_views(std::string_view gesture) {
     for (std::size_t i = 0; i < viewports_.size(); ++i) {
         if (viewports_[i].view == recorded_[i]) continue;
         const DocumentRun* run = runs_.find(viewports_[i].run);
-        if (run && run->opening && run->opening->from_history) { // the view that comes with it replaces this one
+        // The view that comes with what is opened replaces this one.
+        if (run && run->opening && run->opening->from_history) {
             recorded_[i] = viewports_[i].view;
             continue;
         }

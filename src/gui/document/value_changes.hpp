@@ -1,5 +1,5 @@
-// Differences between scenarios as text, such as "amplitude 20": for names of runs, marks in plots and labels of
-// edits.
+// Differences between scenarios as text, such as "amplitude 20": for names of runs, marks in plots and labels
+// of edits.
 #pragma once
 
 #include "core/scenario/catalogue.hpp"

@@ -42,8 +42,8 @@ class Library {
     void* handle_ = nullptr;
 };
 
-// What we use of OSMesa's interface (GL/osmesa.h), declared here because Mesa has dropped OSMesa after 25.0: the
-// program is built the same way with and without it.
+// What we use of OSMesa's interface (GL/osmesa.h), declared here because Mesa has dropped OSMesa after 25.0:
+// the program is built the same way with and without it.
 using OsMesaContext = struct osmesa_context*;
 enum OsMesaAttribute : int {
     osmesa_format = 0x22,

@@ -1,7 +1,7 @@
-// OpenGL without a window: a context in memory, and pictures of any size drawn in it.
+// OpenGL without a window: a context in memory, and images of any size drawn in it.
 //
-// Two backends, both loaded at run time, so that the program starts without them: OSMesa (libOSMesa.so.8 or .so.6),
-// and EGL without a surface (libEGL.so.1), the only one with a Mesa newer than 25.0.
+// Two backends, both loaded at run time, so that the program starts without them: OSMesa (libOSMesa.so.8 or
+// .so.6), and EGL without a surface (libEGL.so.1), the only one with a Mesa newer than 25.0.
 #pragma once
 
 #include "core/io/image.hpp"
@@ -22,17 +22,17 @@ class OffscreenContext {
     virtual std::string_view backend() const = 0; ///< "OSMesa" or "EGL"
 };
 
-/// `any` uses the backend that the environment variable GASPARD_OFFSCREEN names (`osmesa` or `egl`); without it,
-/// OSMesa if it is installed, else EGL. Throws MachineError with one sentence if none works, InputError if the
-/// variable names another backend.
 /// Throws InputError if GASPARD_OFFSCREEN names no backend; to be called before long work.
 void check_offscreen_choice();
+/// `any` uses the backend that the environment variable GASPARD_OFFSCREEN names (`osmesa` or `egl`); without
+/// it, OSMesa if it is installed, else EGL. Throws MachineError with one sentence if none works, InputError
+/// if the variable names another backend.
 std::unique_ptr<OffscreenContext> make_offscreen_context(OffscreenBackend backend = OffscreenBackend::any);
 
 /// How often a pixel is looked at, for smooth rims of surfaces.
 inline constexpr int picture_samples = 4;
 
-/// A picture to draw into, with depth, and with several samples a pixel (0 for one) where the machine can.
+/// An image to draw into, with depth, and with several samples a pixel (0 for one) where the machine can.
 class RenderTarget {
   public:
     /// Throws MachineError where the machine cannot make one of this size.
@@ -40,7 +40,7 @@ class RenderTarget {
     void bind() const; ///< drawing goes here; sets the viewport to all of it
     /// Takes over what was drawn into another of the same size, with as many samples or into one.
     void copy(const RenderTarget& from) const;
-    /// Puts the picture into the window's own framebuffer, which is bound afterwards.
+    /// Puts the image into the window's own framebuffer, which is bound afterwards.
     void show() const;
     Image read() const;
     int width() const { return width_; }

@@ -439,8 +439,8 @@ void ParameterPanel::draw_formula(const PanelContext& context, const ParameterRo
     formula_applied_ = true;
 }
 
-// A check box for "auto"; if it is not ticked, a slider follows. Unticked, it restores the number that was there
-// before, or with which the scenario was opened.
+// A check box for "auto"; if it is not ticked, a slider follows. Unticked, it restores the number that was
+// there before, or with which the scenario was opened.
 void ParameterPanel::draw_number_or_auto(const PanelContext& context, const ParameterRow& row,
                                          const std::string& key, const Values* opened, Values& values) {
     const Columns c = columns();

@@ -28,8 +28,9 @@ struct PanelContext {
     const Catalogue& catalogue;
     const Scenario& opened; ///< as it was opened: the values that reset buttons restore
     const Theme& theme;
-    /// Filled with "monitor.amplitude" (its slider or list), "monitor.amplitude.input", "monitor.stage.Average",
-    /// "monitor.amplitude.reset", "monitor.type", and "monitor.type=ring" while the list is open.
+    /// Filled with "monitor.amplitude" (its slider or list), "monitor.amplitude.input",
+    /// "monitor.stage.Average", "monitor.amplitude.reset", "monitor.type", and "monitor.type=ring" while the
+    /// list is open.
     ItemRectangles& items;
     std::vector<std::string> unavailable{}; ///< other choices to grey out: "layout=projection"
     const PatchList* patches =

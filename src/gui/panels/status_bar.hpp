@@ -24,8 +24,8 @@ struct StatusCell {
 
 /// "Running", "Paused", "Converged" ... with its tone.
 StatusCell describe_state(const SolverStatus& status, bool wants_to_run);
-/// State, iteration, residual, equidistribution, smallest Jacobian, tangled cells, rate: always all of them, in
-/// this order. Numbers that a report leaves out are taken from the last report that has them.
+/// State, iteration, residual, equidistribution, smallest Jacobian, tangled cells, rate: always all of them,
+/// in this order. Numbers that a report leaves out are taken from the last report that has them.
 std::vector<StatusCell> status_cells(const DocumentRun& run);
 /// The last note of the method, such as "Automatic, from iteration 9: Newton's method takes over"; empty if
 /// there is none.

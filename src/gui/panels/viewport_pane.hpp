@@ -30,8 +30,8 @@ class ViewportPane {
   public:
     explicit ViewportPane(std::shared_ptr<TessellationCache> cache) : planner_(std::move(cache)) {}
 
-    /// Draws all but the meshes, into an ImGui window that fills `area`. `others`: runs whose meshes are shown
-    /// side by side with it in the layout "runs".
+    /// Draws all but the meshes, into an ImGui window that fills `area`. `others`: runs whose meshes are
+    /// shown side by side with it in the layout "runs".
     void frame(const DocumentRun& run, DocumentViewport& viewport, const ItemRectangle& area,
                const FrameContext& context, const std::vector<const DocumentRun*>& others = {});
     /// Shows the whole mesh from the view's direction, also when the size of the viewport changes.

@@ -15,8 +15,9 @@ using Facet = std::array<std::uint32_t, 4>;
 
 struct DrawnFacets {
     std::vector<Facet> facets;
-    /// Three for each triangle of the tessellation, in its order: 4 times a facet plus the number of one of its
-    /// points. Of a quadrilateral, the half at point 0 ends with point 3, the half at point 2 with point 1.
+    /// Three for each triangle of the tessellation, in its order: 4 times a facet plus the number of one of
+    /// its points. Of a quadrilateral, the half at point 0 ends with point 3, the half at point 2 with point
+    /// 1.
     std::vector<std::uint32_t> corners;
 };
 

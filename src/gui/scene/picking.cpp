@@ -133,7 +133,8 @@ std::optional<std::uint32_t> nearest_point(std::span<const std::uint32_t> points
     return found;
 }
 
-/// Coordinates as text; those that are zero up to rounding, relative to the size of the mesh, are written as 0.
+/// Coordinates as text; those that are zero up to rounding, relative to the size of the mesh, are written as
+/// 0.
 std::string position(Vec3 p, int dimension, double size) {
     const auto coordinate = [size](double c) { return short_number(std::abs(c) < 1e-13 * size ? 0 : c, 6); };
     std::string text = coordinate(p.x);

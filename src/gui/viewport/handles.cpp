@@ -41,7 +41,8 @@ void put(Values& values, const std::string& key, double value) {
 std::vector<Handle> monitor_handles(const Scenario& scenario) {
     const Values& values = scenario.monitor.values;
     std::vector<Handle> handles;
-    const auto with = [&](const ParameterRow& first, ParameterRole role) { // the other coordinate of its point
+    // The other coordinate of its point.
+    const auto with = [&](const ParameterRow& first, ParameterRole role) {
         const auto row = std::find_if(values.rows().begin(), values.rows().end(), [&](const ParameterRow& one) {
             return one.role == role && one.point == first.point;
         });

@@ -106,7 +106,8 @@ TEST(Image, ReadsJpegsOfAllColours) {
     expect_grey(
         decode(jpeg_bytes({.width = w, .height = h, .color = JCS_RGB, .stored = JCS_RGB}, gradient(w, h, 3))),
         grey, 0.02);
-    // No colour and a black that grows: what is left white, as Adobe's programs store it (libjpeg writes their marker).
+    // No colour and a black that grows: what is left white, as Adobe's programs store it (libjpeg writes
+    // their marker).
     for (const J_COLOR_SPACE stored : {JCS_CMYK, JCS_YCCK}) {
         Rows ink = gradient(w, h, 4);
         for (auto& row : ink)

@@ -1,5 +1,5 @@
-// Interpolation errors: exact ones of simple functions, known orders, independent quadratures, the factor that
-// theory gives for a layer, and what is said of meshes that fold.
+// Interpolation errors: exact ones of simple functions, known orders, independent quadratures, the factor
+// that theory gives for a layer, and what is said of meshes that fold.
 #include "core/base/error.hpp"
 #include "core/diagnostics/interpolation_error.hpp"
 #include "core/fem/gauss.hpp"

@@ -165,8 +165,8 @@ TEST(Smoothing, MultipliesSphericalHarmonicsToOrderTwo) {
                      [&](const Grid& on, std::vector<double>& g) { blur(on, g, length); });
 }
 
-/// The manufactured solution g = sin^2-like on the torus: f = g - L^2 Delta g with the Laplacian of the torus,
-/// Delta g = g_aa / r^2 + (r g_b)_b / r.
+/// The manufactured solution g = sin^2-like on the torus: f = g - L^2 Delta g with the Laplacian of the
+/// torus, Delta g = g_aa / r^2 + (r g_b)_b / r.
 TEST(Smoothing, SolvesTheHelmholtzEquationOnASurfaceToOrderTwo) {
     const double length = 0.7;
     const auto g = [](Vec3 x) { // a = 0 .. pi: slope zero at the ends along a, as b is open by oblique lines

@@ -1,5 +1,5 @@
-// VTU read back by tinyxml2, the arrays by a few lines of our own (support/vtu_reader.hpp), to the last bit. That
-// VTK, meshio and F3D read the files too is tried by hand (docs/formats.md).
+// VTU read back by tinyxml2, the arrays by a few lines of our own (support/vtu_reader.hpp), to the last bit.
+// That VTK, meshio and F3D read the files too is tried by hand (docs/formats.md).
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/io/formats.hpp"

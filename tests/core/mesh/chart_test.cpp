@@ -20,8 +20,8 @@ Points some_coordinates(const Chart& chart) {
     return s;
 }
 
-/// Points and coordinates are inverse to each other, tangents are derivatives of the points, and the gradient of a
-/// function of the coordinates has its derivatives along the tangents.
+/// Points and coordinates are inverse to each other, tangents are derivatives of the points, and the gradient
+/// of a function of the coordinates has its derivatives along the tangents.
 void expect_consistent(const Chart& chart) {
     const Points s = some_coordinates(chart);
     Points x, back, ahead, behind;

@@ -107,7 +107,8 @@ TEST_F(SolverThreadTest, NobodyTakingReportsHoldsTheRunBackAndLosesNothing) {
     for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].report.iteration, static_cast<int>(i));
 }
 
-/// Whether a thread is gone soon after it was told to end. If not, `let_go` is called so that the test can go on.
+/// Whether a thread is gone soon after it was told to end. If not, `let_go` is called so that the test can go
+/// on.
 bool ends(
     std::unique_ptr<SolverThread> thread, const std::function<void()>& let_go = [] {}) {
     auto ended = std::async(std::launch::async, [&] { thread.reset(); });

@@ -1,5 +1,5 @@
-// A method's own series and fields (fixtures/springs.hpp) in the window: plots, colours and numbers offer them
-// by their names, which nothing in src knows.
+// A method's own series and fields (fixtures/springs.hpp) in the window: plots, colours and numbers offer
+// them by their names, which nothing in src knows.
 #include "fixtures/fixture_catalogue.hpp"
 #include "gui/application_fixture.hpp"
 #include "gui/document/runs_csv.hpp"
