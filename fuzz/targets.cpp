@@ -99,14 +99,14 @@ void read_view(std::string_view bytes) {
     } else if (lines[0] == "background") {
         parse_background(lines[1]);
     }
-    Values view = view_section(*catalogue(), "relaxation");
+    Values view = view_section(*catalogue(), "relaxation", "ring");
     view.parse(lines[0], lines[1]);
     check_view(view, &mesh);
 }
 
 /// With the right checksum, which random bytes would never have; then started from.
 void read_picture(std::string_view bytes) {
-    const Image image = decode_image(bytes, "picture", 64);
+    const GreyImage image = decode_image(bytes, "picture", 64);
     GASPARD_CHECK(image.width >= 1 && image.width <= 64 && image.height >= 1 && image.height <= 64);
     GASPARD_CHECK(image.grey.size() == image.width * image.height);
     for (const float grey : image.grey) GASPARD_CHECK(grey >= 0 && grey <= 1);

@@ -13,6 +13,7 @@ gaspard_test(timing_tests LABELS timing LIBRARIES gaspard_scenes
 gaspard_test(gui_tests LABELS threads LIBRARIES gaspard_scenes PkgConfig::IMGUI
   SOURCES gui/app/actions_test.cpp gui/app/application_undo_test.cpp gui/document/document_test.cpp
     gui/document/document_edits_test.cpp gui/document/edit_history_test.cpp gui/panels/parameter_panel_test.cpp gui/app/application_test.cpp
+    gui/app/application_data_test.cpp gui/app/file_kinds_test.cpp gui/panels/formula_field_test.cpp
     gui/app/application_view_test.cpp gui/app/application_files_test.cpp gui/app/application_plots_test.cpp gui/app/application_series_test.cpp
     gui/scene/clip_matrix_test.cpp gui/scene/picking_test.cpp gui/viewport/viewport_test.cpp gui/plot/plot_widget_test.cpp
     gui/scene/mesh_scene_test.cpp gui/base/settings_test.cpp gui/base/theme_test.cpp gui/plot/plot_curves_test.cpp gui/panels/plot_pane_test.cpp

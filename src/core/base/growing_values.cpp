@@ -9,8 +9,9 @@ namespace gaspard {
 namespace {
 
 bool same_keys(const std::vector<ParameterRow>& a, const std::vector<ParameterRow>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const ParameterRow& one, const ParameterRow& other) { return one.key == other.key; });
+    return std::equal(
+        a.begin(), a.end(), b.begin(), b.end(),
+        [](const ParameterRow& one, const ParameterRow& other) { return one.key == other.key; });
 }
 
 } // namespace
@@ -40,7 +41,8 @@ Values grown_part(const Values& values, std::string_view prefix, const std::vect
         [&](const Values& known) { return without_ranges(further(known)); },
         [&](Values& own) {
             for (const ParameterRow& row : std::vector(own.rows()))
-                if (const std::string key = begin + row.key; values.has(key)) own.set(row.key, values.at(key));
+                if (const std::string key = begin + row.key; values.has(key))
+                    own.set(row.key, values.at(key));
         });
 }
 

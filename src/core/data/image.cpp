@@ -84,18 +84,18 @@ void ImageRows::finish_block() {
     }
 }
 
-Image ImageRows::take(std::string format) {
+GreyImage ImageRows::take(std::string format) {
     image_.format = std::move(format);
     return std::move(image_);
 }
 
-Image upright(Image image, int orientation) {
+GreyImage upright(GreyImage image, int orientation) {
     if (orientation < 2 || orientation > 8) return image;
     // Where the first row and the first column of the file are in the upright picture (EXIF 2.3, 4.6.4).
     const bool turned = orientation >= 5; // rows become columns
     const bool from_right = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;
     const bool from_bottom = orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8;
-    Image result = image;
+    GreyImage result = image;
     if (turned) {
         std::swap(result.width, result.height);
         std::swap(result.full_width, result.full_height);
@@ -130,8 +130,8 @@ int exif_orientation(std::span<const std::uint8_t> exif) {
     return 1;
 }
 
-Image decode_image(std::string_view bytes, const std::string& name, std::size_t longest,
-                   const std::function<void(double)>& progress, const std::stop_token& stop) {
+GreyImage decode_image(std::string_view bytes, const std::string& name, std::size_t longest,
+                       const std::function<void(double)>& progress, const std::stop_token& stop) {
     const DecodeContext context{bytes, name, std::max<std::size_t>(longest, 1), progress, stop};
     if (bytes.starts_with("\x89PNG\r\n\x1a\n"sv)) return decode_png(context);
     if (bytes.starts_with("\xff\xd8\xff"sv)) return decode_jpeg(context);

@@ -18,7 +18,8 @@
 
 namespace gaspard GASPARD_API {
 
-struct Image {
+/// The brightness of a picture.
+struct GreyImage {
     std::size_t width = 0, height = 0;
     std::vector<float> grey; ///< 0 black to 1 white; width x height, by rows from the top
     /// Size of the picture in the file, upright; the image is its reduction by whole pixels.
@@ -32,7 +33,7 @@ inline constexpr std::size_t most_pixels = 200'000'000;
 /// Reduces the picture to at most `longest` pixels along each side, as averages of k x k pixels. `name`
 /// stands in messages. Throws InputError for other formats, which it names, for damaged and incomplete
 /// pictures and for those that are too large; Interrupted if asked to stop. `progress`: the fraction done.
-Image decode_image(std::string_view bytes, const std::string& name, std::size_t longest = 2048,
-                   const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
+GreyImage decode_image(std::string_view bytes, const std::string& name, std::size_t longest = 2048,
+                       const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
 
 } // namespace GASPARD_API

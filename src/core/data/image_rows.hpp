@@ -29,7 +29,7 @@ class ImageRows {
               std::size_t full_height);
     /// The next row, `width` values. Throws Interrupted if asked to stop.
     void add(std::span<const float> grey);
-    Image take(std::string format);
+    GreyImage take(std::string format);
 
   private:
     void finish_block();
@@ -37,15 +37,15 @@ class ImageRows {
     const DecodeContext& context_;
     std::size_t width_, height_, block_, rows_ = 0;
     std::vector<float> sums_;
-    Image image_;
+    GreyImage image_;
 };
 
 /// `orientation`: 1 to 8 as in EXIF; others change nothing.
-Image upright(Image image, int orientation);
+GreyImage upright(GreyImage image, int orientation);
 /// The orientation in an EXIF block (the content of APP1 after "Exif\0\0"); 1 if there is none.
 int exif_orientation(std::span<const std::uint8_t> exif);
 
-Image decode_png(const DecodeContext& context);
-Image decode_jpeg(const DecodeContext& context);
+GreyImage decode_png(const DecodeContext& context);
+GreyImage decode_jpeg(const DecodeContext& context);
 
 } // namespace gaspard

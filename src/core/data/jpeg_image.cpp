@@ -34,7 +34,7 @@ class JpegDecoder {
     JpegDecoder(const JpegDecoder&) = delete;
     JpegDecoder& operator=(const JpegDecoder&) = delete;
 
-    Image decode() {
+    GreyImage decode() {
         if (!read_header()) refuse();
         check_image_size(context_.name, jpeg_.image_width, jpeg_.image_height);
         const std::size_t pixels = std::size_t{jpeg_.image_width} * jpeg_.image_height;
@@ -160,6 +160,6 @@ class JpegDecoder {
 
 } // namespace
 
-Image decode_jpeg(const DecodeContext& context) { return JpegDecoder(context).decode(); }
+GreyImage decode_jpeg(const DecodeContext& context) { return JpegDecoder(context).decode(); }
 
 } // namespace gaspard

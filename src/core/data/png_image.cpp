@@ -31,7 +31,7 @@ class PngDecoder {
     PngDecoder(const PngDecoder&) = delete;
     PngDecoder& operator=(const PngDecoder&) = delete;
 
-    Image decode() {
+    GreyImage decode() {
         if (!read_header()) refuse();
         check_image_size(context_.name, width_, height_);
         if (!set_up()) refuse();
@@ -153,6 +153,6 @@ class PngDecoder {
 
 } // namespace
 
-Image decode_png(const DecodeContext& context) { return PngDecoder(context).decode(); }
+GreyImage decode_png(const DecodeContext& context) { return PngDecoder(context).decode(); }
 
 } // namespace gaspard

@@ -43,7 +43,8 @@ void DerivativeNorms::tangential(const Points& s, const Points& x, Points& gradi
     std::array<Points, 3> tangents;
     if (chart_->kind() == ChartKind::surface) chart_->tangents(s, tangents);
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const Vec3 normal = chart_->kind() == ChartKind::sphere ? x[i] : cross(tangents[0][i], tangents[1][i]);
+        const Vec3 normal =
+            chart_->kind() == ChartKind::sphere ? x[i] : cross(tangents[0][i], tangents[1][i]);
         gradients.set(i, without(gradients[i], unit(normal)));
     }
 }
@@ -137,7 +138,7 @@ void DerivativeNorms::hessians(const Points& s, const Points& x, std::span<doubl
         keep_finite(s, x, x_on, g_on);
         for (std::size_t i = 0; i < x.size(); ++i) {
             double distance = norm(x_on[i] - x_back[i]);
-            if (!(distance > 0)) continue; // where the chart is degenerate
+            if (!(distance > 0)) continue;           // where the chart is degenerate
             if (chart_->kind() == ChartKind::sphere) // along the arc
                 distance = 2 * norm(x[i]) * std::asin(distance / (2 * norm(x[i])));
             const Vec3 change = (1 / distance) * (g_on[i] - g_back[i]);

@@ -3,7 +3,6 @@
 // Values are in arrays of grid.size() numbers, the first direction fastest.
 #pragma once
 
-#include "core/base/export.hpp"
 #include "core/mesh/chart.hpp"
 
 #include <array>
@@ -11,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace gaspard GASPARD_API {
+namespace gaspard {
 
 /// How a function on a grid goes on beyond the grid's ends.
 enum class GridEnds {
@@ -51,4 +50,4 @@ Grid grid_on(std::shared_ptr<const Chart> chart, std::vector<std::size_t> counts
 /// The measure (length, area, volume) of the part of the domain that a point of the grid stands for.
 std::vector<double> measures(const Grid& grid);
 
-} // namespace GASPARD_API
+} // namespace gaspard

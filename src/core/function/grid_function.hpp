@@ -7,14 +7,13 @@
 // along the opposite meridian; at the poles itself its gradient is exact to O(h^3) only.
 #pragma once
 
-#include "core/base/export.hpp"
 #include "core/function/grid.hpp"
 #include "core/function/scalar_function.hpp"
 
 #include <span>
 #include <vector>
 
-namespace gaspard GASPARD_API {
+namespace gaspard {
 
 class GridFunction final : public ScalarFunction {
   public:
@@ -46,4 +45,4 @@ class GridFunction final : public ScalarFunction {
     std::vector<double> coefficients_; ///< with two more at each end of every direction
 };
 
-} // namespace GASPARD_API
+} // namespace gaspard

@@ -25,7 +25,8 @@ struct Placing {
     double pixel = 1; ///< the length of a pixel of the file
 };
 
-Placing place(const Image& image, const ImageOptions& options, const Grid& grid, const ChartExtent& extent) {
+Placing place(const GreyImage& image, const ImageOptions& options, const Grid& grid,
+              const ChartExtent& extent) {
     const auto width = static_cast<double>(image.width), height = static_cast<double>(image.height);
     const double reduction = width / static_cast<double>(image.full_width);
     const auto low = [&](std::size_t d) { return grid.chart->direction(d).low; };
@@ -73,7 +74,7 @@ std::vector<std::vector<PixelWeight>> averages(const PixelLine& line, std::size_
     return result;
 }
 
-std::vector<double> sample(const Image& image, const Placing& at, const Grid& grid) {
+std::vector<double> sample(const GreyImage& image, const Placing& at, const Grid& grid) {
     const std::size_t columns = grid.directions[0].count, rows = grid.directions[1].count;
     const auto across = averages(at.across, columns, image.width);
     const auto down = averages(at.down, rows, image.height);
@@ -107,7 +108,7 @@ double border_jump(const ImageGrid& made) {
 
 } // namespace
 
-ImageGrid image_grid(const Image& image, const ImageOptions& options, const DataContext& context) {
+ImageGrid image_grid(const GreyImage& image, const ImageOptions& options, const DataContext& context) {
     const auto chart = chart_of(context);
     if (chart->dimension() != 2) throw InputError("a picture needs a domain of dimension two");
     const ChartExtent extent = extent_of(chart, context);
@@ -145,7 +146,7 @@ std::string blur_note(const ImageOptions& options, const ImageGrid& made) {
     return note + ", so that the mesh can follow.";
 }
 
-MadeFunction image_function(const Image& image, const ImageOptions& options, const DataContext& context) {
+MadeFunction image_function(const GreyImage& image, const ImageOptions& options, const DataContext& context) {
     ImageGrid made = image_grid(image, options, context);
     made.notes.insert(made.notes.begin(), blur_note(options, made));
     blur(made.grid, made.values, made.sigma, context.progress, context.stop);

@@ -29,15 +29,15 @@ struct ImageGrid {
 };
 
 /// The grid is fine enough for the blur. Throws InputError if the domain is not of dimension two.
-ImageGrid image_grid(const Image& image, const ImageOptions& options, const DataContext& context);
+ImageGrid image_grid(const GreyImage& image, const ImageOptions& options, const DataContext& context);
 /// "The picture is blurred over 2.2 cells instead of 1, so that the mesh can follow."
 std::string blur_note(const ImageOptions& options, const ImageGrid& made);
 /// u. Throws InputError, and Interrupted if asked to stop.
-MadeFunction image_function(const Image& image, const ImageOptions& options, const DataContext& context);
+MadeFunction image_function(const GreyImage& image, const ImageOptions& options, const DataContext& context);
 
 /// Reads a picture (core/data/image.hpp) through the context's files; `key` names the row in messages.
-std::shared_ptr<const Image> read_image(const std::string& file, const std::string& key,
-                                        const DataContext& context);
+std::shared_ptr<const GreyImage> read_image(const std::string& file, const std::string& key,
+                                            const DataContext& context);
 
 /// The rows of the options, and the options of such rows; `invert_help` says what the row `invert` does.
 std::vector<ParameterRow> image_rows(const Space& space, const std::string& invert_help);

@@ -7,18 +7,18 @@
 
 namespace gaspard {
 
-std::shared_ptr<const Image> read_image(const std::string& file, const std::string& key,
-                                        const DataContext& context) {
+std::shared_ptr<const GreyImage> read_image(const std::string& file, const std::string& key,
+                                            const DataContext& context) {
     if (file.empty()) throw InputError(key + " is empty; it is the path of a PNG or JPEG picture");
     const std::string path = data_file_name(file, context.folder);
-    const std::function<std::shared_ptr<const Image>()> decode = [&] {
+    const std::function<std::shared_ptr<const GreyImage>()> decode = [&] {
         const auto report = [&](double done) {
             if (context.progress) context.progress(done, "Reading the picture");
         };
-        return std::make_shared<const Image>(
+        return std::make_shared<const GreyImage>(
             decode_image(read_data_file(file, context.folder), path, 2048, report, context.stop));
     };
-    return context.files ? context.files->get<Image>(is_data_uri(file) ? file : path, "image", decode)
+    return context.files ? context.files->get<GreyImage>(is_data_uri(file) ? file : path, "image", decode)
                          : decode();
 }
 

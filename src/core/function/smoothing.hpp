@@ -11,14 +11,13 @@
 // constants; on the sphere and on surfaces with orthogonal parameters also the range of f.
 #pragma once
 
-#include "core/base/export.hpp"
 #include "core/function/grid.hpp"
 
 #include <span>
 #include <stop_token>
 #include <vector>
 
-namespace gaspard GASPARD_API {
+namespace gaspard {
 
 inline constexpr int blur_steps = 8;
 
@@ -29,4 +28,4 @@ void blur(const Grid& grid, std::span<double> values, double sigma, const Progre
 void helmholtz_filter(const Grid& grid, std::span<double> values, double length,
                       const Progress& progress = {}, std::stop_token stop = {});
 
-} // namespace GASPARD_API
+} // namespace gaspard

@@ -11,7 +11,6 @@
 #pragma once
 
 #include "core/base/box.hpp"
-#include "core/base/export.hpp"
 #include "core/base/points.hpp"
 #include "core/mesh/data_context.hpp"
 
@@ -21,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace gaspard GASPARD_API {
+namespace gaspard {
 
 enum class ChartKind { box, sphere, surface };
 /// How a function goes on across the two ends of a direction.
@@ -79,4 +78,4 @@ std::shared_ptr<const Chart> sphere_chart(double radius);
 /// sphere.
 std::shared_ptr<const Chart> chart_of(const DataContext& context);
 
-} // namespace GASPARD_API
+} // namespace gaspard

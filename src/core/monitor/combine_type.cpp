@@ -26,8 +26,8 @@ bool can_be_part(const MonitorType& type, const Space& space) {
 }
 
 const MonitorType& type_of(const std::vector<MonitorType>& types, std::string_view name) {
-    const auto type = std::find_if(types.begin(), types.end(),
-                                   [&](const MonitorType& one) { return one.name == name; });
+    const auto type =
+        std::find_if(types.begin(), types.end(), [&](const MonitorType& one) { return one.name == name; });
     GASPARD_CHECK(type != types.end()); // the row has no other choices
     return *type;
 }
@@ -43,7 +43,8 @@ ParameterRow type_row(std::size_t part, const Space& space) {
             .kind = ParameterKind::choice,
             .default_value = std::string(first_types[part]),
             .choices = std::move(choices),
-            .help = part < 2 ? "one of the monitors that are combined" : "a further monitor; none: no such part",
+            .help =
+                part < 2 ? "one of the monitors that are combined" : "a further monitor; none: no such part",
             .role = ParameterRole::defines_rows};
 }
 
@@ -120,8 +121,7 @@ std::vector<ParameterRow> further_rows(const Values& values, const Space& space)
         rows.push_back(power_row(letter));
         const MonitorType& type = type_of(types, values.text(letter + ".type"));
         for (const ParameterRow& row : rows_on(type, space)) rows.push_back(prefixed(row, letter));
-        for (const ParameterRow& row :
-             further_rows_on(type, part_values(values, letter, type, space), space))
+        for (const ParameterRow& row : further_rows_on(type, part_values(values, letter, type, space), space))
             rows.push_back(prefixed(row, letter));
     }
     return rows;

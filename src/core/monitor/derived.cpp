@@ -34,6 +34,7 @@ class DerivedMonitor final : public Monitor {
         std::shared_ptr<const ScalarFunction> u;
         std::vector<std::pair<FieldInfo, GridFunction>> fields; ///< the stages before the last
         GridFunction logarithm;                                 ///< of m
+        double lowest, highest;                                 ///< bounds of it
         std::vector<std::string> notes;
     };
     DerivedMonitor(Stages stages, std::optional<SpaceKind> made_for)
@@ -43,16 +44,21 @@ class DerivedMonitor final : public Monitor {
         GASPARD_CHECK(values.size() == x.size());
         stages_.logarithm.values(x, values);
         for (std::size_t i = 0; i < values.size(); ++i)
-            values[i] = is_finite(x[i]) ? std::exp(values[i]) : std::numeric_limits<double>::quiet_NaN();
+            values[i] = is_finite(x[i]) ? std::exp(std::clamp(values[i], stages_.lowest, stages_.highest))
+                                        : std::numeric_limits<double>::quiet_NaN();
     }
     void gradients(const Points& x, Points& gradients) const override {
-        std::vector<double> m(x.size());
-        values(x, m);
+        std::vector<double> log_m(x.size());
+        stages_.logarithm.values(x, log_m);
         stages_.logarithm.gradients(x, gradients);
-        for (std::size_t i = 0; i < m.size(); ++i) gradients.set(i, m[i] * gradients[i]);
+        for (std::size_t i = 0; i < log_m.size(); ++i) {
+            const bool within = log_m[i] > stages_.lowest && log_m[i] < stages_.highest;
+            gradients.set(i, (within ? std::exp(log_m[i]) : 0) * gradients[i]);
+        }
     }
     std::optional<SpaceKind> made_for() const override { return made_for_; }
     MonitorReport report() const override { return {.notes = stages_.notes}; }
+    std::shared_ptr<const ScalarFunction> solution() const override { return stages_.u; }
 
     std::vector<Field> fields(const Points& x) const override {
         std::vector<Field> fields;
@@ -82,13 +88,15 @@ void check_options(const DerivedOptions& o) {
     require(o.fraction >= 0 && o.fraction < 1, "fraction must be at least 0 and less than 1");
     require(o.floor >= 0 && std::isfinite(o.floor), "floor must be at least 0 and finite");
     require(o.contrast >= 1 && std::isfinite(o.contrast), "contrast must be at least 1 and finite");
-    require(!o.smoothing || (*o.smoothing >= 0 && *o.smoothing <= 1000), "smoothing must be from 0 to 1000 cells");
+    require(!o.smoothing || (*o.smoothing >= 0 && *o.smoothing <= 1000),
+            "smoothing must be from 0 to 1000 cells");
 }
 
 /// The stages as far as they are computed.
 class Maker {
   public:
-    Maker(std::shared_ptr<const ScalarFunction> u, const DerivedOptions& options, const MonitorContext& context)
+    Maker(std::shared_ptr<const ScalarFunction> u, const DerivedOptions& options,
+          const MonitorContext& context)
         : options_(options), context_(context), domain_(domain_grid(context, points_per_cell)),
           u_(std::move(u)) {}
 
@@ -108,8 +116,12 @@ class Maker {
         check_positive_values();
         if (options_.smooth) smooth();
         for (double& value : values_) value = std::log(value);
+        // Far beside the domain the spline goes on without bounds.
+        constexpr double margin = 1;
+        const auto [least, largest] = std::minmax_element(values_.begin(), values_.end());
         return std::make_shared<DerivedMonitor>(
-            DerivedMonitor::Stages{u_, std::move(fields_), GridFunction(domain_.grid, values_), notes_},
+            DerivedMonitor::Stages{u_, std::move(fields_), GridFunction(domain_.grid, values_),
+                                   *least - margin, *largest + margin, notes_},
             context_.space.kind);
     }
 
@@ -141,8 +153,8 @@ class Maker {
         }
         if (*options_.smoothing < needed)
             notes_.push_back("The mesh may not follow the monitor: it is smoothed over " +
-                             two_digits(*options_.smoothing) + " cells, and would need " + two_digits(needed) +
-                             ".");
+                             two_digits(*options_.smoothing) + " cells, and would need " +
+                             two_digits(needed) + ".");
         smoothing_stage(domain_, values_, *options_.smoothing * domain_.cell, context_);
     }
 

@@ -27,19 +27,19 @@ enum class Indicator { arc_length, curvature, gradient, magnitude, band };
 
 struct DerivedOptions {
     Indicator indicator = Indicator::arc_length;
-    bool normalise = true;  ///< false: v = u, D = 1, so that all numbers have the units of u and x
-    double alpha = 1;       ///< a > 0
-    double order = 1.5;     ///< k > 0. In the plane 3/2 is best for the error of linear interpolation in L2, 1
-                            ///< for its maximum and for that of the gradient
-    double level = 0.5;     ///< c
-    double width = 0.05;    ///< w > 0
-    bool gaussian = false;  ///< the band's profile: exp instead of sech
-    bool average = true;    ///< the stage; without it m is the indicator
-    double fraction = 0.5;  ///< f of the cells, at least 0 and less than 1
-    bool limit = true;      ///< the stage
-    double floor = 0.01;    ///< F, relative to the average of m; at least 0
-    double contrast = 1000; ///< C, at least 1
-    bool smooth = true;     ///< the stage
+    bool normalise = true; ///< false: v = u, D = 1, so that all numbers have the units of u and x
+    double alpha = 1;      ///< a > 0
+    double order = 1.5;    ///< k > 0. In the plane 3/2 is best for the error of linear interpolation in L2, 1
+                           ///< for its maximum and for that of the gradient
+    double level = 0.5;    ///< c
+    double width = 0.05;   ///< w > 0
+    bool gaussian = false; ///< the band's profile: exp instead of sech
+    bool average = true;   ///< the stage; without it m is the indicator
+    double fraction = 0.5; ///< f of the cells, at least 0 and less than 1
+    bool limit = true;     ///< the stage
+    double floor = 0.01;   ///< F, relative to the average of m; at least 0
+    double contrast = 1000;            ///< C, at least 1
+    bool smooth = true;                ///< the stage
     std::optional<double> smoothing{}; ///< L in cells of the uniform mesh; nullopt: as much as the mesh needs
 };
 

@@ -60,14 +60,15 @@ std::vector<ParameterRow> indicator_rows(const std::string& kind) {
                     .maximum = 1e12,
                     .default_value = 0.5,
                     .help = "of u; with monitor.normalise 0 is the least and 1 the largest value of u"});
-    rows.push_back({.key = "width",
-                    .label = "Width",
-                    .symbol = "w",
-                    .minimum = 1e-6,
-                    .maximum = 1e12,
-                    .scale = ParameterScale::logarithmic,
-                    .default_value = 0.05,
-                    .help = "of the band, as a difference of u; with monitor.normalise as a part of its range"});
+    rows.push_back(
+        {.key = "width",
+         .label = "Width",
+         .symbol = "w",
+         .minimum = 1e-6,
+         .maximum = 1e12,
+         .scale = ParameterScale::logarithmic,
+         .default_value = 0.05,
+         .help = "of the band, as a difference of u; with monitor.normalise as a part of its range"});
     rows.push_back({.key = "profile",
                     .label = "Profile",
                     .kind = ParameterKind::choice,
@@ -78,41 +79,42 @@ std::vector<ParameterRow> indicator_rows(const std::string& kind) {
 }
 
 std::vector<ParameterRow> stage_rows() {
-    return {boolean("normalise", "Normalise",
-                    "divide u by its range and lengths by the domain's size, so that the numbers have no unit"),
-            boolean("average", "Average", "choose which fraction of the cells goes to the feature"),
-            {.key = "fraction",
-             .label = "Fraction",
-             .symbol = "f",
-             .minimum = 0,
-             .maximum = 0.95,
-             .default_value = 0.5,
-             .help = "of the cells that go to the feature (Beckett and Mackenzie); 0: a uniform mesh"},
-            boolean("limit", "Limit", "bound the monitor from below and above"),
-            {.key = "floor",
-             .label = "Floor",
-             .minimum = 1e-6,
-             .maximum = 1,
-             .scale = ParameterScale::logarithmic,
-             .default_value = 0.01,
-             .help = "least value, as a part of the average"},
-            {.key = "contrast",
-             .label = "Contrast",
-             .minimum = 1,
-             .maximum = 1e6,
-             .scale = ParameterScale::logarithmic,
-             .default_value = 1000.0,
-             .help = "largest ratio of two values, hence of the areas of two cells"},
-            boolean("smooth", "Smooth", "Helmholtz filter"),
-            {.key = "smoothing",
-             .label = "Smoothing length",
-             .symbol = "L",
-             .unit = "cells",
-             .kind = ParameterKind::real_or_auto,
-             .minimum = 0,
-             .maximum = 100,
-             .default_value = std::string("auto"),
-             .help = "in cells of the uniform mesh; auto: as much as the mesh needs to follow the monitor"}};
+    return {
+        boolean("normalise", "Normalise",
+                "divide u by its range and lengths by the domain's size, so that the numbers have no unit"),
+        boolean("average", "Average", "choose which fraction of the cells goes to the feature"),
+        {.key = "fraction",
+         .label = "Fraction",
+         .symbol = "f",
+         .minimum = 0,
+         .maximum = 0.95,
+         .default_value = 0.5,
+         .help = "of the cells that go to the feature (Beckett and Mackenzie); 0: a uniform mesh"},
+        boolean("limit", "Limit", "bound the monitor from below and above"),
+        {.key = "floor",
+         .label = "Floor",
+         .minimum = 1e-6,
+         .maximum = 1,
+         .scale = ParameterScale::logarithmic,
+         .default_value = 0.01,
+         .help = "least value, as a part of the average"},
+        {.key = "contrast",
+         .label = "Contrast",
+         .minimum = 1,
+         .maximum = 1e6,
+         .scale = ParameterScale::logarithmic,
+         .default_value = 1000.0,
+         .help = "largest ratio of two values, hence of the areas of two cells"},
+        boolean("smooth", "Smooth", "Helmholtz filter"),
+        {.key = "smoothing",
+         .label = "Smoothing length",
+         .symbol = "L",
+         .unit = "cells",
+         .kind = ParameterKind::real_or_auto,
+         .minimum = 0,
+         .maximum = 100,
+         .default_value = std::string("auto"),
+         .help = "in cells of the uniform mesh; auto: as much as the mesh needs to follow the monitor"}};
 }
 
 constexpr std::string_view prefix = "u.";
@@ -142,8 +144,8 @@ std::vector<ParameterRow> rows(const Space&) {
 std::vector<ParameterRow> further_rows(const Values& values, const Space& space) {
     auto rows = prefixed(all_rows(source_of(values), source_values(values, space), space), prefix);
     const ParameterRow kind = kind_row();
-    const std::string name = values.has(kind.key) ? values.text(kind.key)
-                                                  : std::get<std::string>(kind.default_value);
+    const std::string name =
+        values.has(kind.key) ? values.text(kind.key) : std::get<std::string>(kind.default_value);
     rows.push_back(kind);
     for (ParameterRow& row : indicator_rows(name)) rows.push_back(std::move(row));
     for (ParameterRow& row : stage_rows()) rows.push_back(std::move(row));
@@ -183,6 +185,7 @@ class SourcedMonitor final : public Monitor {
     std::optional<SpaceKind> made_for() const override { return monitor_->made_for(); }
     MonitorReport report() const override { return report_; }
     std::vector<Field> fields(const Points& x) const override { return monitor_->fields(x); }
+    std::shared_ptr<const ScalarFunction> solution() const override { return monitor_->solution(); }
 
   private:
     std::shared_ptr<const Monitor> monitor_;

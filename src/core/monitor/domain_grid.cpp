@@ -18,8 +18,8 @@ constexpr double default_cells = 60;
 
 /// Grids in powers of 2, 3 and 5 have fast Fourier transforms.
 std::size_t fast_count(double wanted) {
-    const auto least = static_cast<std::size_t>(
-        std::clamp(std::ceil(wanted), double(least_count), double(most_count)));
+    const auto least =
+        static_cast<std::size_t>(std::clamp(std::ceil(wanted), double(least_count), double(most_count)));
     const auto is_fast = [](std::size_t n) {
         for (const std::size_t prime : {2U, 3U, 5U})
             while (n % prime == 0) n /= prime;
@@ -122,14 +122,16 @@ DomainGrid domain_grid(const DataContext& context, double per_cell) {
         domain.size = extent_of(mesh, context.space, false).size;
         domain.cell = std::pow(measure / static_cast<double>(mesh.cell_count()), power);
     } else {
-        domain.size = chart->kind() == ChartKind::sphere ? 1 : *std::max_element(lengths.begin(), lengths.end());
+        domain.size =
+            chart->kind() == ChartKind::sphere ? 1 : *std::max_element(lengths.begin(), lengths.end());
         domain.cell = std::pow(measure, power) / default_cells;
     }
     double spacing = domain.cell / per_cell, points = 1;
     for (std::size_t d = 0; d < dimension; ++d) points *= std::max(1.0, lengths[d] / spacing);
     if (points > most_points) spacing *= std::pow(points / most_points, power);
     std::vector<std::size_t> counts(dimension);
-    for (std::size_t d = 0; d < dimension; ++d) { // of open ends the Fourier transforms have 2 (count - 1) points
+    for (std::size_t d = 0; d < dimension;
+         ++d) { // of open ends the Fourier transforms have 2 (count - 1) points
         const bool open = chart->direction(d).ends == ChartEnds::open;
         counts[d] = fast_count(lengths[d] / spacing) + (open ? 1 : 0);
     }

@@ -13,12 +13,12 @@ namespace gaspard {
 
 struct DomainGrid {
     Grid grid;
-    Points s{};                   ///< coordinates of the grid's points; beside a patch of the nearest point
-    Points x{};                   ///< the points themselves, likewise
+    Points s{};                     ///< coordinates of the grid's points; beside a patch of the nearest point
+    Points x{};                     ///< the points themselves, likewise
     std::vector<double> measures{}; ///< 0 beside the domain
-    bool patch = false;           ///< a planar patch: functions may go on slightly beside it
-    double size = 1;              ///< of the domain: longest side of its box, radius of a sphere
-    double cell = 1;              ///< size of a cell of the uniform mesh: (measure / cells)^(1/dimension)
+    bool patch = false;             ///< a planar patch: functions may go on slightly beside it
+    double size = 1;                ///< of the domain: longest side of its box, radius of a sphere
+    double cell = 1;                ///< size of a cell of the uniform mesh: (measure / cells)^(1/dimension)
 
     std::size_t dimension() const { return grid.directions.size(); }
     /// The average over the domain.

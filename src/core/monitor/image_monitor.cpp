@@ -7,7 +7,7 @@
 
 namespace gaspard {
 
-std::shared_ptr<const Monitor> image_monitor(const Image& image, const ImageMonitorOptions& options,
+std::shared_ptr<const Monitor> image_monitor(const GreyImage& image, const ImageMonitorOptions& options,
                                              const DataContext& context) {
     ImageOptions dense = options.image; // d is large where the picture is dark
     dense.invert = !dense.invert;

@@ -10,9 +10,9 @@
 namespace gaspard {
 
 struct IndicatorValues {
-    std::vector<double> q;  ///< at the points of the grid
-    double background = 0;  ///< the indicator is background + q: 1 or 0
-    bool constant = false;  ///< u is
+    std::vector<double> q; ///< at the points of the grid
+    double background = 0; ///< the indicator is background + q: 1 or 0
+    bool constant = false; ///< u is
 };
 
 /// `fine`: q is averaged over the part of the domain that a point of the grid stands for, which matters where

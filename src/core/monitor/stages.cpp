@@ -83,8 +83,7 @@ double steepness(const DomainGrid& domain, std::span<const double> values) {
     double steepest_one = 0;
     for (std::size_t i = 0; i < values.size(); ++i)
         if (domain.measures[i] > 0)
-            steepest_one =
-                std::max(steepest_one, std::pow(average / values[i], power) * norm(slopes[i]));
+            steepest_one = std::max(steepest_one, std::pow(average / values[i], power) * norm(slopes[i]));
     return domain.cell * steepest_one;
 }
 

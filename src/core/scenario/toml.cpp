@@ -50,9 +50,8 @@ void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::ta
                   const std::string& section, const std::string& origin, ScenarioSource& source) {
     Entries entries;
     add_entries(entries, table, section);
-    const auto types = std::stable_partition(entries.begin(), entries.end(), [](const auto& entry) {
-        return entry.first.ends_with(".type");
-    });
+    const auto types = std::stable_partition(
+        entries.begin(), entries.end(), [](const auto& entry) { return entry.first.ends_with(".type"); });
     std::stable_sort(entries.begin(), types, [](const auto& a, const auto& b) {
         return std::ranges::count(a.first, '.') < std::ranges::count(b.first, '.');
     });
@@ -123,7 +122,8 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
     try {
         document = toml::parse(text, origin);
     } catch (const toml::parse_error& error) {
-        throw InputError(place(origin, error.source()) + "TOML syntax error: " + in_short(error.description()));
+        throw InputError(place(origin, error.source()) +
+                         "TOML syntax error: " + in_short(error.description()));
     }
     Scenario scenario = default_scenario(catalogue);
     scenario.name = std::filesystem::path(origin).stem().string();

@@ -33,7 +33,10 @@ float line_width() { return ImGui::GetContentRegionAvail().x; }
 std::string broken_at_blanks(std::string formula, std::size_t columns) {
     std::size_t start = 0, blank = std::string::npos, letters = 0;
     for (std::size_t i = 0; i < formula.size(); ++i) {
-        if (formula[i] == '\n') start = i + 1, blank = std::string::npos, letters = 0;
+        if (formula[i] == '\n') {
+            start = i + 1, blank = std::string::npos, letters = 0;
+            continue;
+        }
         if (formula[i] == ' ') blank = i;
         if (begins_letter(formula[i])) ++letters;
         if (letters <= columns || blank == std::string::npos || blank <= start) continue;

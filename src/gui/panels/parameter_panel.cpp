@@ -135,7 +135,7 @@ std::optional<std::string> draw_list(const PanelContext& context, const std::str
         return choice.empty() ? "automatic" : choice.c_str();
     };
     std::optional<std::string> chosen;
-    const bool open = ImGui::BeginCombo("##choice", named(current));
+    const bool open = ImGui::BeginCombo("##choice", named(current), ImGuiComboFlags_HeightLarge);
     remember_item(context.items, key);
     if (!open) return chosen;
     for (const auto& choice : choices) {

@@ -11,11 +11,11 @@ namespace {
 
 using Rows = std::vector<std::vector<std::uint8_t>>;
 
-Image decode(const std::string& bytes, std::size_t longest = 2048) {
+GreyImage decode(const std::string& bytes, std::size_t longest = 2048) {
     return decode_image(bytes, "picture", longest);
 }
 
-void expect_grey(const Image& image, const std::vector<double>& grey, double tolerance = 1e-6) {
+void expect_grey(const GreyImage& image, const std::vector<double>& grey, double tolerance = 1e-6) {
     ASSERT_EQ(image.grey.size(), grey.size());
     for (std::size_t i = 0; i < grey.size(); ++i)
         EXPECT_NEAR(static_cast<double>(image.grey[i]), grey[i], tolerance) << i;
@@ -74,14 +74,14 @@ Rows gradient(int width, int height, int channels = 1) {
 }
 
 TEST(Image, ReadsInterlacedPngsAsOthers) {
-    const Image plain = decode(png_bytes({.width = 37, .height = 21}, gradient(37, 21)));
-    const Image interlaced =
+    const GreyImage plain = decode(png_bytes({.width = 37, .height = 21}, gradient(37, 21)));
+    const GreyImage interlaced =
         decode(png_bytes({.width = 37, .height = 21, .interlaced = true}, gradient(37, 21)));
     EXPECT_EQ(plain.grey, interlaced.grey);
 }
 
 TEST(Image, AveragesLargePictures) {
-    const Image image = decode(
+    const GreyImage image = decode(
         png_bytes({.width = 5, .height = 3}, {{0, 10, 20, 30, 40}, {10, 20, 30, 40, 50}, {99, 99, 0, 0, 7}}),
         3);
     EXPECT_EQ(image.width, 3u);
@@ -94,7 +94,7 @@ TEST(Image, AveragesLargePictures) {
 
 TEST(Image, ReadsJpegsOfAllColours) {
     const int w = 64, h = 48;
-    const Image png = decode(png_bytes({.width = w, .height = h}, gradient(w, h)));
+    const GreyImage png = decode(png_bytes({.width = w, .height = h}, gradient(w, h)));
     const std::vector<double> grey(png.grey.begin(), png.grey.end());
     for (const bool progressive : {false, true}) {
         expect_grey(decode(jpeg_bytes({.width = w, .height = h, .progressive = progressive}, gradient(w, h))),
@@ -120,7 +120,7 @@ TEST(Image, ReadsJpegsOfAllColours) {
 
 TEST(Image, ReducesLargeJpegsAsTheyAreDecoded) {
     const int w = 640, h = 480;
-    const Image image = decode(jpeg_bytes({.width = w, .height = h}, gradient(w, h)), 100);
+    const GreyImage image = decode(jpeg_bytes({.width = w, .height = h}, gradient(w, h)), 100);
     EXPECT_LE(image.width, 100u);
     EXPECT_GE(image.width, 64u);
     EXPECT_EQ(image.full_width, 640u);
@@ -161,7 +161,7 @@ TEST(Image, TurnsJpegsUpright) {
                                {80, 255, 0, 160}};
     for (std::uint8_t orientation = 1; orientation <= 8; ++orientation)
         for (const bool little : {true, false}) {
-            const Image image =
+            const GreyImage image =
                 decode(jpeg_bytes({.width = w, .height = h, .exif = exif(orientation, little)}, rows));
             EXPECT_EQ(image.width, orientation >= 5 ? 16u : 32u);
             EXPECT_EQ(image.full_height, orientation >= 5 ? 32u : 16u);

@@ -95,7 +95,9 @@ TEST(LineResampling, HasOrderFourOnUnevenAxes) {
         double error = 0;
         for (std::size_t i = 0; i < 300; ++i)
             error = std::max(error, std::abs(wanted[i] - std::sin(4 * static_cast<double>(i) / 299)));
-        if (before > 0) EXPECT_GT(before / error, 11);
+        if (before > 0) {
+            EXPECT_GT(before / error, 11);
+        }
         before = error;
     }
     EXPECT_LT(before, 1e-6);

@@ -12,9 +12,9 @@ namespace gaspard {
 namespace {
 
 /// A picture of one grey, with another one in a rectangle of pixels.
-Image picture(std::size_t width, std::size_t height, float ground, float spot, std::size_t x0, std::size_t y0,
-              std::size_t x1, std::size_t y1) {
-    Image image{width, height, std::vector<float>(width * height, ground), width, height, "PNG"};
+GreyImage picture(std::size_t width, std::size_t height, float ground, float spot, std::size_t x0,
+                  std::size_t y0, std::size_t x1, std::size_t y1) {
+    GreyImage image{width, height, std::vector<float>(width * height, ground), width, height, "PNG"};
     for (std::size_t y = y0; y < y1; ++y)
         for (std::size_t x = x0; x < x1; ++x) image.grey[y * width + x] = spot;
     return image;
@@ -42,7 +42,7 @@ TEST(ImageFunction, StandsAsOnTheScreen) {
 
 TEST(ImageFunction, FitsFillsAndStretches) {
     // Twice as wide as high; white in the left quarter of the width.
-    const Image wide = picture(200, 100, 0, 1, 0, 0, 50, 100);
+    const GreyImage wide = picture(200, 100, 0, 1, 0, 0, 50, 100);
     ImageOptions options = sharp;
     options.fit = ImageFit::stretch;
     EXPECT_NEAR(at(image_function(wide, options, walls), {0.25, 0.5, 0}), 0.5, 1e-3);
@@ -51,13 +51,13 @@ TEST(ImageFunction, FitsFillsAndStretches) {
     EXPECT_NEAR(at(image_function(wide, options, walls), {0.1, 0.95, 0}), 1, 1e-3);
     options.fit = ImageFit::fill; // the white quarter is cut off at the left
     EXPECT_NEAR(at(image_function(wide, options, walls), {0.1, 0.5, 0}), 0, 1e-2);
-    const Image narrow = picture(100, 200, 0, 1, 0, 50, 100, 100); // white above the middle
+    const GreyImage narrow = picture(100, 200, 0, 1, 0, 50, 100, 100); // white above the middle
     EXPECT_NEAR(at(image_function(narrow, options, walls), {0.5, 0.75, 0}), 1, 1e-3);
     EXPECT_NEAR(at(image_function(narrow, options, walls), {0.5, 0.25, 0}), 0, 1e-3);
 }
 
 TEST(ImageFunction, TonesInOrder) {
-    const Image grey = picture(50, 50, 0.25F, 0.25F, 0, 0, 0, 0);
+    const GreyImage grey = picture(50, 50, 0.25F, 0.25F, 0, 0, 0, 0);
     ImageOptions options = sharp;
     EXPECT_NEAR(at(image_function(grey, options, walls), {0.3, 0.3, 0}), 0.25, 1e-9);
     options.gamma = 2;
@@ -70,7 +70,7 @@ TEST(ImageFunction, TonesInOrder) {
 
 TEST(ImageFunction, BlursByCellsOrPixels) {
     // A vertical edge, blurred by sigma: Phi((x - 1/2) / sigma).
-    const Image edge = picture(1000, 1000, 0, 1, 500, 0, 1000, 1000);
+    const GreyImage edge = picture(1000, 1000, 0, 1, 500, 0, 1000, 1000);
     const double cell = 1 / 60.0; // without a mesh
     const auto phi = [](double t) { return 0.5 * std::erfc(-t / std::sqrt(2.0)); };
     ImageOptions options{.blur = 4};
@@ -86,7 +86,7 @@ TEST(ImageFunction, BlursByCellsOrPixels) {
 }
 
 TEST(ImageFunction, IsSmoothAcrossTheEdgesOfThePeriodicPlane) {
-    const Image edge = picture(100, 100, 0, 1, 50, 0, 100, 100);
+    const GreyImage edge = picture(100, 100, 0, 1, 50, 0, 100, 100);
     const auto u = image_function(edge, {}, {.space = {SpaceKind::periodic_square}});
     EXPECT_NEAR(at(u, {0, 0.5, 0}), 0.5, 1e-3);
     EXPECT_NEAR(at(u, {1, 0.5, 0}), at(u, {0, 0.5, 0}), 1e-12);
@@ -96,7 +96,7 @@ TEST(ImageFunction, IsSmoothAcrossTheEdgesOfThePeriodicPlane) {
 
 TEST(ImageFunction, IsAMapOfTheSphere) {
     // White between 0 and 90 degrees east on the northern hemisphere of a map that begins at -180.
-    const Image map = picture(360, 180, 0, 1, 180, 0, 270, 90);
+    const GreyImage map = picture(360, 180, 0, 1, 180, 0, 270, 90);
     const DataContext sphere{.space = {SpaceKind::sphere}};
     const auto u = image_function(map, sharp, sphere);
     EXPECT_NEAR(at(u, at_latitude_longitude(45, 45)), 1, 1e-3);

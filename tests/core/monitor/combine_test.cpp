@@ -106,7 +106,9 @@ TEST(Combine, HasTheGradientsOfItsValues) {
 }
 
 TEST(Combine, DoesNotOverflowInPowers) {
-    const auto constant = [](double value) { return function_monitor([value](Vec3) { return value; }, plain); };
+    const auto constant = [](double value) {
+        return function_monitor([value](Vec3) { return value; }, plain);
+    };
     Points x(1);
     for (const double size : {1e-150, 1.0, 1e150}) {
         const auto monitor = combined_monitor({{.monitor = constant(size)}, {.monitor = constant(2 * size)}},
@@ -135,7 +137,9 @@ TEST(Combine, RefusesWhatGivesNoMonitor) {
 
 class CombineScenario : public testing::Test {
   protected:
-    Scenario scenario_of(const std::string& text) const { return parse_scenario(*catalogue, text, "test.toml"); }
+    Scenario scenario_of(const std::string& text) const {
+        return parse_scenario(*catalogue, text, "test.toml");
+    }
     Scenario with(Scenario scenario, const std::vector<std::string>& settings) const {
         apply_settings(*catalogue, scenario, settings);
         return scenario;
@@ -182,10 +186,10 @@ TEST_F(CombineScenario, ReadsItsPartsFromTables) {
 }
 
 TEST_F(CombineScenario, TakesItsKeysInAnyOrder) {
-    const Scenario scenario =
-        with(default_scenario(*catalogue),
-             {"monitor.c.sharpness=70", "monitor.b.radius=0.3", "monitor.c.type=bell", "monitor.b.type=ring",
-              "monitor.a.type=bell", "monitor.type=combine", "monitor.operation=maximum", "monitor.b.amplitude=4"});
+    const Scenario scenario = with(default_scenario(*catalogue),
+                                   {"monitor.c.sharpness=70", "monitor.b.radius=0.3", "monitor.c.type=bell",
+                                    "monitor.b.type=ring", "monitor.a.type=bell", "monitor.type=combine",
+                                    "monitor.operation=maximum", "monitor.b.amplitude=4"});
     EXPECT_EQ(scenario.monitor.values.real("c.sharpness"), 70);
     EXPECT_EQ(scenario.monitor.values.real("b.radius"), 0.3);
     EXPECT_EQ(scenario.monitor.values.text("a.type"), "bell");
@@ -198,12 +202,13 @@ TEST_F(CombineScenario, SaysWhichKeysItDoesNotHave) {
     EXPECT_NE(complaint(start + "type = \"x-n\"\n").find("monitor.a.type"), std::string::npos);
     EXPECT_NE(complaint(start + "[monitor.a.u]\nvalue = 3\n").find("unknown key monitor.a.u.value"),
               std::string::npos);
-    EXPECT_NE(complaint("[monitor.e]\ntype = \"ring\"\n").find("unknown key monitor.e.type"), std::string::npos);
+    EXPECT_NE(complaint("[monitor.e]\ntype = \"ring\"\n").find("unknown key monitor.e.type"),
+              std::string::npos);
 }
 
 TEST_F(CombineScenario, OffersItsPartsAsColoursAndFields) {
     Scenario scenario = with(scenario_of(ring_in_bell), {"view.color=part-a", "domain.cells=8"});
-    Run run(catalogue, scenario);
+    gaspard::Run run(catalogue, scenario);
     const auto snapshot = run.snapshot();
     const Field* part = snapshot->field("part-a");
     ASSERT_NE(part, nullptr);
@@ -219,8 +224,10 @@ TEST_F(CombineScenario, ConvergesOnEveryDomain) {
         for (const char* operation : {"sum", "product", "maximum", "minimum"}) {
             Scenario scenario = with(default_scenario(*catalogue),
                                      {"domain.type=" + domain, "domain.cells=16", "monitor.type=combine",
-                                      std::string("monitor.operation=") + operation, "method.type=auto"});
-            Run run(catalogue, scenario);
+                                      std::string("monitor.operation=") + operation, "monitor.a.amplitude=4",
+                                      "monitor.a.sharpness=20", "monitor.b.amplitude=4",
+                                      "monitor.b.sharpness=20", "method.type=auto"});
+            gaspard::Run run(catalogue, scenario);
             EXPECT_EQ(run.solve().status, RunStatus::converged) << domain << " " << operation;
         }
 }

@@ -37,17 +37,18 @@ class Exact final : public ScalarFunction {
 };
 
 std::shared_ptr<const ScalarFunction> waves() {
-    return std::make_shared<Exact>(
-        [](Vec3 p) { return std::sin(wave * p.x) * std::cos(wave * p.y); },
-        [](Vec3 p) {
-            return Vec3{wave * std::cos(wave * p.x) * std::cos(wave * p.y),
-                        -wave * std::sin(wave * p.x) * std::sin(wave * p.y), 0};
-        });
+    return std::make_shared<Exact>([](Vec3 p) { return std::sin(wave * p.x) * std::cos(wave * p.y); },
+                                   [](Vec3 p) {
+                                       return Vec3{wave * std::cos(wave * p.x) * std::cos(wave * p.y),
+                                                   -wave * std::sin(wave * p.x) * std::sin(wave * p.y), 0};
+                                   });
 }
 
 std::shared_ptr<const ScalarFunction> height() {
     return std::make_shared<Exact>([](Vec3 p) { return p.z; },
-                                   [](Vec3 p) { return Vec3{0, 0, 1} - (p.z / dot(p, p)) * p; });
+                                   [](Vec3 p) {
+                                       return Vec3{0, 0, 1} - (p.z / dot(p, p)) * p;
+                                   });
 }
 
 /// A layer of this width through a unit square.
@@ -71,7 +72,8 @@ Points square_points() {
 Points sphere_points(double radius) {
     Points x(1000);
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const double z = (2 * static_cast<double>(i) + 1) / 1000 - 1, angle = 2.39996 * static_cast<double>(i);
+        const double z = (2 * static_cast<double>(i) + 1) / 1000 - 1,
+                     angle = 2.39996 * static_cast<double>(i);
         const double r = std::sqrt(1 - z * z);
         x.set(i, radius * Vec3{r * std::cos(angle), r * std::sin(angle), z});
     }
@@ -118,20 +120,26 @@ TEST(Derived, HasArcLengthAndCurvatureOnPlaneAndWalls) {
     };
     const Points x = square_points();
     for (const SpaceKind kind : {SpaceKind::periodic_square, SpaceKind::euclidean}) {
-        const auto at = [&](Indicator indicator) { return derived_monitor(waves(), bare(indicator), on(kind)); };
-        expect_values(*at(Indicator::arc_length), x, [&](Vec3 p) { return std::sqrt(1 + slope2(p)); }, 2e-5);
-        expect_values(*at(Indicator::curvature), x, [&](Vec3 p) { return std::cbrt(1 + hessian2(p)); }, 3e-4);
+        const auto at = [&](Indicator indicator) {
+            return derived_monitor(waves(), bare(indicator), on(kind));
+        };
+        expect_values(
+            *at(Indicator::arc_length), x, [&](Vec3 p) { return std::sqrt(1 + slope2(p)); }, 2e-5);
+        expect_values(
+            *at(Indicator::curvature), x, [&](Vec3 p) { return std::cbrt(1 + hessian2(p)); }, 3e-4);
         DerivedOptions options = bare(Indicator::curvature);
         options.order = 1, options.alpha = 0.01, options.normalise = false;
-        expect_values(*derived_monitor(waves(), options, on(kind)), x,
-                      [&](Vec3 p) { return std::sqrt(1 + 0.01 * 4 * hessian2(p)); }, 3e-5);
+        expect_values(
+            *derived_monitor(waves(), options, on(kind)), x,
+            [&](Vec3 p) { return std::sqrt(1 + 0.01 * 4 * hessian2(p)); }, 3e-5);
         options.indicator = Indicator::band, options.width = 0.5, options.level = 0.2, options.alpha = 3;
-        expect_values(*derived_monitor(waves(), options, on(kind)), x,
-                      [&](Vec3 p) {
-                          const double u = std::sin(wave * p.x) * std::cos(wave * p.y);
-                          return 1 + 3 / std::cosh((u - 0.2) / 0.5);
-                      },
-                      1e-6);
+        expect_values(
+            *derived_monitor(waves(), options, on(kind)), x,
+            [&](Vec3 p) {
+                const double u = std::sin(wave * p.x) * std::cos(wave * p.y);
+                return 1 + 3 / std::cosh((u - 0.2) / 0.5);
+            },
+            1e-6);
     }
 }
 
@@ -141,9 +149,10 @@ TEST(Derived, HasGradientAndHessianOfTheSphere) {
         return derived_monitor(height(), bare(indicator), on(SpaceKind::sphere));
     };
     const Points x = sphere_points(1);
-    expect_values(*at(Indicator::arc_length), x,
-                  [](Vec3 p) { return std::sqrt(1 + (1 - p.z * p.z) / 4); }, 1e-8);
-    expect_values(*at(Indicator::curvature), x, [](Vec3 p) { return std::cbrt(1 + p.z * p.z / 2); }, 1e-8);
+    expect_values(
+        *at(Indicator::arc_length), x, [](Vec3 p) { return std::sqrt(1 + (1 - p.z * p.z) / 4); }, 1e-8);
+    expect_values(
+        *at(Indicator::curvature), x, [](Vec3 p) { return std::cbrt(1 + p.z * p.z / 2); }, 1e-8);
 }
 
 TEST(Derived, HasTheGradientsOfItsValues) {
@@ -173,16 +182,31 @@ TEST(Derived, KeepsTheAverageThroughItsStages) {
         for (const double fraction : {0.25, 0.5, 0.8}) {
             DerivedOptions options;
             options.fraction = fraction;
+            options.contrast = 1e6; // less would take cells from the thinnest layer
             const auto monitor = derived_monitor(layer(width), options, on(SpaceKind::euclidean));
             Points x(200 * 200);
             for (std::size_t i = 0; i < x.size(); ++i)
-                x.set(i, {(static_cast<double>(i % 200) + 0.5) / 200, (static_cast<double>(i / 200) + 0.5) / 200, 0});
+                x.set(i, {(static_cast<double>(i % 200) + 0.5) / 200,
+                          (static_cast<double>(i / 200) + 0.5) / 200, 0});
             double mean = 0, least = std::numeric_limits<double>::infinity();
-            for (const double m : values_of(*monitor, x)) mean += m / static_cast<double>(x.size()), least = std::min(least, m);
+            for (const double m : values_of(*monitor, x)) {
+                mean += m / static_cast<double>(x.size());
+                least = std::min(least, m);
+            }
             EXPECT_NEAR(1 / mean, 1 - fraction, 0.01) << width; // m = 1 away from the layer
             EXPECT_NEAR(least, 1, 0.01);
             EXPECT_EQ(monitor->report().notes.empty(), width == 0.1) << width;
         }
+}
+
+TEST(Derived, SaysWhatTheLimitChanges) {
+    DerivedOptions options;
+    options.fraction = 0.8, options.contrast = 100;
+    const auto notes = derived_monitor(layer(0.001), options, on(SpaceKind::euclidean))->report().notes;
+    ASSERT_FALSE(notes.empty());
+    EXPECT_TRUE(notes.front().starts_with(
+        "The limit changes the fraction of cells that go to the feature from 0.8 to 0."))
+        << notes.front();
 }
 
 TEST(Derived, KeepsToFloorAndContrast) {
@@ -205,7 +229,12 @@ TEST(Derived, RefusesWhatGivesNoMonitor) {
     const auto context = on(SpaceKind::euclidean);
     EXPECT_THROW(derived_monitor(nullptr, {}, context), InputError);
     EXPECT_THROW(derived_monitor(of(std::nan("")), {}, context), InputError);
-    EXPECT_THROW(derived_monitor(waves(), bare(Indicator::gradient), context), InputError); // 0 at some points
+    const auto half_flat =
+        std::make_shared<Exact>([](Vec3 p) { return std::pow(std::max(p.x - 0.5, 0.0), 2); },
+                                [](Vec3 p) {
+                                    return Vec3{2 * std::max(p.x - 0.5, 0.0), 0, 0};
+                                });
+    EXPECT_THROW(derived_monitor(half_flat, bare(Indicator::gradient), context), InputError);
     DerivedOptions options;
     options.fraction = 1;
     EXPECT_THROW(derived_monitor(waves(), options, context), InputError);
@@ -238,16 +267,16 @@ class DerivedScenario : public testing::Test {
     }
     /// Of the cells of a solved mesh, the part that goes to what is above the least value of m.
     static double fraction_of(const Snapshot& snapshot) {
-        const auto area = snapshot.field("mass")->values;
+        const std::size_t cells = snapshot.mesh->cell_count();
         double sum = 0;
         const Field& monitor = *snapshot.field("monitor");
-        for (std::size_t cell = 0; cell < area.size(); ++cell) {
+        for (std::size_t cell = 0; cell < cells; ++cell) {
             double mean = 0;
             const auto nodes = snapshot.mesh->cell(cell);
             for (const auto node : nodes) mean += 1 / monitor.values[static_cast<std::size_t>(node)];
             sum += 1 - mean / static_cast<double>(nodes.size());
         }
-        return sum / static_cast<double>(area.size());
+        return sum / static_cast<double>(cells);
     }
 
     std::shared_ptr<const Catalogue> catalogue = std::make_shared<Catalogue>(builtin_catalogue());
@@ -256,7 +285,7 @@ class DerivedScenario : public testing::Test {
 TEST_F(DerivedScenario, ConvergesAndKeepsItsPromise) {
     for (const char* name : {"walls-front", "plane-curvature", "sphere-front", "spline-level"})
         for (const double fraction : {0.3, 0.6}) {
-            Run run(catalogue, scenario(name, {"monitor.fraction=" + format_number(fraction)}));
+            gaspard::Run run(catalogue, scenario(name, {"monitor.fraction=" + format_number(fraction)}));
             const StepReport& last = run.solve();
             EXPECT_EQ(last.status, RunStatus::converged) << name;
             EXPECT_EQ(last.tangled_cells, 0u) << name;
@@ -266,9 +295,10 @@ TEST_F(DerivedScenario, ConvergesAndKeepsItsPromise) {
 
 TEST_F(DerivedScenario, FollowsThinLayers) {
     for (const char* name : {"walls-front", "plane-curvature"}) {
-        Run run(catalogue, scenario(name, {std::string("monitor.u.w=") +
-                                               (std::string(name) == "walls-front" ? "0.001" : "0.002"),
-                                           "method.tolerance=1e-6"}));
+        gaspard::Run run(catalogue,
+                         scenario(name, {std::string("monitor.u.w=") +
+                                             (std::string(name) == "walls-front" ? "0.001" : "0.002"),
+                                         "method.tolerance=1e-6"}));
         EXPECT_EQ(run.solve().status, RunStatus::converged) << name;
         const auto report = run.snapshot()->monitor_report;
         ASSERT_NE(report, nullptr);
@@ -279,19 +309,30 @@ TEST_F(DerivedScenario, FollowsThinLayers) {
 }
 
 TEST_F(DerivedScenario, ShowsItsStages) {
-    Run run(catalogue, scenario("walls-front", {"domain.cells=12", "view.color=limited"}));
+    gaspard::Run run(catalogue, scenario("walls-front", {"domain.cells=12", "view.color=limited"}));
     const auto snapshot = run.snapshot();
     for (const FieldInfo& info : catalogue->monitor("derived").fields) {
         const Field* field = snapshot->field(info.name);
         ASSERT_NE(field, nullptr) << info.name;
         EXPECT_EQ(field->values.size(), snapshot->x.size());
     }
-    EXPECT_LT(*std::min_element(snapshot->field("u")->values.begin(), snapshot->field("u")->values.end()), -1);
+    EXPECT_LT(*std::min_element(snapshot->field("u")->values.begin(), snapshot->field("u")->values.end()),
+              -1);
+}
+
+TEST_F(DerivedScenario, MeasuresTheInterpolationErrorOfU) {
+    gaspard::Run run(catalogue, scenario("walls-front", {"domain.cells=12"}));
+    const auto snapshot = run.snapshot();
+    std::vector<double> u(snapshot->x.size());
+    run.solution()->values(snapshot->x, u);
+    const Field* field = snapshot->field("u");
+    ASSERT_NE(field, nullptr);
+    EXPECT_EQ(u, field->values);
 }
 
 TEST_F(DerivedScenario, HasTheRowsOfItsIndicatorAndOfU) {
-    Scenario found = scenario("walls-front", {"monitor.kind=band", "monitor.level=0.25", "monitor.u.expression=a*x+y",
-                                              "monitor.u.a=3"});
+    Scenario found = scenario("walls-front", {"monitor.kind=band", "monitor.level=0.25",
+                                              "monitor.u.expression=a*x+y", "monitor.u.a=3"});
     EXPECT_EQ(found.monitor.values.real("u.a"), 3);
     EXPECT_FALSE(found.monitor.values.has("order"));
     EXPECT_FALSE(found.monitor.values.has("u.w"));

@@ -46,7 +46,7 @@ TEST(FieldMonitor, ScalesFromLowToHigh) {
     EXPECT_NEAR(at(*squared, {0.5, 0.5, 0}), 1 + 29 * 0.25, 0.1);
     const MonitorReport report = monitor->report();
     EXPECT_EQ(report.choices.at("variable"), (std::vector<std::string>{"v", "w"}));
-    ASSERT_EQ(report.notes.size(), 1u);
+    ASSERT_FALSE(report.notes.empty());
     EXPECT_TRUE(report.notes[0].starts_with("On the domain the field is between 0.0")) << report.notes[0];
 }
 

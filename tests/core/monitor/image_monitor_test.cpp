@@ -10,8 +10,8 @@ namespace gaspard {
 namespace {
 
 /// Black on the left half, white on the right.
-Image halves() {
-    Image image{64, 64, std::vector<float>(64 * 64), 64, 64, "PNG"};
+GreyImage halves() {
+    GreyImage image{64, 64, std::vector<float>(64 * 64), 64, 64, "PNG"};
     for (std::size_t i = 0; i < image.grey.size(); ++i) image.grey[i] = i % 64 < 32 ? 0.0F : 1.0F;
     return image;
 }

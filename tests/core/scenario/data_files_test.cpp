@@ -19,6 +19,7 @@ class DataFilesTest : public testing::Test {
         scenario.domain = domain_section(catalogue, "spline-patch");
         scenario.domain.values.set("file", file);
         update_rows(catalogue, scenario);
+        locate_domain(catalogue, scenario);
         return scenario;
     }
     static std::string file_of(const Scenario& scenario) { return scenario.domain.values.text("file"); }

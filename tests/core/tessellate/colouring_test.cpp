@@ -45,7 +45,9 @@ double sum(const std::vector<double>& values) { return std::accumulate(values.be
 
 TEST(Colouring, EveryChoiceOfTheViewIsKnown) {
     Snapshot snapshot = snapshot_of(unit_square_mesh(4));
-    add_field(snapshot, "mass", std::vector<double>(16, 2.0));
+    for (const char* name :
+         {"mass", "interpolation_error", "interpolation_error_uniform", "interpolation_ratio"})
+        add_field(snapshot, name, std::vector<double>(16, 2.0));
     Values view("view", view_rows());
     for (const ParameterRow& row : view.rows())
         if (row.key == "color")

@@ -11,7 +11,7 @@ namespace gaspard {
 namespace {
 
 TEST(FormulaText, IsBrokenAtBlanksOnly) {
-    EXPECT_EQ(broken_at_blanks("1 + 10*exp(-50*r) + sin(x)", 12), "1 +\n10*exp(-50*r) +\nsin(x)");
+    EXPECT_EQ(broken_at_blanks("1 + 10*exp(-50*r) + sin(x)", 12), "1 +\n10*exp(-50*r)\n+ sin(x)");
     EXPECT_EQ(broken_at_blanks("1+10*exp(-50*r)", 5), "1+10*exp(-50*r)") << "there is no blank";
     EXPECT_EQ(broken_at_blanks("a\nb c", 3), "a\nb c") << "a line that fits";
     EXPECT_EQ(broken_at_blanks("αβγδ εζ", 5), "αβγδ\nεζ") << "letters, not bytes";
