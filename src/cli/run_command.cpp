@@ -105,8 +105,6 @@ void print_outcome(const Run& run, const std::filesystem::path& folder, bool oth
         std::printf("equidistribution %.6e, ", *value);
     std::printf("%zu tangled cells, %.3f s\n", last.tangled_cells.value_or(0), last.seconds);
     if (!last.note.empty()) std::printf("%s\n", last.note.c_str());
-    if (const auto report = run.monitor_report())
-        for (const std::string& note : report->notes) std::printf("%s\n", note.c_str());
     if (const auto patches = run.discretisation().patches())
         std::printf("%s; domain.patch selects another\n", patches->note.c_str());
     std::printf("files in %s%s\n", folder.string().c_str(),
@@ -163,6 +161,10 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
             check_replaceable(folder, names, "summary.json", scenario.name);
         const bool other_values = holds_other_values(folder, scenario);
         const auto made = check_writable(folder); // after all checks of the input
+        if (const auto report = run.monitor_report(); report && !arguments.quiet) {
+            for (const std::string& note : report->notes) std::printf("%s\n", note.c_str());
+            std::fflush(stdout);
+        }
         {
             ProgressLine line(arguments.quiet);
             while (run.status() == RunStatus::running) {

@@ -99,6 +99,7 @@ struct Table {
     std::vector<std::string> names; ///< of the columns; empty if there are none
     std::size_t columns = 0;
     std::vector<double> numbers; ///< row by row; NaN where a cell is missing
+    std::vector<bool> text; ///< with names: columns whose first cell is a text, which are not read
     bool corner = false; ///< the first row has coordinates: its first cell is not a number, all others are
 };
 
@@ -146,6 +147,7 @@ class TableReader {
                             [](auto cell) { return parse_number(cell).has_value(); }))
                 fail(*std::find_if(cells.begin(), cells.end(), is_name));
             table_.names.assign(cells.begin(), cells.end());
+            table_.text.resize(cells.size());
             return;
         }
         const auto described = cells_of(comment, separator_of(comment));
@@ -165,13 +167,22 @@ class TableReader {
             if (table_.numbers.size() == largest_field)
                 throw InputError("it has more than " + std::to_string(largest_field) + " numbers");
             const auto number = parse_number(cell);
-            if (!number && !is_missing(cell)) fail(cell);
+            if (!number && !is_missing(cell) && !is_text(table_.numbers.size() - before, cell))
+                fail(cell);
             table_.numbers.push_back(number.value_or(nothing));
         });
+        first_row_ = false;
         const std::size_t cells = table_.numbers.size() - before;
         if (cells != table_.columns)
             throw InputError("line " + std::to_string(number_) + " has " + std::to_string(cells) +
                              " columns, the first has " + std::to_string(table_.columns));
+    }
+
+    /// Whether a cell that is not a number belongs to a column of texts, such as names of stations.
+    bool is_text(std::size_t column, std::string_view cell) {
+        if (column >= table_.text.size()) return false;
+        if (first_row_ && cell.find(',') == std::string_view::npos) table_.text[column] = true;
+        return table_.text[column];
     }
 
     [[noreturn]] void fail(std::string_view cell) const {
@@ -183,6 +194,7 @@ class TableReader {
     std::string_view rest_, line_;
     std::string comment_; ///< the last one
     std::size_t number_ = 0;
+    bool first_row_ = true;
     Separator separator_ = Separator::comma;
     Table table_;
 };
@@ -233,7 +245,8 @@ Columns columns_of(const Table& table) {
     if (found.coordinates == Coordinates::none && table.columns == 3)
         found.coordinates = Coordinates::cartesian;
     for (std::size_t i = 0; i < table.columns; ++i)
-        if (i != found.x && i != found.y && i != found.z) found.values.push_back(i);
+        if (i != found.x && i != found.y && i != found.z && !(i < table.text.size() && table.text[i]))
+            found.values.push_back(i);
     return found;
 }
 
@@ -242,7 +255,7 @@ ScatteredData points_in(const Table& table, const Columns& columns, std::size_t 
     for (std::size_t at = 0; at + table.columns <= table.numbers.size(); at += table.columns) {
         const double x = table.numbers[at + columns.x], y = table.numbers[at + columns.y],
                      z = columns.z ? table.numbers[at + *columns.z] : 0;
-        if (std::isnan(x + y + z))
+        if (std::isnan(x + y + z)) // missing, or a text
             throw InputError("row " + std::to_string(at / table.columns + 1) +
                              " of its numbers has no coordinates");
         data.points.x.push_back(x), data.points.y.push_back(y), data.points.z.push_back(z);

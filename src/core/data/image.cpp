@@ -44,6 +44,9 @@ void refuse_image(const std::string& name, const std::string& why) {
 
 void check_image_size(const std::string& name, std::size_t width, std::size_t height) {
     if (width == 0 || height == 0) refuse_image(name, "the picture has no pixels");
+    if (std::max(width, height) > most_pixels_of_a_side)
+        refuse_image(name, "the picture has " + std::to_string(width) + " x " + std::to_string(height) +
+                               " pixels; each side may have " + std::to_string(most_pixels_of_a_side));
     if (width > most_pixels / height)
         refuse_image(name, "the picture has " + std::to_string(width) + " x " + std::to_string(height) +
                                " pixels; at most " + std::to_string(most_pixels / 1'000'000) +

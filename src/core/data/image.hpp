@@ -27,8 +27,9 @@ struct GreyImage {
     std::string format; ///< "PNG" or "JPEG"
 };
 
-/// The largest picture that is read: 200 megapixels.
+/// The largest picture that is read: 200 megapixels, and pixels along a side.
 inline constexpr std::size_t most_pixels = 200'000'000;
+inline constexpr std::size_t most_pixels_of_a_side = 65'535;
 
 /// Reduces the picture to at most `longest` pixels along each side, as averages of k x k pixels. `name`
 /// stands in messages. Throws InputError for other formats, which it names, for damaged and incomplete

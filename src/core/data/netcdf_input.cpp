@@ -17,11 +17,14 @@ namespace {
 
 constexpr std::size_t most_variables = 10'000; // and dimensions
 constexpr std::size_t longest_attribute = 1 << 16;
+constexpr std::size_t largest_chunk = std::size_t{256} << 20; ///< bytes, which the library unpacks at once
 
 void demand(int status) {
     if (status == NC_NOERR) return;
     if (status == NC_ENOMEM) throw InputError("it is damaged, or too large for the memory of this machine");
-    throw InputError(std::string("it is damaged, or not a NetCDF file (") + nc_strerror(status) + ")");
+    if (status == NC_EFILTER || status == NC_ENOFILTER)
+        throw InputError("it is compressed in a way that the NetCDF library of this machine cannot read");
+    throw InputError("it is damaged, or not a NetCDF file");
 }
 
 bool is_number(int type) { return type == NC_BYTE || (type >= NC_SHORT && type <= NC_UINT64); }
@@ -97,6 +100,7 @@ Packing packing_of(const NetcdfInput& file, const NetcdfInputVariable& variable)
     packing.scale = first("scale_factor", 1), packing.offset = first("add_offset", 0);
     if (!std::isfinite(packing.scale) || !std::isfinite(packing.offset))
         throw InputError("scale_factor or add_offset of '" + variable.name + "' is not finite");
+    if (packing.scale == 0) throw InputError("scale_factor of '" + variable.name + "' is zero");
     return packing;
 }
 
@@ -113,6 +117,20 @@ std::size_t product(const NetcdfInputVariable& variable, const std::vector<std::
     if (file.starts_with("CDF") && size > file.size())
         throw InputError("it is damaged: '" + variable.name + "' has more values than the file has bytes");
     return size;
+}
+
+/// Before the library unpacks a whole chunk for a few values of it.
+void check_chunks(int file, const NetcdfInputVariable& variable) {
+    int storage = NC_CONTIGUOUS;
+    std::vector<std::size_t> chunk(std::max<std::size_t>(1, variable.dimensions.size()));
+    if (nc_inq_var_chunking(file, variable.id, &storage, chunk.data()) != NC_NOERR || storage != NC_CHUNKED)
+        return;
+    std::size_t bytes = sizeof(double);
+    for (const std::size_t one : chunk) {
+        if (one > 0 && bytes > largest_chunk / one)
+            throw InputError("'" + variable.name + "' is stored in chunks of more than 256 MiB");
+        bytes *= one;
+    }
 }
 
 } // namespace
@@ -219,6 +237,7 @@ std::vector<double> NetcdfInput::values(const NetcdfInputVariable& variable,
                                         const std::vector<std::size_t>& start,
                                         const std::vector<std::size_t>& count) const {
     const std::size_t size = product(variable, count, bytes_);
+    if (!bytes_.starts_with("CDF")) check_chunks(id_, variable);
     std::vector<double> all(size);
     if (size > 0) demand(nc_get_vara_double(id_, variable.id, start.data(), count.data(), all.data()));
     const Packing packing = packing_of(*this, variable);

@@ -272,7 +272,7 @@ std::string percent(double fraction) {
 }
 
 /// Above what rounding leaves of a periodic formula.
-std::vector<std::string> notes_on(const FormulaFunction& function, const Values& values) {
+std::vector<std::string> jump_notes(const FormulaFunction& function, const Values& values) {
     const FormulaJump jump = function.jump();
     if (!(jump.relative > 1e-9)) return {};
     return {"The formula is not periodic: it jumps by up to " + percent(jump.relative) +
@@ -280,8 +280,21 @@ std::vector<std::string> notes_on(const FormulaFunction& function, const Values&
             format_number(jump.at.y) + "). " +
             (wrapped(values) ? "Move " + key_name(values, "wrap_x") + " and " + key_name(values, "wrap_y") +
                                    " to the middle of the feature."
-                             : "Set " + key_name(values, "wrap") +
-                                   " = \"center\" to measure distances from a point to its nearest image.")};
+                             : "A mesh may not follow it. Set " + key_name(values, "wrap") +
+                                   " = \"center\" to measure distances from a point to its nearest image, or "
+                                   "domain.boundary = \"walls\".")};
+}
+
+/// Parameters that are coordinates elsewhere.
+std::vector<std::string> name_notes(const std::vector<std::string>& parameters) {
+    std::vector<std::string> notes;
+    for (const std::string& name : parameters) {
+        const bool sphere = name == "lat" || name == "lon", patch = name == "u" || name == "v";
+        if (sphere || patch)
+            notes.push_back("'" + name + "' is a parameter here; it is a coordinate only on " +
+                            (sphere ? "the sphere." : "spline patches."));
+    }
+    return notes;
 }
 
 MadeFunction make(const Values& values, const DataContext& context) {
@@ -294,7 +307,9 @@ MadeFunction make(const Values& values, const DataContext& context) {
         options.sample = context.discretisation->mesh()->nodes;
     }
     const auto function = formula_function(expression.text(), std::move(options));
-    return {.function = function, .notes = notes_on(*function, values)};
+    std::vector<std::string> notes = name_notes(expression.parameters());
+    for (std::string& note : jump_notes(*function, values)) notes.push_back(std::move(note));
+    return {.function = function, .notes = std::move(notes)};
 }
 
 } // namespace

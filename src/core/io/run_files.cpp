@@ -91,17 +91,17 @@ Json values_json(const Scenario& scenario) {
 } // namespace
 
 /// Null if nothing is measured, or the function is interpolated exactly, or has no value somewhere.
-static Json interpolation_of(Run& run) {
+static Json interpolation_of(Run& run, std::stop_token stop) {
     try {
-        const auto errors = run.interpolation({.tolerance = 1e-2, .parts = 100});
+        const auto errors = run.interpolation({.tolerance = 1e-2, .parts = 100, .stop = std::move(stop)});
         if (errors && !errors->exact()) return interpolation_json(*errors);
     } catch (const InputError&) { // the function; the monitor made of it has values
     }
     return nullptr;
 }
 
-std::string summary_json(Run& run) {
-    const Json interpolation = interpolation_of(run);
+std::string summary_json(Run& run, std::stop_token stop) {
+    const Json interpolation = interpolation_of(run, std::move(stop));
     const Scenario& scenario = run.scenario();
     const StepReport& last = run.history().back();
     Json json;
@@ -182,7 +182,7 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
         }
     };
     // First, because it tells of which run the other files are (run_folder.hpp).
-    attempt("summary.json", [&] { write_atomically(folder / "summary.json", summary_json(run)); });
+    attempt("summary.json", [&] { write_atomically(folder / "summary.json", summary_json(run, stop)); });
     attempt("history.csv", [&] { write_atomically(folder / "history.csv", history_csv(run.history())); });
     attempt("state.bin", [&] { write_state(folder / "state.bin", run.state()); });
     if (of_splines)

@@ -6,6 +6,7 @@
 #include "core/session/run.hpp"
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace gaspard GASPARD_API {
 std::string history_csv(const std::vector<StepReport>& history);
 /// Scenario, status, numbers, times, memory; what was not measured is null. "measures" are the method's
 /// further series.
-std::string summary_json(Run& run);
+std::string summary_json(Run& run, std::stop_token stop = {});
 /// The names of the files that write_run_files() writes.
 std::vector<std::string> run_file_names(const Run& run, const std::vector<const Format*>& formats);
 /// Whether the summary.json in a folder has other values of domain, monitor, method or PDE than the scenario.

@@ -200,10 +200,18 @@ Problem check(const Catalogue& catalogue, Scenario scenario, const Monitor* own)
 
 ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenario,
                               std::shared_ptr<const Monitor> own, const MonitorContext& context) {
+    const auto in_its_unit = [&](std::shared_ptr<const Monitor> monitor) {
+        ProblemData plain = scalar_problem(monitor);
+        if (!context.discretisation) return plain;
+        const Mesh& mesh = *context.discretisation->mesh();
+        const bool box = !catalogue.domain(scenario.domain.type).spline_patch;
+        ProblemData scaled = own_problem(std::move(monitor), extent_of(mesh, context.space, box), mesh.nodes);
+        return scaled.unit == 1 ? plain : scaled;
+    };
     const auto make = [&](const Section& section) {
         const MonitorType& type = catalogue.monitor(section.type);
         return type.make_tensor ? tensor_problem(type.make_tensor(section.values, context))
-                                : scalar_problem(make_on(type, section.values, context));
+                                : in_its_unit(make_on(type, section.values, context));
     };
     const auto make_own = [&] {
         GASPARD_CHECK(context.discretisation != nullptr);

@@ -87,6 +87,9 @@ bool is_located(const Catalogue& catalogue, const Scenario& scenario);
 /// the sections monitor.target and pde on domain and method. Values set by the user are kept if the key still
 /// exists and allows them; on a domain of another size they are scaled. Reads no file.
 void update_rows(const Catalogue& catalogue, Scenario& scenario);
+/// The same while values are being typed: a monitor whose texts are invalid keeps its rows, and the run says
+/// what is wrong. Throws nothing.
+void update_typed_rows(const Catalogue& catalogue, Scenario& scenario);
 
 /// The scenario with its monitor as a formula to change, with the same values and ranges; nullopt if the
 /// monitor has none (MonitorType::formula).

@@ -219,7 +219,9 @@ void locate_domain(const Catalogue& catalogue, Scenario& scenario) {
     update_rows(catalogue, scenario);
 }
 
-void update_rows(const Catalogue& catalogue, Scenario& scenario) {
+/// `update(section)` updates the rows of a section of monitors.
+template <class Update>
+static void update_sections(const Catalogue& catalogue, Scenario& scenario, const Update& update) {
     scenario.place = known_place(catalogue, scenario);
     const Space& space = scenario.place.space;
     std::vector<std::string> targets, pdes;
@@ -235,9 +237,24 @@ void update_rows(const Catalogue& catalogue, Scenario& scenario) {
     });
     update_optional(scenario.pde, pdes,
                     [&](const std::string& type) { return pde_section(catalogue, type); });
-    update_monitor_rows(catalogue, space, scenario.monitor);
-    update_monitor_rows(catalogue, space, scenario.target);
+    update(scenario.monitor);
+    update(scenario.target);
     update_view_rows(catalogue, scenario, scenario.view);
+}
+
+void update_rows(const Catalogue& catalogue, Scenario& scenario) {
+    update_sections(catalogue, scenario, [&](Section& section) {
+        update_monitor_rows(catalogue, scenario.place.space, section);
+    });
+}
+
+void update_typed_rows(const Catalogue& catalogue, Scenario& scenario) {
+    update_sections(catalogue, scenario, [&](Section& section) {
+        try {
+            update_monitor_rows(catalogue, scenario.place.space, section);
+        } catch (const InputError&) { // keep the rows
+        }
+    });
 }
 
 /// The rows' ranges as monitor.ranges.

@@ -35,7 +35,7 @@ Scenario with_method(const Catalogue& catalogue, const Scenario& scenario, const
     Scenario changed = scenario;
     if (method == scenario.method.type) return changed;
     changed.method = method_section(catalogue, method);
-    update_rows(catalogue, changed);
+    update_typed_rows(catalogue, changed);
     for (const ParameterRow& row : common_method_rows())
         if (scenario.method.values.has(row.key))
             changed.method.values.set(row.key, scenario.method.values.at(row.key));

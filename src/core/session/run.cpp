@@ -91,8 +91,7 @@ static Scenario on_patch(const Catalogue& catalogue, Scenario scenario, const Sp
 
 Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptions options,
          const Progress& progress, std::stop_token stop)
-    : catalogue_(std::move(catalogue)), threads_(options.threads),
-      own_start_(options.start.has_value()), now_{.problem = check(*catalogue_,
+    : catalogue_(std::move(catalogue)), threads_(options.threads), now_{.problem = check(*catalogue_,
                                                                    on_patch(*catalogue_, std::move(scenario),
                                                                             options.patch.get()),
                                                                    options.monitor.get()),
@@ -165,7 +164,6 @@ Evaluation Run::first_look(const Course& course, std::stop_token stop) const {
     const Evaluation evaluation = course.method->evaluate(stoppable(course.data, stop), course.state, stop);
     if (stop.stop_requested()) throw Interrupted();
     if (std::isfinite(evaluation.residual)) return evaluation;
-    GASPARD_CHECK(own_start_ || course.own); // only a state or monitor of the caller
     throw InputError("the residual of the start state is not finite for this monitor");
 }
 

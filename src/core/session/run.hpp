@@ -172,7 +172,6 @@ class Run {
     std::shared_ptr<const Catalogue> catalogue_;
     int threads_ = 1;
     std::shared_ptr<FileCache> files_ = std::make_shared<FileCache>(); ///< of the monitors
-    bool own_start_ = false; ///< the first state was the caller's
     Course now_;
     Interpolated interpolated_;
     State last_finite_;

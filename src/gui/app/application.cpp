@@ -193,7 +193,11 @@ bool Application::has_formula() {
 }
 
 void Application::edit_as_formula() {
-    if (const auto scenario = with_formula(*catalogue_, run().scenario)) change_values(*scenario);
+    try {
+        if (const auto scenario = with_formula(*catalogue_, run().scenario)) change_values(*scenario);
+    } catch (const InputError& error) { // such as a formula of the target that is being typed
+        messages_.say({error.what(), true});
+    }
 }
 
 void Application::look_from(const std::string& direction) {

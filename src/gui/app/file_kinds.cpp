@@ -97,7 +97,7 @@ Scenario with_file(const Catalogue& catalogue, const Scenario& opened, const Sce
     const ParameterRow* row = find_role(values.rows(), ParameterRole::file);
     GASPARD_CHECK(row != nullptr);
     values.set(row->key, file.string());
-    update_rows(catalogue, *changed);
+    update_typed_rows(catalogue, *changed);
     return *changed;
 }
 

@@ -217,7 +217,7 @@ void Document::take_place(DocumentRun& run) const {
     const Scenario& read = *run.status.scenario;
     if (run.scenario.domain != read.domain || run.scenario.folder != read.folder) return;
     run.scenario.place = read.place;
-    update_rows(*catalogue_, run.scenario);
+    update_typed_rows(*catalogue_, run.scenario);
     name_values(run);
     run.name = describe_scenario(*catalogue_, run.opened, run.scenario);
 }

@@ -263,10 +263,7 @@ ParameterPanel::Drawn ParameterPanel::draw_scenario_row(SectionKind kind, const 
         opened.type == section.type && has_same_row(opened.values, row) ? &opened.values : nullptr;
     if (!draw_row(context, row, before, section.values, &scenario)) return Drawn::unchanged;
     if (!redefines_rows(row)) return Drawn::changed;
-    try {
-        update_rows(context.catalogue, scenario);
-    } catch (const InputError&) { // it is being typed; the run says what is wrong
-    }
+    update_typed_rows(context.catalogue, scenario);
     return Drawn::other_rows;
 }
 

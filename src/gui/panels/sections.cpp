@@ -105,7 +105,7 @@ std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& op
                                   const Scenario& scenario, SectionKind kind, const std::string& type) {
     Scenario changed = scenario;
     section_of(changed, kind) = fresh_section(catalogue, opened, kind, type);
-    update_rows(catalogue, changed);
+    update_typed_rows(catalogue, changed);
     if (find_capability(catalogue, changed)) return changed;
     if (kind != SectionKind::domain) return std::nullopt;
     const auto row = std::find_if(catalogue.capabilities.begin(), catalogue.capabilities.end(),
@@ -118,7 +118,7 @@ std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& op
     };
     adapt(SectionKind::monitor, row->monitors);
     adapt(SectionKind::method, row->methods);
-    update_rows(catalogue, changed);
+    update_typed_rows(catalogue, changed);
     return find_capability(catalogue, changed) ? std::optional(std::move(changed)) : std::nullopt;
 }
 

@@ -172,6 +172,17 @@ TEST(FieldFile, CsvWithColumns) {
     EXPECT_EQ(plain.notes, std::vector<std::string>{"The three columns are read as x, y and the value."});
 }
 
+TEST(FieldFile, CsvWithNamesOfStations) {
+    const FieldData field = parse("station,lon,lat,height,country\nDavos,9.8,46.8,1594,CH\nBern,7.4,46.9,553,CH\n"
+                                  "Ulm,10,48.4,n/a,DE\n");
+    EXPECT_EQ(field.variables, std::vector<std::string>{"height"});
+    EXPECT_EQ(scattered(field).points.x, (std::vector<double>{9.8, 7.4, 10}));
+    EXPECT_EQ(values_of(field)[1], 553);
+    EXPECT_EQ(count_missing(values_of(field)), 1U);
+    EXPECT_EQ(error_of("x,y,name\n0,1,a\n"), "cannot read it.csv: it has coordinates, but no column of values");
+    EXPECT_EQ(error_of("x,y,v\n0,1,2\n0,1,two\n"), "cannot read it.csv: line 3: 'two' is not a number");
+}
+
 TEST(FieldFile, CsvWithAMatrix) {
     const FieldData field = parse("1,2,3,4\r\n5,6,,8\r\n"); // the first row is the top
     EXPECT_EQ(grid(field).coordinates, Coordinates::none);
@@ -300,6 +311,9 @@ TEST(FieldFile, DamagedNetcdfIsOneSentence) {
             EXPECT_EQ(error.find('\n'), std::string::npos);
         }
     }
+    EXPECT_EQ(error_in("large-chunk.nc"),
+              "cannot read large-chunk.nc: 'value' is stored in chunks of more than 256 MiB");
+    EXPECT_EQ(error_in("no-scale.nc"), "cannot read no-scale.nc: scale_factor of 'value' is zero");
     EXPECT_EQ(
         error_in("globe-hdf5.nc", {.variable = "heigt"}),
         "cannot read globe-hdf5.nc: it has no variable 'heigt' (did you mean 'height'?); it has height");

@@ -214,6 +214,12 @@ TEST(Image, RefusesPicturesThatAreTooLarge) {
               "allowed");
 }
 
+TEST(Image, RefusesPicturesWithTooLongASide) {
+    const std::string png = png_bytes({.width = 70000, .height = 1}, {std::vector<std::uint8_t>(70000)});
+    EXPECT_EQ(message(png), "cannot read picture: the picture has 70000 x 1 pixels; each side may have "
+                            "65535");
+}
+
 TEST(Image, StopsWhenAsked) {
     const std::string png = png_bytes({.width = 64, .height = 64}, gradient(64, 64));
     const std::string jpeg = jpeg_bytes({.width = 64, .height = 64, .progressive = true}, gradient(64, 64));

@@ -70,6 +70,17 @@ with netcdf("plane-64bit.nc", "NETCDF3_64BIT_DATA") as file:  # dimensions in th
     flags = file.createVariable("flags", "u1", ("y", "x"))
     flags[:] = 250 * np.ones((3, 4))
 
+with netcdf("large-chunk.nc", "NETCDF4") as file:  # refused; without values
+    file.createDimension("time", 40)
+    file.createDimension("y", 1000)
+    file.createDimension("x", 1000)
+    file.createVariable("value", "f8", ("time", "y", "x"), chunksizes=(40, 1000, 1000))
+
+with netcdf("no-scale.nc") as file:  # refused
+    axis(file, "x", np.arange(2.0))
+    axis(file, "y", np.arange(2.0))
+    file.createVariable("value", "f8", ("y", "x")).scale_factor = 0.0
+
 with netcdf("curvilinear.nc", "NETCDF4_CLASSIC") as file:  # coordinates in two dimensions
     file.createDimension("j", 3)
     file.createDimension("i", 4)

@@ -264,8 +264,8 @@ TEST_F(TypedFormula, NotesAJumpAndWrapsIt) {
     ASSERT_EQ(run.monitor_report()->notes.size(), 1U);
     EXPECT_EQ(run.monitor_report()->notes[0],
               "The formula is not periodic: it jumps by up to 80 % of its largest value across the sides, at "
-              "(0, 0.498046875). Set monitor.wrap = \"center\" to measure distances from a point to its "
-              "nearest image.");
+              "(0, 0.498046875). A mesh may not follow it. Set monitor.wrap = \"center\" to measure "
+              "distances from a point to its nearest image, or domain.boundary = \"walls\".");
     std::vector<std::string> wrapped = bump;
     wrapped.insert(wrapped.end(), {"monitor.wrap=center", "monitor.wrap_x=0.9"});
     gaspard::Run there(catalogue, with(wrapped));
@@ -282,6 +282,21 @@ TEST_F(TypedFormula, IsRefusedWhereItIsNotPositiveUnlessItHasAFloor) {
     settings.push_back("monitor.floor=0.3");
     gaspard::Run run(catalogue, with(settings));
     EXPECT_EQ(run.solve().status, RunStatus::converged);
+}
+
+// The equation does not change with the unit of a monitor, but floating-point numbers end.
+TEST_F(TypedFormula, IsScaledToAUnit) {
+    const auto solved = [&](const std::string& formula) {
+        gaspard::Run run(catalogue, with({"domain.cells=16", "method.type=auto", "monitor.type=formula",
+                                          "monitor.expression=" + formula}));
+        EXPECT_EQ(run.solve().status, RunStatus::converged) << formula;
+        return run.snapshot()->x;
+    };
+    const Points expected = solved("1 + 5*cos(2*pi*x)^2");
+    for (const char* unit : {"1e-160", "1e-300", "1e160", "1e300"}) {
+        const Points found = solved(unit + std::string("*(1 + 5*cos(2*pi*x)^2)"));
+        EXPECT_LT(largest_distance(expected, found), 1e-8) << unit;
+    }
 }
 
 TEST_F(TypedFormula, ScenariosOfPlaneSphereAndSurfaceConverge) {

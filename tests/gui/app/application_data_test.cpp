@@ -100,6 +100,25 @@ TEST_F(DataTest, AMistakeInAFormulaInterruptsNothing) {
     EXPECT_FALSE(application.items().count("monitor.expression.complaint"));
 }
 
+TEST_F(DataTest, TextThatIsWrongLeavesMenusAndComparisonsUsable) {
+    use_formula("1 + q*x*0");
+    Scenario wrong = run().scenario; // until the solver refuses it
+    wrong.monitor.values.set("ranges", std::string("q 0"));
+    for (const char* menu : {"method.type", "domain.type", "monitor.type"}) {
+        application.document().change(run().id, wrong);
+        ui.click(item(menu), drawing());
+        frames(2);
+        application.perform("cancel");
+        frames(2);
+    }
+    EXPECT_FALSE(methods_for(*catalogue, wrong).empty());
+    EXPECT_THROW(update_rows(*catalogue, wrong), InputError);
+    const auto changed = with_type(*catalogue, run().opened, wrong, SectionKind::method, "newton");
+    ASSERT_TRUE(changed);
+    EXPECT_EQ(changed->method.type, "newton");
+    EXPECT_TRUE(changed->monitor.values.has("q")) << "the rows that it had";
+}
+
 TEST_F(DataTest, ParametersOfAFormulaAreSlidersThatATypedValueWidens) {
     use_formula("1 + q*exp(-(x-0.5)^2)");
     const ParameterRow* row = nullptr;
