@@ -11,7 +11,7 @@
 
 #include <algorithm>
 #include <imgui.h>
-#include <imgui_internal.h> // ClosePopupToLevel
+#include <imgui_internal.h> // ClosePopupToLevel, WantTextInputNextFrame
 #include <utility>
 
 namespace gaspard {
@@ -117,7 +117,7 @@ bool Application::press_key(std::string_view key) {
     document_.record_views(); // of keys since the last frame, which undo is to find
     const bool dialog = messages_.error().open() || open_dialog_.open() || save_dialog_.open(); // comes first
     if (dialog && row->name != "cancel" && row->name != "quit") return false;
-    if (ImGui::GetIO().WantTextInput && !dialog && belongs_to_text(key)) return false;
+    if (!dialog && text_expected() && belongs_to_text(key)) return false;
     if (!row->is_enabled()) {
         const std::string why = run().snapshot ? row->why_disabled() : std::string();
         if (!why.empty()) messages_.say({why, false});
@@ -125,6 +125,12 @@ bool Application::press_key(std::string_view key) {
     }
     perform(row->name);
     return true;
+}
+
+/// A text field has the keyboard, or gets it in the next frames. ImGui says so in WantTextInput a frame late.
+bool Application::text_expected() const {
+    return ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->WantTextInputNextFrame > 0 ||
+           panel_.awaits_text();
 }
 
 bool Application::working() {
@@ -145,7 +151,8 @@ WindowState Application::window_state() const {
             static_cast<float>(settings_.window.real("text_size")),
             fullscreen_,
             quit_,
-            (open_dialog_.opening() || save_dialog_.opening()) && !messages_.error().open(),
+            (open_dialog_.opening() || save_dialog_.opening() || panel_.awaits_text()) &&
+                !messages_.error().open(),
             viewport_pane_.spinning() || panel_.waiting()};
 }
 
@@ -194,7 +201,11 @@ bool Application::has_formula() {
 
 void Application::edit_as_formula() {
     try {
-        if (const auto scenario = with_formula(*catalogue_, run().scenario)) change_values(*scenario);
+        const auto scenario = with_formula(*catalogue_, run().scenario);
+        if (!scenario) return;
+        change_values(*scenario);
+        settings_.window.set("sidebar", true); // where the field is
+        panel_.focus_formula("monitor.expression");
     } catch (const InputError& error) { // such as a formula of the target that is being typed
         messages_.say({error.what(), true});
     }

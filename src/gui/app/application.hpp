@@ -48,7 +48,7 @@ struct WindowState {
     std::string theme_name;
     float text_size = 1; ///< relative to the theme
     bool fullscreen = false, quit = false;
-    bool awaits_text = false; ///< a dialog is about to take what is typed
+    bool awaits_text = false; ///< a field is about to take what is typed
     bool animating = false;   ///< every frame differs from the last one, even without input or news
 };
 
@@ -115,6 +115,7 @@ class Application {
     /// The other runs whose meshes can be shown beside that of the active run.
     std::vector<const DocumentRun*> runs_beside();
     bool working();
+    bool text_expected() const;
     void take_messages();
     void note_what_is_missing();
     bool available(const std::string& choice) const;

@@ -101,6 +101,7 @@ void Application::draw_sidebar() {
     bool changed = false;
     for (const auto kind : all_sections) {
         if (!has_section(scenario, kind)) continue;
+        if (kind == SectionKind::monitor && panel_.awaits_text()) ImGui::SetNextItemOpen(true);
         const bool open = ImGui::CollapsingHeader(
             section_title(kind), ImGuiTreeNodeFlags_DefaultOpen | ImGuiTreeNodeFlags_AllowItemOverlap);
         if (kind == SectionKind::monitor) draw_formula_button();

@@ -1,5 +1,6 @@
 #include "gui/panels/file_row.hpp"
 
+#include "core/base/read_data_file.hpp"
 #include "core/base/user_path.hpp"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ std::string file_label(std::string_view value) {
         const std::size_t kilobytes = (value.size() * 3 / 4 + 999) / 1000; // base64
         return "in the scenario, " + std::to_string(kilobytes) + " kB";
     }
+    if (is_shipped_data(value)) return std::string(value.substr(value.find(':') + 1)) + " (built in)";
     if (!is_path(value)) return "text in the scenario";
     const std::string name = std::filesystem::path(value).filename().string();
     return name.empty() ? std::string(value) : name;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <imgui.h>
 #include <imgui_stdlib.h>
+#include <limits>
 #include <utility>
 
 namespace gaspard {
@@ -95,9 +96,14 @@ void FormulaField::restore(std::string_view key) {
     if (const auto found = drafts_.find(key); found != drafts_.end()) drafts_.erase(found);
 }
 
+void FormulaField::focus(const std::string& key) {
+    cursors_[key].wanted = std::numeric_limits<int>::max();
+    focus_.want(key);
+}
+
 bool FormulaField::waiting() const {
     const double now = ImGui::GetTime();
-    return !insert_into_.empty() || !focus_.empty() ||
+    return !insert_into_.empty() || focus_.pending() ||
            std::any_of(drafts_.begin(), drafts_.end(), [&](const auto& one) {
                return one.second.unread && now - one.second.typed_at < pause + 0.1;
            });
@@ -112,7 +118,7 @@ bool FormulaField::edit(const std::string& key, std::string& text, bool wrong, c
         text.insert(at, inserted_);
         cursor.wanted = static_cast<int>(at + inserted_.size());
         insert_into_.clear();
-        focus_ = key;
+        focus_.want(key);
     }
     ImGui::PushFont(formula_font());
     const auto lines = std::clamp<std::ptrdiff_t>(std::count(text.begin(), text.end(), '\n') + 1, 2, 8);
@@ -122,11 +128,12 @@ bool FormulaField::edit(const std::string& key, std::string& text, bool wrong, c
         ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
         ImGui::PushStyleColor(ImGuiCol_Border, to_imgui(context.theme.bad));
     }
-    if (focus_ == key) ImGui::SetKeyboardFocusHere(), focus_.clear();
+    if (focus_.wanted(key)) focus_.ask();
     const auto follow = [](ImGuiInputTextCallbackData* data) {
         auto& at = *static_cast<Cursor*>(data->UserData);
-        if (at.wanted && *at.wanted <= data->BufTextLen)
-            data->CursorPos = data->SelectionStart = data->SelectionEnd = *at.wanted;
+        if (at.wanted)
+            data->CursorPos = data->SelectionStart = data->SelectionEnd =
+                std::min(*at.wanted, data->BufTextLen);
         at.wanted.reset();
         at.at = data->CursorPos;
         return 0;
@@ -136,6 +143,7 @@ bool FormulaField::edit(const std::string& key, std::string& text, bool wrong, c
                                                        ImGuiInputTextFlags_CtrlEnterForNewLine |
                                                        ImGuiInputTextFlags_CallbackAlways,
                                                    follow, &cursor);
+    focus_.note(key, ImGui::IsItemActive());
     remember_item(context.items, key);
     if (wrong) ImGui::PopStyleColor(), ImGui::PopStyleVar();
     ImGui::PopFont();

@@ -7,6 +7,7 @@
 
 #include "gui/base/item_rectangles.hpp"
 #include "gui/base/theme.hpp"
+#include "gui/panels/awaited_field.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -66,6 +67,10 @@ class FormulaField {
     void restore(std::string_view key);
     /// Whether the field has a formula that was not applied.
     bool has_draft(std::string_view key) const { return drafts_.find(key) != drafts_.end(); }
+    /// The field gets the keyboard, with the cursor at the end.
+    void focus(const std::string& key);
+    /// A field is about to get the keyboard.
+    bool awaits_text() const { return focus_.pending(); }
     /// Something will happen without input: a pause ends.
     bool waiting() const;
 
@@ -82,7 +87,7 @@ class FormulaField {
     };
     struct Cursor {
         int at = -1; ///< in bytes; negative: at the end
-        std::optional<int> wanted{};
+        std::optional<int> wanted{}; ///< beyond the end: at the end
     };
     bool edit(const std::string& key, std::string& text, bool wrong, const Context& context);
     void draw_complaint(const std::string& key, const Draft& draft, const Context& context) const;
@@ -92,7 +97,7 @@ class FormulaField {
     std::string last_applied_;                         ///< the key
     std::map<std::string, Cursor, std::less<>> cursors_;
     std::string insert_into_, inserted_; ///< the word chosen in the list of a field, for its next frame
-    std::string focus_;
+    AwaitedField focus_;
 };
 
 } // namespace gaspard

@@ -487,8 +487,8 @@ bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow
                                                ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
         remember_item(context.items, key);
         if (ImGui::IsItemClicked() && typing_wanted)
-            focus_ = key;
-        else if (moved && focus_ != key) {
+            focus_.want(key);
+        else if (moved && !focus_.wanted(key)) {
             value = std::clamp(rounded(row, ends, value_at(row, ends, position)), row.minimum, row.maximum);
             changed = true;
         }
@@ -503,16 +503,14 @@ bool ParameterPanel::draw_typed(const PanelContext& context, const ParameterRow&
     const bool typing = typing_ == key;
     double shown = typing ? typed_value_ : value;
     const bool outside = !(shown >= row.minimum && shown <= row.maximum);
-    if (focus_ == key && !ImGui::IsMouseDown(0)) {
-        ImGui::SetKeyboardFocusHere();
-        focus_.clear();
-    }
+    if (focus_.wanted(key) && !ImGui::IsMouseDown(0)) focus_.ask();
     if (outside) ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(context.theme.bad));
     ImGui::SetNextItemWidth(c.typed_width);
     const bool edited =
         ImGui::InputScalar("##typed", ImGuiDataType_Double, &shown, nullptr, nullptr, "%.6g",
                            ImGuiInputTextFlags_CharsScientific | ImGuiInputTextFlags_AutoSelectAll);
     if (outside) ImGui::PopStyleColor();
+    focus_.note(key, ImGui::IsItemActive());
     remember_item(context.items, key + ".input");
     if (edited) typing_ = key, typed_value_ = shown;
     if (typing_ != key || ImGui::IsItemActive()) return false;

@@ -11,6 +11,7 @@
 #include "core/scenario/catalogue.hpp"
 #include "gui/base/item_rectangles.hpp"
 #include "gui/base/theme.hpp"
+#include "gui/panels/awaited_field.hpp"
 #include "gui/panels/file_row.hpp"
 #include "gui/panels/formula_field.hpp"
 #include "gui/panels/sections.hpp"
@@ -53,6 +54,10 @@ class ParameterPanel {
     bool take_formula_applied() { return std::exchange(formula_applied_, false); }
     /// The formula applied last was refused by the solver.
     void refuse_formula(const std::string& why) { formulas_.refuse(why); }
+    /// The field of a formula gets the keyboard: "monitor.expression".
+    void focus_formula(const std::string& key) { formulas_.focus(key); }
+    /// A text field is about to get the keyboard.
+    bool awaits_text() const { return formulas_.awaits_text() || focus_.pending(); }
     /// Something will happen without input.
     bool waiting() const { return formulas_.waiting(); }
 
@@ -95,7 +100,7 @@ class ParameterPanel {
     bool formula_applied_ = false;
     std::optional<FileWish> file_wish_;
     std::optional<std::string> field_wish_;
-    std::string focus_; ///< the key whose text field gets the keyboard focus
+    AwaitedField focus_; ///< of a number
 };
 
 } // namespace gaspard

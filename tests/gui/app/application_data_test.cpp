@@ -158,6 +158,40 @@ TEST_F(DataTest, ABuiltInMonitorBecomesAFormulaWithItsValues) {
     EXPECT_EQ(run().scenario.monitor.type, "formula") << "the button in the heading";
 }
 
+TEST_F(DataTest, EditAsFormulaLetsOneTypeAtOnce) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    application.perform("sidebar"); // hidden: it is shown again
+    frame();
+    EXPECT_TRUE(application.press_key("Ctrl+E"));
+    const std::string before = formula();
+    for (int i = 0; i < 8; ++i, frame())
+        for (const char* letter : {"E", "L", "R", "T", "Space"})
+            EXPECT_FALSE(application.press_key(letter)) << letter << " in frame " << i;
+    EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+    EXPECT_FALSE(application.window_state().awaits_text);
+    ui.type("+7", drawing());
+    frames(45);
+    EXPECT_EQ(formula(), before + "+7") << "at the end";
+}
+
+TEST_F(DataTest, AKeyRightAfterAClickOnATextFieldIsForTheField) {
+    use_formula("2 + x*0");
+    for (const char* field : {"monitor.expression", "domain.cells.input"}) {
+        ui.move(item(field).center_x(), item(field).center_y());
+        frame();
+        ui.button(true);
+        frame();
+        EXPECT_FALSE(application.press_key("T")) << field;
+        ui.button(false);
+        frame();
+        EXPECT_FALSE(application.press_key("1")) << field;
+    }
+    ui.control(true); // on a slider: one types its value
+    ui.click(item("monitor.floor"), drawing());
+    ui.control(false);
+    for (int i = 0; i < 4; ++i, frame()) EXPECT_FALSE(application.press_key("L")) << i;
+}
+
 TEST_F(DataTest, ADroppedImageBecomesTheMonitorInOneEdit) {
     const auto file = picture("face.png");
     ASSERT_TRUE(wait_until([&] { return run().history.size() > 2; }));

@@ -128,6 +128,7 @@ TEST_F(PanelTest, ATypedTextIsTakenWhenTheFieldIsLeft) {
 TEST_F(PanelTest, AFileIsNamedAndAskedFor) {
     EXPECT_EQ(file_label(""), "Choose a file");
     EXPECT_EQ(file_label("/a/b/disk.json"), "disk.json");
+    EXPECT_EQ(file_label("gaspard:portrait.png"), "portrait.png (built in)");
     EXPECT_EQ(file_label("{\"degree\": 2}"), "text in the scenario");
     EXPECT_EQ(file_label("data:image/png;base64," + std::string(4000, 'A')), "in the scenario, 4 kB");
     scenario.domain = domain_section(catalogue, "spline-patch");
