@@ -11,7 +11,7 @@
 
 #include <algorithm>
 #include <imgui.h>
-#include <imgui_internal.h> // ClosePopupToLevel, WantTextInputNextFrame
+#include <imgui_internal.h> // ClosePopupToLevel, ImGuiContext
 #include <utility>
 
 namespace gaspard {
@@ -127,10 +127,11 @@ bool Application::press_key(std::string_view key) {
     return true;
 }
 
-/// A text field has the keyboard, or gets it in the next frames. ImGui says so in WantTextInput a frame late.
+/// A text field has the keyboard, or gets it in the next frames. WantTextInput alone follows a frame late.
 bool Application::text_expected() const {
-    return ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->WantTextInputNextFrame > 0 ||
-           panel_.awaits_text();
+    const ImGuiContext& ui = *ImGui::GetCurrentContext();
+    const bool in_text = ui.ActiveId != 0 && (ui.IO.WantTextInput || ui.WantTextInputNextFrame > 0);
+    return in_text || panel_.awaits_text();
 }
 
 bool Application::working() {

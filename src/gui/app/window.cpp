@@ -403,7 +403,8 @@ class Window {
             if (const auto* key = std::get_if<KeyChange>(&inputs.front())) {
                 const auto& opposite = key->down() ? released : pressed;
                 if (std::count(opposite.begin(), opposite.end(), key->key) > 0) break;
-                if (key->down() && commanded) break; // it may be meant for what the command opens
+                // It may be meant for what the command opens; and the command is with its own modifiers.
+                if (commanded && (key->down() || key->modifies())) break;
                 commanded = commanded || (key->down() && !key->only_types() && !key->modifies());
                 feed(*key);
                 (key->down() ? pressed : released).push_back(key->key);

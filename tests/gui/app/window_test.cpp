@@ -253,6 +253,17 @@ TEST_F(WindowTest, WhatIsTypedFasterThanFramesArriveIsNotLost) {
     })) << text_of(folder / "log");
 }
 
+TEST_F(WindowTest, AFormulaIsTypedRightAfterTheKeyThatOpensIt) {
+    write_quick_ring();
+    start("quick.toml", 1000, 700);
+    move(5, 5);
+    // Ctrl is released before A, within a frame.
+    display.xdotool({"keydown", "ctrl", "keydown", "e", "keyup", "ctrl", "keyup", "e", "keydown", "ctrl",
+                     "keydown", "a", "keyup", "ctrl", "keyup", "a"});
+    display.xdotool({"key", "--delay", "0", "3", "plus", "x", "asterisk", "0", "Return"});
+    EXPECT_EQ(exported("quick-modified")["monitor"]["expression"], "3+x*0");
+}
+
 TEST_F(WindowTest, EscapeAndQuitWorkWhileADialogsFieldIsWrittenIn) {
     start("plane-ring", 1000, 700);
     move(5, 5);
