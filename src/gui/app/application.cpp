@@ -25,6 +25,7 @@ constexpr ImGuiPopupFlags any_popup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFla
 Application::Application(std::shared_ptr<const Catalogue> catalogue, ApplicationOptions options)
     : catalogue_(catalogue), settings_(std::move(options.settings)), messages_(options.wake),
       theme_(dark_theme()), files_(catalogue, messages_.board(), std::move(options.output)),
+      study_(catalogue, options.wake),
       document_(std::move(catalogue), std::move(options.wake),
                 [cache = tessellations_](const Snapshot& snapshot) { cache->get(snapshot); }) {
     if (const auto choice = parse_choice(settings_.window.text("first_plot"))) plot_pane_.choose(0, *choice);
@@ -61,6 +62,7 @@ bool Application::collect() {
         news = true;
     }
     for (const DataFile& data : files_.take_data()) take_data(data), news = true;
+    follow_study();
     if (auto listing = files_.take_listing()) open_dialog_.set_listing(std::move(*listing)), news = true;
     for (const ScenarioOnDisk& saved : files_.take_saved()) {
         if (run().openings != saved_in_) continue;
@@ -70,6 +72,13 @@ bool Application::collect() {
         news = true;
     }
     return news;
+}
+
+/// The errors against the number of cells are those of the values that the run rests at.
+void Application::follow_study() {
+    if (!study_panel_.wanted() || !run().live() || study_.describes(run().scenario)) return;
+    study_.cancel();
+    if (run().ended() && run().changes.settled()) study_.begin(run().scenario);
 }
 
 /// Messages of the active run are shown at once, those of other runs are in the log only. A value refused
@@ -453,7 +462,7 @@ void Application::take_data(const DataFile& data) {
                               true});
     try {
         change_values(with_file(*catalogue_, run().opened, run().scenario, data.use, data.file));
-        messages_.show({"Reading " + data.file.string(), false});
+        messages_.show({"Using " + data.file.string(), false});
     } catch (const InputError& error) {
         messages_.say({error.what(), true});
     }

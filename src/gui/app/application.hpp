@@ -20,6 +20,7 @@
 #include "gui/panels/plot_pane.hpp"
 #include "gui/panels/run_list.hpp"
 #include "gui/panels/viewport_pane.hpp"
+#include "gui/panels/study_panel.hpp"
 #include "gui/panels/why_panel.hpp"
 
 #include <filesystem>
@@ -124,6 +125,8 @@ class Application {
     void edit_as_formula();
     void draw_formula_button();
     bool follow(WhyWish wish, Scenario& scenario);
+    bool draw_why_section(Scenario& scenario);
+    void follow_study();
     void follow(const MenuChoice& choice);
     void arrange();
     void draw_sidebar();
@@ -176,6 +179,7 @@ class Application {
     Menus menus_;
     std::vector<Action> actions_ = make_actions(); ///< bound to this object
     ParameterPanel panel_;
+    StudyPanel study_panel_;
     ItemRectangles items_;
     Layout layout_;
     Theme theme_;
@@ -193,6 +197,7 @@ class Application {
     bool screenshot_ = false;        ///< asked for
     bool taking_screenshot_ = false; ///< this frame is the screenshot: it shows no tooltip
     FileTasks files_;
+    CellStudy study_; ///< of the active run
     Document document_; ///< last, so that its threads end before what they use
 };
 

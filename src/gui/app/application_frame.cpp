@@ -111,9 +111,7 @@ void Application::draw_sidebar() {
     if (scenario.method.values.has("interpolation")) {
         const bool open = ImGui::CollapsingHeader("Why adapt?");
         remember_item(items_, "why");
-        if (open)
-            changed |= follow(
-                draw_why(snapshot.get(), scenario.method.values.boolean("interpolation"), items_), scenario);
+        if (open) changed |= draw_why_section(scenario);
         ImGui::Spacing();
     }
     if (ImGui::CollapsingHeader("Runs", ImGuiTreeNodeFlags_DefaultOpen)) {
@@ -140,6 +138,18 @@ void Application::draw_sidebar() {
     if (const auto wish = panel_.take_file_wish()) ask_for_file(*wish);
     if (const auto field = panel_.take_field_wish()) viewport().view.set("color", *field);
     ImGui::End();
+}
+
+/// True if it changes the scenario.
+bool Application::draw_why_section(Scenario& scenario) {
+    const bool measured = scenario.method.values.boolean("interpolation");
+    const bool changed = follow(draw_why(run().snapshot.get(), measured, items_), scenario);
+    if (!run().live()) return changed;
+    const bool before = study_panel_.wanted();
+    study_panel_.draw(study_.result(), study_.describes(run().scenario), {theme_, scale_, items_});
+    if (before && !study_panel_.wanted()) study_.cancel();
+    if (!before) follow_study();
+    return changed;
 }
 
 /// True if it changes the scenario.

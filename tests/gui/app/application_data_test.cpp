@@ -208,6 +208,13 @@ TEST_F(DataTest, ADroppedImageBecomesTheMonitorInOneEdit) {
     EXPECT_EQ(run().scenario.monitor.type, "ring");
 }
 
+TEST_F(DataTest, TheMessageOfADroppedFileIsTrueOnceItWasRead) {
+    application.open_file(picture("face.png"));
+    ASSERT_TRUE(wait_until([&] { return run().scenario.monitor.type == "image"; }));
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    EXPECT_EQ(application.messages().last().text, "Using " + (folder / "face.png").string());
+}
+
 TEST_F(DataTest, WhatCannotBeDroppedIsToldWhatCan) {
     std::ofstream(folder / "letter.pdf") << "%PDF-1.4";
     application.open_file(folder / "letter.pdf");
@@ -340,6 +347,22 @@ TEST_F(DataTest, WhyAdaptShowsBothErrorsAndTheirMaps) {
     EXPECT_EQ(uniform.range.high, adapted.range.high);
     EXPECT_NE(uniform.values, adapted.values);
     EXPECT_EQ(shown(0).scene.blend, 0);
+}
+
+TEST_F(DataTest, WhyAdaptPlotsTheErrorsAgainstTheNumberOfCells) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && run().changes.settled(); }));
+    ui.click(item("why"), drawing());
+    frames(2);
+    EXPECT_FALSE(application.items().count("why.study.plot"));
+    ui.click(item("why.study"), drawing());
+    frames(2);
+    EXPECT_TRUE(application.items().count("why.study.plot"));
+    EXPECT_TRUE(wait_until([&] { return application.items().count("why.study.order") == 1; }))
+        << "once two meshes are solved";
+    ui.click(item("why.study.h1"), drawing());
+    frames(2);
+    EXPECT_TRUE(application.items().count("why.study.order"));
+    EXPECT_TRUE(run().ended()) << "the run itself is left alone";
 }
 
 } // namespace

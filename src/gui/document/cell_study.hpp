@@ -1,0 +1,54 @@
+// Interpolation errors against the number of cells (core/session/interpolation_study.hpp), computed on a
+// thread of its own. A new study replaces the one before, whose thread ends by itself.
+#pragma once
+
+#include "core/session/interpolation_study.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace gaspard {
+
+class CellStudy {
+  public:
+    struct Result {
+        std::vector<InterpolationRow> rows; ///< of the meshes that are done
+        std::size_t total = 0;              ///< number of meshes; 0: not known yet
+        std::string complaint;              ///< why it ended early; empty if it did not
+        bool done = false;                  ///< all that there will be
+    };
+
+    /// `wake` is called on another thread whenever result() has changed; it may be empty.
+    CellStudy(std::shared_ptr<const Catalogue> catalogue, std::function<void()> wake);
+    /// Waits for the steps at work.
+    ~CellStudy();
+    CellStudy(const CellStudy&) = delete;
+    CellStudy& operator=(const CellStudy&) = delete;
+
+    void begin(const Scenario& scenario);
+    /// What is computed of another problem is in vain; its result so far stays.
+    void cancel();
+    /// Whether the result is, or will be, that of this problem.
+    bool describes(const Scenario& scenario) const;
+    Result result() const;
+
+  private:
+    struct Work;
+    struct Leaving {
+        std::shared_ptr<Work> work;
+        std::jthread thread;
+    };
+
+    std::shared_ptr<const Catalogue> catalogue_;
+    std::function<void()> wake_;
+    Scenario scenario_;
+    std::shared_ptr<Work> work_; ///< null: none was begun
+    std::vector<Leaving> leaving_;
+    std::jthread thread_;
+};
+
+} // namespace gaspard
