@@ -400,16 +400,16 @@ void Run::interrupt() {
 }
 
 std::string Run::change(const Scenario& scenario, const Progress& progress, std::stop_token stop,
-                        Diagnostics at_most) {
+                        Diagnostics at_most, bool reread) {
     Problem problem = check(*catalogue_, located(*catalogue_, scenario), now_.own.get());
     const Scenario& old = now_.problem.scenario;
-    const bool new_data = !same_problem_data(problem.scenario, old);
+    const bool new_data = reread || !same_problem_data(problem.scenario, old);
     if (!new_data && problem.scenario.method == old.method) {
         now_.problem = std::move(problem);
         return {};
     }
     const bool other_files = find_role(old.domain.values.rows(), ParameterRole::file) != nullptr &&
-                             problem.scenario.folder != old.folder;
+                             (reread || problem.scenario.folder != old.folder);
     const bool new_domain = !(problem.scenario.domain == old.domain) || other_files;
     const bool new_method = new_domain || problem.scenario.method.type != old.method.type;
     const Stopwatch watch;

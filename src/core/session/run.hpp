@@ -65,9 +65,10 @@ class Run {
     /// without tangled cells if that one has some or the run has diverged; from the identity map if no
     /// transfer is possible. The history continues with a row for the current iterate under the new values,
     /// with diagnostics up to `at_most`. Returns a message for the user if the map could not be transferred,
-    /// else an empty string. Throws InputError, and Interrupted if asked to stop.
+    /// else an empty string. `reread`: files are read anew even if no value has changed. Throws InputError,
+    /// and Interrupted if asked to stop.
     std::string change(const Scenario& scenario, const Progress& progress = {}, std::stop_token stop = {},
-                       Diagnostics at_most = Diagnostics::full);
+                       Diagnostics at_most = Diagnostics::full, bool reread = false);
     /// Replaces the monitor of the scenario by that of the caller; the type of section "monitor" is then
     /// "own". Starts a new history from the current map (from the last one without tangled cells if the run
     /// is tangled or diverged, or if the last step threw), so that history().back().iteration is the number

@@ -28,10 +28,12 @@ void SolverThread::post(Command command) {
     {
         std::lock_guard lock(mutex_);
         // Consecutive changes are merged, so that dragging a slider does not queue up work.
-        if (std::holds_alternative<ChangeCommand>(command) && !commands_.empty() &&
-            std::holds_alternative<ChangeCommand>(commands_.back()))
+        auto* change = std::get_if<ChangeCommand>(&command);
+        const auto* before = commands_.empty() ? nullptr : std::get_if<ChangeCommand>(&commands_.back());
+        if (change && before) {
+            change->reread = change->reread || before->reread;
             commands_.back() = std::move(command);
-        else
+        } else
             commands_.push_back(std::move(command));
     }
     wake_.notify_one();
@@ -317,7 +319,8 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
                                 run_->scenario().domain == command.scenario.domain;
             refused = !cancellable(stop, [&](const Activity& activity) {
                 const std::string message = run_->change(command.scenario, activity.progress, activity.stop,
-                                                         solved ? needed_.load() : Diagnostics::full);
+                                                         solved ? needed_.load() : Diagnostics::full,
+                                                         command.reread);
                 if (!message.empty() && !command.anew) say(message); // a restart keeps no map anyway
             });
             if (refused)

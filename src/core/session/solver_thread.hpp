@@ -29,11 +29,13 @@ struct StepCommand {};  ///< one iteration, then pause
 struct ResetCommand {}; ///< restart from the identity map, paused or running as before
 /// Changes values and continues from the current map if possible (Run::change), even if the run had ended.
 /// `number` identifies the command in SolverStatus. `anew`: restart from the identity map, with a new
-/// history, and run. If the values are invalid or the command is cancelled, the run does not change.
+/// history, and run. `reread`: read files anew (Run::change). If the values are invalid or the command is
+/// cancelled, the run does not change.
 struct ChangeCommand {
     Scenario scenario;
     std::uint64_t number = 0;
     bool anew = false;
+    bool reread = false;
 };
 /// Arguments of long work: a callback for its progress, and a stop token.
 struct Activity {

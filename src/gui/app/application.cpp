@@ -468,6 +468,12 @@ void Application::take_data(const DataFile& data) {
     }
 }
 
+void Application::reload_data() {
+    document_.reread(run().id);
+    study_.forget(); // it is of the files as they were
+    messages_.show({"Reading the data again", false});
+}
+
 /// One edit, whatever changes.
 void Application::change_values(const Scenario& scenario) {
     document_.record_views();

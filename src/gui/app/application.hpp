@@ -161,6 +161,7 @@ class Application {
     void ask_for_file(const FileWish& wish);
     void take_chosen(const std::string& path);
     void take_data(const DataFile& data);
+    void reload_data();
     void change_values(const Scenario& scenario);
 
     std::shared_ptr<const Catalogue> catalogue_;

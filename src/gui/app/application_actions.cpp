@@ -1,4 +1,5 @@
 // The table of actions: one row for each, with its keys, texts and what it does.
+#include "core/scenario/data_files.hpp"
 #include "core/scenario/view_directions.hpp"
 #include "gui/app/application.hpp"
 #include "gui/panels/status_bar.hpp"
@@ -346,6 +347,15 @@ std::vector<Action> Application::file_actions() {
          .keys = {"Ctrl+O"},
          .help = "Open a scenario, or use an image, a field or a spline patch in this one.",
          .run = [this] { ask_what_to_open(); }},
+        {.name = "reload",
+         .label = "Reload data",
+         .menu = "File",
+         .keys = {"F5"},
+         .help = "Read the files of the scenario again, which may have changed.",
+         .needs_solver = true,
+         .run = [this] { reload_data(); },
+         .enabled = [this] { return has_data_files(run().scenario); },
+         .reason = [] { return "Reload data: the scenario refers to no file."; }},
         {.name = "save",
          .label = "Save scenario",
          .menu = "File",

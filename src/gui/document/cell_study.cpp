@@ -44,7 +44,7 @@ CellStudy::~CellStudy() {
 
 void CellStudy::begin(const Scenario& scenario) {
     cancel();
-    scenario_ = scenario;
+    scenario_ = scenario, known_ = true;
     work_ = std::make_shared<Work>();
     thread_ = std::jthread([work = work_, wake = wake_, catalogue = catalogue_,
                             scenario](const std::stop_token& stop) {
@@ -77,7 +77,7 @@ void CellStudy::cancel() {
 }
 
 bool CellStudy::describes(const Scenario& scenario) const {
-    return work_ != nullptr && scenario.domain == scenario_.domain && scenario.monitor == scenario_.monitor &&
+    return known_ && scenario.domain == scenario_.domain && scenario.monitor == scenario_.monitor &&
            scenario.target == scenario_.target && scenario.pde == scenario_.pde &&
            scenario.method == scenario_.method;
 }

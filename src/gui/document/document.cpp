@@ -179,6 +179,13 @@ void Document::post_change(DocumentRun& run, const Scenario& scenario) {
     run.solver->post(ChangeCommand{run.scenario, run.changes.asked});
 }
 
+void Document::reread(RunId run) {
+    DocumentRun& entry = live(run);
+    if (entry.opening) return; // they are being read
+    entry.changes.asked_for_good = ++entry.changes.asked;
+    entry.solver->post(ChangeCommand{entry.scenario, entry.changes.asked, false, true});
+}
+
 void Document::replace(RunId run, const Scenario& scenario) {
     post_opening(live(run), {.opened = scenario, .scenario = scenario});
 }

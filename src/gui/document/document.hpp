@@ -63,6 +63,8 @@ class Document {
     void change(RunId run, const Scenario& scenario, bool dragging = false);
     /// Opens another scenario in place of a run's, from its own start, once the solver has accepted it.
     void replace(RunId run, const Scenario& scenario);
+    /// Reads the files of a run's values anew, without an edit. If they cannot be read, the mesh stays.
+    void reread(RunId run);
     /// Name and title of `saved` are from now on those of its values. A run with the values of a scenario
     /// that was opened or saved has that scenario's name; with other values it has the name given last, and
     /// its scenario lists them as modified.

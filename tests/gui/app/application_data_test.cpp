@@ -3,6 +3,8 @@
 #include "gui/app/file_kinds.hpp"
 #include "gui/application_fixture.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <imgui.h>
 #include <iterator>
@@ -213,6 +215,32 @@ TEST_F(DataTest, TheMessageOfADroppedFileIsTrueOnceItWasRead) {
     ASSERT_TRUE(wait_until([&] { return run().scenario.monitor.type == "image"; }));
     ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
     EXPECT_EQ(application.messages().last().text, "Using " + (folder / "face.png").string());
+}
+
+TEST_F(DataTest, AFileThatHasChangedIsReadAgain) {
+    EXPECT_FALSE(application.press_key("F5")) << "a ring has no file";
+    const auto file = picture("face.png");
+    application.open_file(file);
+    ASSERT_TRUE(wait_until([&] { return run().scenario.monitor.type == "image"; }));
+    const auto rests = [&] { return run().changes.settled() && run().ended(); };
+    ASSERT_TRUE(wait_until(rests));
+    const auto before = run().snapshot;
+    const std::size_t edits = application.document().edits().undo_count();
+    picture("face.png", 225); // much paler
+    EXPECT_TRUE(application.press_key("F5"));
+    ASSERT_TRUE(wait_until([&] { return rests() && run().snapshot != before; }));
+    double moved = 0;
+    for (const double one : (run().snapshot->x - before->x).x) moved = std::max(moved, std::abs(one));
+    EXPECT_GT(moved, 1e-3);
+    EXPECT_EQ(application.document().edits().undo_count(), edits) << "no value has changed";
+    std::filesystem::remove(file);
+    const auto paler = run().snapshot;
+    EXPECT_TRUE(application.press_key("F5"));
+    ASSERT_TRUE(wait_until([&] { return application.messages().error().open(); }));
+    EXPECT_NE(application.messages().error().sentence().find("face.png"), std::string::npos);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
+    EXPECT_EQ(run().snapshot->x, paler->x) << "the mesh stays";
+    EXPECT_EQ(run().scenario.monitor.type, "image");
 }
 
 TEST_F(DataTest, WhatCannotBeDroppedIsToldWhatCan) {
