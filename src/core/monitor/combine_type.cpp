@@ -3,12 +3,19 @@
 #include "core/base/check.hpp"
 #include "core/base/growing_values.hpp"
 #include "core/monitor/combine.hpp"
+#include "core/monitor/grid_density.hpp"
 #include "core/monitor/placement.hpp"
+#include "core/monitor/stages.hpp"
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace gaspard {
 
@@ -69,6 +76,16 @@ std::vector<ParameterRow> rows(const Space& space) {
          .scale = ParameterScale::logarithmic,
          .default_value = 8.0,
          .help = "smooth maximum and minimum of N terms: at most a factor of N^(1/s) from the exact one"}};
+    rows.push_back({.key = "smoothing",
+                    .label = "Smoothing length",
+                    .symbol = "L",
+                    .unit = "cells",
+                    .kind = ParameterKind::real_or_auto,
+                    .minimum = 0,
+                    .maximum = 100,
+                    .default_value = std::string("auto"),
+                    .help = "of the whole, in cells of the uniform mesh; auto: as much as the mesh needs to "
+                            "follow the monitor; 0: none"});
     for (std::size_t part = 0; part < letters.size(); ++part) rows.push_back(type_row(part, space));
     return rows;
 }
@@ -138,6 +155,48 @@ CombineOperation operation_of(const std::string& name) {
     check_failed("the operation is one of the choices");
 }
 
+/// A monitor that a mesh can follow in place of the exact one, with its fields and notes.
+class FollowedMonitor final : public Monitor {
+  public:
+    FollowedMonitor(std::shared_ptr<const Monitor> exact, std::shared_ptr<const Monitor> smoothed,
+                    const std::vector<std::string>& notes)
+        : exact_(std::move(exact)), used_(smoothed ? std::move(smoothed) : exact_),
+          report_(exact_->report()) {
+        report_.notes.insert(report_.notes.end(), notes.begin(), notes.end());
+    }
+
+    void values(const Points& x, std::span<double> values) const override { used_->values(x, values); }
+    void gradients(const Points& x, Points& gradients) const override { used_->gradients(x, gradients); }
+    void check() const override { exact_->check(); }
+    std::optional<SpaceKind> made_for() const override { return exact_->made_for(); }
+    std::vector<Field> fields(const Points& x) const override { return exact_->fields(x); }
+    MonitorReport report() const override { return report_; }
+
+  private:
+    std::shared_ptr<const Monitor> exact_, used_;
+    MonitorReport report_;
+};
+
+/// The monitor as it is if a mesh can follow it, otherwise smoothed (`length` cells; nullopt: as needed) or
+/// with a note.
+std::shared_ptr<const Monitor> followed(std::shared_ptr<const Monitor> exact, std::optional<double> length,
+                                        const MonitorContext& context) {
+    constexpr double points_per_cell = 6;
+    const DomainGrid domain = domain_grid(context, points_per_cell);
+    std::vector<double> m(domain.x.size());
+    exact->values(domain.x, m);
+    const double largest = *std::max_element(m.begin(), m.end());
+    for (double& value : m) { // in a unit in which averages do not overflow
+        value /= largest;
+        if (!(value >= std::numeric_limits<double>::min())) return exact; // the run says what is wrong
+    }
+    Followed made = follow(domain, std::move(m), length, context);
+    for (double& value : made.values) value *= largest;
+    std::shared_ptr<const Monitor> smoothed;
+    if (made.length > 0) smoothed = grid_density(domain.grid, std::move(made.values), {}, context.space.kind);
+    return std::make_shared<FollowedMonitor>(std::move(exact), std::move(smoothed), made.notes);
+}
+
 std::shared_ptr<const Monitor> make(const Values& values, const MonitorContext& context) {
     const auto types = monitor_types();
     std::vector<CombinedPart> parts;
@@ -152,7 +211,7 @@ std::shared_ptr<const Monitor> make(const Values& values, const MonitorContext& 
     }
     CombineOptions options{.operation = operation_of(values.text("operation"))};
     options.sharpness = values.boolean("smooth") ? std::optional(values.real("sharpness")) : std::nullopt;
-    return combined_monitor(std::move(parts), options);
+    return followed(combined_monitor(std::move(parts), options), values.real_or_auto("smoothing"), context);
 }
 
 std::vector<FieldInfo> fields() {
