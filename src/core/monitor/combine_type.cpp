@@ -2,6 +2,7 @@
 // with the part's letter ("a.amplitude").
 #include "core/base/check.hpp"
 #include "core/base/growing_values.hpp"
+#include "core/function/source.hpp"
 #include "core/monitor/combine.hpp"
 #include "core/monitor/grid_density.hpp"
 #include "core/monitor/placement.hpp"
@@ -121,12 +122,12 @@ bool has_part(const Values& values, const std::string& letter) {
     return values.text(letter + ".type") != no_part;
 }
 
-ParameterRow prefixed(ParameterRow row, const std::string& letter) {
-    row.key = letter + "." + row.key;
-    row.label = letter + ": " + row.label;
-    if (!row.point.empty()) row.point = letter + "." + row.point;
-    row.former_key.clear();
-    return row;
+void add_part(std::vector<ParameterRow>& rows, const std::string& letter, std::vector<ParameterRow> part) {
+    for (ParameterRow& row : prefixed(std::move(part), letter + ".")) {
+        row.label = letter + ": " + row.label;
+        row.former_key.clear();
+        rows.push_back(std::move(row));
+    }
 }
 
 std::vector<ParameterRow> further_rows(const Values& values, const Space& space) {
@@ -137,9 +138,8 @@ std::vector<ParameterRow> further_rows(const Values& values, const Space& space)
         rows.push_back(weight_row(letter));
         rows.push_back(power_row(letter));
         const MonitorType& type = type_of(types, values.text(letter + ".type"));
-        for (const ParameterRow& row : rows_on(type, space)) rows.push_back(prefixed(row, letter));
-        for (const ParameterRow& row : further_rows_on(type, part_values(values, letter, type, space), space))
-            rows.push_back(prefixed(row, letter));
+        add_part(rows, letter, rows_on(type, space));
+        add_part(rows, letter, further_rows_on(type, part_values(values, letter, type, space), space));
     }
     return rows;
 }

@@ -207,6 +207,17 @@ TEST_F(CombineScenario, SaysWhichKeysItDoesNotHave) {
               std::string::npos);
 }
 
+TEST_F(CombineScenario, RefusesParametersThatAreNamedAsItsKeys) {
+    for (const std::string name : {"weight", "power"})
+        EXPECT_NE(complaint("[monitor]\ntype = \"combine\"\n[monitor.a]\ntype = \"formula\"\n"
+                            "expression = \"1 + " +
+                            name + "*x\"\n")
+                      .find("monitor.a." + name +
+                            " is a key of its own; a parameter of a formula cannot have this name"),
+                  std::string::npos)
+            << name;
+}
+
 TEST_F(CombineScenario, OffersItsPartsAsColoursAndFields) {
     Scenario scenario = with(scenario_of(ring_in_bell), {"view.color=part-a", "domain.cells=8"});
     gaspard::Run run(catalogue, scenario);

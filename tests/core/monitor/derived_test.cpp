@@ -250,6 +250,32 @@ TEST(Derived, HasNoValueWhereThePointHasNone) { // an iteration that diverges
     for (const double m : values_of(*monitor, x)) EXPECT_TRUE(std::isnan(m));
 }
 
+TEST(Derived, DoesNotDependOnTheUnitOfU) {
+    const auto times = [](double unit) {
+        return std::make_shared<Exact>(
+            [=](Vec3 p) { return unit * (std::sin(wave * p.x) * std::cos(wave * p.y)); },
+            [=](Vec3 p) {
+                return unit * Vec3{wave * std::cos(wave * p.x) * std::cos(wave * p.y),
+                                   -wave * std::sin(wave * p.x) * std::sin(wave * p.y), 0};
+            });
+    };
+    const Points x = square_points();
+    for (const Indicator indicator : {Indicator::arc_length, Indicator::curvature, Indicator::gradient,
+                                      Indicator::magnitude, Indicator::band}) {
+        DerivedOptions options;
+        options.indicator = indicator;
+        const auto m = [&](double unit) {
+            return values_of(*derived_monitor(times(unit), options, on(SpaceKind::periodic_square)), x);
+        };
+        const auto expected = m(1);
+        EXPECT_GT(*std::max_element(expected.begin(), expected.end()), 1.1);
+        for (const double unit : {0x1p-990, 0x1p-660, 0x1p660, 0x1p1000}) {
+            const auto found = m(unit);
+            for (std::size_t i = 0; i < x.size(); ++i) ASSERT_NEAR(found[i] / expected[i], 1, 1e-12) << unit;
+        }
+    }
+}
+
 TEST(Derived, StopsWhenAsked) {
     std::stop_source stop;
     stop.request_stop();
