@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace gaspard {
 
@@ -89,6 +90,7 @@ const std::string& present_choice(const ParameterRow& row, const std::string& wo
 } // namespace
 
 std::string format_number(double value) {
+    if (std::isnan(value)) return "nan"; // whatever its sign
     char buffer[32];
     const auto [end, code] = std::to_chars(buffer, buffer + sizeof buffer, value);
     return code == std::errc{} ? std::string(buffer, end) : std::string("nan");
@@ -131,6 +133,11 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 
 Values::Values(std::string section, std::vector<ParameterRow> rows)
     : section_(std::move(section)), rows_(std::move(rows)) {
+    std::set<std::string_view> keys;
+    for (const auto& row : rows_)
+        if (!keys.insert(row.key).second)
+            throw InputError(section_ + "." + row.key +
+                             " is a key of its own; a parameter of a formula cannot have this name");
     for (const auto& row : rows_) values_.push_back(row.default_value);
     for (const auto& row : rows_) set(row.key, row.default_value); // checks that the default is in range
 }

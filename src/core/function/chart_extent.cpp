@@ -10,10 +10,54 @@
 
 namespace gaspard {
 
+namespace {
+
+double length(const Chart& chart, std::size_t d) { return chart.direction(d).high - chart.direction(d).low; }
+
+/// The area of a planar patch, which does not fill its box, by the midpoint rule.
+double area_of(const PatchParameters& patch) {
+    constexpr int count = 64;
+    Points uv(count * count), first, second;
+    for (int i = 0; i < count * count; ++i)
+        uv.set(static_cast<std::size_t>(i), {(i % count + 0.5) / count, (i / count + 0.5) / count, 0});
+    patch.tangents(uv, first, second);
+    double area = 0;
+    for (std::size_t i = 0; i < uv.size(); ++i) area += norm(cross(first[i], second[i]));
+    return area / (count * count);
+}
+
+} // namespace
+
+double measure_of(const std::shared_ptr<const Chart>& chart, const DataContext& context) {
+    if (chart->kind() == ChartKind::surface) {
+        const std::vector<double> areas = measures(grid_on(chart, {33, 33}, GridEnds::reflecting));
+        return std::accumulate(areas.begin(), areas.end(), 0.0);
+    }
+    if (chart->kind() == ChartKind::sphere) {
+        std::array<Points, 3> t;
+        chart->tangents(Points(1), t);
+        const double degree = norm(t[1][0]);
+        return 360 * 360 * degree * degree / std::numbers::pi;
+    }
+    const auto patch = context.discretisation ? context.discretisation->parameters() : nullptr;
+    if (patch) return area_of(*patch);
+    double measure = 1;
+    for (std::size_t d = 0; d < chart->dimension(); ++d) measure *= length(*chart, d);
+    return measure;
+}
+
+double cell_size(double measure, std::size_t dimension, const DataContext& context) {
+    const double power = 1 / static_cast<double>(dimension);
+    if (!context.discretisation) return std::pow(measure, power) / 60;
+    const auto mesh = context.discretisation->mesh();
+    const double cells = static_cast<double>(mesh->cell_count());
+    const bool halves = mesh->kind.shape == CellShape::triangle;
+    return std::pow(measure / (halves ? cells / 2 : cells), power);
+}
+
 ChartExtent extent_of(const std::shared_ptr<const Chart>& shared, const DataContext& context) {
     const Chart& chart = *shared;
     ChartExtent extent{};
-    const auto length = [&](std::size_t d) { return chart.direction(d).high - chart.direction(d).low; };
     if (chart.kind() == ChartKind::surface) {
         const Grid grid = grid_on(shared, {33, 33}, GridEnds::reflecting);
         std::array<Points, 3> t;
@@ -21,23 +65,14 @@ ChartExtent extent_of(const std::shared_ptr<const Chart>& shared, const DataCont
         for (std::size_t i = 0; i < grid.size(); ++i)
             extent.width += norm(t[0][i]), extent.height += norm(t[1][i]);
         extent.width /= static_cast<double>(grid.size()), extent.height /= static_cast<double>(grid.size());
-        const std::vector<double> areas = measures(grid);
-        extent.area = std::accumulate(areas.begin(), areas.end(), 0.0);
     } else if (chart.kind() == ChartKind::sphere) {
         std::array<Points, 3> t;
         chart.tangents(Points(1), t);
         extent.height = norm(t[1][0]) * 180, extent.width = 2 * extent.height;
-        extent.area = extent.width * extent.width / std::numbers::pi;
     } else {
-        extent.width = length(0), extent.height = length(1), extent.area = extent.width * extent.height;
+        extent.width = length(chart, 0), extent.height = length(chart, 1);
     }
-    double cells = 60 * 60; // of a mesh that is not there
-    if (context.discretisation) {
-        const auto mesh = context.discretisation->mesh();
-        cells = static_cast<double>(mesh->cell_count());
-        if (mesh->kind.shape == CellShape::triangle) cells /= 2;
-    }
-    extent.cell = std::sqrt(extent.area / cells);
+    extent.cell = cell_size(measure_of(shared, context), 2, context);
     return extent;
 }
 
@@ -53,9 +88,15 @@ std::size_t handy_count(double wanted) {
 }
 
 std::string rounded(double value) {
+    if (!(value > 0)) return "0";
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
     const double digits = std::round(value / unit);
     return format_number(unit < 1 ? digits / std::round(1 / unit) : digits * unit);
+}
+
+std::string in_cells(double value) {
+    const std::string number = rounded(value);
+    return number + (number == "1" ? " cell" : " cells");
 }
 
 } // namespace gaspard

@@ -133,6 +133,22 @@ std::string signature(const std::string& name, const Space& space) {
     return name;
 }
 
+/// Where the last sign is that opens something without an end; of ':' the first without a '?' before it.
+std::size_t unfinished(const std::string& text, char opens, char closes) {
+    std::vector<std::size_t> open;
+    std::size_t balance = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (opens == ':') {
+            if (text[i] == '?') ++balance;
+            if (text[i] == ':' && balance-- == 0) return i;
+            continue;
+        }
+        if (text[i] == opens) open.push_back(i);
+        if (text[i] == closes && !open.empty()) open.pop_back();
+    }
+    return open.empty() ? text.size() : open.back();
+}
+
 /// What muParser refuses, in our words.
 [[noreturn]] void refuse(const mu::ParserError& error, const std::string& text, const Space& space,
                          const std::vector<NameInText>& names) {
@@ -145,7 +161,14 @@ std::string signature(const std::string& name, const Space& space) {
     case mu::ecUNEXPECTED_EOF:
         throw ExpressionError("the formula ends too early");
     case mu::ecMISSING_PARENS:
-        throw ExpressionError("a closing parenthesis is missing");
+        throw ExpressionError("a closing parenthesis is missing for '('",
+                              character_of(text, unfinished(text, '(', ')')));
+    case mu::ecMISSING_ELSE_CLAUSE:
+        throw ExpressionError("':' is missing for '?'", character_of(text, unfinished(text, '?', ':')),
+                              "; write a ? b : c");
+    case mu::ecMISPLACED_COLON:
+        throw ExpressionError("unexpected ':'", character_of(text, unfinished(text, ':', '?')),
+                              "; write a ? b : c");
     case mu::ecTOO_MANY_PARAMS:
     case mu::ecTOO_FEW_PARAMS:
         throw ExpressionError(token + " has the wrong number of arguments",
@@ -192,6 +215,12 @@ void check_call(const NameInText& one, std::size_t character, const Vocabulary& 
                               "; write " + signature("dist", space));
 }
 
+/// Whether other programs write infinity, or what is not a number, like this.
+bool is_no_number(std::string name) {
+    for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return name == "nan" || name == "inf" || name == "infinity";
+}
+
 /// The parameters among the names. Throws ExpressionError if a function is unknown or a name is out of place.
 std::vector<std::string> find_parameters(const std::string& text, const std::vector<NameInText>& names,
                                          const Space& space) {
@@ -206,6 +235,9 @@ std::vector<std::string> find_parameters(const std::string& text, const std::vec
                                   "; write " + signature(one.name, space));
         } else if (one.name == "t") {
             throw ExpressionError("'t'", character, " is reserved for time; use another name");
+        } else if (is_no_number(one.name)) {
+            throw ExpressionError("'" + one.name + "'", character,
+                                  " is not a finite number; a parameter needs another name");
         } else if (!known(words.others, one.name) && !known(parameters, one.name)) {
             parameters.push_back(one.name);
         }

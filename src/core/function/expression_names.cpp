@@ -169,6 +169,7 @@ std::vector<NameInText> names_in(std::string_view text) {
     std::vector<std::size_t> open; // parentheses: the name before each, or names.size()
     constexpr std::size_t no_call = static_cast<std::size_t>(-1);
     std::vector<std::size_t> commas;
+    std::size_t choices = 0;
     bool after_name = false, after_open = false;
     for (std::size_t at = 0; at < text.size();) {
         const char c = text[at];
@@ -201,6 +202,9 @@ std::vector<NameInText> names_in(std::string_view text) {
                 if (open.back() != no_call)
                     names[open.back()].arguments = open_before ? 0 : commas.back() + 1;
                 open.pop_back(), commas.pop_back();
+            } else if (c == '?' && ++choices > most_choices) {
+                throw ExpressionError("more than " + std::to_string(most_choices) + " choices a ? b : c",
+                                      character_of(text, at));
             } else if (c == ',' && !open.empty()) {
                 ++commas.back();
             }

@@ -34,8 +34,8 @@
 
 namespace gaspard GASPARD_API {
 
-/// Limits of a formula: bytes, and parentheses that are open at the same time.
-inline constexpr std::size_t longest_formula = 4000, deepest_formula = 100;
+/// Limits of a formula: bytes, parentheses that are open at the same time, and choices a ? b : c.
+inline constexpr std::size_t longest_formula = 4000, deepest_formula = 100, most_choices = 100;
 
 /// A formula is wrong; the message names the place, such as "unknown function 'sine' at character 9 (did you
 /// mean 'sin'?)".

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -271,18 +272,57 @@ std::string percent(double fraction) {
     return std::string(text) + " %";
 }
 
-/// Above what rounding leaves of a periodic formula.
-std::vector<std::string> jump_notes(const FormulaFunction& function, const Values& values) {
+/// Where a formula that jumps across the sides should have the middle of its square: at its extreme value, if
+/// it hardly jumps then.
+std::optional<Vec3> better_centre(const FormulaFunction& function, const std::string& text,
+                                  FormulaOptions options) {
+    std::vector<double> values(options.sample.size());
+    function.values(options.sample, values);
+    double mean = 0, furthest = 0;
+    for (const double value : values) mean += value / static_cast<double>(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (const double distance = std::abs(values[i] - mean); distance > furthest) {
+            furthest = distance;
+            const Vec3 x = options.sample[i];
+            options.centre = {std::round(100 * x.x) / 100, std::round(100 * x.y) / 100, 0};
+        }
+    const double before = function.jump().relative;
+    if (!(furthest > 0) || !(formula_function(text, options)->jump().relative < 0.1 * before)) return {};
+    return options.centre;
+}
+
+/// Says that the formula is not periodic, and what to do: a jump above what rounding leaves of one that is.
+void note_jump(MadeFunction& made, const FormulaFunction& function, const Values& values,
+               const std::optional<Vec3>& better) {
     const FormulaJump jump = function.jump();
-    if (!(jump.relative > 1e-9)) return {};
-    return {"The formula is not periodic: it jumps by up to " + percent(jump.relative) +
-            " of its largest value across the sides, at (" + format_number(jump.at.x) + ", " +
-            format_number(jump.at.y) + "). " +
-            (wrapped(values) ? "Move " + key_name(values, "wrap_x") + " and " + key_name(values, "wrap_y") +
-                                   " to the middle of the feature."
-                             : "A mesh may not follow it. Set " + key_name(values, "wrap") +
-                                   " = \"center\" to measure distances from a point to its nearest image, or "
-                                   "domain.boundary = \"walls\".")};
+    if (!(jump.relative > 1e-9)) return;
+    const auto key = [&](const char* name) { return key_name(values, name); };
+    std::string remedy = "move " + key("wrap_x") + " and " + key("wrap_y") + " to the middle of the feature";
+    if (!wrapped(values)) {
+        remedy = "set " + key("wrap") + " = \"center\"";
+        if (better)
+            remedy += ", " + key("wrap_x") + " = " + format_number(better->x) + " and " + key("wrap_y") +
+                      " = " + format_number(better->y);
+        remedy += " to measure distances from a point to its nearest image, or domain.boundary = \"walls\"";
+    }
+    std::string sentence = remedy;
+    sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
+    made.notes.push_back("The formula is not periodic: it jumps by up to " + percent(jump.relative) +
+                         " of its largest value across the sides, at (" + format_number(jump.at.x) + ", " +
+                         format_number(jump.at.y) + "). " +
+                         (wrapped(values) ? "" : "A mesh may not follow it. ") + sentence + ".");
+    made.advice = "the formula jumps across the sides: " + remedy;
+}
+
+/// Ranges of names that the formula does not have; they are kept while it is edited.
+std::vector<std::string> range_notes(const std::vector<std::string>& parameters, const Values& values) {
+    std::vector<std::string> notes;
+    for (const WrittenRange& range : parse_ranges(values.text("ranges")))
+        if (std::find(parameters.begin(), parameters.end(), range.name) == parameters.end())
+            notes.push_back(key_name(values, "ranges") + " has a range for '" + range.name +
+                            "', which is no parameter of the formula" + did_you_mean(range.name, parameters) +
+                            ".");
+    return notes;
 }
 
 /// Parameters that are coordinates elsewhere.
@@ -306,10 +346,15 @@ MadeFunction make(const Values& values, const DataContext& context) {
         options.patch = context.discretisation->parameters();
         options.sample = context.discretisation->mesh()->nodes;
     }
-    const auto function = formula_function(expression.text(), std::move(options));
-    std::vector<std::string> notes = name_notes(expression.parameters());
-    for (std::string& note : jump_notes(*function, values)) notes.push_back(std::move(note));
-    return {.function = function, .notes = std::move(notes)};
+    const auto function = formula_function(expression.text(), options);
+    MadeFunction made{.function = function, .notes = name_notes(expression.parameters())};
+    for (std::string& note : range_notes(expression.parameters(), values))
+        made.notes.push_back(std::move(note));
+    std::optional<Vec3> better;
+    if (!wrapped(values) && function->jump().relative > 1e-9)
+        better = better_centre(*function, expression.text(), std::move(options));
+    note_jump(made, *function, values, better);
+    return made;
 }
 
 } // namespace

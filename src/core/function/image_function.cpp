@@ -137,8 +137,7 @@ ImageGrid image_grid(const GreyImage& image, const ImageOptions& options, const 
 }
 
 std::string blur_note(const ImageOptions& options, const ImageGrid& made) {
-    const std::string cells = rounded(made.sigma / made.cell);
-    std::string note = "The picture is blurred over " + cells + (cells == "1" ? " cell" : " cells");
+    std::string note = "The picture is blurred over " + in_cells(made.sigma / made.cell);
     if (made.sigma > made.wanted * 1.005) {
         note += " instead of " + format_number(options.blur);
         if (options.blur_unit == LengthUnit::pixels) note += options.blur == 1 ? " pixel" : " pixels";

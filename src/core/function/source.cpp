@@ -47,13 +47,4 @@ std::vector<ParameterRow> prefixed(std::vector<ParameterRow> rows, std::string_v
     return rows;
 }
 
-Values part(const Values& values, std::string_view prefix, std::vector<ParameterRow> rows) {
-    const std::string begin(prefix), name = begin.substr(0, begin.find_last_not_of('.') + 1);
-    Values part(name.empty() ? values.section() : values.section() + "." + name,
-                without_ranges(std::move(rows)));
-    for (const ParameterRow& row : std::vector<ParameterRow>(part.rows()))
-        if (const std::string key = begin + row.key; values.has(key)) part.set(row.key, values.at(key));
-    return part;
-}
-
 } // namespace gaspard

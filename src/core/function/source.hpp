@@ -23,6 +23,7 @@ struct MadeFunction {
     std::vector<std::string> notes{}; ///< sentences for people
     /// By keys of text rows, the values that they may take: the variables of a file.
     std::map<std::string, std::vector<std::string>> choices{};
+    std::string advice{}; ///< what to do if no mesh can follow it; may be empty
 };
 
 /// A type of function as the user sees it. To add one, write a file with its rows and `make`, and add a line
@@ -51,8 +52,5 @@ std::string key_name(const Values& values, std::string_view key);
 
 /// Rows of a part: their keys, and the points that they belong to, begin with the prefix ("u.").
 std::vector<ParameterRow> prefixed(std::vector<ParameterRow> rows, std::string_view prefix);
-/// The values of a part whose rows are `rows`, without the prefix; its section is "monitor.u" for "u.". Rows
-/// that `values` lacks have their defaults. Ranges are not checked.
-Values part(const Values& values, std::string_view prefix, std::vector<ParameterRow> rows);
 
 } // namespace gaspard

@@ -118,6 +118,7 @@ class CombinedMonitor final : public Monitor {
             const MonitorReport own = part.monitor->report();
             const std::string prefix = part.name.empty() ? "" : "Part " + part.name + ": ";
             for (const std::string& note : own.notes) whole.notes.push_back(prefix + note);
+            if (whole.advice.empty()) whole.advice = own.advice;
             for (const auto& [key, choices] : own.choices) whole.choices[part.name + "." + key] = choices;
         }
         return whole;

@@ -2,13 +2,21 @@
 // with the part's letter ("a.amplitude").
 #include "core/base/check.hpp"
 #include "core/base/growing_values.hpp"
+#include "core/function/source.hpp"
 #include "core/monitor/combine.hpp"
+#include "core/monitor/grid_density.hpp"
 #include "core/monitor/placement.hpp"
+#include "core/monitor/stages.hpp"
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace gaspard {
 
@@ -69,6 +77,16 @@ std::vector<ParameterRow> rows(const Space& space) {
          .scale = ParameterScale::logarithmic,
          .default_value = 8.0,
          .help = "smooth maximum and minimum of N terms: at most a factor of N^(1/s) from the exact one"}};
+    rows.push_back({.key = "smoothing",
+                    .label = "Smoothing length",
+                    .symbol = "L",
+                    .unit = "cells",
+                    .kind = ParameterKind::real_or_auto,
+                    .minimum = 0,
+                    .maximum = 100,
+                    .default_value = std::string("auto"),
+                    .help = "of the whole, in cells of the uniform mesh; auto: as much as the mesh needs to "
+                            "follow the monitor; 0: none"});
     for (std::size_t part = 0; part < letters.size(); ++part) rows.push_back(type_row(part, space));
     return rows;
 }
@@ -104,12 +122,12 @@ bool has_part(const Values& values, const std::string& letter) {
     return values.text(letter + ".type") != no_part;
 }
 
-ParameterRow prefixed(ParameterRow row, const std::string& letter) {
-    row.key = letter + "." + row.key;
-    row.label = letter + ": " + row.label;
-    if (!row.point.empty()) row.point = letter + "." + row.point;
-    row.former_key.clear();
-    return row;
+void add_part(std::vector<ParameterRow>& rows, const std::string& letter, std::vector<ParameterRow> part) {
+    for (ParameterRow& row : prefixed(std::move(part), letter + ".")) {
+        row.label = letter + ": " + row.label;
+        row.former_key.clear();
+        rows.push_back(std::move(row));
+    }
 }
 
 std::vector<ParameterRow> further_rows(const Values& values, const Space& space) {
@@ -120,9 +138,8 @@ std::vector<ParameterRow> further_rows(const Values& values, const Space& space)
         rows.push_back(weight_row(letter));
         rows.push_back(power_row(letter));
         const MonitorType& type = type_of(types, values.text(letter + ".type"));
-        for (const ParameterRow& row : rows_on(type, space)) rows.push_back(prefixed(row, letter));
-        for (const ParameterRow& row : further_rows_on(type, part_values(values, letter, type, space), space))
-            rows.push_back(prefixed(row, letter));
+        add_part(rows, letter, rows_on(type, space));
+        add_part(rows, letter, further_rows_on(type, part_values(values, letter, type, space), space));
     }
     return rows;
 }
@@ -136,6 +153,48 @@ CombineOperation operation_of(const std::string& name) {
     for (const auto& [text, operation] : names)
         if (text == name) return operation;
     check_failed("the operation is one of the choices");
+}
+
+/// A monitor that a mesh can follow in place of the exact one, with its fields and notes.
+class FollowedMonitor final : public Monitor {
+  public:
+    FollowedMonitor(std::shared_ptr<const Monitor> exact, std::shared_ptr<const Monitor> smoothed,
+                    const std::vector<std::string>& notes)
+        : exact_(std::move(exact)), used_(smoothed ? std::move(smoothed) : exact_),
+          report_(exact_->report()) {
+        report_.notes.insert(report_.notes.end(), notes.begin(), notes.end());
+    }
+
+    void values(const Points& x, std::span<double> values) const override { used_->values(x, values); }
+    void gradients(const Points& x, Points& gradients) const override { used_->gradients(x, gradients); }
+    void check() const override { exact_->check(); }
+    std::optional<SpaceKind> made_for() const override { return exact_->made_for(); }
+    std::vector<Field> fields(const Points& x) const override { return exact_->fields(x); }
+    MonitorReport report() const override { return report_; }
+
+  private:
+    std::shared_ptr<const Monitor> exact_, used_;
+    MonitorReport report_;
+};
+
+/// The monitor as it is if a mesh can follow it, otherwise smoothed (`length` cells; nullopt: as needed) or
+/// with a note.
+std::shared_ptr<const Monitor> followed(std::shared_ptr<const Monitor> exact, std::optional<double> length,
+                                        const MonitorContext& context) {
+    constexpr double points_per_cell = 6;
+    const DomainGrid domain = domain_grid(context, points_per_cell);
+    std::vector<double> m(domain.x.size());
+    exact->values(domain.x, m);
+    const double largest = *std::max_element(m.begin(), m.end());
+    for (double& value : m) { // in a unit in which averages do not overflow
+        value /= largest;
+        if (!(value >= std::numeric_limits<double>::min())) return exact; // the run says what is wrong
+    }
+    Followed made = follow(domain, std::move(m), length, context);
+    for (double& value : made.values) value *= largest;
+    std::shared_ptr<const Monitor> smoothed;
+    if (made.length > 0) smoothed = grid_density(domain.grid, std::move(made.values), {}, context.space.kind);
+    return std::make_shared<FollowedMonitor>(std::move(exact), std::move(smoothed), made.notes);
 }
 
 std::shared_ptr<const Monitor> make(const Values& values, const MonitorContext& context) {
@@ -152,7 +211,7 @@ std::shared_ptr<const Monitor> make(const Values& values, const MonitorContext& 
     }
     CombineOptions options{.operation = operation_of(values.text("operation"))};
     options.sharpness = values.boolean("smooth") ? std::optional(values.real("sharpness")) : std::nullopt;
-    return combined_monitor(std::move(parts), options);
+    return followed(combined_monitor(std::move(parts), options), values.real_or_auto("smoothing"), context);
 }
 
 std::vector<FieldInfo> fields() {

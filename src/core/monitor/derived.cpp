@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/function/grid_function.hpp"
 #include "core/monitor/derived_fields.hpp"
+#include "core/monitor/grid_density.hpp"
 #include "core/monitor/indicator.hpp"
 #include "core/monitor/stages.hpp"
 
@@ -25,39 +26,21 @@ std::string two_digits(double value) {
     return text;
 }
 
-/// Points that are not finite, of an iteration that diverges, have no value.
-bool is_finite(Vec3 p) { return std::isfinite(p.x + p.y + p.z); }
-
 class DerivedMonitor final : public Monitor {
   public:
     struct Stages {
         std::shared_ptr<const ScalarFunction> u;
         std::vector<std::pair<FieldInfo, GridFunction>> fields; ///< the stages before the last
-        GridFunction logarithm;                                 ///< of m
-        double lowest, highest;                                 ///< bounds of it
-        std::vector<std::string> notes;
+        std::shared_ptr<const Monitor> last;                    ///< m, with what there is to say
     };
-    DerivedMonitor(Stages stages, std::optional<SpaceKind> made_for)
-        : stages_(std::move(stages)), made_for_(made_for) {}
+    explicit DerivedMonitor(Stages stages) : stages_(std::move(stages)) {}
 
-    void values(const Points& x, std::span<double> values) const override {
-        GASPARD_CHECK(values.size() == x.size());
-        stages_.logarithm.values(x, values);
-        for (std::size_t i = 0; i < values.size(); ++i)
-            values[i] = is_finite(x[i]) ? std::exp(std::clamp(values[i], stages_.lowest, stages_.highest))
-                                        : std::numeric_limits<double>::quiet_NaN();
-    }
+    void values(const Points& x, std::span<double> values) const override { stages_.last->values(x, values); }
     void gradients(const Points& x, Points& gradients) const override {
-        std::vector<double> log_m(x.size());
-        stages_.logarithm.values(x, log_m);
-        stages_.logarithm.gradients(x, gradients);
-        for (std::size_t i = 0; i < log_m.size(); ++i) {
-            const bool within = log_m[i] > stages_.lowest && log_m[i] < stages_.highest;
-            gradients.set(i, (within ? std::exp(log_m[i]) : 0) * gradients[i]);
-        }
+        stages_.last->gradients(x, gradients);
     }
-    std::optional<SpaceKind> made_for() const override { return made_for_; }
-    MonitorReport report() const override { return {.notes = stages_.notes}; }
+    std::optional<SpaceKind> made_for() const override { return stages_.last->made_for(); }
+    MonitorReport report() const override { return stages_.last->report(); }
     std::shared_ptr<const ScalarFunction> solution() const override { return stages_.u; }
 
     std::vector<Field> fields(const Points& x) const override {
@@ -74,7 +57,6 @@ class DerivedMonitor final : public Monitor {
 
   private:
     Stages stages_;
-    std::optional<SpaceKind> made_for_;
 };
 
 void check_options(const DerivedOptions& o) {
@@ -115,14 +97,10 @@ class Maker {
         add_field(3);
         check_positive_values();
         if (options_.smooth) smooth();
-        for (double& value : values_) value = std::log(value);
-        // Far beside the domain the spline goes on without bounds.
-        constexpr double margin = 1;
-        const auto [least, largest] = std::minmax_element(values_.begin(), values_.end());
+        auto last =
+            grid_density(domain_.grid, std::move(values_), {.notes = std::move(notes_)}, context_.space.kind);
         return std::make_shared<DerivedMonitor>(
-            DerivedMonitor::Stages{u_, std::move(fields_), GridFunction(domain_.grid, values_),
-                                   *least - margin, *largest + margin, notes_},
-            context_.space.kind);
+            DerivedMonitor::Stages{u_, std::move(fields_), std::move(last)});
     }
 
   private:
@@ -142,20 +120,9 @@ class Maker {
     }
 
     void smooth() {
-        std::vector<double> smoothed;
-        const double needed = needed_smoothing(domain_, values_, context_, smoothed);
-        if (!options_.smoothing) {
-            if (needed > 0)
-                notes_.push_back("The monitor is smoothed over " + two_digits(needed) +
-                                 " cells of the uniform mesh, so that the mesh can follow it.");
-            values_ = std::move(smoothed);
-            return;
-        }
-        if (*options_.smoothing < needed)
-            notes_.push_back("The mesh may not follow the monitor: it is smoothed over " +
-                             two_digits(*options_.smoothing) + " cells, and would need " +
-                             two_digits(needed) + ".");
-        smoothing_stage(domain_, values_, *options_.smoothing * domain_.cell, context_);
+        Followed followed = follow(domain_, std::move(values_), options_.smoothing, context_);
+        values_ = std::move(followed.values);
+        notes_.insert(notes_.end(), followed.notes.begin(), followed.notes.end());
     }
 
     void check_positive_values() const {

@@ -195,7 +195,7 @@ class SourcedMonitor final : public Monitor {
 std::shared_ptr<const Monitor> make(const Values& values, const MonitorContext& context) {
     MadeFunction u = source_of(values).make(source_values(values, context.space), context);
     auto monitor = derived_monitor(std::move(u.function), options_of(values), context);
-    MonitorReport report{.notes = std::move(u.notes)};
+    MonitorReport report{.notes = std::move(u.notes), .advice = std::move(u.advice)};
     for (auto& [key, choices] : u.choices) report.choices[std::string(prefix) + key] = std::move(choices);
     const MonitorReport own = monitor->report();
     report.notes.insert(report.notes.end(), own.notes.begin(), own.notes.end());

@@ -1,12 +1,15 @@
 #include "core/monitor/domain_grid.hpp"
 
-#include "core/base/check.hpp"
+#include "core/function/chart_extent.hpp"
+#include "core/function/grid_function.hpp"
 #include "core/monitor/own_problem.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <utility>
 
 namespace gaspard {
 
@@ -14,7 +17,6 @@ namespace {
 
 constexpr double most_points = 6e5;
 constexpr std::size_t least_count = 32, most_count = 4096; ///< of points along a direction
-constexpr double default_cells = 60;
 
 /// Grids in powers of 2, 3 and 5 have fast Fourier transforms.
 std::size_t fast_count(double wanted) {
@@ -30,7 +32,7 @@ std::size_t fast_count(double wanted) {
     return count;
 }
 
-/// Lengths of the chart's directions, along its middle lines; for surfaces the mean of some lines.
+/// Lengths of the chart's directions; for surfaces of the longest of some lines.
 std::array<double, 3> lengths_of(const Chart& chart) {
     constexpr int samples = 9;
     std::array<double, 3> lengths{};
@@ -70,24 +72,6 @@ void keep_to_patch(DomainGrid& domain, const PatchParameters& parameters) {
     }
 }
 
-double sum_of(std::span<const double> values) {
-    double sum = 0;
-    for (const double value : values) sum += value;
-    return sum;
-}
-
-/// The measure of the domain, on a coarse grid.
-double measure_of(const DataContext& context, const std::shared_ptr<const Chart>& chart) {
-    const std::vector<std::size_t> counts(chart->dimension(), 48);
-    DomainGrid coarse{.grid = grid_on(chart, counts)};
-    coarse.s = coarse.grid.coordinates();
-    coarse.measures = measures(coarse.grid);
-    chart->points(coarse.s, coarse.x);
-    const auto parameters = context.discretisation ? context.discretisation->parameters() : nullptr;
-    if (parameters && chart->kind() == ChartKind::box) keep_to_patch(coarse, *parameters);
-    return sum_of(coarse.measures);
-}
-
 } // namespace
 
 double DomainGrid::mean(std::span<const double> values) const {
@@ -110,39 +94,48 @@ double DomainGrid::largest(std::span<const double> values) const {
     return largest;
 }
 
+void go_on_beside(const DomainGrid& domain, std::vector<double>& values) {
+    if (!domain.patch) return;
+    std::vector<double> nearest(values.size());
+    GridFunction(domain.grid, values).values(domain.x, nearest);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!(domain.measures[i] > 0)) values[i] = nearest[i];
+}
+
+DomainGrid domain_on(Grid grid, const DataContext& context) {
+    const Chart& chart = *grid.chart;
+    DomainGrid domain{.grid = std::move(grid)};
+    const std::size_t dimension = chart.dimension();
+    domain.cell = cell_size(measure_of(domain.grid.chart, context), dimension, context);
+    if (context.discretisation) {
+        domain.size = extent_of(*context.discretisation->mesh(), context.space, false).size;
+    } else if (chart.kind() != ChartKind::sphere) {
+        const auto lengths = lengths_of(chart);
+        domain.size = *std::max_element(lengths.begin(), lengths.end());
+    }
+    domain.s = domain.grid.coordinates();
+    domain.measures = measures(domain.grid);
+    chart.points(domain.s, domain.x);
+    const auto parameters = context.discretisation ? context.discretisation->parameters() : nullptr;
+    domain.patch = parameters && chart.kind() == ChartKind::box;
+    if (domain.patch) keep_to_patch(domain, *parameters);
+    return domain;
+}
+
 DomainGrid domain_grid(const DataContext& context, double per_cell) {
     const auto chart = chart_of(context);
     const auto lengths = lengths_of(*chart);
     const std::size_t dimension = chart->dimension();
-    DomainGrid domain;
-    const double measure = measure_of(context, chart);
-    const double power = 1 / static_cast<double>(dimension);
-    if (context.discretisation) {
-        const Mesh& mesh = *context.discretisation->mesh();
-        domain.size = extent_of(mesh, context.space, false).size;
-        domain.cell = std::pow(measure / static_cast<double>(mesh.cell_count()), power);
-    } else {
-        domain.size =
-            chart->kind() == ChartKind::sphere ? 1 : *std::max_element(lengths.begin(), lengths.end());
-        domain.cell = std::pow(measure, power) / default_cells;
-    }
-    double spacing = domain.cell / per_cell, points = 1;
+    double spacing = cell_size(measure_of(chart, context), dimension, context) / per_cell, points = 1;
     for (std::size_t d = 0; d < dimension; ++d) points *= std::max(1.0, lengths[d] / spacing);
-    if (points > most_points) spacing *= std::pow(points / most_points, power);
+    if (points > most_points) spacing *= std::pow(points / most_points, 1 / static_cast<double>(dimension));
     std::vector<std::size_t> counts(dimension);
     for (std::size_t d = 0; d < dimension;
          ++d) { // of open ends the Fourier transforms have 2 (count - 1) points
         const bool open = chart->direction(d).ends == ChartEnds::open;
         counts[d] = fast_count(lengths[d] / spacing) + (open ? 1 : 0);
     }
-    domain.grid = grid_on(chart, counts);
-    domain.s = domain.grid.coordinates();
-    domain.measures = measures(domain.grid);
-    chart->points(domain.s, domain.x);
-    const auto parameters = context.discretisation ? context.discretisation->parameters() : nullptr;
-    domain.patch = parameters && chart->kind() == ChartKind::box;
-    if (domain.patch) keep_to_patch(domain, *parameters);
-    return domain;
+    return domain_on(grid_on(chart, counts), context);
 }
 
 } // namespace gaspard

@@ -18,7 +18,7 @@ struct DomainGrid {
     std::vector<double> measures{}; ///< 0 beside the domain
     bool patch = false;             ///< a planar patch: functions may go on slightly beside it
     double size = 1;                ///< of the domain: longest side of its box, radius of a sphere
-    double cell = 1;                ///< size of a cell of the uniform mesh: (measure / cells)^(1/dimension)
+    double cell = 1;                ///< size of a cell of the uniform mesh (cell_size)
 
     std::size_t dimension() const { return grid.directions.size(); }
     /// The average over the domain.
@@ -28,6 +28,10 @@ struct DomainGrid {
     double largest(std::span<const double> values) const;
 };
 
+/// Values beside a patch become those of the nearest points of the patch.
+void go_on_beside(const DomainGrid& domain, std::vector<double>& values);
+/// A grid of the domain's chart as a grid of the domain.
+DomainGrid domain_on(Grid grid, const DataContext& context);
 /// About `per_cell` points along each side of a cell of the mesh, but at most 600,000 in all. Without a
 /// discretisation as for a mesh of 60 cells along the domain.
 DomainGrid domain_grid(const DataContext& context, double per_cell);

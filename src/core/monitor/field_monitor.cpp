@@ -52,6 +52,8 @@ std::shared_ptr<const Monitor> make(const FieldData& field, FieldMonitorOptions 
     const double asked = options.field.blur;
     options.field.blur = std::max(asked, least_blur);
     FieldGrid made = field_grid(field, options.field, context);
+    const DomainGrid domain = domain_on(made.grid, context);
+    go_on_beside(domain, made.values);
     if (options.scaled) {
         scale(made.values, options, made.notes);
         to_density(made.values, options.contrast);
@@ -59,11 +61,11 @@ std::shared_ptr<const Monitor> make(const FieldData& field, FieldMonitorOptions 
         check_density(made.values, options.floor, section);
         for (double& value : made.values) value = std::max(value, options.floor);
     }
-    made.sigma = blur_density(made.grid, made.values, made.sigma, made.cell, context);
+    made.sigma = blur_density(domain, made.values, made.sigma, context);
     const double cells = made.sigma / made.cell;
-    if (cells > asked * (1 + 1e-9))
-        made.notes.push_back("The field is blurred over " + rounded(cells) + " cells instead of " +
-                             format_number(asked) + ", so that the mesh can follow.");
+    const std::string instead = cells > asked * 1.005 ? " instead of " + format_number(asked) : "";
+    made.notes.push_back("The field is blurred over " + in_cells(cells) + instead +
+                         ", so that the mesh can follow.");
     MonitorReport report{std::move(made.notes), {{"variable", field.variables}}};
     return grid_density(std::move(made.grid), std::move(made.values), std::move(report), context.space.kind);
 }

@@ -1,7 +1,9 @@
 #include "core/monitor/grid_density.hpp"
 
+#include "core/base/check.hpp"
 #include "core/function/grid_function.hpp"
 #include "core/function/smoothing.hpp"
+#include "core/monitor/stages.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,46 +15,43 @@ namespace gaspard {
 
 namespace {
 
+/// Points that are not finite, of an iteration that diverges, have no value.
+bool is_finite(Vec3 p) { return std::isfinite(p.x + p.y + p.z); }
+
 class GridDensity final : public Monitor {
   public:
-    GridDensity(GridFunction logarithm, MonitorReport report, SpaceKind kind)
-        : logarithm_(std::move(logarithm)), report_(std::move(report)), kind_(kind) {}
+    /// `range`: of the logarithms on the grid.
+    GridDensity(GridFunction logarithm, std::pair<double, double> range, MonitorReport report, SpaceKind kind)
+        : logarithm_(std::move(logarithm)), lowest_(range.first - margin), highest_(range.second + margin),
+          report_(std::move(report)), kind_(kind) {}
 
     void values(const Points& x, std::span<double> values) const override {
+        GASPARD_CHECK(values.size() == x.size());
         logarithm_.values(x, values);
-        for (double& value : values) value = std::exp(value);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = is_finite(x[i]) ? std::exp(std::clamp(values[i], lowest_, highest_))
+                                        : std::numeric_limits<double>::quiet_NaN();
     }
     void gradients(const Points& x, Points& gradients) const override {
+        std::vector<double> log_m(x.size());
+        logarithm_.values(x, log_m);
         logarithm_.gradients(x, gradients);
-        std::vector<double> m(x.size());
-        values(x, m);
-        for (std::size_t i = 0; i < m.size(); ++i) gradients.set(i, m[i] * gradients[i]);
+        for (std::size_t i = 0; i < log_m.size(); ++i) {
+            const bool within = log_m[i] > lowest_ && log_m[i] < highest_;
+            gradients.set(i, (within ? std::exp(log_m[i]) : 0) * gradients[i]);
+        }
     }
     std::optional<SpaceKind> made_for() const override { return kind_; }
     MonitorReport report() const override { return report_; }
 
   private:
+    static constexpr double margin = 1; // far beside the domain the spline goes on without bounds
+
     GridFunction logarithm_;
+    double lowest_, highest_;
     MonitorReport report_;
     SpaceKind kind_;
 };
-
-/// The largest relative change of m over a cell of the adapted mesh, whose size is h sqrt(mean m / m):
-///
-///   max h sqrt(mean m / m) |grad m| / m
-double steepness(const Grid& grid, std::span<const double> m, double cell) {
-    const std::vector<double> weights = measures(grid);
-    double mean = 0, area = 0;
-    for (std::size_t i = 0; i < m.size(); ++i) mean += weights[i] * m[i], area += weights[i];
-    mean /= area;
-    Points x, g;
-    grid.chart->points(grid.coordinates(), x);
-    GridFunction(grid, m).gradients(x, g);
-    double most = 0;
-    for (std::size_t i = 0; i < m.size(); ++i)
-        most = std::max(most, cell * std::sqrt(mean / m[i]) * norm(g[i]) / m[i]);
-    return most;
-}
 
 } // namespace
 
@@ -60,19 +59,12 @@ void to_density(std::span<double> d, double contrast) {
     for (double& value : d) value = 1 + (contrast - 1) * value;
 }
 
-double steepest(const Space& space) {
-    const bool square =
-        space.kind == SpaceKind::periodic_square || (space.kind == SpaceKind::euclidean && !space.patch);
-    return square ? 1.2 : 0.5;
-}
-
-double blur_density(const Grid& grid, std::span<double> m, double sigma, double cell,
-                    const DataContext& context) {
-    blur(grid, m, sigma, context.progress, context.stop);
-    const double limit = steepest(context.space);
-    for (double steep = steepness(grid, m, cell); steep > limit; steep = steepness(grid, m, cell)) {
+double blur_density(const DomainGrid& domain, std::span<double> m, double sigma, const DataContext& context) {
+    blur(domain.grid, m, sigma, context.progress, context.stop);
+    const double limit = steepest(domain);
+    for (double steep = steepness(domain, m); steep > limit; steep = steepness(domain, m)) {
         const double wider = sigma * std::clamp(steep / limit, 1.1, 1.5); // variances of Gaussians add up
-        blur(grid, m, std::sqrt(wider * wider - sigma * sigma), context.progress, context.stop);
+        blur(domain.grid, m, std::sqrt(wider * wider - sigma * sigma), context.progress, context.stop);
         sigma = wider;
     }
     return sigma;
@@ -81,7 +73,10 @@ double blur_density(const Grid& grid, std::span<double> m, double sigma, double 
 std::shared_ptr<const Monitor> grid_density(Grid grid, std::vector<double> density, MonitorReport report,
                                             SpaceKind kind) {
     for (double& value : density) value = std::log(std::max(value, std::numeric_limits<double>::min()));
-    return std::make_shared<GridDensity>(GridFunction(std::move(grid), density), std::move(report), kind);
+    const auto [least, most] = std::minmax_element(density.begin(), density.end());
+    const std::pair range(*least, *most);
+    return std::make_shared<GridDensity>(GridFunction(std::move(grid), density), range, std::move(report),
+                                         kind);
 }
 
 } // namespace gaspard

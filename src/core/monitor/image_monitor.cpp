@@ -3,6 +3,7 @@
 #include "core/function/image_function.hpp"
 #include "core/monitor/grid_density.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace gaspard {
@@ -12,8 +13,11 @@ std::shared_ptr<const Monitor> image_monitor(const GreyImage& image, const Image
     ImageOptions dense = options.image; // d is large where the picture is dark
     dense.invert = !dense.invert;
     ImageGrid made = image_grid(image, dense, context);
+    const DomainGrid domain = domain_on(made.grid, context);
+    go_on_beside(domain, made.values);
+    for (double& value : made.values) value = std::clamp(value, 0.0, 1.0); // a spline may overshoot
     to_density(made.values, options.contrast);
-    made.sigma = blur_density(made.grid, made.values, made.sigma, made.cell, context);
+    made.sigma = blur_density(domain, made.values, made.sigma, context);
     made.notes.insert(made.notes.begin(), blur_note(options.image, made));
     return grid_density(std::move(made.grid), std::move(made.values), {std::move(made.notes), {}},
                         context.space.kind);

@@ -54,15 +54,47 @@ Range range_of(const DomainGrid& domain, const ScalarFunction& u, const DataCont
     return range;
 }
 
-/// (1 + t)^p - 1, without cancellation for small t.
-double excess(double t, double p) { return std::expm1(p * std::log1p(t)); }
+/// (1 + a d^2)^p - 1, without cancellation for small d and overflow for large ones.
+double excess(double a, double d, double p) {
+    constexpr double large = 1e100;
+    return std::expm1(p * (d < large ? std::log1p(a * d * d) : std::log(a) + 2 * std::log(d)));
+}
 
-/// q at points of the domain.
+/// u times a power of two, so that neither squares nor differences overflow.
+class Scaled final : public ScalarFunction {
+  public:
+    Scaled(const ScalarFunction& u, int power) : u_(u), power_(power) {}
+    void values(const Points& x, std::span<double> values) const override {
+        u_.values(x, values);
+        for (double& value : values) value = std::scalbn(value, power_);
+    }
+    void gradients(const Points& x, Points& gradients) const override {
+        u_.gradients(x, gradients);
+        for (std::size_t i = 0; i < gradients.size(); ++i) {
+            const Vec3 g = gradients[i];
+            gradients.set(i, {std::scalbn(g.x, power_), std::scalbn(g.y, power_), std::scalbn(g.z, power_)});
+        }
+    }
+
+  private:
+    const ScalarFunction& u_;
+    int power_;
+};
+
+/// The power with which the largest |u| is about 1.
+int power_of(const Range& range) { return range.largest > 0 ? -std::ilogb(range.largest) : 0; }
+
+Range scaled(const Range& range, int power) {
+    return {std::scalbn(range.low, power), std::scalbn(range.high, power), std::scalbn(range.largest, power)};
+}
+
+/// q at points of the domain. u is evaluated times 2^power, of which `range` is.
 class Formula {
   public:
     Formula(const DomainGrid& domain, const ScalarFunction& u, const DerivedOptions& options,
-            const Range& range)
-        : u_(u), options_(options), norms_(u, domain.grid.chart, domain.size, !domain.patch) {
+            const Range& range, int power)
+        : u_(u, power), options_(options), norms_(u_, domain.grid.chart, domain.size, !domain.patch) {
+        scale_ = std::scalbn(1.0, -power);
         if (!options.normalise) return;
         const bool by_size = options.indicator == Indicator::magnitude;
         scale_ = 1 / (by_size ? range.largest : range.span());
@@ -75,12 +107,11 @@ class Formula {
         switch (options_.indicator) {
         case Indicator::arc_length:
             norms_.gradients(s, x, q);
-            for (double& one : q) one = excess(a * square(scale_ * length_ * one), 0.5);
+            for (double& one : q) one = excess(a, scale_ * length_ * one, 0.5);
             return;
         case Indicator::curvature:
             norms_.hessians(s, x, q);
-            for (double& one : q)
-                one = excess(a * square(scale_ * length_ * length_ * one), 0.5 / options_.order);
+            for (double& one : q) one = excess(a, scale_ * length_ * length_ * one, 0.5 / options_.order);
             return;
         case Indicator::gradient:
             norms_.gradients(s, x, q);
@@ -100,9 +131,7 @@ class Formula {
     }
 
   private:
-    static double square(double x) { return x * x; }
-
-    const ScalarFunction& u_;
+    Scaled u_;
     const DerivedOptions& options_;
     DerivativeNorms norms_;
     double scale_ = 1, shift_ = 0, length_ = 1;
@@ -133,14 +162,17 @@ Points moved(const DomainGrid& domain, std::size_t from, std::size_t to, int cor
 
 IndicatorValues indicator_on(const DomainGrid& domain, const ScalarFunction& u, const DerivedOptions& options,
                              bool fine, const DataContext& context) {
-    const Range range = range_of(domain, u, context);
+    const Range own = range_of(domain, u, context);
+    const int power = power_of(own);
+    const Range range = scaled(own, power);
+    constexpr double huge = 1e250; // differences of u may overflow
     const bool has_one =
         options.indicator != Indicator::gradient && options.indicator != Indicator::magnitude;
     IndicatorValues result{.q = std::vector<double>(domain.x.size()), .background = has_one ? 1.0 : 0.0};
     result.constant = range.span() <= 1e-14 * range.largest;
     const bool flat = options.indicator == Indicator::magnitude ? range.largest == 0 : result.constant;
     if (flat && options.normalise) return result;
-    const Formula formula(domain, u, options, range);
+    const Formula formula(domain, u, options, range, power);
     const int places = fine && domain.dimension() == 2 ? 4 : 1;
     std::vector<double> values;
     for (std::size_t from = 0; from < domain.x.size(); from += block) {
@@ -160,7 +192,12 @@ IndicatorValues indicator_on(const DomainGrid& domain, const ScalarFunction& u, 
             }
             formula.values(s, x, values);
             for (std::size_t i = 0; i < q.size(); ++i)
-                if (std::isfinite(values[i])) q[i] += values[i], ++counts[i];
+                if (std::isfinite(values[i]))
+                    q[i] += values[i], ++counts[i];
+                else if (own.largest > huge && domain.measures[from + i] > 0)
+                    throw InputError("the derivatives of u, which is as large as " +
+                                     format_number(own.largest) + ", overflow at " + place(x[i]) +
+                                     "; divide u by a number");
         }
         for (std::size_t i = 0; i < q.size(); ++i) {
             if (counts[i] == 0 && domain.measures[from + i] > 0)

@@ -40,6 +40,7 @@ struct MonitorReport {
     std::vector<std::string> notes{}; ///< sentences for people: "12 of 3600 values are missing"
     /// By keys of text rows, the values that they may take: the variables of a file.
     std::map<std::string, std::vector<std::string>> choices{};
+    std::string advice{}; ///< what to do if no mesh can follow it: "set ... = ..."; may be empty
 };
 
 /// Immutable once a run has it. May be called from several threads at once if a run uses more than one.

@@ -44,7 +44,7 @@ class SourceMonitor final : public Monitor {
         this->values(mesh_->nodes, values);
     }
     std::optional<SpaceKind> made_for() const override { return space_.kind; }
-    MonitorReport report() const override { return {made_.notes, made_.choices}; }
+    MonitorReport report() const override { return {made_.notes, made_.choices, made_.advice}; }
 
   private:
     [[noreturn]] void refuse(Vec3 x, double value) const {

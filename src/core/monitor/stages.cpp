@@ -1,23 +1,20 @@
 #include "core/monitor/stages.hpp"
 
 #include "core/base/check.hpp"
+#include "core/function/chart_extent.hpp"
 #include "core/function/grid_function.hpp"
 #include "core/function/smoothing.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace gaspard {
 
 namespace {
 
 constexpr std::array lengths{0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0}; ///< in cells
-
-/// That meshes follow, measured; see docs/monitors.md.
-double steepest(const DomainGrid& domain) {
-    return domain.grid.chart->kind() == ChartKind::box && !domain.patch ? 1.0 : 0.5;
-}
 
 double fourth_power(double x) { return x * x * x * x; }
 
@@ -87,16 +84,42 @@ double steepness(const DomainGrid& domain, std::span<const double> values) {
     return domain.cell * steepest_one;
 }
 
-double needed_smoothing(const DomainGrid& domain, std::span<const double> values, const DataContext& context,
-                        std::vector<double>& smoothed) {
-    smoothed.assign(values.begin(), values.end());
-    if (steepness(domain, smoothed) <= steepest(domain)) return 0;
-    for (const double length : lengths) {
-        smoothed.assign(values.begin(), values.end());
-        smoothing_stage(domain, smoothed, length * domain.cell, context);
-        if (steepness(domain, smoothed) <= steepest(domain)) return length;
+double steepest(const DomainGrid& domain) {
+    return domain.grid.chart->kind() == ChartKind::box && !domain.patch ? 1.2 : 0.5;
+}
+
+Followed follow(const DomainGrid& domain, std::vector<double> values, std::optional<double> length,
+                const DataContext& context) {
+    const auto is_even = [&](const std::vector<double>& m) {
+        return steepness(domain, m) <= steepest(domain);
+    };
+    Followed made{std::move(values), length.value_or(0), {}};
+    if (length && *length > 0) smoothing_stage(domain, made.values, *length * domain.cell, context);
+    if (is_even(made.values)) return made;
+    double needed = 0;
+    bool enough = false;
+    std::vector<double> smoother;
+    for (const double longer : lengths) {
+        if (enough || longer <= made.length) continue;
+        smoother = made.values;
+        const double further = std::sqrt(longer * longer - made.length * made.length); // variances add up
+        smoothing_stage(domain, smoother, further * domain.cell, context);
+        needed = longer, enough = is_even(smoother);
     }
-    return lengths.back();
+    const std::string more_cells = "more cells, or a smaller contrast, would help.";
+    if (length) {
+        std::string note = "The mesh may not follow the monitor";
+        if (*length > 0) note += ", which is smoothed over " + in_cells(*length);
+        note += enough ? ": it needs a smoothing over " + in_cells(needed) + " (smoothing = \"auto\")."
+                       : ": " + more_cells;
+        made.notes.push_back(std::move(note));
+        return made;
+    }
+    made.values = std::move(smoother), made.length = needed;
+    made.notes.push_back("The monitor is smoothed over " + in_cells(needed) +
+                         " of the uniform mesh, so that the mesh can follow it.");
+    if (!enough) made.notes.push_back("The mesh may not follow the monitor even so: " + more_cells);
+    return made;
 }
 
 } // namespace gaspard

@@ -13,7 +13,9 @@
 
 #include "core/monitor/domain_grid.hpp"
 
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace gaspard {
@@ -32,9 +34,19 @@ void smoothing_stage(const DomainGrid& domain, std::span<double> values, double 
 ///
 /// over the domain, for cells of size h of the uniform mesh. A mesh cannot follow m where this is large.
 double steepness(const DomainGrid& domain, std::span<const double> values);
-/// The least of some lengths, in cells, over which m has to be smoothed so that the mesh can follow it; 0 if
-/// it can anyway. `smoothed`: m smoothed over it.
-double needed_smoothing(const DomainGrid& domain, std::span<const double> values, const DataContext& context,
-                        std::vector<double>& smoothed);
+/// The limit of it: 1.2 on the square, 0.5 on the sphere and on patches. Found by experiment
+/// (bench/images.py, docs/monitors.md): with it, `auto` converges for every picture tried.
+double steepest(const DomainGrid& domain);
+
+/// A monitor that a mesh can follow, or a note that it may not.
+struct Followed {
+    std::vector<double> values; ///< m
+    double length = 0;          ///< over which it was smoothed, in cells
+    std::vector<std::string> notes;
+};
+/// m smoothed over `length` cells; nullopt: over the least of some lengths for which it is not too steep, or
+/// not at all.
+Followed follow(const DomainGrid& domain, std::vector<double> values, std::optional<double> length,
+                const DataContext& context);
 
 } // namespace gaspard

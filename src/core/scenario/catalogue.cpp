@@ -198,6 +198,14 @@ Problem check(const Catalogue& catalogue, Scenario scenario, const Monitor* own)
     return {std::move(scenario), capability};
 }
 
+/// What a target density says, after what the monitor says.
+static void add_target_notes(ProblemData& data, const std::shared_ptr<const MonitorReport>& target) {
+    if (!target || target->notes.empty()) return;
+    MonitorReport report = data.report ? *data.report : MonitorReport{};
+    for (const std::string& note : target->notes) report.notes.push_back("Target: " + note);
+    data.report = std::make_shared<const MonitorReport>(std::move(report));
+}
+
 ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenario,
                               std::shared_ptr<const Monitor> own, const MonitorContext& context) {
     const auto in_its_unit = [&](std::shared_ptr<const Monitor> monitor) {
@@ -220,7 +228,11 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
         return own_problem(std::move(own), extent_of(mesh, context.space, box), mesh.nodes);
     };
     ProblemData data = own ? make_own() : make(scenario.monitor);
-    if (!scenario.target.type.empty()) data.target = make(scenario.target).monitor;
+    if (!scenario.target.type.empty()) {
+        const ProblemData target = make(scenario.target);
+        data.target = target.monitor;
+        add_target_notes(data, target.report);
+    }
     if (!scenario.pde.type.empty()) data.pde = std::make_shared<const Values>(scenario.pde.values);
     return data;
 }

@@ -286,7 +286,14 @@ StepReport Run::report(Course& course, const Evaluation& evaluation, int iterati
     if (is_final(report.status) || due) measure(course, report, at_most);
     if (is_final(report.status) && *report.tangled_cells > 0) report.status = RunStatus::tangled;
     if (is_final(report.status)) note_folds(course, report);
+    if (is_final(report.status) && report.status != RunStatus::converged) note_advice(course, report);
     return report;
+}
+
+/// What the monitor says if a mesh cannot follow it.
+void Run::note_advice(const Course& course, StepReport& report) {
+    if (!course.data.report || course.data.report->advice.empty()) return;
+    report.note += (report.note.empty() ? "" : "; ") + course.data.report->advice;
 }
 
 /// Where cells fold although the map, by which the mesh is judged, does not.

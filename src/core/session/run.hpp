@@ -160,6 +160,7 @@ class Run {
     StepReport report(Course& course, const Evaluation& evaluation, int iteration, std::string note,
                       Diagnostics at_most = Diagnostics::full) const;
     static void note_folds(const Course& course, StepReport& report);
+    static void note_advice(const Course& course, StepReport& report);
     void take_series(const Course& course, const SeriesValues& values, StepReport& report) const;
     void measure(Course& course, StepReport& report, Diagnostics at_most) const;
     void add_fields_of_method(Snapshot& snapshot);

@@ -89,7 +89,11 @@ TEST(Expression, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(complaint("x**2"), "'**' at character 2 is not known; write ^");
     EXPECT_EQ(complaint("x = 3"), "'=' at character 3; write == to compare");
     EXPECT_EQ(complaint("1, 2"), "the formula is a list; it must be a single value");
-    EXPECT_EQ(complaint("(1 + x"), "a closing parenthesis is missing");
+    EXPECT_EQ(complaint("(1 + x"), "a closing parenthesis is missing for '(' at character 1");
+    EXPECT_EQ(complaint("1+x?1"), "':' is missing for '?' at character 4; write a ? b : c");
+    EXPECT_EQ(complaint("1 + nan*x"),
+              "'nan' at character 5 is not a finite number; a parameter needs another name");
+    EXPECT_NE(complaint("x + INF"), "");
     EXPECT_EQ(complaint("1 + x)"), "unexpected ')' at character 6");
     EXPECT_EQ(complaint("1 +"), "the formula ends too early");
     EXPECT_EQ(complaint(" "), "the formula is empty");
@@ -144,6 +148,9 @@ TEST(Expression, LimitsDepthAndLength) {
     for (int i = 0; i < 300; ++i) powers += "^1";
     for (int i = 0; i < 90; ++i) signs = "-(" + signs + ")";
     for (int i = 0; i < 90; ++i) choices = "x > 0 ? (" + choices + ") : 2";
+    std::string chain = "1";
+    for (int i = 0; i < 101; ++i) chain = "x>0?1:" + chain;
+    EXPECT_EQ(complaint(chain), "more than 100 choices a ? b : c at character 604");
     for (int i = 0; i < 65; ++i) many += "+a" + std::to_string(i);
     EXPECT_EQ(value(powers, {2, 0, 0}), 2);
     EXPECT_EQ(value(signs, {2, 0, 0}), 2);

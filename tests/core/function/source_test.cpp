@@ -1,5 +1,6 @@
 // Sources: their table, and parts of a monitor's rows with a prefix.
 #include "core/base/error.hpp"
+#include "core/base/growing_values.hpp"
 #include "core/function/source.hpp"
 #include "support/messages.hpp"
 
@@ -25,7 +26,11 @@ TEST(Sources, ArePartsOfAMonitorThatDoNotKnowTheirPrefix) {
     for (const ParameterRow& row : whole.rows())
         EXPECT_TRUE(row.point.empty() || row.point.starts_with("u.")) << row.key;
     whole.set("u.A", 7.0);
-    const Values values = part(whole, "u.", own);
+    const auto part = [&] {
+        return grown_part(whole, "u.", formula.rows(plane),
+                          [&](const Values& known) { return formula.further_rows(known, plane); });
+    };
+    const Values values = part();
     EXPECT_EQ(values.section(), "monitor.u");
     EXPECT_EQ(values.real("A"), 7);
     const MadeFunction made = formula.make(values, {.space = plane});
@@ -35,7 +40,7 @@ TEST(Sources, ArePartsOfAMonitorThatDoNotKnowTheirPrefix) {
     made.function->values(x, {&value, 1});
     EXPECT_EQ(value, 8) << "1 + A at the centre";
     whole.set("u.expression", std::string("1 + sine(x)"));
-    EXPECT_EQ(message_of<InputError>([&] { formula.further_rows(part(whole, "u.", own), plane); }),
+    EXPECT_EQ(message_of<InputError>(part),
               "monitor.u.expression: unknown function 'sine' at character 5 (did you mean 'sin'?)");
 }
 

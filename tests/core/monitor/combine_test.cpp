@@ -1,6 +1,7 @@
 #include "core/base/error.hpp"
 #include "core/monitor/combine.hpp"
 #include "core/monitor/function.hpp"
+#include "core/monitor/placement.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
 #include "support/built_in.hpp"
@@ -206,6 +207,17 @@ TEST_F(CombineScenario, SaysWhichKeysItDoesNotHave) {
               std::string::npos);
 }
 
+TEST_F(CombineScenario, RefusesParametersThatAreNamedAsItsKeys) {
+    for (const std::string name : {"weight", "power"})
+        EXPECT_NE(complaint("[monitor]\ntype = \"combine\"\n[monitor.a]\ntype = \"formula\"\n"
+                            "expression = \"1 + " +
+                            name + "*x\"\n")
+                      .find("monitor.a." + name +
+                            " is a key of its own; a parameter of a formula cannot have this name"),
+                  std::string::npos)
+            << name;
+}
+
 TEST_F(CombineScenario, OffersItsPartsAsColoursAndFields) {
     Scenario scenario = with(scenario_of(ring_in_bell), {"view.color=part-a", "domain.cells=8"});
     gaspard::Run run(catalogue, scenario);
@@ -230,6 +242,51 @@ TEST_F(CombineScenario, ConvergesOnEveryDomain) {
             gaspard::Run run(catalogue, scenario);
             EXPECT_EQ(run.solve().status, RunStatus::converged) << domain << " " << operation;
         }
+}
+
+// Parts that a mesh can follow each, but not together.
+TEST_F(CombineScenario, IsSmoothedSoThatAMeshCanFollowIt) {
+    const std::vector<std::string> rings = {"domain.cells=32", "method.type=auto", "monitor.type=combine",
+                                            "monitor.a.type=ring", "monitor.b.type=ring"};
+    for (const auto& [name, settings] :
+         {std::pair<std::string, std::vector<std::string>>{
+              "walls-ring",
+              {"monitor.operation=product", "monitor.b.center_x=0.6", "monitor.a.amplitude=30",
+               "monitor.b.amplitude=30", "monitor.a.sharpness=200", "monitor.b.sharpness=200"}},
+          {"spline-circle",
+           {"monitor.operation=maximum", "monitor.b.center_x=0.6", "monitor.a.amplitude=30"}},
+          {"spline-sine-waves", {"monitor.operation=maximum", "monitor.a.type=sine-waves"}},
+          {"spline-sine-waves", {"monitor.operation=product"}},
+          {"spline-moebius", {"monitor.operation=maximum"}}}) {
+        Scenario scenario = with(with(find_scenario(*catalogue, name), rings), settings);
+        gaspard::Run run(catalogue, scenario);
+        const StepReport& last = run.solve();
+        EXPECT_EQ(last.status, RunStatus::converged) << name;
+        EXPECT_EQ(last.tangled_cells, 0u) << name;
+        ASSERT_FALSE(run.monitor_report()->notes.empty()) << name;
+        EXPECT_TRUE(run.monitor_report()->notes.back().starts_with("The monitor is smoothed over ")) << name;
+        const gaspard::Run exact(catalogue, with(scenario, {"monitor.smoothing=0"}));
+        EXPECT_TRUE(exact.monitor_report()->notes.back().starts_with(
+            "The mesh may not follow the monitor: it needs a smoothing over "))
+            << exact.monitor_report()->notes.back();
+    }
+}
+
+TEST_F(CombineScenario, IsExactWhereAMeshCanFollowIt) {
+    const Scenario scenario =
+        with(scenario_of(ring_in_bell), {"domain.cells=60", "monitor.a.sharpness=10", "monitor.a.power=1",
+                                         "monitor.a.amplitude=2", "monitor.b.sharpness=10"});
+    const gaspard::Run run(catalogue, scenario);
+    const auto monitor = make_on(catalogue->monitor("combine"), scenario.monitor.values,
+                                 {.space = run.space(), .discretisation = &run.discretisation()});
+    EXPECT_TRUE(monitor->report().notes.empty());
+    const Points x = points_of(torus);
+    const auto bell =
+        values_of(*make_monitor("bell", torus, {{"center_x", 0.25}, {"sharpness", 10}, {"amplitude", 2}}), x);
+    const auto ring =
+        values_of(*make_monitor("ring", torus, {{"radius", 0.3}, {"amplitude", 4}, {"sharpness", 10}}), x);
+    const auto m = values_of(*monitor, x);
+    for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(m[i] / (bell[i] * ring[i]), 1, 1e-14);
 }
 
 } // namespace

@@ -250,6 +250,32 @@ TEST(Derived, HasNoValueWhereThePointHasNone) { // an iteration that diverges
     for (const double m : values_of(*monitor, x)) EXPECT_TRUE(std::isnan(m));
 }
 
+TEST(Derived, DoesNotDependOnTheUnitOfU) {
+    const auto times = [](double unit) {
+        return std::make_shared<Exact>(
+            [=](Vec3 p) { return unit * (std::sin(wave * p.x) * std::cos(wave * p.y)); },
+            [=](Vec3 p) {
+                return unit * Vec3{wave * std::cos(wave * p.x) * std::cos(wave * p.y),
+                                   -wave * std::sin(wave * p.x) * std::sin(wave * p.y), 0};
+            });
+    };
+    const Points x = square_points();
+    for (const Indicator indicator : {Indicator::arc_length, Indicator::curvature, Indicator::gradient,
+                                      Indicator::magnitude, Indicator::band}) {
+        DerivedOptions options;
+        options.indicator = indicator;
+        const auto m = [&](double unit) {
+            return values_of(*derived_monitor(times(unit), options, on(SpaceKind::periodic_square)), x);
+        };
+        const auto expected = m(1);
+        EXPECT_GT(*std::max_element(expected.begin(), expected.end()), 1.1);
+        for (const double unit : {0x1p-990, 0x1p-660, 0x1p660, 0x1p1000}) {
+            const auto found = m(unit);
+            for (std::size_t i = 0; i < x.size(); ++i) ASSERT_NEAR(found[i] / expected[i], 1, 1e-12) << unit;
+        }
+    }
+}
+
 TEST(Derived, StopsWhenAsked) {
     std::stop_source stop;
     stop.request_stop();
@@ -291,6 +317,49 @@ TEST_F(DerivedScenario, ConvergesAndKeepsItsPromise) {
             EXPECT_EQ(last.tangled_cells, 0u) << name;
             EXPECT_NEAR(fraction_of(*run.snapshot()), fraction, 0.03) << name;
         }
+}
+
+/// The average of a function of the parameters over a surface, by the midpoint rule.
+double average_on(const PatchParameters& patch, const std::function<double(Vec3)>& f) {
+    constexpr int count = 100;
+    Points uv(count * count), first, second;
+    for (std::size_t i = 0; i < uv.size(); ++i)
+        uv.set(i, {(static_cast<double>(i % count) + 0.5) / count,
+                   (static_cast<double>(i / count) + 0.5) / count, 0});
+    patch.tangents(uv, first, second);
+    double sum = 0, area = 0;
+    for (std::size_t i = 0; i < uv.size(); ++i) {
+        const double part = norm(cross(first[i], second[i]));
+        sum += part * f(uv[i]), area += part;
+    }
+    return sum / area;
+}
+
+TEST_F(DerivedScenario, HasTheAveragesOfPatches) {
+    for (const char* name : {"spline-level", "spline-torus", "spline-sine-waves"}) {
+        const gaspard::Run run(catalogue, scenario(name, {"domain.cells=32"}));
+        const DataContext there{.space = run.space(), .discretisation = &run.discretisation()};
+        const auto patch = run.discretisation().parameters();
+        const auto of_u = [](Vec3 uv) { return uv.x * uv.x; };
+        const auto square = std::make_shared<Exact>(
+            [&](Vec3 p) {
+                Points at(1), uv;
+                at.set(0, p);
+                patch->find(at, uv);
+                return of_u({std::clamp(uv.x[0], 0.0, 1.0), 0, 0});
+            },
+            [](Vec3) { return Vec3{}; });
+        DerivedOptions options = bare(Indicator::magnitude);
+        options.average = true, options.fraction = 0.6;
+        const auto monitor = derived_monitor(square, options, there);
+        const double average = average_on(*patch, of_u);
+        Points uv(3), x;
+        uv.set(0, {0.3, 0.4, 0}), uv.set(1, {0.5, 0.7, 0}), uv.set(2, {0.8, 0.2, 0});
+        patch->points(uv, x);
+        const auto m = values_of(*monitor, x);
+        for (std::size_t i = 0; i < x.size(); ++i)
+            EXPECT_NEAR(m[i], 1 + 1.5 * of_u(uv[i]) / average, 4e-3 * m[i]) << name;
+    }
 }
 
 TEST_F(DerivedScenario, FollowsThinLayers) {

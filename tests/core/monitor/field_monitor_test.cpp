@@ -1,4 +1,5 @@
 #include "core/base/error.hpp"
+#include "core/base/join.hpp"
 #include "core/base/read_file.hpp"
 #include "core/data/field_file.hpp"
 #include "core/io/formats.hpp"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace gaspard {
 namespace {
@@ -86,6 +88,55 @@ TEST(FieldMonitor, ReadsWhatGaspardWrites) {
     ASSERT_FALSE(corners.values.empty());
     for (std::size_t p = 0; p < corners.values.size(); ++p)
         EXPECT_NEAR(corners.values[p], 2 + std::sin(5 * corners.points.x[p] + corners.points.y[p]), 1e-12);
+}
+
+/// On [-1, 1]^2.
+FieldData paraboloid() {
+    GridData data{Coordinates::cartesian, {}, {}};
+    for (int i = 0; i <= 40; ++i) data.axes[0].push_back(i / 20.0 - 1);
+    data.axes[1] = data.axes[0];
+    for (const double y : data.axes[1])
+        for (const double x : data.axes[0]) data.values.push_back(x * x + y * y);
+    return {"v", {"v"}, std::move(data)};
+}
+
+// The corners of the square, where the field is 2, are not on the disk.
+TEST(FieldMonitor, TakesItsRangeFromThePatchAlone) {
+    const gaspard::Run run = solved_run("spline-two-circles", {"domain.cells=32", "method.max_iterations=1"});
+    const DataContext disk{.space = run.space(), .discretisation = &run.discretisation()};
+    const double sigma_square = std::numbers::pi / (32 * 32); // of a blur over one cell
+    const auto scaled = field_monitor(paraboloid(), {.field = {.blur = 1}, .contrast = 5}, disk);
+    const auto plain = field_monitor(paraboloid(), {.scaled = false, .floor = 0.1}, disk);
+    for (const double r : {0.0, 0.3, 0.5, 0.7})
+        EXPECT_NEAR(at(*scaled, {0.6 * r, -0.8 * r, 0}), 1 + 4 * (r * r + 2 * sigma_square), 0.01) << r;
+    EXPECT_NEAR(at(*plain, {0.6, 0, 0}), 0.6 * 0.6 + 2 * sigma_square, 1e-3);
+    const auto notes = scaled->report().notes;
+    const auto says = [&](const char* text) {
+        return std::find(notes.begin(), notes.end(), text) != notes.end();
+    };
+    EXPECT_TRUE(says("The field is blurred over 1 cell, so that the mesh can follow.")) << join(notes, " ");
+}
+
+TEST(FieldMonitor, NeedsPositiveValuesOnThePatchAlone) {
+    FieldData field = paraboloid();
+    for (double& value : std::get<GridData>(field.data).values) value = 1.5 - value; // -0.5 in the corners
+    const gaspard::Run run = solved_run("spline-two-circles", {"domain.cells=32", "method.max_iterations=1"});
+    const DataContext disk{.space = run.space(), .discretisation = &run.discretisation()};
+    const auto monitor = field_monitor(field, {.scaled = false}, disk);
+    EXPECT_NEAR(at(*monitor, {0.3, 0.4, 0}), 1.25 - 2 * std::numbers::pi / (32 * 32), 1e-3);
+}
+
+// Stretched over u and v: the field is u at the parameters (u, v).
+TEST(FieldMonitor, IsScaledOnASurface) {
+    const gaspard::Run run = solved_run("spline-torus", {"domain.cells=24", "method.max_iterations=1"});
+    const DataContext torus{.space = run.space(), .discretisation = &run.discretisation()};
+    Points uv(1), x;
+    const auto monitor = field_monitor(slope(7), {.contrast = 3}, torus);
+    for (const double u : {0.4, 0.5, 0.6}) {
+        uv.set(0, {u, 0.5, 0});
+        run.discretisation().parameters()->points(uv, x);
+        EXPECT_NEAR(at(*monitor, x[0]), 1 + 2 * u, 0.01);
+    }
 }
 
 class FieldScenario : public testing::TestWithParam<const char*> {};

@@ -159,7 +159,7 @@ TEST(FormulaMonitor, NamesTheFirstPointWhereItIsNotPositive) {
     EXPECT_EQ(message_of<InputError>([&] {
                   formula_monitor("(x - 0.25)/abs(x - 0.25) + 2*sqrt(x - 0.25)")->values(x, values);
               }).substr(0, 53),
-              "the formula must be positive and finite, but is -nan ");
+              "the formula must be positive and finite, but is nan a");
     EXPECT_EQ(message_of<InputError>([] { formula_monitor("1 + a*x"); }),
               "the formula's parameter 'a' has no value");
     EXPECT_EQ(message_of<InputError>([] {
@@ -264,13 +264,40 @@ TEST_F(TypedFormula, NotesAJumpAndWrapsIt) {
     ASSERT_EQ(run.monitor_report()->notes.size(), 1U);
     EXPECT_EQ(run.monitor_report()->notes[0],
               "The formula is not periodic: it jumps by up to 80 % of its largest value across the sides, at "
-              "(0, 0.498046875). A mesh may not follow it. Set monitor.wrap = \"center\" to measure "
-              "distances from a point to its nearest image, or domain.boundary = \"walls\".");
+              "(0, 0.498046875). A mesh may not follow it. Set monitor.wrap = \"center\", "
+              "monitor.wrap_x = 0.88 and monitor.wrap_y = 0.5 to measure distances from a point to its nearest "
+              "image, or domain.boundary = \"walls\".");
     std::vector<std::string> wrapped = bump;
     wrapped.insert(wrapped.end(), {"monitor.wrap=center", "monitor.wrap_x=0.9"});
     gaspard::Run there(catalogue, with(wrapped));
     EXPECT_TRUE(there.monitor_report()->notes.empty());
     EXPECT_EQ(there.solve().status, RunStatus::converged);
+}
+
+// What most people type first.
+TEST_F(TypedFormula, SaysInTheEndWhatToDoAboutAJump) {
+    const std::vector<std::string> corner = {"monitor.expression=1 + 10*exp(-50*(x^2+y^2))",
+                                             "method.max_iterations=300"};
+    gaspard::Run run(catalogue, with(corner, "plane-formula"));
+    const StepReport& last = run.solve();
+    EXPECT_NE(last.status, RunStatus::converged);
+    EXPECT_NE(last.note.find("the formula jumps across the sides: set monitor.wrap = \"center\", "
+                             "monitor.wrap_x = 0 and monitor.wrap_y = 0 to measure"),
+              std::string::npos)
+        << last.note;
+    std::vector<std::string> wrapped = corner;
+    wrapped.insert(wrapped.end(), {"monitor.wrap=center", "monitor.wrap_x=0", "monitor.wrap_y=0"});
+    gaspard::Run there(catalogue, with(wrapped, "plane-formula"));
+    EXPECT_EQ(there.solve().status, RunStatus::converged);
+}
+
+TEST_F(TypedFormula, NotesRangesOfNamesThatItDoesNotHave) {
+    const gaspard::Run run(catalogue, with({"domain.cells=8", "monitor.type=formula",
+                                            "monitor.expression=1 + amp*cos(2*pi*x)^2",
+                                            "monitor.ranges=amp 0 1, amq 0 2"}));
+    ASSERT_EQ(run.monitor_report()->notes.size(), 1U);
+    EXPECT_EQ(run.monitor_report()->notes[0], "monitor.ranges has a range for 'amq', which is no parameter of "
+                                              "the formula (did you mean 'amp'?).");
 }
 
 TEST_F(TypedFormula, IsRefusedWhereItIsNotPositiveUnlessItHasAFloor) {
