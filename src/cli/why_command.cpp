@@ -36,6 +36,14 @@ void print_row(const InterpolationRow& row, bool first) {
     std::fflush(stdout);
 }
 
+/// What the monitor says about itself.
+void print_notes(const Run& run) {
+    const auto report = run.monitor_report();
+    if (!report) return;
+    for (const std::string& note : report->notes) std::printf("%s\n", note.c_str());
+    std::fflush(stdout);
+}
+
 /// Both meshes of a run, coloured by the L2 errors of their cells on one scale.
 Image error_maps(Run& run) {
     const auto snapshot = run.snapshot();
@@ -59,8 +67,10 @@ int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& 
                                              : user_path(arguments.out);
     check_domain(*catalogue, input);
     if (!arguments.no_render) check_offscreen_choice();
+    const std::vector<std::string> names{"why.csv", "why.json", "why.svg", "why.png"};
+    check_no_folders(folder, names);
     if (!arguments.overwrite && !arguments.out.empty()) // the default folder has the scenario's name
-        check_replaceable(folder, {"why.csv", "why.json", "why.svg", "why.png"}, "why.json", scenario.name);
+        check_replaceable(folder, names, "why.json", scenario.name);
     // The maps are those of the scenario's own mesh, if it is among them.
     const std::int64_t own = scenario.domain.values.integer(resolution_key(scenario));
     const bool has_own = std::find(resolutions.begin(), resolutions.end(), own) != resolutions.end();
@@ -74,6 +84,7 @@ int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& 
             Run run(catalogue, with_resolution(*catalogue, scenario, resolution),
                     {.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))}, {},
                     interrupt.token());
+            if (rows.empty()) print_notes(run);
             run.solve(interrupt.token());
             if (run.status() == RunStatus::interrupted) break;
             rows.push_back(interpolation_row(run, rows.empty() ? nullptr : &rows.back(), interrupt.token()));
