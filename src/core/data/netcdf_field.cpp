@@ -142,6 +142,10 @@ std::vector<std::string> field_names(const NetcdfInput& file) {
             (long_dimensions(file, variable) >= 2 || point_coordinates(file, variable).x != nullptr))
             names.push_back(variable.name);
     if (!names.empty()) return names;
+    if (const auto groups = file.groups(); !groups.empty())
+        throw InputError("it has no variable with two dimensions outside of its groups (" +
+                         join(groups, ", ").substr(0, 400) +
+                         "), which are not read; take them out of the groups (ncks -G :)");
     std::vector<std::string> all;
     for (const Variable& variable : file.variables()) all.push_back(variable.name);
     throw InputError("it has no variable with two dimensions" +

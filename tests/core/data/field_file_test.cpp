@@ -319,5 +319,18 @@ TEST(FieldFile, DamagedNetcdfIsOneSentence) {
         "cannot read globe-hdf5.nc: it has no variable 'heigt' (did you mean 'height'?); it has height");
 }
 
+TEST(FieldFile, NetcdfWithDataOfOtherFilesIsRefused) {
+    const std::string end = "; only files that are complete in themselves are read";
+    EXPECT_EQ(error_in("external.nc"), "cannot read external.nc: 'value' is stored in another file" + end);
+    EXPECT_EQ(error_in("virtual.nc"), "cannot read virtual.nc: 'value' is a virtual dataset" + end);
+    EXPECT_EQ(error_in("link.nc"), "cannot read link.nc: 'more/value' is a link to another file" + end);
+}
+
+TEST(FieldFile, GroupsOfNetcdfAreNamed) {
+    EXPECT_EQ(error_in("groups.nc"),
+              "cannot read groups.nc: it has no variable with two dimensions outside of its groups (land, "
+              "ocean), which are not read; take them out of the groups (ncks -G :)");
+}
+
 } // namespace
 } // namespace gaspard
