@@ -273,11 +273,7 @@ FieldData read_columns(const Table& table, const Columns& columns, const FieldRe
                                       : table.names[i]);
     const std::size_t chosen = find_variable(request.variable, field.variables);
     field.variable = field.variables[chosen];
-    ScatteredData data = points_in(table, columns, columns.values[chosen]);
-    if (auto grid = as_grid(data))
-        field.data = std::move(*grid);
-    else
-        field.data = std::move(data);
+    field.data = arranged(points_in(table, columns, columns.values[chosen]), field.notes);
     if (table.names.empty()) field.notes.push_back("The three columns are read as x, y and the value.");
     return field;
 }

@@ -271,15 +271,10 @@ FieldData parse_netcdf_field(std::string_view bytes, const FieldRequest& request
     field.variable = field.variables[find_variable(request.variable, field.variables)];
     const Variable& variable = *file.find(field.variable);
     const PointCoordinates at = point_coordinates(file, variable);
-    if (at.x == nullptr) {
+    if (at.x == nullptr)
         field.data = read_grid(file, variable, request, field.notes);
-        return field;
-    }
-    ScatteredData data = read_points(file, variable, at, request, field.notes);
-    if (auto grid = as_grid(data))
-        field.data = std::move(*grid);
     else
-        field.data = std::move(data);
+        field.data = arranged(read_points(file, variable, at, request, field.notes), field.notes);
     return field;
 }
 

@@ -149,8 +149,7 @@ std::vector<double> cell_centres(const std::vector<double>& points, const VtkCel
 }
 
 /// Points of which one coordinate is constant lie in a plane.
-std::variant<GridData, ScatteredData> at_points(const std::vector<double>& points,
-                                                std::vector<double> values) {
+ScatteredData at_points(const std::vector<double>& points, std::vector<double> values) {
     ScatteredData data{Coordinates::cartesian, 3, Points(values.size()), std::move(values)};
     for (std::size_t p = 0; p < data.points.size(); ++p)
         data.points.set(p, {points[3 * p], points[3 * p + 1], points[3 * p + 2]});
@@ -162,7 +161,6 @@ std::variant<GridData, ScatteredData> at_points(const std::vector<double>& point
         data.dimension = 2;
         std::fill(data.points.z.begin(), data.points.z.end(), 0.0);
     }
-    if (auto grid = as_grid(data)) return std::move(*grid);
     return data;
 }
 
@@ -242,7 +240,7 @@ FieldData vtk_field(const VtkFile& file, const FieldRequest& request) {
     demand(at.size() / 3);
     for (const double one : at)
         if (!std::isfinite(one)) throw InputError("a coordinate of a point is not finite");
-    field.data = at_points(at, std::move(values));
+    field.data = arranged(at_points(at, std::move(values)), field.notes);
     return field;
 }
 

@@ -202,6 +202,20 @@ TEST(FieldFile, PointsOfAGridAreOne) {
         << "a point twice";
 }
 
+TEST(FieldFile, CoincidentPointsHaveTheMeanOfTheirValues) {
+    const FieldData twice = parse("x,y,v\n0,0,1\n1,0,2\n0,1,3\n1,1,4\n0,0,3\n");
+    EXPECT_EQ(grid(twice).values, (std::vector<double>{2, 2, 3, 4}));
+    EXPECT_EQ(twice.notes, std::vector<std::string>{"One point coincides with another; the means of the "
+                                                    "values at such points are used."});
+    // What rounding has moved, a missing value, and coordinates of different sizes.
+    const FieldData more = parse("x,y,v\n0,0,6\n1e6,0,2\n0,1e-4,\n1e6,1e-4,4\n5e5,5e-5,7\n500000.0000001,"
+                                 "0.00005,9\n1e-9,1e-16,3\n0,1e-4,5\n0,0,3\n");
+    EXPECT_EQ(scattered(more).values, (std::vector<double>{4, 2, 5, 4, 8}));
+    EXPECT_EQ(scattered(more).points.size(), 5u);
+    EXPECT_EQ(more.notes, std::vector<std::string>{"4 points coincide with others; the means of the values "
+                                                   "at such points are used."});
+}
+
 TEST(FieldFile, WrongCsvIsOneSentence) {
     EXPECT_EQ(error_of(""), "cannot read it.csv: it is empty");
     EXPECT_EQ(error_of("# only\n\n# comments\n"), "cannot read it.csv: it has no numbers");
