@@ -8,6 +8,12 @@
 
 namespace gaspard {
 
+static std::size_t memory_of(const FieldData& field) {
+    std::size_t numbers = values_of(field).size();
+    if (const auto* points = std::get_if<ScatteredData>(&field.data)) numbers += 3 * points->points.size();
+    return sizeof field + numbers * sizeof(double);
+}
+
 std::shared_ptr<const FieldData> read_field(const Values& values, const DataContext& context) {
     const std::string& file = values.text("file");
     if (file.empty())
@@ -23,7 +29,7 @@ std::shared_ptr<const FieldData> read_field(const Values& values, const DataCont
     return context.files->get<FieldData>(name,
                                          "field " + std::to_string(request.time) + ' ' +
                                              std::to_string(request.level) + ' ' + request.variable,
-                                         read);
+                                         read, &memory_of);
 }
 
 std::vector<ParameterRow> field_rows(const Space&) {
