@@ -143,18 +143,23 @@ class Maker {
 
     void smooth() {
         std::vector<double> smoothed;
-        const double needed = needed_smoothing(domain_, values_, context_, smoothed);
+        const auto needed = needed_smoothing(domain_, values_, context_, smoothed);
+        const std::string most = two_digits(most_smoothing);
+        const auto cells = [](double length) { return two_digits(length) + (length == 1 ? " cell" : " cells"); };
         if (!options_.smoothing) {
-            if (needed > 0)
-                notes_.push_back("The monitor is smoothed over " + two_digits(needed) +
-                                 " cells of the uniform mesh, so that the mesh can follow it.");
+            if (!needed)
+                notes_.push_back("The mesh may not follow the monitor: it is smoothed over " + most +
+                                 " cells of the uniform mesh, which is not enough.");
+            else if (*needed > 0)
+                notes_.push_back("The monitor is smoothed over " + cells(*needed) +
+                                 " of the uniform mesh, so that the mesh can follow it.");
             values_ = std::move(smoothed);
             return;
         }
-        if (*options_.smoothing < needed)
+        if (*options_.smoothing < needed.value_or(most_smoothing))
             notes_.push_back("The mesh may not follow the monitor: it is smoothed over " +
-                             two_digits(*options_.smoothing) + " cells, and would need " +
-                             two_digits(needed) + ".");
+                             cells(*options_.smoothing) + ", and would need " +
+                             (needed ? two_digits(*needed) : "more than " + most) + ".");
         smoothing_stage(domain_, values_, *options_.smoothing * domain_.cell, context_);
     }
 

@@ -12,7 +12,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::array lengths{0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0}; ///< in cells
+constexpr std::array lengths{0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, most_smoothing}; ///< in cells
 
 /// That meshes follow, measured; see docs/monitors.md.
 double steepest(const DomainGrid& domain) {
@@ -87,8 +87,9 @@ double steepness(const DomainGrid& domain, std::span<const double> values) {
     return domain.cell * steepest_one;
 }
 
-double needed_smoothing(const DomainGrid& domain, std::span<const double> values, const DataContext& context,
-                        std::vector<double>& smoothed) {
+std::optional<double> needed_smoothing(const DomainGrid& domain, std::span<const double> values,
+                                       const DataContext& context,
+                                       std::vector<double>& smoothed) {
     smoothed.assign(values.begin(), values.end());
     if (steepness(domain, smoothed) <= steepest(domain)) return 0;
     for (const double length : lengths) {
@@ -96,7 +97,7 @@ double needed_smoothing(const DomainGrid& domain, std::span<const double> values
         smoothing_stage(domain, smoothed, length * domain.cell, context);
         if (steepness(domain, smoothed) <= steepest(domain)) return length;
     }
-    return lengths.back();
+    return std::nullopt;
 }
 
 } // namespace gaspard

@@ -13,6 +13,7 @@
 
 #include "core/monitor/domain_grid.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,9 +33,12 @@ void smoothing_stage(const DomainGrid& domain, std::span<double> values, double 
 ///
 /// over the domain, for cells of size h of the uniform mesh. A mesh cannot follow m where this is large.
 double steepness(const DomainGrid& domain, std::span<const double> values);
+/// The largest length, in cells, that needed_smoothing() tries.
+inline constexpr double most_smoothing = 8;
 /// The least of some lengths, in cells, over which m has to be smoothed so that the mesh can follow it; 0 if
-/// it can anyway. `smoothed`: m smoothed over it.
-double needed_smoothing(const DomainGrid& domain, std::span<const double> values, const DataContext& context,
-                        std::vector<double>& smoothed);
+/// it can anyway, nullopt if most_smoothing is not enough. `smoothed`: m smoothed over it, or over
+/// most_smoothing.
+std::optional<double> needed_smoothing(const DomainGrid& domain, std::span<const double> values,
+                                       const DataContext& context, std::vector<double>& smoothed);
 
 } // namespace gaspard
