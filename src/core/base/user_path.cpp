@@ -1,6 +1,7 @@
 #include "core/base/user_path.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/letters.hpp"
 #include "core/base/read_data_file.hpp"
 
 #include <algorithm>
@@ -29,11 +30,7 @@ bool is_path(std::string_view text) {
 }
 
 bool has_extension(const std::filesystem::path& file, std::string_view extension) {
-    const std::string ending = file.extension().string();
-    return std::equal(ending.begin(), ending.end(), extension.begin(), extension.end(), [](char a, char b) {
-        const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-        return lower(a) == lower(b);
-    });
+    return same_word(file.extension().string(), extension);
 }
 
 } // namespace gaspard

@@ -10,8 +10,10 @@
 //   ,0,0.5,1        a matrix with its axes: x in the first row, y in the first column
 //   0,1,2,3
 #include "core/base/error.hpp"
+#include "core/base/letters.hpp"
 #include "core/base/number_text.hpp"
 #include "core/data/field_file.hpp"
+#include "core/data/text_lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,25 +27,21 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_columns = std::size_t{1} << 16;
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-std::string lower_case(std::string_view text) {
-    std::string small(text);
-    std::transform(small.begin(), small.end(), small.begin(), &lower);
-    return small;
-}
-
 std::string_view trim(std::string_view text) {
-    const auto begin = text.find_first_not_of(" \t\r");
+    const auto begin = text.find_first_not_of(" \t");
     if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
+    return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
 }
 
 bool is_missing(std::string_view cell) {
-    static constexpr std::array<std::string_view, 11> words = {"nan", "na",   "n/a",  "null", "none", "-",
-                                                               "--",  "-nan", "+nan", "inf",  "-inf"};
-    return cell.empty() ||
-           std::find(words.begin(), words.end(), lower_case(cell.substr(0, 8))) != words.end();
+    static constexpr std::array<std::string_view, 9> words = {"nan",  "na",   "n/a", "null", "none",
+                                                               "inf", "infinity", "-", "--"};
+    constexpr std::size_t longest = 10;
+    if (cell.empty()) return true;
+    if (cell.size() > longest) return false;
+    const std::string word = lower_case(cell.size() > 2 && (cell[0] == '-' || cell[0] == '+') ? cell.substr(1)
+                                                                                             : cell);
+    return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 /// How the cells of a line are separated.
@@ -74,7 +72,6 @@ std::string_view without_quotes(std::string_view cell) {
 template <class Visit>
 void each_cell(std::string_view line, Separator separator, const Visit& visit) {
     line = separator == Separator::tab ? line : trim(line);
-    if (line.ends_with('\r')) line.remove_suffix(1);
     while (true) {
         const std::size_t end = cell_end(line, static_cast<char>(separator));
         visit(without_quotes(trim(line.substr(0, end))));
@@ -123,9 +120,7 @@ class TableReader {
     /// Goes to the next line that is neither empty nor a comment; false at the end.
     bool next() {
         while (!rest_.empty()) {
-            const auto end = std::min(rest_.find('\n'), rest_.size());
-            line_ = rest_.substr(0, end);
-            rest_.remove_prefix(std::min(end + 1, rest_.size()));
+            line_ = take_line(rest_);
             ++number_;
             const std::string_view text = trim(line_);
             if (text.starts_with('#')) comment_ = trim(text.substr(1));

@@ -2,6 +2,7 @@
 // and level, follows from coordinate variables (axis, standard_name, units) or else from names and the order.
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
+#include "core/base/letters.hpp"
 #include "core/data/field_file.hpp"
 #include "core/data/netcdf_input.hpp"
 
@@ -16,12 +17,6 @@ namespace {
 using Variable = NetcdfInputVariable;
 
 enum class Axis { x, y, z, time, unknown };
-
-std::string lower_case(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text;
-}
 
 bool any_of(std::string_view word, std::initializer_list<std::string_view> words) {
     return std::find(words.begin(), words.end(), word) != words.end();

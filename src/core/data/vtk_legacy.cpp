@@ -2,6 +2,7 @@
 // or big-endian binary.
 #include "core/base/error.hpp"
 #include "core/data/field_file.hpp"
+#include "core/data/text_lines.hpp"
 #include "core/data/vtk_data.hpp"
 
 #include <algorithm>
@@ -24,15 +25,11 @@ std::string upper_case(std::string_view text) {
 
 std::string shortened(std::string_view word) { return std::string(word.substr(0, 40)); }
 
-/// A number in ASCII; "nan" and "inf" too, which are missing.
 double ascii_number(std::string_view word) {
-    double value = 0;
-    const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (word.empty()) throw InputError("it ends where a number is expected");
-    if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
-        throw InputError("it has '" + shortened(word) + "' where a number is expected");
-    return error == std::errc() ? value : 0;
+    const auto number = vtk_number(word);
+    if (!number) throw InputError("it has '" + shortened(word) + "' where a number is expected");
+    return *number;
 }
 
 /// Where an array of numbers is in the file.
@@ -50,13 +47,7 @@ class Scanner {
 
     bool binary = false;
 
-    std::string_view line() {
-        const auto end = std::min(rest_.find('\n'), rest_.size());
-        std::string_view found = rest_.substr(0, end);
-        rest_.remove_prefix(std::min(end + 1, rest_.size()));
-        if (found.ends_with('\r')) found.remove_suffix(1);
-        return found;
-    }
+    std::string_view line() { return take_line(rest_); }
     /// Empty at the end.
     std::string_view word() {
         rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size()));

@@ -116,15 +116,13 @@ class ArrayReader {
         while (true) {
             text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
             if (text.empty()) return all;
-            double one = 0;
-            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), one);
-            if (error == std::errc::invalid_argument)
-                throw InputError(name + " has '" + shortened(text.substr(0, text.find_first_of(" \t\r\n"))) +
-                                 "' where a number is expected");
+            const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n"));
+            const auto number = vtk_number(word);
+            if (!number) throw InputError(name + " has '" + shortened(word) + "' where a number is expected");
             if (all.size() == count)
                 throw InputError(name + " has more than " + std::to_string(count) + " numbers");
-            all.push_back(error == std::errc() ? one : 0);
-            text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+            all.push_back(*number);
+            text.remove_prefix(word.size());
         }
     }
 

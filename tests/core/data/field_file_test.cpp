@@ -216,6 +216,46 @@ TEST(FieldFile, CoincidentPointsHaveTheMeanOfTheirValues) {
                                                    "at such points are used."});
 }
 
+TEST(FieldFile, InfinityIsMissing) {
+    const FieldData field = parse("1,inf,3,4\n5,-Infinity,+Inf,8\n9,infinity,-INF,12\n");
+    EXPECT_EQ(count_missing(values_of(field)), 5u);
+    EXPECT_EQ(values_of(field)[0], 9);
+    EXPECT_EQ(error_of("x,y,v\ninf,2,3\n"), "cannot read it.csv: row 1 of its numbers has no coordinates");
+}
+
+TEST(FieldFile, LinesMayEndWithCarriageReturns) {
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        const auto lines = [&](std::initializer_list<const char*> all) {
+            std::string text;
+            for (const char* one : all) text += one + end;
+            return text;
+        };
+        EXPECT_EQ(values_of(parse(lines({"# a table", "x,y,v", "0,0,1", "1,0,2", "", "0,1,3", "1,1,4"}))),
+                  (std::vector<double>{1, 2, 3, 4}));
+        EXPECT_EQ(error_of(lines({"x,y,v", "", "0,0,1", "1,0"})),
+                  "cannot read it.csv: line 4 has 2 columns, the first has 3");
+        EXPECT_EQ(values_of(parse(lines({"# vtk DataFile Version 3.0", "title", "ASCII",
+                                         "DATASET STRUCTURED_POINTS", "DIMENSIONS 2 2 1", "POINT_DATA 4",
+                                         "SCALARS v float 1", "LOOKUP_TABLE default", "1 2", "3 4"}))),
+                  (std::vector<double>{1, 2, 3, 4}));
+    }
+}
+
+TEST(FieldFile, NumbersOfVtkBeyondADoubleAreMissingOrZero) {
+    const FieldData old = parse("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 3 2 1\n"
+                                "POINT_DATA 6\nSCALARS v double 1\nLOOKUP_TABLE default\n1 1e400 -1E+400\n1e-400 "
+                                "nan +5\n");
+    const FieldData xml = parse("<VTKFile type=\"ImageData\"><ImageData><Piece Extent=\"0 2 0 1 0 0\"><PointData>"
+                                "<DataArray type=\"Float64\" Name=\"v\" format=\"ascii\">1 1e400 -1E+400 1e-400 "
+                                "nan +5</DataArray></PointData></Piece></ImageData></VTKFile>");
+    for (const FieldData* field : {&old, &xml}) {
+        EXPECT_EQ(count_missing(values_of(*field)), 3u);
+        EXPECT_EQ(values_of(*field)[0], 1);
+        EXPECT_EQ(values_of(*field)[3], 0);
+        EXPECT_EQ(values_of(*field)[5], 5);
+    }
+}
+
 TEST(FieldFile, WrongCsvIsOneSentence) {
     EXPECT_EQ(error_of(""), "cannot read it.csv: it is empty");
     EXPECT_EQ(error_of("# only\n\n# comments\n"), "cannot read it.csv: it has no numbers");
