@@ -14,12 +14,11 @@ std::string state_of(const std::string& file) {
     if (::stat(file.c_str(), &status) != 0) return {};
     std::string state;
     // ctim: the last change of its entry, which copying tools do not set back as they do that of its data.
-    for (const auto number : {static_cast<long long>(status.st_dev), static_cast<long long>(status.st_ino),
-                              static_cast<long long>(status.st_size),
-                              static_cast<long long>(status.st_mtim.tv_sec),
-                              static_cast<long long>(status.st_mtim.tv_nsec),
-                              static_cast<long long>(status.st_ctim.tv_sec),
-                              static_cast<long long>(status.st_ctim.tv_nsec)})
+    for (const auto number :
+         {static_cast<long long>(status.st_dev), static_cast<long long>(status.st_ino),
+          static_cast<long long>(status.st_size), static_cast<long long>(status.st_mtim.tv_sec),
+          static_cast<long long>(status.st_mtim.tv_nsec), static_cast<long long>(status.st_ctim.tv_sec),
+          static_cast<long long>(status.st_ctim.tv_nsec)})
         state += std::to_string(number) + ' ';
     return state;
 }
@@ -50,8 +49,9 @@ std::shared_ptr<const void> FileCache::find(const std::string& file, std::string
 }
 
 void FileCache::forget_oldest() {
-    std::size_t sum = std::accumulate(entries_.begin(), entries_.end(), std::size_t{0},
-                                      [](std::size_t bytes, const Entry& one) { return bytes + one.bytes(); });
+    std::size_t sum =
+        std::accumulate(entries_.begin(), entries_.end(), std::size_t{0},
+                        [](std::size_t bytes, const Entry& one) { return bytes + one.bytes(); });
     while (entries_.size() > 1 && (entries_.size() > most || sum > budget_)) {
         sum -= entries_.back().bytes();
         entries_.pop_back();

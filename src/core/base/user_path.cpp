@@ -26,7 +26,8 @@ std::filesystem::path user_path(std::string_view text, const std::filesystem::pa
 
 bool is_path(std::string_view text) {
     const auto begin = text.find_first_not_of(" \t\r\n");
-    return begin != std::string_view::npos && text[begin] != '{' && !is_data_uri(text) && !is_shipped_data(text);
+    return begin != std::string_view::npos && text[begin] != '{' && !is_data_uri(text) &&
+           !is_shipped_data(text);
 }
 
 bool has_extension(const std::filesystem::path& file, std::string_view extension) {

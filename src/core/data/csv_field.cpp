@@ -34,13 +34,13 @@ std::string_view trim(std::string_view text) {
 }
 
 bool is_missing(std::string_view cell) {
-    static constexpr std::array<std::string_view, 9> words = {"nan",  "na",   "n/a", "null", "none",
-                                                               "inf", "infinity", "-", "--"};
+    static constexpr std::array<std::string_view, 9> words = {"nan", "na",       "n/a", "null", "none",
+                                                              "inf", "infinity", "-",   "--"};
     constexpr std::size_t longest = 10;
     if (cell.empty()) return true;
     if (cell.size() > longest) return false;
-    const std::string word = lower_case(cell.size() > 2 && (cell[0] == '-' || cell[0] == '+') ? cell.substr(1)
-                                                                                             : cell);
+    const std::string word =
+        lower_case(cell.size() > 2 && (cell[0] == '-' || cell[0] == '+') ? cell.substr(1) : cell);
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -96,13 +96,14 @@ struct Table {
     std::vector<std::string> names; ///< of the columns; empty if there are none
     std::size_t columns = 0;
     std::vector<double> numbers; ///< row by row; NaN where a cell is missing
-    std::vector<bool> text; ///< with names: columns whose first cell is a text, which are not read
+    std::vector<bool> text;      ///< with names: columns whose first cell is a text, which are not read
     bool corner = false; ///< the first row has coordinates: its first cell is not a number, all others are
 };
 
 class TableReader {
   public:
-    explicit TableReader(std::string_view text) : rest_(text) {
+    TableReader(std::string_view text, const FieldRequest& request)
+        : request_(request), size_(text.size()), rest_(text) {
         if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
     }
 
@@ -121,7 +122,8 @@ class TableReader {
     bool next() {
         while (!rest_.empty()) {
             line_ = take_line(rest_);
-            ++number_;
+            if (++number_ % 1024 == 0)
+                check_stop(request_, 1 - static_cast<double>(rest_.size()) / static_cast<double>(size_));
             const std::string_view text = trim(line_);
             if (text.starts_with('#')) comment_ = trim(text.substr(1));
             if (!text.empty() && !text.starts_with('#')) return true;
@@ -162,8 +164,7 @@ class TableReader {
             if (table_.numbers.size() == largest_field)
                 throw InputError("it has more than " + std::to_string(largest_field) + " numbers");
             const auto number = parse_number(cell);
-            if (!number && !is_missing(cell) && !is_text(table_.numbers.size() - before, cell))
-                fail(cell);
+            if (!number && !is_missing(cell) && !is_text(table_.numbers.size() - before, cell)) fail(cell);
             table_.numbers.push_back(number.value_or(nothing));
         });
         first_row_ = false;
@@ -186,6 +187,8 @@ class TableReader {
                          "' is not a number" + (comma ? " (write decimal points, not commas)" : ""));
     }
 
+    const FieldRequest& request_;
+    std::size_t size_;
     std::string_view rest_, line_;
     std::string comment_; ///< the last one
     std::size_t number_ = 0;
@@ -268,7 +271,7 @@ FieldData read_columns(const Table& table, const Columns& columns, const FieldRe
                                       : table.names[i]);
     const std::size_t chosen = find_variable(request.variable, field.variables);
     field.variable = field.variables[chosen];
-    field.data = arranged(points_in(table, columns, columns.values[chosen]), field.notes);
+    field.data = arranged(points_in(table, columns, columns.values[chosen]), field.notes, request.stop);
     if (table.names.empty()) field.notes.push_back("The three columns are read as x, y and the value.");
     return field;
 }
@@ -304,7 +307,7 @@ GridData matrix_with_axes(const Table& table) {
 
 FieldData parse_csv_field(std::string_view text, const FieldRequest& request) {
     find_index(request.time, 1, "time"), find_index(request.level, 1, "level");
-    const Table table = TableReader(text).read();
+    const Table table = TableReader(text, request).read();
     const Columns columns = columns_of(table);
     if (columns.coordinates != Coordinates::none) return read_columns(table, columns, request);
     FieldData field{"matrix", {"matrix"}, table.corner ? matrix_with_axes(table) : matrix(table), {}};

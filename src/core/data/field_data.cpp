@@ -95,8 +95,8 @@ class FineCells {
 
 /// The mean of those that are present; NaN if none is.
 double mean_of(const std::vector<double>& values, std::span<const std::uint32_t> which) {
-    const auto present = std::count_if(which.begin(), which.end(),
-                                       [&](std::uint32_t p) { return std::isfinite(values[p]); });
+    const auto present =
+        std::count_if(which.begin(), which.end(), [&](std::uint32_t p) { return std::isfinite(values[p]); });
     double mean = present == 0 ? nothing : 0;
     for (const std::uint32_t p : which)
         if (std::isfinite(values[p])) mean += values[p] / static_cast<double>(present);
@@ -110,6 +110,11 @@ std::string shortened_list(const std::vector<std::string>& names) {
 }
 
 } // namespace
+
+void check_stop(const FieldRequest& request, double done) {
+    if (request.stop.stop_requested()) throw Interrupted();
+    if (request.progress) request.progress(done);
+}
 
 std::size_t count_missing(const std::vector<double>& values) {
     return static_cast<std::size_t>(

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -43,10 +44,14 @@ struct ScatteredData {
 
 /// What to read of a file.
 struct FieldRequest {
-    std::string variable{}; ///< empty: the first
-    std::int64_t time = 0;  ///< index of the step, from 0; -1 is the last
-    std::int64_t level = 0; ///< likewise
+    std::string variable{};                 ///< empty: the first
+    std::int64_t time = 0;                  ///< index of the step, from 0; -1 is the last
+    std::int64_t level = 0;                 ///< likewise
+    std::function<void(double)> progress{}; ///< told the fraction of a long text that is read
+    std::stop_token stop{};
 };
+/// For loops over long data: reports progress; throws Interrupted if asked to stop.
+void check_stop(const FieldRequest& request, double done);
 
 struct FieldData {
     std::string variable;               ///< the name of what was read

@@ -269,7 +269,8 @@ FieldData parse_netcdf_field(std::string_view bytes, const FieldRequest& request
     if (at.x == nullptr)
         field.data = read_grid(file, variable, request, field.notes);
     else
-        field.data = arranged(read_points(file, variable, at, request, field.notes), field.notes);
+        field.data =
+            arranged(read_points(file, variable, at, request, field.notes), field.notes, request.stop);
     return field;
 }
 

@@ -252,7 +252,7 @@ FieldData vtk_field(const VtkFile& file, const FieldRequest& request) {
     demand(at.size() / 3);
     for (const double one : at)
         if (!std::isfinite(one)) throw InputError("a coordinate of a point is not finite");
-    field.data = arranged(at_points(at, std::move(values)), field.notes);
+    field.data = arranged(at_points(at, std::move(values)), field.notes, request.stop);
     return field;
 }
 

@@ -38,12 +38,13 @@ struct Numbers {
     std::size_t count = 0;
     VtkType type{};
     bool binary = false;
+    const FieldRequest* request = nullptr; ///< null: there are no numbers
 };
 
 /// Words, lines and numbers one after the other.
 class Scanner {
   public:
-    explicit Scanner(std::string_view text) : rest_(text) {}
+    Scanner(std::string_view text, const FieldRequest& request) : request_(&request), rest_(text) {}
 
     bool binary = false;
 
@@ -55,7 +56,7 @@ class Scanner {
         rest_.remove_prefix(found.size());
         return found;
     }
-    std::string_view peek() const { return Scanner(rest_).word(); }
+    std::string_view peek() const { return Scanner(rest_, *request_).word(); }
     std::size_t count() {
         const std::string_view text = word();
         std::size_t value = 0;
@@ -74,7 +75,7 @@ class Scanner {
         if (!type)
             throw InputError("it has numbers of the type '" + shortened(type_name) + "', which is not read");
         if (binary) line(); // the end of the line with the keyword
-        Numbers found{rest_, count, *type, binary};
+        Numbers found{rest_, count, *type, binary, request_};
         if (binary) {
             const std::size_t bytes = count * type->bytes;
             if (bytes > rest_.size()) throw InputError("it ends within an array");
@@ -82,22 +83,30 @@ class Scanner {
             rest_.remove_prefix(bytes);
         } else {
             if (count > rest_.size()) throw InputError("it ends within an array");
-            for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t i = 0; i < count; ++i) {
+                if (i % 4096 == 0) check_stop(*request_, static_cast<double>(i) / static_cast<double>(count));
                 if (word().empty()) throw InputError("it ends within an array");
+            }
             found.text.remove_suffix(rest_.size());
         }
         return found;
     }
 
   private:
+    const FieldRequest* request_;
     std::string_view rest_;
 };
 
 std::vector<double> read(const Numbers& numbers) {
+    if (numbers.request == nullptr) return {};
     if (numbers.binary) return vtk_numbers(numbers.text, numbers.type, true);
-    Scanner scanner(numbers.text);
+    Scanner scanner(numbers.text, *numbers.request);
     std::vector<double> all(numbers.count);
-    for (double& one : all) one = scanner.number();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i % 4096 == 0)
+            check_stop(*numbers.request, static_cast<double>(i) / static_cast<double>(all.size()));
+        all[i] = scanner.number();
+    }
     return all;
 }
 
@@ -138,7 +147,7 @@ void append_cells(VtkCells& cells, const CellList& list) {
 
 class LegacyReader {
   public:
-    explicit LegacyReader(std::string_view bytes) : in_(bytes) {}
+    LegacyReader(std::string_view bytes, const FieldRequest& request) : in_(bytes, request) {}
 
     VtkFile read_file() {
         read_header();
@@ -334,7 +343,7 @@ class LegacyReader {
 } // namespace
 
 FieldData parse_legacy_vtk_field(std::string_view bytes, const FieldRequest& request) {
-    return vtk_field(LegacyReader(bytes).read_file(), request);
+    return vtk_field(LegacyReader(bytes, request).read_file(), request);
 }
 
 } // namespace gaspard

@@ -18,9 +18,13 @@ std::shared_ptr<const FieldData> read_field(const Values& values, const DataCont
     const std::string& file = values.text("file");
     if (file.empty())
         throw InputError(key_name(values, "file") + " is empty; it is the path of a NetCDF, CSV or VTK file");
-    const FieldRequest request{values.text("variable"), values.integer("time"), values.integer("level")};
+    const auto report = [&](double done) {
+        if (context.progress) context.progress(done, "Reading the field");
+    };
+    const FieldRequest request{values.text("variable"), values.integer("time"), values.integer("level"),
+                               report, context.stop};
     const std::function<std::shared_ptr<const FieldData>()> read = [&] {
-        if (context.progress) context.progress(0, "Reading the field");
+        report(0);
         return std::make_shared<const FieldData>(
             parse_field(read_data_file(file, context.folder), data_file_name(file, context.folder), request));
     };

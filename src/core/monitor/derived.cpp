@@ -145,7 +145,9 @@ class Maker {
         std::vector<double> smoothed;
         const auto needed = needed_smoothing(domain_, values_, context_, smoothed);
         const std::string most = two_digits(most_smoothing);
-        const auto cells = [](double length) { return two_digits(length) + (length == 1 ? " cell" : " cells"); };
+        const auto cells = [](double length) {
+            return two_digits(length) + (length == 1 ? " cell" : " cells");
+        };
         if (!options_.smoothing) {
             if (!needed)
                 notes_.push_back("The mesh may not follow the monitor: it is smoothed over " + most +

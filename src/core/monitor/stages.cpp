@@ -88,8 +88,7 @@ double steepness(const DomainGrid& domain, std::span<const double> values) {
 }
 
 std::optional<double> needed_smoothing(const DomainGrid& domain, std::span<const double> values,
-                                       const DataContext& context,
-                                       std::vector<double>& smoothed) {
+                                       const DataContext& context, std::vector<double>& smoothed) {
     smoothed.assign(values.begin(), values.end());
     if (steepness(domain, smoothed) <= steepest(domain)) return 0;
     for (const double length : lengths) {

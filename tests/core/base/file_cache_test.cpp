@@ -1,5 +1,4 @@
 #include "core/base/file_cache.hpp"
-
 #include "support/temporary_folder.hpp"
 
 #include <filesystem>
@@ -23,7 +22,8 @@ struct Maker {
             return std::make_shared<const std::string>(std::istreambuf_iterator<char>(in),
                                                        std::istreambuf_iterator<char>());
         };
-        return *cache.get<std::string>(file, purpose, make, [](const std::string& text) { return text.size(); });
+        return *cache.get<std::string>(file, purpose, make,
+                                       [](const std::string& text) { return text.size(); });
     }
 };
 
@@ -105,7 +105,9 @@ TEST(FileCache, KeepsNothingOfAFailure) {
     const auto fail = []() -> std::shared_ptr<const int> { throw std::runtime_error("no"); };
     const auto bytes = [](const int&) { return sizeof(int); };
     EXPECT_THROW(cache.get<int>("x", "number", fail, bytes), std::runtime_error);
-    EXPECT_EQ(*cache.get<int>("x", "number", [] { return std::make_shared<const int>(3); }, bytes), 3);
+    EXPECT_EQ(*cache.get<int>(
+                  "x", "number", [] { return std::make_shared<const int>(3); }, bytes),
+              3);
 }
 
 } // namespace

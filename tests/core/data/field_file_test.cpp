@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <stop_token>
 
 namespace gaspard {
 namespace {
@@ -173,13 +174,15 @@ TEST(FieldFile, CsvWithColumns) {
 }
 
 TEST(FieldFile, CsvWithNamesOfStations) {
-    const FieldData field = parse("station,lon,lat,height,country\nDavos,9.8,46.8,1594,CH\nBern,7.4,46.9,553,CH\n"
-                                  "Ulm,10,48.4,n/a,DE\n");
+    const FieldData field =
+        parse("station,lon,lat,height,country\nDavos,9.8,46.8,1594,CH\nBern,7.4,46.9,553,CH\n"
+              "Ulm,10,48.4,n/a,DE\n");
     EXPECT_EQ(field.variables, std::vector<std::string>{"height"});
     EXPECT_EQ(scattered(field).points.x, (std::vector<double>{9.8, 7.4, 10}));
     EXPECT_EQ(values_of(field)[1], 553);
     EXPECT_EQ(count_missing(values_of(field)), 1U);
-    EXPECT_EQ(error_of("x,y,name\n0,1,a\n"), "cannot read it.csv: it has coordinates, but no column of values");
+    EXPECT_EQ(error_of("x,y,name\n0,1,a\n"),
+              "cannot read it.csv: it has coordinates, but no column of values");
     EXPECT_EQ(error_of("x,y,v\n0,1,2\n0,1,two\n"), "cannot read it.csv: line 3: 'two' is not a number");
 }
 
@@ -242,17 +245,44 @@ TEST(FieldFile, LinesMayEndWithCarriageReturns) {
 }
 
 TEST(FieldFile, NumbersOfVtkBeyondADoubleAreMissingOrZero) {
-    const FieldData old = parse("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 3 2 1\n"
-                                "POINT_DATA 6\nSCALARS v double 1\nLOOKUP_TABLE default\n1 1e400 -1E+400\n1e-400 "
-                                "nan +5\n");
-    const FieldData xml = parse("<VTKFile type=\"ImageData\"><ImageData><Piece Extent=\"0 2 0 1 0 0\"><PointData>"
-                                "<DataArray type=\"Float64\" Name=\"v\" format=\"ascii\">1 1e400 -1E+400 1e-400 "
-                                "nan +5</DataArray></PointData></Piece></ImageData></VTKFile>");
+    const FieldData old =
+        parse("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 3 2 1\n"
+              "POINT_DATA 6\nSCALARS v double 1\nLOOKUP_TABLE default\n1 1e400 -1E+400\n1e-400 "
+              "nan +5\n");
+    const FieldData xml =
+        parse("<VTKFile type=\"ImageData\"><ImageData><Piece Extent=\"0 2 0 1 0 0\"><PointData>"
+              "<DataArray type=\"Float64\" Name=\"v\" format=\"ascii\">1 1e400 -1E+400 1e-400 "
+              "nan +5</DataArray></PointData></Piece></ImageData></VTKFile>");
     for (const FieldData* field : {&old, &xml}) {
         EXPECT_EQ(count_missing(values_of(*field)), 3u);
         EXPECT_EQ(values_of(*field)[0], 1);
         EXPECT_EQ(values_of(*field)[3], 0);
         EXPECT_EQ(values_of(*field)[5], 5);
+    }
+}
+
+TEST(FieldFile, ReadingReportsProgressAndStops) {
+    std::string numbers;
+    for (int i = 0; i < 10'000; ++i) numbers += std::to_string(i) + " 1 2 0\n";
+    const std::string image =
+        "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 4 10000 "
+        "1\nPOINT_DATA 40000\nSCALARS v float 1\nLOOKUP_TABLE default\n";
+    const std::string xml =
+        "<VTKFile type=\"ImageData\"><ImageData><Piece Extent=\"0 3 0 9999 0 0\"><PointData>"
+        "<DataArray type=\"Float64\" Name=\"v\" format=\"ascii\">" +
+        numbers + "</DataArray></PointData></Piece></ImageData></VTKFile>";
+    for (const std::string& text : {numbers, image + numbers, xml}) {
+        std::vector<double> reported;
+        std::stop_source stop;
+        parse(text, {.progress = [&](double done) { reported.push_back(done); }, .stop = stop.get_token()});
+        EXPECT_GE(reported.size(), 9u);
+        for (const double done : reported) EXPECT_TRUE(done >= 0 && done <= 1) << done;
+        int calls = 0;
+        const auto third = [&](double) {
+            if (++calls == 3) stop.request_stop();
+        };
+        EXPECT_THROW(parse(text, {.progress = third, .stop = stop.get_token()}), Interrupted);
+        EXPECT_EQ(calls, 3);
     }
 }
 

@@ -182,8 +182,8 @@ TEST(LineResampling, KeepsItsOrderAtExtremaAndWhatIsPositive) {
         LineResampling(axis, 0.0005, 0.001, 1000, std::nullopt).apply(values, wanted);
         double error = 0;
         for (std::size_t i = 0; i < 1000; ++i)
-            error = std::max(error,
-                             std::abs(wanted[i] - std::cos(2 * pi * (0.0005 + 0.001 * static_cast<double>(i)))));
+            error = std::max(
+                error, std::abs(wanted[i] - std::cos(2 * pi * (0.0005 + 0.001 * static_cast<double>(i)))));
         errors.push_back(error);
     }
     EXPECT_GT(errors[0] / errors[1], 12);
@@ -292,17 +292,21 @@ TEST(FieldFunction, CoincidentPointsCountOnce) {
 
 TEST(FieldFunction, PointsThatDoNotSpanThePlaneAreRefused) {
     const auto error = [](const std::vector<Vec3>& places, SpaceKind kind, Coordinates coordinates) {
-        return error_of(scattered(places, [](Vec3 x) { return x.x; }, 2, coordinates), {}, on(kind));
+        return error_of(scattered(
+                            places, [](Vec3 x) { return x.x; }, 2, coordinates),
+                        {}, on(kind));
     };
-    const std::string line = "all points of the field lie on a line, so that it is not known between and beside "
-                             "them in the plane";
+    const std::string line =
+        "all points of the field lie on a line, so that it is not known between and beside "
+        "them in the plane";
     std::vector<Vec3> diagonal, column;
     for (const double t : steps(0.1, 0.05, 15)) diagonal.push_back({t, t, 0}), column.push_back({0.5, t, 0});
     for (const SpaceKind kind : {SpaceKind::euclidean, SpaceKind::periodic_square}) {
         EXPECT_EQ(error(diagonal, kind, Coordinates::cartesian), line);
         EXPECT_EQ(error(column, kind, Coordinates::cartesian), line);
-        EXPECT_EQ(error({{0.1, 0.2, 0}, {0.7, 0.2, 0}}, kind, Coordinates::cartesian),
-                  "the field has values at two points only; at least three that are not on a line are needed");
+        EXPECT_EQ(
+            error({{0.1, 0.2, 0}, {0.7, 0.2, 0}}, kind, Coordinates::cartesian),
+            "the field has values at two points only; at least three that are not on a line are needed");
     }
     const std::string place =
         "all points of the field lie at one place; at least three that are not on a line are needed";

@@ -218,9 +218,10 @@ TEST(Derived, SaysIfTheMostSmoothingIsNotEnough) {
                                                   const double s = 1 / std::cosh(p.x / 0.01);
                                                   return Vec3{s * s / 0.01, 0, 0};
                                               });
-    EXPECT_EQ(derived_monitor(edge, options, context)->report().notes.back(),
-              "The mesh may not follow the monitor: it is smoothed over 8 cells of the uniform mesh, which is "
-              "not enough.");
+    EXPECT_EQ(
+        derived_monitor(edge, options, context)->report().notes.back(),
+        "The mesh may not follow the monitor: it is smoothed over 8 cells of the uniform mesh, which is "
+        "not enough.");
     options.smoothing = 1;
     EXPECT_EQ(derived_monitor(edge, options, context)->report().notes.back(),
               "The mesh may not follow the monitor: it is smoothed over 1 cell, and would need more than 8.");
