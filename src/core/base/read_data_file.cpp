@@ -1,11 +1,11 @@
 #include "core/base/read_data_file.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/letters.hpp"
 #include "core/base/number_text.hpp"
 #include "core/base/user_path.hpp"
 #include "core_assets.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -15,13 +15,6 @@ namespace {
 
 constexpr std::string_view scheme = "data:", shipped = "gaspard:", blanks = " \t\r\n";
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-bool same_word(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char c, char d) { return lower(c) == lower(d); });
-}
-
 std::string_view without_blanks(std::string_view text) {
     const auto begin = text.find_first_not_of(blanks);
     if (begin == std::string_view::npos) return {};
@@ -30,7 +23,7 @@ std::string_view without_blanks(std::string_view text) {
 
 int hexadecimal(char c) {
     if (c >= '0' && c <= '9') return c - '0';
-    const char small = lower(c);
+    const char small = lower_case(c);
     return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
 }
 

@@ -1,6 +1,7 @@
 #include "core/base/user_path.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/letters.hpp"
 #include "core/base/read_data_file.hpp"
 
 #include <algorithm>
@@ -25,15 +26,12 @@ std::filesystem::path user_path(std::string_view text, const std::filesystem::pa
 
 bool is_path(std::string_view text) {
     const auto begin = text.find_first_not_of(" \t\r\n");
-    return begin != std::string_view::npos && text[begin] != '{' && !is_data_uri(text) && !is_shipped_data(text);
+    return begin != std::string_view::npos && text[begin] != '{' && !is_data_uri(text) &&
+           !is_shipped_data(text);
 }
 
 bool has_extension(const std::filesystem::path& file, std::string_view extension) {
-    const std::string ending = file.extension().string();
-    return std::equal(ending.begin(), ending.end(), extension.begin(), extension.end(), [](char a, char b) {
-        const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-        return lower(a) == lower(b);
-    });
+    return same_word(file.extension().string(), extension);
 }
 
 } // namespace gaspard

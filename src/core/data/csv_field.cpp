@@ -10,8 +10,10 @@
 //   ,0,0.5,1        a matrix with its axes: x in the first row, y in the first column
 //   0,1,2,3
 #include "core/base/error.hpp"
+#include "core/base/letters.hpp"
 #include "core/base/number_text.hpp"
 #include "core/data/field_file.hpp"
+#include "core/data/text_lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,25 +27,21 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_columns = std::size_t{1} << 16;
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-std::string lower_case(std::string_view text) {
-    std::string small(text);
-    std::transform(small.begin(), small.end(), small.begin(), &lower);
-    return small;
-}
-
 std::string_view trim(std::string_view text) {
-    const auto begin = text.find_first_not_of(" \t\r");
+    const auto begin = text.find_first_not_of(" \t");
     if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
+    return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
 }
 
 bool is_missing(std::string_view cell) {
-    static constexpr std::array<std::string_view, 11> words = {"nan", "na",   "n/a",  "null", "none", "-",
-                                                               "--",  "-nan", "+nan", "inf",  "-inf"};
-    return cell.empty() ||
-           std::find(words.begin(), words.end(), lower_case(cell.substr(0, 8))) != words.end();
+    static constexpr std::array<std::string_view, 9> words = {"nan", "na",       "n/a", "null", "none",
+                                                              "inf", "infinity", "-",   "--"};
+    constexpr std::size_t longest = 10;
+    if (cell.empty()) return true;
+    if (cell.size() > longest) return false;
+    const std::string word =
+        lower_case(cell.size() > 2 && (cell[0] == '-' || cell[0] == '+') ? cell.substr(1) : cell);
+    return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 /// How the cells of a line are separated.
@@ -74,7 +72,6 @@ std::string_view without_quotes(std::string_view cell) {
 template <class Visit>
 void each_cell(std::string_view line, Separator separator, const Visit& visit) {
     line = separator == Separator::tab ? line : trim(line);
-    if (line.ends_with('\r')) line.remove_suffix(1);
     while (true) {
         const std::size_t end = cell_end(line, static_cast<char>(separator));
         visit(without_quotes(trim(line.substr(0, end))));
@@ -99,13 +96,14 @@ struct Table {
     std::vector<std::string> names; ///< of the columns; empty if there are none
     std::size_t columns = 0;
     std::vector<double> numbers; ///< row by row; NaN where a cell is missing
-    std::vector<bool> text; ///< with names: columns whose first cell is a text, which are not read
+    std::vector<bool> text;      ///< with names: columns whose first cell is a text, which are not read
     bool corner = false; ///< the first row has coordinates: its first cell is not a number, all others are
 };
 
 class TableReader {
   public:
-    explicit TableReader(std::string_view text) : rest_(text) {
+    TableReader(std::string_view text, const FieldRequest& request)
+        : request_(request), size_(text.size()), rest_(text) {
         if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
     }
 
@@ -123,10 +121,9 @@ class TableReader {
     /// Goes to the next line that is neither empty nor a comment; false at the end.
     bool next() {
         while (!rest_.empty()) {
-            const auto end = std::min(rest_.find('\n'), rest_.size());
-            line_ = rest_.substr(0, end);
-            rest_.remove_prefix(std::min(end + 1, rest_.size()));
-            ++number_;
+            line_ = take_line(rest_);
+            if (++number_ % 1024 == 0)
+                check_stop(request_, 1 - static_cast<double>(rest_.size()) / static_cast<double>(size_));
             const std::string_view text = trim(line_);
             if (text.starts_with('#')) comment_ = trim(text.substr(1));
             if (!text.empty() && !text.starts_with('#')) return true;
@@ -167,8 +164,7 @@ class TableReader {
             if (table_.numbers.size() == largest_field)
                 throw InputError("it has more than " + std::to_string(largest_field) + " numbers");
             const auto number = parse_number(cell);
-            if (!number && !is_missing(cell) && !is_text(table_.numbers.size() - before, cell))
-                fail(cell);
+            if (!number && !is_missing(cell) && !is_text(table_.numbers.size() - before, cell)) fail(cell);
             table_.numbers.push_back(number.value_or(nothing));
         });
         first_row_ = false;
@@ -191,6 +187,8 @@ class TableReader {
                          "' is not a number" + (comma ? " (write decimal points, not commas)" : ""));
     }
 
+    const FieldRequest& request_;
+    std::size_t size_;
     std::string_view rest_, line_;
     std::string comment_; ///< the last one
     std::size_t number_ = 0;
@@ -273,11 +271,7 @@ FieldData read_columns(const Table& table, const Columns& columns, const FieldRe
                                       : table.names[i]);
     const std::size_t chosen = find_variable(request.variable, field.variables);
     field.variable = field.variables[chosen];
-    ScatteredData data = points_in(table, columns, columns.values[chosen]);
-    if (auto grid = as_grid(data))
-        field.data = std::move(*grid);
-    else
-        field.data = std::move(data);
+    field.data = arranged(points_in(table, columns, columns.values[chosen]), field.notes, request.stop);
     if (table.names.empty()) field.notes.push_back("The three columns are read as x, y and the value.");
     return field;
 }
@@ -313,7 +307,7 @@ GridData matrix_with_axes(const Table& table) {
 
 FieldData parse_csv_field(std::string_view text, const FieldRequest& request) {
     find_index(request.time, 1, "time"), find_index(request.level, 1, "level");
-    const Table table = TableReader(text).read();
+    const Table table = TableReader(text, request).read();
     const Columns columns = columns_of(table);
     if (columns.coordinates != Coordinates::none) return read_columns(table, columns, request);
     FieldData field{"matrix", {"matrix"}, table.corner ? matrix_with_axes(table) : matrix(table), {}};

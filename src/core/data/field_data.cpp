@@ -5,9 +5,11 @@
 #include "core/base/parameter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 
 namespace gaspard {
 
@@ -45,6 +47,62 @@ void check_axis(const std::vector<double>& axis) {
         if (!std::isfinite(at)) throw InputError("a coordinate of the grid is missing or not finite");
 }
 
+bool all_finite(const std::vector<double>& all) {
+    return std::all_of(all.begin(), all.end(), [](double one) { return std::isfinite(one); });
+}
+
+/// Throws Interrupted from the comparisons of a long sort.
+class StopCheck {
+  public:
+    explicit StopCheck(const std::stop_token& stop) : stop_(&stop) {}
+    void operator()() {
+        if (++calls_ % 65'536 == 0 && stop_->stop_requested()) throw Interrupted();
+    }
+
+  private:
+    const std::stop_token* stop_;
+    std::size_t calls_ = 0;
+};
+
+/// Cells so small that points of one count as the same. A cell begins beside round numbers, so that what
+/// rounding has moved away from one stays in its cell.
+class FineCells {
+  public:
+    explicit FineCells(const Points& points) : points_(&points) {
+        const std::array<const std::vector<double>*, 3> all = {&points.x, &points.y, &points.z};
+        std::array<double, 3> extents{};
+        double largest = 0; // coordinates are rounded by a fraction of it, where they come from angles
+        for (std::size_t d = 0; d < 3; ++d) {
+            const auto [low, high] = std::minmax_element(all[d]->begin(), all[d]->end());
+            extents[d] = *high - *low, largest = std::max({largest, std::abs(*low), std::abs(*high)});
+        }
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double side = std::max(1e-9 * extents[d], 1e-15 * largest);
+            inverse_[d] = side > 0 ? 1 / side : 0;
+        }
+    }
+    std::array<double, 3> operator()(std::uint32_t p) const {
+        const Vec3 x = (*points_)[p];
+        return {cell(x.x, 0), cell(x.y, 1), cell(x.z, 2)};
+    }
+
+  private:
+    double cell(double at, std::size_t d) const { return std::floor(at * inverse_[d] + 0.37); }
+
+    const Points* points_;
+    std::array<double, 3> inverse_{}; ///< of the sides of a cell
+};
+
+/// The mean of those that are present; NaN if none is.
+double mean_of(const std::vector<double>& values, std::span<const std::uint32_t> which) {
+    const auto present =
+        std::count_if(which.begin(), which.end(), [&](std::uint32_t p) { return std::isfinite(values[p]); });
+    double mean = present == 0 ? nothing : 0;
+    for (const std::uint32_t p : which)
+        if (std::isfinite(values[p])) mean += values[p] / static_cast<double>(present);
+    return mean;
+}
+
 std::string shortened_list(const std::vector<std::string>& names) {
     constexpr std::size_t most = 20;
     if (names.size() <= most) return join(names, ", ");
@@ -52,6 +110,11 @@ std::string shortened_list(const std::vector<std::string>& names) {
 }
 
 } // namespace
+
+void check_stop(const FieldRequest& request, double done) {
+    if (request.stop.stop_requested()) throw Interrupted();
+    if (request.progress) request.progress(done);
+}
 
 std::size_t count_missing(const std::vector<double>& values) {
     return static_cast<std::size_t>(
@@ -62,8 +125,49 @@ const std::vector<double>& values_of(const FieldData& field) {
     return std::visit([](const auto& data) -> const std::vector<double>& { return data.values; }, field.data);
 }
 
+std::size_t merge_coincident(Points& points, std::vector<double>& values, const std::stop_token& stop) {
+    if (!all_finite(points.x) || !all_finite(points.y) || !all_finite(points.z) || values.empty()) return 0;
+    const FineCells cell_of(points);
+    std::vector<std::uint32_t> order(values.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [&, check = StopCheck(stop)](auto a, auto b) mutable {
+        check();
+        const auto of_a = cell_of(a), of_b = cell_of(b);
+        return of_a != of_b ? of_a < of_b : a < b;
+    });
+    std::vector<char> removed(values.size(), 0);
+    for (std::size_t begin = 0, end = 1; begin < order.size(); begin = end++) {
+        const auto cell = cell_of(order[begin]);
+        while (end < order.size() && cell_of(order[end]) == cell) removed[order[end++]] = 1;
+        if (end - begin > 1)
+            values[order[begin]] = mean_of(values, std::span(order).subspan(begin, end - begin));
+    }
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < values.size(); ++p)
+        if (removed[p] == 0) points.set(kept, points[p]), values[kept++] = values[p];
+    const std::size_t merged = values.size() - kept;
+    points.resize(kept), values.resize(kept);
+    return merged;
+}
+
+std::string coincidence_note(std::size_t merged) {
+    return (merged == 1 ? std::string("One point coincides with another")
+                        : std::to_string(merged) + " points coincide with others") +
+           "; the means of the values at such points are used.";
+}
+
+std::variant<GridData, ScatteredData> arranged(ScatteredData data, std::vector<std::string>& notes,
+                                               const std::stop_token& stop) {
+    if (const std::size_t merged = merge_coincident(data.points, data.values, stop))
+        notes.push_back(coincidence_note(merged));
+    if (auto grid = as_grid(data)) return std::move(*grid);
+    return data;
+}
+
 std::optional<GridData> as_grid(const ScatteredData& data) {
-    if (data.dimension != 2 || data.values.size() < 4) return std::nullopt;
+    if (data.dimension != 2 || data.values.size() < 4 || !all_finite(data.points.x) ||
+        !all_finite(data.points.y))
+        return std::nullopt;
     GridData grid{data.coordinates, {different(data.points.x), different(data.points.y)}, {}};
     const std::size_t nx = grid.axes[0].size(), ny = grid.axes[1].size();
     if (nx < 2 || ny < 2 || nx > data.values.size() / ny || nx * ny != data.values.size())

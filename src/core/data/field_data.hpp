@@ -8,7 +8,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -42,10 +44,14 @@ struct ScatteredData {
 
 /// What to read of a file.
 struct FieldRequest {
-    std::string variable{}; ///< empty: the first
-    std::int64_t time = 0;  ///< index of the step, from 0; -1 is the last
-    std::int64_t level = 0; ///< likewise
+    std::string variable{};                 ///< empty: the first
+    std::int64_t time = 0;                  ///< index of the step, from 0; -1 is the last
+    std::int64_t level = 0;                 ///< likewise
+    std::function<void(double)> progress{}; ///< told the fraction of a long text that is read
+    std::stop_token stop{};
 };
+/// For loops over long data: reports progress; throws Interrupted if asked to stop.
+void check_stop(const FieldRequest& request, double done);
 
 struct FieldData {
     std::string variable;               ///< the name of what was read
@@ -58,9 +64,18 @@ struct FieldData {
 std::size_t count_missing(const std::vector<double>& values);
 const std::vector<double>& values_of(const FieldData& field);
 
+/// Points whose coordinates differ by less than about 1e-9 of the extent along each axis become one,
+/// the first of them, with the mean of their values. Returns how many points it removed.
+std::size_t merge_coincident(Points& points, std::vector<double>& values, const std::stop_token& stop = {});
+/// "2 points coincide with others; ...".
+std::string coincidence_note(std::size_t merged);
+
 /// The same data as a grid if its points in the plane are all points of a rectilinear grid, in any order.
 /// Coordinates that differ by less than 1e-9 of the extent are the same.
 std::optional<GridData> as_grid(const ScatteredData& data);
+/// The data without coincident points, which a note counts, as a grid if they are one.
+std::variant<GridData, ScatteredData> arranged(ScatteredData data, std::vector<std::string>& notes,
+                                               const std::stop_token& stop = {});
 /// Sorts the axes of a grid, and its values with them. Throws InputError (without a file's name) if a
 /// coordinate is not finite or appears twice.
 GridData with_sorted_axes(GridData grid);

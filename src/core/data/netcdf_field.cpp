@@ -2,6 +2,7 @@
 // and level, follows from coordinate variables (axis, standard_name, units) or else from names and the order.
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
+#include "core/base/letters.hpp"
 #include "core/data/field_file.hpp"
 #include "core/data/netcdf_input.hpp"
 
@@ -16,12 +17,6 @@ namespace {
 using Variable = NetcdfInputVariable;
 
 enum class Axis { x, y, z, time, unknown };
-
-std::string lower_case(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text;
-}
 
 bool any_of(std::string_view word, std::initializer_list<std::string_view> words) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -142,6 +137,10 @@ std::vector<std::string> field_names(const NetcdfInput& file) {
             (long_dimensions(file, variable) >= 2 || point_coordinates(file, variable).x != nullptr))
             names.push_back(variable.name);
     if (!names.empty()) return names;
+    if (const auto groups = file.groups(); !groups.empty())
+        throw InputError("it has no variable with two dimensions outside of its groups (" +
+                         join(groups, ", ").substr(0, 400) +
+                         "), which are not read; take them out of the groups (ncks -G :)");
     std::vector<std::string> all;
     for (const Variable& variable : file.variables()) all.push_back(variable.name);
     throw InputError("it has no variable with two dimensions" +
@@ -267,15 +266,11 @@ FieldData parse_netcdf_field(std::string_view bytes, const FieldRequest& request
     field.variable = field.variables[find_variable(request.variable, field.variables)];
     const Variable& variable = *file.find(field.variable);
     const PointCoordinates at = point_coordinates(file, variable);
-    if (at.x == nullptr) {
+    if (at.x == nullptr)
         field.data = read_grid(file, variable, request, field.notes);
-        return field;
-    }
-    ScatteredData data = read_points(file, variable, at, request, field.notes);
-    if (auto grid = as_grid(data))
-        field.data = std::move(*grid);
     else
-        field.data = std::move(data);
+        field.data =
+            arranged(read_points(file, variable, at, request, field.notes), field.notes, request.stop);
     return field;
 }
 

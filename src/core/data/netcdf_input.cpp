@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/data/field_data.hpp"
+#include "core/data/hdf5_links.hpp"
 #include "core/data/netcdf_header.hpp"
 #include "core/data/netcdf_lock.hpp"
 
@@ -141,7 +142,10 @@ std::mutex& netcdf_mutex() {
 }
 
 NetcdfInput::NetcdfInput(std::string_view bytes) : lock_(netcdf_mutex()), bytes_(bytes) {
-    if (bytes.starts_with("CDF")) check_classic_netcdf(bytes);
+    if (bytes.starts_with("CDF"))
+        check_classic_netcdf(bytes);
+    else
+        check_hdf5_is_complete(bytes);
     const int status = nc_open_mem("gaspard.nc", NC_NOWRITE, bytes_.size(), bytes_.data(), &id_);
     if (status != NC_NOERR) id_ = -1;
     demand(status);
@@ -193,6 +197,20 @@ void NetcdfInput::read_variables() {
         }
         variables_.push_back(std::move(variable));
     }
+}
+
+std::vector<std::string> NetcdfInput::groups() const {
+    int count = 0;
+    demand(nc_inq_grps(id_, &count, nullptr));
+    std::vector<int> ids(static_cast<std::size_t>(std::max(count, 0)));
+    if (!ids.empty()) demand(nc_inq_grps(id_, &count, ids.data()));
+    std::vector<std::string> names;
+    for (const int id : ids) {
+        char name[NC_MAX_NAME + 1] = {};
+        demand(nc_inq_grpname(id, name));
+        names.emplace_back(name);
+    }
+    return names;
 }
 
 const NetcdfInputVariable* NetcdfInput::find(std::string_view name) const {

@@ -34,6 +34,8 @@ class NetcdfInput {
     const std::vector<NetcdfInputDimension>& dimensions() const { return dimensions_; }
     /// Variables of numbers only.
     const std::vector<NetcdfInputVariable>& variables() const { return variables_; }
+    /// The names of the groups in the file, whose variables are not read.
+    std::vector<std::string> groups() const;
     /// Null if there is none.
     const NetcdfInputVariable* find(std::string_view name) const;
     std::size_t length(const NetcdfInputVariable& variable, std::size_t dimension) const;

@@ -2,10 +2,13 @@
 
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/base/letters.hpp"
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace gaspard {
 
@@ -149,8 +152,7 @@ std::vector<double> cell_centres(const std::vector<double>& points, const VtkCel
 }
 
 /// Points of which one coordinate is constant lie in a plane.
-std::variant<GridData, ScatteredData> at_points(const std::vector<double>& points,
-                                                std::vector<double> values) {
+ScatteredData at_points(const std::vector<double>& points, std::vector<double> values) {
     ScatteredData data{Coordinates::cartesian, 3, Points(values.size()), std::move(values)};
     for (std::size_t p = 0; p < data.points.size(); ++p)
         data.points.set(p, {points[3 * p], points[3 * p + 1], points[3 * p + 2]});
@@ -162,7 +164,6 @@ std::variant<GridData, ScatteredData> at_points(const std::vector<double>& point
         data.dimension = 2;
         std::fill(data.points.z.begin(), data.points.z.end(), 0.0);
     }
-    if (auto grid = as_grid(data)) return std::move(*grid);
     return data;
 }
 
@@ -180,12 +181,21 @@ std::vector<std::string> names_of(const VtkFile& file) {
 } // namespace
 
 std::optional<VtkType> vtk_type(std::string_view name) {
-    std::string small(name.substr(0, 20));
-    std::transform(small.begin(), small.end(), small.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     for (const NamedType& one : types)
-        if (one.name == small) return one.type;
+        if (same_word(one.name, name)) return one.type;
     return std::nullopt;
+}
+
+std::optional<double> vtk_number(std::string_view word) {
+    if (word.starts_with('+')) word.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error == std::errc::invalid_argument || end != word.data() + word.size()) return std::nullopt;
+    if (error == std::errc()) return value;
+    const auto exponent = word.find_first_of("eE"); // beyond what a double can hold
+    const bool small = exponent == std::string_view::npos ? word.find_first_of("123456789") > word.find('.')
+                                                          : word.substr(exponent + 1).starts_with('-');
+    return small ? 0 : std::numeric_limits<double>::infinity();
 }
 
 std::vector<double> vtk_numbers(std::string_view bytes, const VtkType& type, bool big_endian) {
@@ -242,7 +252,7 @@ FieldData vtk_field(const VtkFile& file, const FieldRequest& request) {
     demand(at.size() / 3);
     for (const double one : at)
         if (!std::isfinite(one)) throw InputError("a coordinate of a point is not finite");
-    field.data = at_points(at, std::move(values));
+    field.data = arranged(at_points(at, std::move(values)), field.notes, request.stop);
     return field;
 }
 

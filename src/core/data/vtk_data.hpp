@@ -24,6 +24,9 @@ std::optional<VtkType> vtk_type(std::string_view name);
 /// The numbers in `bytes`, as many as there are whole ones.
 std::vector<double> vtk_numbers(std::string_view bytes, const VtkType& type, bool big_endian);
 
+/// A number in ASCII; "nan", "inf" and what is too large for a double are not finite: missing values.
+std::optional<double> vtk_number(std::string_view word);
+
 struct VtkArray {
     std::string name;
     bool of_cells = false;

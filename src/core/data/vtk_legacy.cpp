@@ -2,6 +2,7 @@
 // or big-endian binary.
 #include "core/base/error.hpp"
 #include "core/data/field_file.hpp"
+#include "core/data/text_lines.hpp"
 #include "core/data/vtk_data.hpp"
 
 #include <algorithm>
@@ -24,15 +25,11 @@ std::string upper_case(std::string_view text) {
 
 std::string shortened(std::string_view word) { return std::string(word.substr(0, 40)); }
 
-/// A number in ASCII; "nan" and "inf" too, which are missing.
 double ascii_number(std::string_view word) {
-    double value = 0;
-    const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (word.empty()) throw InputError("it ends where a number is expected");
-    if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
-        throw InputError("it has '" + shortened(word) + "' where a number is expected");
-    return error == std::errc() ? value : 0;
+    const auto number = vtk_number(word);
+    if (!number) throw InputError("it has '" + shortened(word) + "' where a number is expected");
+    return *number;
 }
 
 /// Where an array of numbers is in the file.
@@ -41,22 +38,17 @@ struct Numbers {
     std::size_t count = 0;
     VtkType type{};
     bool binary = false;
+    const FieldRequest* request = nullptr; ///< null: there are no numbers
 };
 
 /// Words, lines and numbers one after the other.
 class Scanner {
   public:
-    explicit Scanner(std::string_view text) : rest_(text) {}
+    Scanner(std::string_view text, const FieldRequest& request) : request_(&request), rest_(text) {}
 
     bool binary = false;
 
-    std::string_view line() {
-        const auto end = std::min(rest_.find('\n'), rest_.size());
-        std::string_view found = rest_.substr(0, end);
-        rest_.remove_prefix(std::min(end + 1, rest_.size()));
-        if (found.ends_with('\r')) found.remove_suffix(1);
-        return found;
-    }
+    std::string_view line() { return take_line(rest_); }
     /// Empty at the end.
     std::string_view word() {
         rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size()));
@@ -64,7 +56,7 @@ class Scanner {
         rest_.remove_prefix(found.size());
         return found;
     }
-    std::string_view peek() const { return Scanner(rest_).word(); }
+    std::string_view peek() const { return Scanner(rest_, *request_).word(); }
     std::size_t count() {
         const std::string_view text = word();
         std::size_t value = 0;
@@ -83,7 +75,7 @@ class Scanner {
         if (!type)
             throw InputError("it has numbers of the type '" + shortened(type_name) + "', which is not read");
         if (binary) line(); // the end of the line with the keyword
-        Numbers found{rest_, count, *type, binary};
+        Numbers found{rest_, count, *type, binary, request_};
         if (binary) {
             const std::size_t bytes = count * type->bytes;
             if (bytes > rest_.size()) throw InputError("it ends within an array");
@@ -91,22 +83,30 @@ class Scanner {
             rest_.remove_prefix(bytes);
         } else {
             if (count > rest_.size()) throw InputError("it ends within an array");
-            for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t i = 0; i < count; ++i) {
+                if (i % 4096 == 0) check_stop(*request_, static_cast<double>(i) / static_cast<double>(count));
                 if (word().empty()) throw InputError("it ends within an array");
+            }
             found.text.remove_suffix(rest_.size());
         }
         return found;
     }
 
   private:
+    const FieldRequest* request_;
     std::string_view rest_;
 };
 
 std::vector<double> read(const Numbers& numbers) {
+    if (numbers.request == nullptr) return {};
     if (numbers.binary) return vtk_numbers(numbers.text, numbers.type, true);
-    Scanner scanner(numbers.text);
+    Scanner scanner(numbers.text, *numbers.request);
     std::vector<double> all(numbers.count);
-    for (double& one : all) one = scanner.number();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i % 4096 == 0)
+            check_stop(*numbers.request, static_cast<double>(i) / static_cast<double>(all.size()));
+        all[i] = scanner.number();
+    }
     return all;
 }
 
@@ -147,7 +147,7 @@ void append_cells(VtkCells& cells, const CellList& list) {
 
 class LegacyReader {
   public:
-    explicit LegacyReader(std::string_view bytes) : in_(bytes) {}
+    LegacyReader(std::string_view bytes, const FieldRequest& request) : in_(bytes, request) {}
 
     VtkFile read_file() {
         read_header();
@@ -343,7 +343,7 @@ class LegacyReader {
 } // namespace
 
 FieldData parse_legacy_vtk_field(std::string_view bytes, const FieldRequest& request) {
-    return vtk_field(LegacyReader(bytes).read_file(), request);
+    return vtk_field(LegacyReader(bytes, request).read_file(), request);
 }
 
 } // namespace gaspard

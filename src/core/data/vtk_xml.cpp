@@ -85,7 +85,7 @@ struct Encoding {
 
 class ArrayReader {
   public:
-    explicit ArrayReader(Encoding encoding) : encoding_(encoding) {}
+    ArrayReader(Encoding encoding, const FieldRequest& request) : encoding_(encoding), request_(&request) {}
 
     /// All numbers of an array, `count` at most.
     std::vector<double> read(const Node& array, std::size_t count) const {
@@ -110,21 +110,21 @@ class ArrayReader {
     }
 
   private:
-    static std::vector<double> ascii(const Node& array, const std::string& name, std::size_t count) {
+    std::vector<double> ascii(const Node& array, const std::string& name, std::size_t count) const {
         std::string_view text = array.text().get();
         std::vector<double> all;
         while (true) {
             text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
             if (text.empty()) return all;
-            double one = 0;
-            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), one);
-            if (error == std::errc::invalid_argument)
-                throw InputError(name + " has '" + shortened(text.substr(0, text.find_first_of(" \t\r\n"))) +
-                                 "' where a number is expected");
+            if (all.size() % 4096 == 0)
+                check_stop(*request_, static_cast<double>(all.size()) / static_cast<double>(count + 1));
+            const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n"));
+            const auto number = vtk_number(word);
+            if (!number) throw InputError(name + " has '" + shortened(word) + "' where a number is expected");
             if (all.size() == count)
                 throw InputError(name + " has more than " + std::to_string(count) + " numbers");
-            all.push_back(error == std::errc() ? one : 0);
-            text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+            all.push_back(*number);
+            text.remove_prefix(word.size());
         }
     }
 
@@ -204,6 +204,7 @@ class ArrayReader {
         if (blocks == 0) return {};
         std::string bytes;
         for (std::size_t i = 0; i < blocks; ++i) {
+            check_stop(*request_, static_cast<double>(i) / static_cast<double>(blocks));
             const std::size_t packed = header_number(header, 3 + i), before = bytes.size(),
                               size = i + 1 == blocks && last > 0 ? last : whole;
             if (before + size > limit)
@@ -219,6 +220,7 @@ class ArrayReader {
     }
 
     Encoding encoding_;
+    const FieldRequest* request_;
 };
 
 Encoding encoding_of(const Node& root, const Parts& parts) {
@@ -235,7 +237,8 @@ Encoding encoding_of(const Node& root, const Parts& parts) {
 
 class XmlReader {
   public:
-    XmlReader(const Node& root, const Parts& parts) : arrays_(encoding_of(root, parts)) {
+    XmlReader(const Node& root, const Parts& parts, const FieldRequest& request)
+        : arrays_(encoding_of(root, parts), request), request_(&request) {
         const std::string type = root.attribute("type").value();
         if (type.starts_with('P') && type != "PolyData")
             throw InputError("it only lists the files of a parallel run (" + shortened(type) +
@@ -255,7 +258,7 @@ class XmlReader {
                 "', not ImageData, RectilinearGrid, StructuredGrid, UnstructuredGrid or PolyData");
     }
 
-    FieldData field(const FieldRequest& request) const { return vtk_field(file_, request); }
+    FieldData field() const { return vtk_field(file_, *request_); }
 
   private:
     static Node only_piece(const Node& grid) {
@@ -393,6 +396,7 @@ class XmlReader {
     }
 
     ArrayReader arrays_;
+    const FieldRequest* request_;
     VtkFile file_;
     std::array<std::int64_t, 3> first_{};
     std::array<std::size_t, 3> count_{};
@@ -415,7 +419,7 @@ FieldData parse_xml_vtk_field(std::string_view bytes, const FieldRequest& reques
     const Node root = document.document_element();
     if (std::string_view(root.name()) != "VTKFile")
         throw InputError("its root element is <" + shortened(root.name()) + ">, not <VTKFile>");
-    return XmlReader(root, parts).field(request);
+    return XmlReader(root, parts, request).field();
 }
 
 } // namespace gaspard

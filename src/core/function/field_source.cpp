@@ -8,13 +8,23 @@
 
 namespace gaspard {
 
+static std::size_t memory_of(const FieldData& field) {
+    std::size_t numbers = values_of(field).size();
+    if (const auto* points = std::get_if<ScatteredData>(&field.data)) numbers += 3 * points->points.size();
+    return sizeof field + numbers * sizeof(double);
+}
+
 std::shared_ptr<const FieldData> read_field(const Values& values, const DataContext& context) {
     const std::string& file = values.text("file");
     if (file.empty())
         throw InputError(key_name(values, "file") + " is empty; it is the path of a NetCDF, CSV or VTK file");
-    const FieldRequest request{values.text("variable"), values.integer("time"), values.integer("level")};
+    const auto report = [&](double done) {
+        if (context.progress) context.progress(done, "Reading the field");
+    };
+    const FieldRequest request{values.text("variable"), values.integer("time"), values.integer("level"),
+                               report, context.stop};
     const std::function<std::shared_ptr<const FieldData>()> read = [&] {
-        if (context.progress) context.progress(0, "Reading the field");
+        report(0);
         return std::make_shared<const FieldData>(
             parse_field(read_data_file(file, context.folder), data_file_name(file, context.folder), request));
     };
@@ -23,7 +33,7 @@ std::shared_ptr<const FieldData> read_field(const Values& values, const DataCont
     return context.files->get<FieldData>(name,
                                          "field " + std::to_string(request.time) + ' ' +
                                              std::to_string(request.level) + ' ' + request.variable,
-                                         read);
+                                         read, &memory_of);
 }
 
 std::vector<ParameterRow> field_rows(const Space&) {

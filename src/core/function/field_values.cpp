@@ -1,6 +1,7 @@
 #include "core/function/field_values.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/parameter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,14 @@ namespace gaspard {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double largest_number = 1e150; ///< squares and differences are finite, too
+
+void check_coordinates(const std::vector<double>& all) {
+    for (const double one : all)
+        if (std::isfinite(one) && std::abs(one) > largest_number)
+            throw InputError("the field has the coordinate " + format_number(one) +
+                             "; beyond 1e150 coordinates are too large to be used");
+}
 
 double lowest(const std::vector<double>& values) {
     double low = std::numeric_limits<double>::infinity();
@@ -39,6 +48,10 @@ std::size_t transform(std::vector<double>& values, FieldTransform how, std::vect
         if (refused > 1)
             notes.back() = counted(refused, values.size()) + " not positive and have no logarithms.";
     }
+    for (const double one : values)
+        if (std::isfinite(one) && std::abs(one) > largest_number)
+            throw InputError("the field has the value " + format_number(one) +
+                             "; beyond 1e150 values are too large to be used");
     const std::size_t missing = count_missing(values);
     if (missing == values.size()) throw InputError("the field has no values that can be used");
     return missing;
@@ -81,6 +94,7 @@ void spread(GridData& grid) {
 } // namespace
 
 void prepare_values(GridData& grid, const FieldOptions& options, std::vector<std::string>& notes) {
+    for (const auto& axis : grid.axes) check_coordinates(axis);
     const std::size_t missing = transform(grid.values, options.transform, notes);
     if (missing == 0) return;
     note_missing(missing, grid.values.size(), options.missing, notes);
@@ -95,6 +109,7 @@ void prepare_values(ScatteredData& data, const FieldOptions& options, std::vecto
     for (std::size_t p = 0; p < all; ++p)
         if (const Vec3 x = data.points[p]; !std::isfinite(x.x + x.y + x.z))
             data.values[p] = nothing, ++without_place;
+    for (const auto* all : {&data.points.x, &data.points.y, &data.points.z}) check_coordinates(*all);
     const std::size_t missing = transform(data.values, options.transform, notes);
     if (missing == 0) return;
     note_missing(missing, all, options.missing, notes);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace gaspard {
@@ -131,11 +132,14 @@ void GridFunction::evaluate(const Points& s, double* values, Points* gradients) 
     for (std::size_t i = 0; i < s.size(); ++i) {
         Weights w[dimension];
         const double* c = coefficients_.data();
+        bool defined = true;
         for (std::size_t d = 0; d < dimension; ++d) {
             const Line& line = lines[d];
             double t = (coordinates[d][i] - line.origin) * line.inverse_spacing, beyond = 0;
             bool mirrored = false;
             double last = line.count - 2; // the last cell
+            defined = defined && std::isfinite(t);
+            if (!defined) break;
             switch (line.ends) {
             case GridEnds::periodic:
                 t -= line.count * std::floor(t / line.count);
@@ -172,6 +176,12 @@ void GridFunction::evaluate(const Points& s, double* values, Points* gradients) 
             if (derivatives && mirrored)
                 for (double& slope : w[d].slope) slope = -slope;
             c += (w[d].cell + 1) * static_cast<std::ptrdiff_t>(line.stride);
+        }
+        if (!defined) {
+            constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+            if (values) values[i] = nothing;
+            if constexpr (derivatives) gradients->set(i, {nothing, nothing, nothing});
+            continue;
         }
         const std::size_t rows = dimension > 1 ? 4 : 1, planes = dimension > 2 ? 4 : 1;
         double value = 0, dx = 0, dy = 0, dz = 0;

@@ -15,6 +15,7 @@
 
 namespace gaspard {
 
+/// NaN, as its gradient is, where a coordinate is not finite.
 class GridFunction final : public ScalarFunction {
   public:
     /// `values`: grid.size() finite numbers. Those of the rows of the poles are replaced by their mean.

@@ -18,8 +18,10 @@ std::shared_ptr<const GreyImage> read_image(const std::string& file, const std::
         return std::make_shared<const GreyImage>(
             decode_image(read_data_file(file, context.folder), path, 2048, report, context.stop));
     };
-    return context.files ? context.files->get<GreyImage>(is_data_uri(file) ? file : path, "image", decode)
-                         : decode();
+    if (!context.files) return decode();
+    return context.files->get<GreyImage>(
+        is_data_uri(file) ? file : path, "image", decode,
+        [](const GreyImage& image) { return sizeof image + image.grey.size() * sizeof(float); });
 }
 
 std::vector<ParameterRow> image_rows(const Space& space, const std::string& invert_help) {

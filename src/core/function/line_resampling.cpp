@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace gaspard {
@@ -29,6 +30,37 @@ double end_slope(std::span<const double> x, std::span<const double> y, std::size
         slope += factor * y[i];
     }
     return slope;
+}
+
+struct Limits {
+    double low, high;
+};
+
+/// Second divided differences at inner points; 0 at the ends.
+std::vector<double> second_differences(std::span<const double> x, std::span<const double> y) {
+    std::vector<double> all(x.size(), 0);
+    for (std::size_t i = 1; i + 1 < x.size(); ++i)
+        all[i] = ((y[i + 1] - y[i]) / (x[i + 1] - x[i]) - (y[i] - y[i - 1]) / (x[i] - x[i - 1])) /
+                 (x[i + 1] - x[i - 1]);
+    return all;
+}
+
+/// Whether the curve between points i and i + 1 is like a parabola.
+bool is_smooth(std::span<const double> second, std::size_t i) {
+    const std::size_t begin = std::max<std::size_t>(i, 2) - 1, end = std::min(i + 3, second.size() - 1);
+    if (end < begin + 2) return false;
+    const auto [low, high] = std::minmax_element(second.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                 second.begin() + static_cast<std::ptrdiff_t>(end));
+    constexpr double factor = 3;
+    return (*low > 0 && *high <= factor * *low) || (*high < 0 && *low >= factor * *high);
+}
+
+/// What the curve may reach between points i and i + 1.
+Limits limits_between(std::span<const double> y, std::span<const double> second, std::size_t i) {
+    const auto [low, high] = std::minmax(y[i], y[i + 1]);
+    if (!is_smooth(second, i)) return {low, high};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {low > 0 ? low / 2 : -infinity, high < 0 ? high / 2 : infinity};
 }
 
 double median_spacing(const std::vector<double>& axis) {
@@ -137,13 +169,17 @@ void LineResampling::apply(std::span<const double> given, std::span<double> want
         slopes[i] = (right - before * slopes[i - 1]) * inverse_[i];
     }
     for (std::size_t i = n - 1; i-- > 1;) slopes[i] -= upper_[i] * slopes[i + 1];
+    const std::vector<double> second = second_differences(x, values);
+    std::vector<Limits> limits(n - 1);
+    for (std::size_t i = 0; i + 1 < n; ++i) limits[i] = limits_between(values, second, i);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         double sum = 0;
         for (std::size_t k = 0; k < average_; ++k) {
             const auto [at, t] = samples_[i * average_ + k];
             const double h = x[at + 1] - x[at], rest = 1 - t;
-            sum += rest * rest * (1 + 2 * t) * y[at] + t * t * (3 - 2 * t) * y[at + 1] +
-                   h * t * rest * (rest * slopes[at] - t * slopes[at + 1]);
+            const double spline = rest * rest * (1 + 2 * t) * y[at] + t * t * (3 - 2 * t) * y[at + 1] +
+                                  h * t * rest * (rest * slopes[at] - t * slopes[at + 1]);
+            sum += std::clamp(spline, limits[at].low, limits[at].high);
         }
         wanted[i] = sum / static_cast<double>(average_);
     }

@@ -1,6 +1,10 @@
 // Values at the points of one axis, from values at other points a_0 < a_1 < ...: the cubic spline through
 // them, twice continuously differentiable, with end slopes of the cubics through the four outermost points;
-// error O(h^4). Where the wanted points are further apart than the given ones, averages over their steps.
+// error O(h^4). It is kept between the values at both ends of an interval unless the data are smooth there:
+// their second differences around it, four unless the axis ends, have one sign and differ by less than a
+// factor of 3. Even then it does not go below half of the smaller one of two positive values (likewise for
+// negative ones), so that what is positive stays so. Where the wanted points are further apart than the given
+// ones, averages over their steps.
 #pragma once
 
 #include <cstddef>

@@ -46,15 +46,24 @@ Cloud on_sphere(ScatteredData data, double radius) {
     return cloud;
 }
 
-/// Moves the points to the period that begins at the chart's low end, and adds images of those near its ends.
+/// Moves the points to the period that begins at the chart's low end.
+void to_first_period(Points& points, const Chart& chart) {
+    for (std::size_t d = 0; d < 2; ++d) {
+        if (chart.direction(d).ends != ChartEnds::periodic) continue;
+        const AxisRange box = range_of(chart, d);
+        for (double& one : d == 0 ? points.x : points.y)
+            one -= box.length() * std::floor((one - box.low) / box.length());
+    }
+}
+
+/// Adds images of the points near the ends of a period.
 void add_images(Cloud& cloud, const Chart& chart) {
     const double reach = std::clamp(6 / std::sqrt(static_cast<double>(cloud.values.size())), 0.02, 1.0);
     for (std::size_t d = 0; d < 2; ++d) {
         if (chart.direction(d).ends != ChartEnds::periodic) continue;
         const AxisRange box = range_of(chart, d);
         const double margin = reach * box.length();
-        std::vector<double>& own = d == 0 ? cloud.points.x : cloud.points.y;
-        for (double& one : own) one -= box.length() * std::floor((one - box.low) / box.length());
+        const std::vector<double>& own = d == 0 ? cloud.points.x : cloud.points.y;
         for (std::size_t p = 0, n = own.size(); p < n; ++p)
             for (const double turn : {-1.0, 1.0}) {
                 const double moved = own[p] + turn * box.length();
@@ -67,6 +76,30 @@ void add_images(Cloud& cloud, const Chart& chart) {
     }
 }
 
+/// Throws InputError unless the points lie at three places at least, not on a line: else nothing tells how
+/// the field varies beside them.
+void check_spread(const Points& points) {
+    const auto farthest = [&](const auto& distance) {
+        std::size_t found = 0;
+        for (std::size_t p = 1; p < points.size(); ++p)
+            if (distance(points[p]) > distance(points[found])) found = p;
+        return points[found];
+    };
+    const Vec3 begin = points[0];
+    const Vec3 end = farthest([&](Vec3 x) { return norm(x - begin); });
+    const double length = norm(end - begin);
+    if (!(length > 0))
+        throw InputError("all points of the field lie at one place; at least three that are not on a line "
+                         "are needed");
+    const Vec3 along = (1 / length) * (end - begin);
+    const auto beside = [&](Vec3 x) { return norm(cross(x - begin, along)); };
+    if (!(beside(farthest(beside)) > 1e-9 * length))
+        throw InputError(points.size() == 2 ? "the field has values at two points only; at least three that "
+                                              "are not on a line are needed"
+                                            : "all points of the field lie on a line, so that it is not "
+                                              "known between and beside them in the plane");
+}
+
 Cloud in_chart(ScatteredData data, bool placed, const Chart& chart) {
     Cloud cloud{std::move(data.points), std::move(data.values), 2, true};
     std::fill(cloud.points.z.begin(), cloud.points.z.end(), 0.0);
@@ -74,7 +107,6 @@ Cloud in_chart(ScatteredData data, bool placed, const Chart& chart) {
         fit_coordinate(cloud.points.x, range_of(chart, 0));
         fit_coordinate(cloud.points.y, range_of(chart, 1));
     }
-    add_images(cloud, chart);
     return cloud;
 }
 
@@ -121,8 +153,13 @@ FieldGrid scattered_field(ScatteredData data, const FieldOptions& options, const
     prepare_values(data, options, made.notes);
     const auto chart = chart_of(context);
     const ChartExtent extent = extent_of(chart, context);
-    const std::size_t count = data.values.size();
     Cloud cloud = place(std::move(data), options, context, *chart, made.notes);
+    if (cloud.in_chart) to_first_period(cloud.points, *chart);
+    if (const std::size_t merged = merge_coincident(cloud.points, cloud.values, context.stop))
+        made.notes.push_back(coincidence_note(merged));
+    check_spread(cloud.points);
+    const std::size_t count = cloud.values.size();
+    if (cloud.in_chart) add_images(cloud, *chart);
     const double low = range_of(cloud.values).low;
     const bool own_units = cloud.in_chart;
     const ScatteredFit fit(std::move(cloud.points), std::move(cloud.values), cloud.dimension);

@@ -4,7 +4,9 @@
 #include "core/function/spectral_box.hpp"
 #include "core/function/surface_filter.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace gaspard {
 
@@ -23,6 +25,15 @@ void filter_surface(const Grid& grid, std::span<double> values, double length, i
     }
 }
 
+/// Both filters are averages with positive weights; rounding must not take values out of their range.
+void filter_box(const Grid& grid, std::span<double> values, const std::function<double(double)>& factor,
+                const Progress& progress, const std::stop_token& stop) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const double low = *least, high = *most;
+    multiply_spectrum(grid, values, factor, progress, stop);
+    for (double& value : values) value = std::clamp(value, low, high);
+}
+
 } // namespace
 
 void blur(const Grid& grid, std::span<double> values, double sigma, const Progress& progress,
@@ -32,7 +43,7 @@ void blur(const Grid& grid, std::span<double> values, double sigma, const Progre
     if (grid.chart->kind() != ChartKind::box)
         return filter_surface(grid, values, sigma / std::sqrt(2.0 * blur_steps), blur_steps, progress, stop);
     const auto factor = [&](double lambda) { return std::exp(-0.5 * sigma * sigma * lambda); };
-    multiply_spectrum(grid, values, factor, progress, stop);
+    filter_box(grid, values, factor, progress, stop);
 }
 
 void helmholtz_filter(const Grid& grid, std::span<double> values, double length, const Progress& progress,
@@ -41,7 +52,7 @@ void helmholtz_filter(const Grid& grid, std::span<double> values, double length,
     if (length == 0) return;
     if (grid.chart->kind() != ChartKind::box) return filter_surface(grid, values, length, 1, progress, stop);
     const auto factor = [&](double lambda) { return 1 / (1 + length * length * lambda); };
-    multiply_spectrum(grid, values, factor, progress, stop);
+    filter_box(grid, values, factor, progress, stop);
 }
 
 } // namespace gaspard

@@ -47,7 +47,7 @@ std::span<const FileKind> file_kinds() {
     static const std::vector<FileKind> kinds = {
         {FileUse::scenario, "a scenario", {".toml"}},
         {FileUse::image, "an image", {".png", ".jpg", ".jpeg"}},
-        {FileUse::field, "a field", {".nc", ".csv", ".vtk", ".vtu", ".vti", ".vtp"}},
+        {FileUse::field, "a field", {".nc", ".csv", ".txt", ".vtk", ".vti", ".vtr", ".vts", ".vtu", ".vtp"}},
         {FileUse::patch, "a spline patch", {".json", ".xml"}},
     };
     return kinds;

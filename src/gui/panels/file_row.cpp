@@ -30,7 +30,7 @@ std::string shortened(const std::string& text, float width) {
 
 std::string file_label(std::string_view value) {
     if (value.find_first_not_of(" \t\r\n") == std::string_view::npos) return "Choose a file";
-    if (value.starts_with("data:")) {
+    if (is_data_uri(value)) {
         const std::size_t kilobytes = (value.size() * 3 / 4 + 999) / 1000; // base64
         return "in the scenario, " + std::to_string(kilobytes) + " kB";
     }

@@ -1,5 +1,4 @@
 #include "core/base/file_cache.hpp"
-
 #include "support/temporary_folder.hpp"
 
 #include <filesystem>
@@ -7,21 +6,24 @@
 #include <gtest/gtest.h>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace gaspard {
 namespace {
 
 /// Counts how often a content is made.
 struct Maker {
-    FileCache cache;
+    FileCache cache{};
     int made = 0;
     std::string get(const std::string& file, const char* purpose = "text") {
-        return *cache.get<std::string>(file, purpose, [&] {
+        const auto make = [&] {
             ++made;
             std::ifstream in(file);
             return std::make_shared<const std::string>(std::istreambuf_iterator<char>(in),
                                                        std::istreambuf_iterator<char>());
-        });
+        };
+        return *cache.get<std::string>(file, purpose, make,
+                                       [](const std::string& text) { return text.size(); });
     }
 };
 
@@ -54,6 +56,38 @@ TEST(FileCache, NoticesThatAFileHasChanged) {
     EXPECT_EQ(maker.made, 3);
 }
 
+TEST(FileCache, NoticesThatAFileIsReplacedByOneOfTheSameSizeAndTime) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "a.txt", other = folder.path() / "b.txt";
+    write(file, "one"), write(other, "two");
+    Maker maker;
+    EXPECT_EQ(maker.get(file), "one");
+    std::filesystem::last_write_time(other, std::filesystem::last_write_time(file));
+    std::filesystem::rename(other, file);
+    EXPECT_EQ(maker.get(file), "two");
+}
+
+TEST(FileCache, KeepsNoMoreThanItsBudget) {
+    const TemporaryFolder folder;
+    Maker maker{FileCache(10'000)};
+    std::vector<std::string> files;
+    for (const char* name : {"a", "b", "c", "d"}) {
+        files.push_back((folder.path() / name).string());
+        write(files.back(), std::string(*name == 'd' ? 20'000 : 4'000, *name));
+    }
+    maker.get(files[0]), maker.get(files[1]), maker.get(files[0]), maker.get(files[1]);
+    EXPECT_EQ(maker.made, 2);
+    maker.get(files[2]); // a goes
+    maker.get(files[1]), maker.get(files[2]);
+    EXPECT_EQ(maker.made, 3);
+    maker.get(files[0]);
+    EXPECT_EQ(maker.made, 4);
+    maker.get(files[3]), maker.get(files[3]); // larger than the budget: it is kept alone
+    EXPECT_EQ(maker.made, 5);
+    maker.get(files[0]);
+    EXPECT_EQ(maker.made, 6);
+}
+
 TEST(FileCache, KeepsTheContentsThatWereUsedLast) {
     Maker maker;
     for (int i = 0; i < 8; ++i) maker.get("data:" + std::to_string(i));
@@ -69,8 +103,11 @@ TEST(FileCache, KeepsTheContentsThatWereUsedLast) {
 TEST(FileCache, KeepsNothingOfAFailure) {
     FileCache cache;
     const auto fail = []() -> std::shared_ptr<const int> { throw std::runtime_error("no"); };
-    EXPECT_THROW(cache.get<int>("x", "number", fail), std::runtime_error);
-    EXPECT_EQ(*cache.get<int>("x", "number", [] { return std::make_shared<const int>(3); }), 3);
+    const auto bytes = [](const int&) { return sizeof(int); };
+    EXPECT_THROW(cache.get<int>("x", "number", fail, bytes), std::runtime_error);
+    EXPECT_EQ(*cache.get<int>(
+                  "x", "number", [] { return std::make_shared<const int>(3); }, bytes),
+              3);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <stop_token>
 
 namespace gaspard {
 namespace {
@@ -173,13 +174,15 @@ TEST(FieldFile, CsvWithColumns) {
 }
 
 TEST(FieldFile, CsvWithNamesOfStations) {
-    const FieldData field = parse("station,lon,lat,height,country\nDavos,9.8,46.8,1594,CH\nBern,7.4,46.9,553,CH\n"
-                                  "Ulm,10,48.4,n/a,DE\n");
+    const FieldData field =
+        parse("station,lon,lat,height,country\nDavos,9.8,46.8,1594,CH\nBern,7.4,46.9,553,CH\n"
+              "Ulm,10,48.4,n/a,DE\n");
     EXPECT_EQ(field.variables, std::vector<std::string>{"height"});
     EXPECT_EQ(scattered(field).points.x, (std::vector<double>{9.8, 7.4, 10}));
     EXPECT_EQ(values_of(field)[1], 553);
     EXPECT_EQ(count_missing(values_of(field)), 1U);
-    EXPECT_EQ(error_of("x,y,name\n0,1,a\n"), "cannot read it.csv: it has coordinates, but no column of values");
+    EXPECT_EQ(error_of("x,y,name\n0,1,a\n"),
+              "cannot read it.csv: it has coordinates, but no column of values");
     EXPECT_EQ(error_of("x,y,v\n0,1,2\n0,1,two\n"), "cannot read it.csv: line 3: 'two' is not a number");
 }
 
@@ -200,6 +203,87 @@ TEST(FieldFile, PointsOfAGridAreOne) {
     EXPECT_EQ(grid(field).values, (std::vector<double>{1, 2, 3, 4}));
     EXPECT_TRUE(std::holds_alternative<ScatteredData>(parse("x,y,v\n1,0,2\n0,1,3\n0,0,1\n1,0,4\n").data))
         << "a point twice";
+}
+
+TEST(FieldFile, CoincidentPointsHaveTheMeanOfTheirValues) {
+    const FieldData twice = parse("x,y,v\n0,0,1\n1,0,2\n0,1,3\n1,1,4\n0,0,3\n");
+    EXPECT_EQ(grid(twice).values, (std::vector<double>{2, 2, 3, 4}));
+    EXPECT_EQ(twice.notes, std::vector<std::string>{"One point coincides with another; the means of the "
+                                                    "values at such points are used."});
+    // What rounding has moved, a missing value, and coordinates of different sizes.
+    const FieldData more = parse("x,y,v\n0,0,6\n1e6,0,2\n0,1e-4,\n1e6,1e-4,4\n5e5,5e-5,7\n500000.0000001,"
+                                 "0.00005,9\n1e-9,1e-16,3\n0,1e-4,5\n0,0,3\n");
+    EXPECT_EQ(scattered(more).values, (std::vector<double>{4, 2, 5, 4, 8}));
+    EXPECT_EQ(scattered(more).points.size(), 5u);
+    EXPECT_EQ(more.notes, std::vector<std::string>{"4 points coincide with others; the means of the values "
+                                                   "at such points are used."});
+}
+
+TEST(FieldFile, InfinityIsMissing) {
+    const FieldData field = parse("1,inf,3,4\n5,-Infinity,+Inf,8\n9,infinity,-INF,12\n");
+    EXPECT_EQ(count_missing(values_of(field)), 5u);
+    EXPECT_EQ(values_of(field)[0], 9);
+    EXPECT_EQ(error_of("x,y,v\ninf,2,3\n"), "cannot read it.csv: row 1 of its numbers has no coordinates");
+}
+
+TEST(FieldFile, LinesMayEndWithCarriageReturns) {
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        const auto lines = [&](std::initializer_list<const char*> all) {
+            std::string text;
+            for (const char* one : all) text += one + end;
+            return text;
+        };
+        EXPECT_EQ(values_of(parse(lines({"# a table", "x,y,v", "0,0,1", "1,0,2", "", "0,1,3", "1,1,4"}))),
+                  (std::vector<double>{1, 2, 3, 4}));
+        EXPECT_EQ(error_of(lines({"x,y,v", "", "0,0,1", "1,0"})),
+                  "cannot read it.csv: line 4 has 2 columns, the first has 3");
+        EXPECT_EQ(values_of(parse(lines({"# vtk DataFile Version 3.0", "title", "ASCII",
+                                         "DATASET STRUCTURED_POINTS", "DIMENSIONS 2 2 1", "POINT_DATA 4",
+                                         "SCALARS v float 1", "LOOKUP_TABLE default", "1 2", "3 4"}))),
+                  (std::vector<double>{1, 2, 3, 4}));
+    }
+}
+
+TEST(FieldFile, NumbersOfVtkBeyondADoubleAreMissingOrZero) {
+    const FieldData old =
+        parse("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 3 2 1\n"
+              "POINT_DATA 6\nSCALARS v double 1\nLOOKUP_TABLE default\n1 1e400 -1E+400\n1e-400 "
+              "nan +5\n");
+    const FieldData xml =
+        parse("<VTKFile type=\"ImageData\"><ImageData><Piece Extent=\"0 2 0 1 0 0\"><PointData>"
+              "<DataArray type=\"Float64\" Name=\"v\" format=\"ascii\">1 1e400 -1E+400 1e-400 "
+              "nan +5</DataArray></PointData></Piece></ImageData></VTKFile>");
+    for (const FieldData* field : {&old, &xml}) {
+        EXPECT_EQ(count_missing(values_of(*field)), 3u);
+        EXPECT_EQ(values_of(*field)[0], 1);
+        EXPECT_EQ(values_of(*field)[3], 0);
+        EXPECT_EQ(values_of(*field)[5], 5);
+    }
+}
+
+TEST(FieldFile, ReadingReportsProgressAndStops) {
+    std::string numbers;
+    for (int i = 0; i < 10'000; ++i) numbers += std::to_string(i) + " 1 2 0\n";
+    const std::string image =
+        "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 4 10000 "
+        "1\nPOINT_DATA 40000\nSCALARS v float 1\nLOOKUP_TABLE default\n";
+    const std::string xml =
+        "<VTKFile type=\"ImageData\"><ImageData><Piece Extent=\"0 3 0 9999 0 0\"><PointData>"
+        "<DataArray type=\"Float64\" Name=\"v\" format=\"ascii\">" +
+        numbers + "</DataArray></PointData></Piece></ImageData></VTKFile>";
+    for (const std::string& text : {numbers, image + numbers, xml}) {
+        std::vector<double> reported;
+        std::stop_source stop;
+        parse(text, {.progress = [&](double done) { reported.push_back(done); }, .stop = stop.get_token()});
+        EXPECT_GE(reported.size(), 9u);
+        for (const double done : reported) EXPECT_TRUE(done >= 0 && done <= 1) << done;
+        int calls = 0;
+        const auto third = [&](double) {
+            if (++calls == 3) stop.request_stop();
+        };
+        EXPECT_THROW(parse(text, {.progress = third, .stop = stop.get_token()}), Interrupted);
+        EXPECT_EQ(calls, 3);
+    }
 }
 
 TEST(FieldFile, WrongCsvIsOneSentence) {
@@ -317,6 +401,19 @@ TEST(FieldFile, DamagedNetcdfIsOneSentence) {
     EXPECT_EQ(
         error_in("globe-hdf5.nc", {.variable = "heigt"}),
         "cannot read globe-hdf5.nc: it has no variable 'heigt' (did you mean 'height'?); it has height");
+}
+
+TEST(FieldFile, NetcdfWithDataOfOtherFilesIsRefused) {
+    const std::string end = "; only files that are complete in themselves are read";
+    EXPECT_EQ(error_in("external.nc"), "cannot read external.nc: 'value' is stored in another file" + end);
+    EXPECT_EQ(error_in("virtual.nc"), "cannot read virtual.nc: 'value' is a virtual dataset" + end);
+    EXPECT_EQ(error_in("link.nc"), "cannot read link.nc: 'more/value' is a link to another file" + end);
+}
+
+TEST(FieldFile, GroupsOfNetcdfAreNamed) {
+    EXPECT_EQ(error_in("groups.nc"),
+              "cannot read groups.nc: it has no variable with two dimensions outside of its groups (land, "
+              "ocean), which are not read; take them out of the groups (ncks -G :)");
 }
 
 } // namespace

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Writes tests/core/data/files with other software than Gaspard: netCDF4, scipy, VTK and meshio.
+"""Writes tests/core/data/files with other software than Gaspard: netCDF4, h5py, scipy, VTK and meshio.
 
-Needs python3-netcdf4 python3-scipy python3-vtk9 python3-meshio python3-numpy. The values at (x, y) are
+Needs python3-netcdf4 python3-h5py python3-scipy python3-vtk9 python3-meshio python3-numpy. The values at (x, y) are
     f(x, y) = 1 + 2 x - 3 y + x y
 unless a comment says otherwise; tests/core/data/field_file_test.cpp knows them.
 """
 import pathlib
 
+import h5py
 import meshio
 import netCDF4
 import numpy as np
@@ -75,6 +76,40 @@ with netcdf("large-chunk.nc", "NETCDF4") as file:  # refused; without values
     file.createDimension("y", 1000)
     file.createDimension("x", 1000)
     file.createVariable("value", "f8", ("time", "y", "x"), chunksizes=(40, 1000, 1000))
+
+with netcdf("groups.nc", "NETCDF4") as file:  # refused
+    for name in ("land", "ocean"):
+        group = file.createGroup(name)
+        axis(group, "x", np.arange(2.0))
+        axis(group, "y", np.arange(2.0))
+        group.createVariable("value", "f8", ("y", "x"))[:] = 1
+
+
+def hdf5(name, add):
+    """Refused: data of other files; those of external.nc exist on most machines."""
+    with h5py.File(folder / name, "w", libver="earliest" if name != "virtual.nc" else "latest",
+                   track_order=True) as file:
+        for key in "xy":
+            file.create_dataset(key, data=np.arange(4.0)).make_scale(key)
+        add(file)
+        if "value" in file and name != "link.nc":
+            file["value"].dims[0].attach_scale(file["y"])
+            file["value"].dims[1].attach_scale(file["x"])
+
+
+def virtual(file):
+    layout = h5py.VirtualLayout(shape=(4, 4), dtype="u1")
+    layout[:] = h5py.VirtualSource("external.nc", "value", shape=(4, 4))
+    file.create_virtual_dataset("value", layout)
+
+
+def linked(file):
+    file.create_group("more")["value"] = h5py.ExternalLink("plane.nc", "value")
+
+
+hdf5("external.nc", lambda file: file.create_dataset("value", (4, 4), "u1", external=[("/etc/passwd", 0, 16)]))
+hdf5("virtual.nc", virtual)
+hdf5("link.nc", linked)
 
 with netcdf("no-scale.nc") as file:  # refused
     axis(file, "x", np.arange(2.0))

@@ -156,6 +156,44 @@ TEST(ScatteredFit, TakesOnePointAndPointsAtOnePlace) {
     EXPECT_EQ(same.at({0, 0, 0}).value, 7);
 }
 
+TEST(LineResampling, StaysBetweenItsNeighboursWhereDataAreRough) {
+    const std::vector<double> axis = {0, 1, 2, 9, 9.1, 9.2, 9.3, 20, 21, 40, 40.5, 41};
+    const std::vector<double> rough = {1, 102, 101, 100, 1, 2, 1, 90, 102, 1, 1, 1};
+    const std::size_t count = 801;
+    const LineResampling fine(axis, 0, 41.0 / (count - 1), count, std::nullopt);
+    std::vector<double> wanted(count);
+    fine.apply(rough, wanted);
+    for (std::size_t i = 0, at = 0; i < count; ++i) {
+        const double x = 41.0 / (count - 1) * static_cast<double>(i);
+        while (at + 2 < axis.size() && x > axis[at + 1]) ++at;
+        EXPECT_GE(wanted[i], std::min(rough[at], rough[at + 1]) - 1e-12) << x;
+        EXPECT_LE(wanted[i], std::max(rough[at], rough[at + 1]) + 1e-12) << x;
+    }
+}
+
+TEST(LineResampling, KeepsItsOrderAtExtremaAndWhatIsPositive) {
+    std::vector<double> errors;
+    for (const std::size_t n : {24u, 48u, 96u}) {
+        std::vector<double> axis, values, wanted(1000);
+        for (std::size_t i = 0; i <= n; ++i) { // uneven, by a smooth map
+            const double s = static_cast<double>(i) / static_cast<double>(n);
+            axis.push_back(s + 0.05 * std::sin(2 * pi * s)), values.push_back(std::cos(2 * pi * axis.back()));
+        }
+        LineResampling(axis, 0.0005, 0.001, 1000, std::nullopt).apply(values, wanted);
+        double error = 0;
+        for (std::size_t i = 0; i < 1000; ++i)
+            error = std::max(
+                error, std::abs(wanted[i] - std::cos(2 * pi * (0.0005 + 0.001 * static_cast<double>(i)))));
+        errors.push_back(error);
+    }
+    EXPECT_GT(errors[0] / errors[1], 12);
+    EXPECT_GT(errors[1] / errors[2], 12);
+    std::vector<double> parabola, wanted(100);
+    for (const double x : steps(-2.5, 1, 6)) parabola.push_back(x * x - 0.2);
+    LineResampling(steps(-2.5, 1, 6), -2.5, 5.0 / 99, 100, std::nullopt).apply(parabola, wanted);
+    EXPECT_NEAR(*std::min_element(wanted.begin(), wanted.end()), 0.025, 1e-12);
+}
+
 TEST(FieldFunction, OnThePlaneByCoordinates) {
     const auto f = [](double x, double y) { return std::sin(2 * pi * x) * std::cos(2 * pi * y); };
     const FieldData field = grid(steps(0, 1.0 / 40, 40), steps(0, 1.0 / 40, 40), f);
@@ -231,6 +269,64 @@ TEST(FieldFunction, ScatteredPointsOnThePeriodicPlane) {
     EXPECT_EQ(made.notes,
               std::vector<std::string>{"The field is a moving least-squares fit of 4000 points (linear, "
                                        "Gaussian weights, 12 neighbours)."});
+}
+
+TEST(FieldFunction, CoincidentPointsCountOnce) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> at(0, 1);
+    std::vector<Vec3> places;
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 x{at(random), at(random), 0};
+        places.insert(places.end(), 20, x); // more than the fit has neighbours
+    }
+    const auto f = [](Vec3 x) { return 1 + 2 * x.x - x.y; };
+    const MadeFunction made =
+        field_function(scattered(places, f, 2, Coordinates::cartesian), {}, on(SpaceKind::euclidean));
+    EXPECT_LT(largest_error(*made.function, places_in_square(0.1, 0.9), f), 0.02);
+    EXPECT_EQ(made.notes, (std::vector<std::string>{
+                              "19000 points coincide with others; the means of the values at such points are "
+                              "used.",
+                              "The field is a moving least-squares fit of 1000 points (linear, Gaussian "
+                              "weights, 12 neighbours)."}));
+}
+
+TEST(FieldFunction, PointsThatDoNotSpanThePlaneAreRefused) {
+    const auto error = [](const std::vector<Vec3>& places, SpaceKind kind, Coordinates coordinates) {
+        return error_of(scattered(
+                            places, [](Vec3 x) { return x.x; }, 2, coordinates),
+                        {}, on(kind));
+    };
+    const std::string line =
+        "all points of the field lie on a line, so that it is not known between and beside "
+        "them in the plane";
+    std::vector<Vec3> diagonal, column;
+    for (const double t : steps(0.1, 0.05, 15)) diagonal.push_back({t, t, 0}), column.push_back({0.5, t, 0});
+    for (const SpaceKind kind : {SpaceKind::euclidean, SpaceKind::periodic_square}) {
+        EXPECT_EQ(error(diagonal, kind, Coordinates::cartesian), line);
+        EXPECT_EQ(error(column, kind, Coordinates::cartesian), line);
+        EXPECT_EQ(
+            error({{0.1, 0.2, 0}, {0.7, 0.2, 0}}, kind, Coordinates::cartesian),
+            "the field has values at two points only; at least three that are not on a line are needed");
+    }
+    const std::string place =
+        "all points of the field lie at one place; at least three that are not on a line are needed";
+    EXPECT_EQ(error({{0.1, 0.2, 0}, {0.1, 0.2, 0}}, SpaceKind::euclidean, Coordinates::cartesian), place);
+    EXPECT_EQ(error({{0, 90, 0}, {50, 90, 0}}, SpaceKind::sphere, Coordinates::geographic), place);
+    EXPECT_EQ(error({{0, 0, 0}, {50, 0, 0}, {90, 0, 0}}, SpaceKind::sphere, Coordinates::geographic), "none")
+        << "on a great circle, but on no line";
+}
+
+TEST(FieldFunction, NumbersThatAreTooLargeAreRefused) {
+    for (const double sign : {-1.0, 1.0}) {
+        const FieldData values = grid(steps(0, 0.25, 5), steps(0, 0.25, 5),
+                                      [&](double x, double) { return x > 0.4 ? sign * 1.7e308 : 0.0; });
+        const std::string number = sign < 0 ? "-1.7e+308" : "1.7e+308";
+        EXPECT_EQ(error_of(values, {}, on(SpaceKind::euclidean)),
+                  "the field has the value " + number + "; beyond 1e150 values are too large to be used");
+    }
+    const FieldData far = grid({-1.7e308, 0, 1.7e308}, steps(0, 0.5, 3), [](double, double y) { return y; });
+    EXPECT_EQ(error_of(far, {}, on(SpaceKind::euclidean)),
+              "the field has the coordinate -1.7e+308; beyond 1e150 coordinates are too large to be used");
 }
 
 TEST(FieldFunction, ScatteredPointsOnTheSphereInBothKindsOfCoordinates) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -233,6 +234,26 @@ TEST(GridFunction, HasTheGradientsOfItsValues) {
                 EXPECT_NEAR((v[1] - v[0]) / (2 * h), dot(g[i], along), 1e-6 * std::max(1.0, norm(g[i])));
             }
     }
+}
+
+TEST(GridFunction, IsNanWhereACoordinateIsNotFinite) {
+    const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+    for (const ChartEnds ends : {ChartEnds::periodic, ChartEnds::open})
+        for (const GridEnds open_ends : {GridEnds::free, GridEnds::reflecting}) {
+            const Grid grid = grid_on(box_chart(unit, 2, ends), {8, 8}, open_ends);
+            const GridFunction u(grid, std::vector<double>(grid.size(), 3));
+            Points x(5), g;
+            x.set(0, {nan, 0.5, 0}), x.set(1, {0.5, nan, 0}), x.set(2, {infinity, 0.5, 0});
+            x.set(3, {0.5, -infinity, 0}), x.set(4, {0.5, 0.5, 0});
+            std::vector<double> values(5);
+            u.values(x, values);
+            u.gradients(x, g);
+            for (std::size_t i = 0; i < 4; ++i) {
+                EXPECT_TRUE(std::isnan(values[i])) << i;
+                EXPECT_TRUE(std::isnan(g.x[i]) && std::isnan(g.y[i])) << i;
+            }
+            EXPECT_NEAR(values[4], 3, 1e-12);
+        }
 }
 
 } // namespace

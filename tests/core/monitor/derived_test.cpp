@@ -209,6 +209,24 @@ TEST(Derived, SaysWhatTheLimitChanges) {
         << notes.front();
 }
 
+TEST(Derived, SaysIfTheMostSmoothingIsNotEnough) {
+    DerivedOptions options;
+    options.fraction = 0.9999, options.contrast = 1e6, options.floor = 0;
+    const auto context = on(SpaceKind::euclidean);
+    const auto edge = std::make_shared<Exact>([](Vec3 p) { return std::tanh(p.x / 0.01); },
+                                              [](Vec3 p) {
+                                                  const double s = 1 / std::cosh(p.x / 0.01);
+                                                  return Vec3{s * s / 0.01, 0, 0};
+                                              });
+    EXPECT_EQ(
+        derived_monitor(edge, options, context)->report().notes.back(),
+        "The mesh may not follow the monitor: it is smoothed over 8 cells of the uniform mesh, which is "
+        "not enough.");
+    options.smoothing = 1;
+    EXPECT_EQ(derived_monitor(edge, options, context)->report().notes.back(),
+              "The mesh may not follow the monitor: it is smoothed over 1 cell, and would need more than 8.");
+}
+
 TEST(Derived, KeepsToFloorAndContrast) {
     const DomainGrid domain = domain_grid(on(SpaceKind::euclidean), 1);
     std::vector<double> m(domain.x.size());

@@ -16,7 +16,8 @@ TEST(FileKinds, ContentComesBeforeTheName) {
     EXPECT_EQ(use_of("photo.csv", "\xff\xd8\xff\xe0"), FileUse::image);
     EXPECT_EQ(use_of("data", "CDF\x01"sv), FileUse::field);
     EXPECT_EQ(use_of("data", "\x89HDF\r\n\x1a\n"sv), FileUse::field);
-    EXPECT_EQ(use_of("t.vtu", "<VTKFile"), FileUse::field);
+    for (const char* name : {"t.vtu", "t.vti", "t.vtr", "t.vts", "t.vtp", "t.vtk", "t.txt", "t.csv"})
+        EXPECT_EQ(use_of(name, "<VTKFile"), FileUse::field) << name;
     EXPECT_EQ(use_of("p.xml", "<?xml"), FileUse::patch);
     EXPECT_EQ(use_of("p.json", "{"), FileUse::patch);
     EXPECT_EQ(use_of("s.toml", "title"), FileUse::scenario);
