@@ -120,33 +120,9 @@ class Maker {
     }
 
     void smooth() {
-<<<<<<< HEAD
         Followed followed = follow(domain_, std::move(values_), options_.smoothing, context_);
         values_ = std::move(followed.values);
         notes_.insert(notes_.end(), followed.notes.begin(), followed.notes.end());
-=======
-        std::vector<double> smoothed;
-        const auto needed = needed_smoothing(domain_, values_, context_, smoothed);
-        const std::string most = two_digits(most_smoothing);
-        const auto cells = [](double length) {
-            return two_digits(length) + (length == 1 ? " cell" : " cells");
-        };
-        if (!options_.smoothing) {
-            if (!needed)
-                notes_.push_back("The mesh may not follow the monitor: it is smoothed over " + most +
-                                 " cells of the uniform mesh, which is not enough.");
-            else if (*needed > 0)
-                notes_.push_back("The monitor is smoothed over " + cells(*needed) +
-                                 " of the uniform mesh, so that the mesh can follow it.");
-            values_ = std::move(smoothed);
-            return;
-        }
-        if (*options_.smoothing < needed.value_or(most_smoothing))
-            notes_.push_back("The mesh may not follow the monitor: it is smoothed over " +
-                             cells(*options_.smoothing) + ", and would need " +
-                             (needed ? two_digits(*needed) : "more than " + most) + ".");
-        smoothing_stage(domain_, values_, *options_.smoothing * domain_.cell, context_);
->>>>>>> c53ca2ccc0848cecd492625806cd9d397f487d50
     }
 
     void check_positive_values() const {

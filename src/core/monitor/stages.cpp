@@ -14,7 +14,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::array lengths{0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, most_smoothing}; ///< in cells
+constexpr std::array lengths{0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0}; ///< in cells
 
 double fourth_power(double x) { return x * x * x * x; }
 
@@ -84,7 +84,6 @@ double steepness(const DomainGrid& domain, std::span<const double> values) {
     return domain.cell * steepest_one;
 }
 
-<<<<<<< HEAD
 double steepest(const DomainGrid& domain) {
     return domain.grid.chart->kind() == ChartKind::box && !domain.patch ? 1.2 : 0.5;
 }
@@ -117,22 +116,11 @@ Followed follow(const DomainGrid& domain, std::vector<double> values, std::optio
         return made;
     }
     made.values = std::move(smoother), made.length = needed;
-    made.notes.push_back("The monitor is smoothed over " + in_cells(needed) +
-                         " of the uniform mesh, so that the mesh can follow it.");
-    if (!enough) made.notes.push_back("The mesh may not follow the monitor even so: " + more_cells);
+    std::string note = "The monitor is smoothed over " + in_cells(needed) + " of the uniform mesh";
+    note += enough ? ", so that the mesh can follow it."
+                   : ", and the mesh may not follow it even so: " + more_cells;
+    made.notes.push_back(std::move(note));
     return made;
-=======
-std::optional<double> needed_smoothing(const DomainGrid& domain, std::span<const double> values,
-                                       const DataContext& context, std::vector<double>& smoothed) {
-    smoothed.assign(values.begin(), values.end());
-    if (steepness(domain, smoothed) <= steepest(domain)) return 0;
-    for (const double length : lengths) {
-        smoothed.assign(values.begin(), values.end());
-        smoothing_stage(domain, smoothed, length * domain.cell, context);
-        if (steepness(domain, smoothed) <= steepest(domain)) return length;
-    }
-    return std::nullopt;
->>>>>>> c53ca2ccc0848cecd492625806cd9d397f487d50
 }
 
 } // namespace gaspard

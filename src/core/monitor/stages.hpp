@@ -34,7 +34,6 @@ void smoothing_stage(const DomainGrid& domain, std::span<double> values, double 
 ///
 /// over the domain, for cells of size h of the uniform mesh. A mesh cannot follow m where this is large.
 double steepness(const DomainGrid& domain, std::span<const double> values);
-<<<<<<< HEAD
 /// The limit of it: 1.2 on the square, 0.5 on the sphere and on patches. Found by experiment
 /// (bench/images.py, docs/monitors.md): with it, `auto` converges for every picture tried.
 double steepest(const DomainGrid& domain);
@@ -49,14 +48,5 @@ struct Followed {
 /// not at all.
 Followed follow(const DomainGrid& domain, std::vector<double> values, std::optional<double> length,
                 const DataContext& context);
-=======
-/// The largest length, in cells, that needed_smoothing() tries.
-inline constexpr double most_smoothing = 8;
-/// The least of some lengths, in cells, over which m has to be smoothed so that the mesh can follow it; 0 if
-/// it can anyway, nullopt if most_smoothing is not enough. `smoothed`: m smoothed over it, or over
-/// most_smoothing.
-std::optional<double> needed_smoothing(const DomainGrid& domain, std::span<const double> values,
-                                       const DataContext& context, std::vector<double>& smoothed);
->>>>>>> c53ca2ccc0848cecd492625806cd9d397f487d50
 
 } // namespace gaspard

@@ -220,11 +220,12 @@ TEST(Derived, SaysIfTheMostSmoothingIsNotEnough) {
                                               });
     EXPECT_EQ(
         derived_monitor(edge, options, context)->report().notes.back(),
-        "The mesh may not follow the monitor: it is smoothed over 8 cells of the uniform mesh, which is "
-        "not enough.");
+        "The monitor is smoothed over 8 cells of the uniform mesh, and the mesh may not follow it even so: "
+        "more cells, or a smaller contrast, would help.");
     options.smoothing = 1;
     EXPECT_EQ(derived_monitor(edge, options, context)->report().notes.back(),
-              "The mesh may not follow the monitor: it is smoothed over 1 cell, and would need more than 8.");
+              "The mesh may not follow the monitor, which is smoothed over 1 cell: more cells, or a smaller "
+              "contrast, would help.");
 }
 
 TEST(Derived, KeepsToFloorAndContrast) {
