@@ -267,7 +267,7 @@ TEST_F(DataTest, AnImageThatCannotBeReadLeavesTheMeshAlone) {
 TEST_F(DataTest, TheButtonOfAFileOpensAChooser) {
     const auto first = picture("first.png"), second = picture("second.png", 90);
     std::filesystem::create_directories(folder / "inside");
-    std::ofstream(folder / "notes.txt") << "not listed";
+    std::ofstream(folder / "notes.md") << "not listed";
     application.open_file(first);
     ASSERT_TRUE(
         wait_until([&] { return run().scenario.monitor.type == "image" && run().changes.settled(); }));
@@ -276,7 +276,7 @@ TEST_F(DataTest, TheButtonOfAFileOpensAChooser) {
     ASSERT_TRUE(wait_until([&] { return application.items().count("open.entry.second.png") == 1; }))
         << "the folder of the present file";
     EXPECT_TRUE(application.items().count("open.entry.inside"));
-    EXPECT_FALSE(application.items().count("open.entry.notes.txt"));
+    EXPECT_FALSE(application.items().count("open.entry.notes.md"));
     const std::size_t before = application.document().edits().undo_count();
     ui.click(item("open.entry.second.png"), drawing());
     frames(2);
