@@ -109,7 +109,7 @@ void prepare_values(ScatteredData& data, const FieldOptions& options, std::vecto
     for (std::size_t p = 0; p < all; ++p)
         if (const Vec3 x = data.points[p]; !std::isfinite(x.x + x.y + x.z))
             data.values[p] = nothing, ++without_place;
-    for (const auto* all : {&data.points.x, &data.points.y, &data.points.z}) check_coordinates(*all);
+    for (const auto* axis : {&data.points.x, &data.points.y, &data.points.z}) check_coordinates(*axis);
     const std::size_t missing = transform(data.values, options.transform, notes);
     if (missing == 0) return;
     note_missing(missing, all, options.missing, notes);

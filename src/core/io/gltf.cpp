@@ -21,6 +21,9 @@ namespace {
 /// Three numbers per vertex.
 using Triples = std::vector<float>;
 
+/// The largest number of a file; nodes of a mesh that diverged end there.
+constexpr double single_most = static_cast<double>(std::numeric_limits<float>::max());
+
 /// The origin of the positions in the file, which the node's translation adds again: the middle of the mesh,
 /// x and xi, if it is so far from the origin that single precision would round its shape, else zero.
 Vec3 local_origin(const Points& x, const Points& xi) {
@@ -29,7 +32,8 @@ Vec3 local_origin(const Points& x, const Points& xi) {
     double farthest = 0;
     for (const Vec3 corner : {box.low, box.high})
         farthest = std::max({farthest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
-    return farthest > far * longest_side(box) ? box.low + 0.5 * (box.high - box.low) : Vec3{};
+    const bool beyond = farthest > single_most; // a mesh that diverged: there is no shape to keep
+    return !beyond && farthest > far * longest_side(box) ? box.low + 0.5 * (box.high - box.low) : Vec3{};
 }
 
 Points relative_to(Vec3 origin, Points points) {
@@ -42,9 +46,8 @@ Triples single_precision(const Points& points) {
     triples.reserve(3 * points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         for (const double value : {points.x[i], points.y[i], points.z[i]}) {
-            const auto single = static_cast<float>(value);
-            GASPARD_CHECK(std::isfinite(single));
-            triples.push_back(single);
+            GASPARD_CHECK(std::isfinite(value));
+            triples.push_back(static_cast<float>(std::clamp(value, -single_most, single_most)));
         }
     return triples;
 }
