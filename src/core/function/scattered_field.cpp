@@ -51,8 +51,11 @@ void to_first_period(Points& points, const Chart& chart) {
     for (std::size_t d = 0; d < 2; ++d) {
         if (chart.direction(d).ends != ChartEnds::periodic) continue;
         const AxisRange box = range_of(chart, d);
-        for (double& one : d == 0 ? points.x : points.y)
+        const double rounding = 1e-9 * box.length(); // the end of a period is its beginning
+        for (double& one : d == 0 ? points.x : points.y) {
             one -= box.length() * std::floor((one - box.low) / box.length());
+            if (one > box.low + box.length() - rounding) one = box.low;
+        }
     }
 }
 
