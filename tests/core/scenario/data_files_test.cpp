@@ -34,9 +34,9 @@ TEST_F(DataFilesTest, PathsAreRelativeToTheFolderOfTheScenario) {
         EXPECT_EQ(there.folder, folder);
         return file_of(there);
     };
-    EXPECT_EQ(relative("/home/me/work/data/p.json", "/home/me/work"), "data/p.json");
-    EXPECT_EQ(relative("/home/me/data/p.json", "/home/me/work"), "../data/p.json");
-    EXPECT_EQ(relative("/home/me/work/./p.json", "/home/me/work"), "p.json");
+    EXPECT_EQ(relative("/home/me/meshes/data/p.json", "/home/me/meshes"), "data/p.json");
+    EXPECT_EQ(relative("/home/me/data/p.json", "/home/me/meshes"), "../data/p.json");
+    EXPECT_EQ(relative("/home/me/meshes/./p.json", "/home/me/meshes"), "p.json");
     EXPECT_EQ(relative("/data/p.json", "/home/me"), "/data/p.json") << "nothing is shared but the root";
     EXPECT_EQ(relative("", "/home/me"), "");
     EXPECT_EQ(relative("{}", "/home/me"), "{}") << "the content itself";
