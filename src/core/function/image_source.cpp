@@ -1,6 +1,7 @@
 // The source whose function is a picture, and its rows.
 #include "core/base/error.hpp"
 #include "core/base/read_data_file.hpp"
+#include "core/function/density_rows.hpp"
 #include "core/function/image_function.hpp"
 
 #include <utility>
@@ -32,34 +33,15 @@ std::vector<ParameterRow> image_rows(const Space& space, const std::string& inve
          .default_value = std::string(),
          .help = "a PNG or JPEG file, relative to the folder of the scenario's file",
          .role = ParameterRole::file},
-        {.key = "invert",
-         .label = "Invert",
-         .kind = ParameterKind::boolean,
-         .default_value = false,
-         .help = invert_help},
-        {.key = "gamma",
-         .label = "Gamma",
-         .symbol = "γ",
-         .minimum = 0.1,
-         .maximum = 10,
-         .scale = ParameterScale::logarithmic,
-         .default_value = 1.0,
-         .help = "exponent of the grey values: larger than 1 leaves the strongest, smaller lifts the weak"},
+        invert_row(invert_help),
+        gamma_row("exponent of the grey values: larger than 1 leaves the strongest, smaller lifts the weak"),
         {.key = "floor",
          .label = "Floor",
          .minimum = 0,
          .maximum = 1,
          .default_value = 0.0,
          .help = "weaker grey values count as this one, from 0 to 1"},
-        {.key = "blur",
-         .label = "Blur",
-         .symbol = "σ",
-         .minimum = 0,
-         .maximum = 1000,
-         .slider = SliderRange{0, 20},
-         .default_value = least_blur,
-         .help = "standard deviation of the Gaussian blur; at least " + format_number(least_blur) +
-                 " cells, so that the mesh can follow"},
+        blur_row(),
         {.key = "blur_unit",
          .label = "Blur unit",
          .kind = ParameterKind::choice,

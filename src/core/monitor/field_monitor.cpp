@@ -4,6 +4,7 @@
 #include "core/base/read_data_file.hpp"
 #include "core/data/field_file.hpp"
 #include "core/function/chart_extent.hpp"
+#include "core/function/density_rows.hpp"
 #include "core/function/field_function.hpp"
 #include "core/function/image_function.hpp"
 #include "core/monitor/grid_density.hpp"
@@ -80,27 +81,9 @@ std::vector<ParameterRow> monitor_rows(const Space& space) {
          .choices = {"scaled", "values"},
          .help = "scaled: from 1 at the lowest value to the contrast at the highest; values: the density is "
                  "the field"},
-        {.key = "contrast",
-         .label = "Contrast",
-         .symbol = "C",
-         .minimum = 1,
-         .maximum = 1000,
-         .scale = ParameterScale::logarithmic,
-         .default_value = 20.0,
-         .help = "the largest ratio of densities (1 / cell area), if they are scaled"},
-        {.key = "invert",
-         .label = "Invert",
-         .kind = ParameterKind::boolean,
-         .default_value = false,
-         .help = "small cells where the field is low instead of high, if densities are scaled"},
-        {.key = "gamma",
-         .label = "Gamma",
-         .symbol = "γ",
-         .minimum = 0.1,
-         .maximum = 10,
-         .scale = ParameterScale::logarithmic,
-         .default_value = 1.0,
-         .help = "exponent of the scaled values: larger than 1 leaves the highest, smaller lifts the low"},
+        contrast_row("the largest ratio of densities (1 / cell area), if they are scaled"),
+        invert_row("small cells where the field is low instead of high, if densities are scaled"),
+        gamma_row("exponent of the scaled values: larger than 1 leaves the highest, smaller lifts the low"),
         {.key = "floor",
          .label = "Floor",
          .minimum = 0,
@@ -108,17 +91,9 @@ std::vector<ParameterRow> monitor_rows(const Space& space) {
          .slider = SliderRange{0, 1},
          .default_value = 0.0,
          .help = "lower values count as this one: scaled values, from 0 to 1, or values of the field"},
-        {.key = "blur",
-         .label = "Blur",
-         .symbol = "σ",
-         .unit = "cells",
-         .minimum = 0,
-         .maximum = 1000,
-         .slider = SliderRange{0, 20},
-         .default_value = least_blur,
-         .help = "standard deviation of the Gaussian blur; at least " + format_number(least_blur) +
-                 " cells, so that the mesh can follow"}};
+        blur_row()};
     rows.insert(rows.end(), more.begin(), more.end());
+    rows.back().unit = "cells"; // of the blur
     return rows;
 }
 

@@ -1,5 +1,6 @@
 #include "core/monitor/image_monitor.hpp"
 
+#include "core/function/density_rows.hpp"
 #include "core/function/image_function.hpp"
 #include "core/monitor/grid_density.hpp"
 
@@ -37,14 +38,8 @@ MonitorType image_file_monitor() {
                 [](const Space& space) {
                     std::vector<ParameterRow> rows =
                         image_rows(space, "small cells where the picture is bright instead of dark");
-                    rows.insert(rows.begin() + 1, {.key = "contrast",
-                                                   .label = "Contrast",
-                                                   .symbol = "C",
-                                                   .minimum = 1,
-                                                   .maximum = 1000,
-                                                   .scale = ParameterScale::logarithmic,
-                                                   .default_value = 20.0,
-                                                   .help = "the largest ratio of densities (1 / cell area)"});
+                    rows.insert(rows.begin() + 1,
+                                contrast_row("the largest ratio of densities (1 / cell area)"));
                     return rows;
                 },
             .make =
