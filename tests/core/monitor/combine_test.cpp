@@ -5,6 +5,7 @@
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
 #include "support/built_in.hpp"
+#include "support/monitor_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,24 +17,6 @@ namespace gaspard {
 namespace {
 
 const Space plain{SpaceKind::euclidean}, torus{SpaceKind::periodic_square}, sphere{SpaceKind::sphere};
-
-Points points_of(const Space& space) {
-    Points x(60);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const double t = static_cast<double>(i) / 60;
-        Vec3 p{std::fmod(7.3 * t, 1.0), std::fmod(0.13 + 3.1 * t, 1.0), 0};
-        if (space.kind == SpaceKind::sphere) p = {std::cos(7 * t), std::sin(7 * t), 2 * t - 0.9};
-        if (space.kind == SpaceKind::sphere) p = (1 / norm(p)) * p;
-        x.set(i, p);
-    }
-    return x;
-}
-
-std::vector<double> values_of(const Monitor& monitor, const Points& x) {
-    std::vector<double> values(x.size());
-    monitor.values(x, values);
-    return values;
-}
 
 /// A ring, a bell and a bell elsewhere, with powers and weights.
 std::vector<CombinedPart> three_parts(const Space& space) {
@@ -90,19 +73,7 @@ TEST(Combine, HasTheGradientsOfItsValues) {
         for (const CombineOptions& options : operations) {
             const auto monitor = combined_monitor(three_parts(space), options);
             const Points x = points_of(space);
-            Points gradients;
-            monitor->gradients(x, gradients);
-            ASSERT_EQ(gradients.size(), x.size());
-            for (std::size_t i = 0; i < x.size(); ++i) {
-                Vec3 along{0.6, -0.8, 0};
-                if (space.kind == SpaceKind::sphere) along = along - dot(along, x[i]) * x[i];
-                const double e = 1e-6;
-                Points there(2);
-                there.set(0, x[i] + e * along), there.set(1, x[i] - e * along);
-                const auto m = values_of(*monitor, there);
-                const double slope = (m[0] - m[1]) / (2 * e);
-                EXPECT_NEAR(dot(gradients[i], along), slope, 1e-6 * (1 + std::abs(slope)));
-            }
+            expect_gradients_of_values(*monitor, space, x, 1e-6);
         }
 }
 

@@ -3,6 +3,7 @@
 #include "core/monitor/stages.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
+#include "support/monitor_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -94,12 +95,6 @@ MonitorContext on(SpaceKind kind) {
     return context;
 }
 
-std::vector<double> values_of(const Monitor& monitor, const Points& x) {
-    std::vector<double> values(x.size());
-    monitor.values(x, values);
-    return values;
-}
-
 void expect_values(const Monitor& monitor, const Points& x, const std::function<double(Vec3)>& expected,
                    double tolerance) {
     const auto m = values_of(monitor, x);
@@ -162,18 +157,7 @@ TEST(Derived, HasTheGradientsOfItsValues) {
         Points x(100);
         const Points all = sphere ? sphere_points(1) : square_points();
         for (std::size_t i = 0; i < x.size(); ++i) x.set(i, all[7 * i + 3]);
-        Points gradients;
-        monitor->gradients(x, gradients);
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            Vec3 along{0.6, -0.8, 0};
-            if (sphere) along = along - dot(along, x[i]) * x[i];
-            const double e = 1e-6;
-            Points there(2);
-            there.set(0, x[i] + e * along), there.set(1, x[i] - e * along);
-            const auto m = values_of(*monitor, there);
-            const double slope = (m[0] - m[1]) / (2 * e);
-            EXPECT_NEAR(dot(gradients[i], along), slope, 1e-6 * (1 + std::abs(slope)));
-        }
+        expect_gradients_of_values(*monitor, on(kind).space, x, 1e-6);
     }
 }
 

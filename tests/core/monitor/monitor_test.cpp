@@ -1,6 +1,7 @@
 #include "core/base/error.hpp"
 #include "core/monitor/radial.hpp"
 #include "support/built_in.hpp"
+#include "support/monitor_values.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -38,12 +39,6 @@ Points random_points(std::size_t count, double low, double high, unsigned seed) 
     Points points(count);
     for (std::size_t i = 0; i < count; ++i) points.set(i, {coordinate(random), coordinate(random), 0});
     return points;
-}
-
-std::vector<double> values_of(const Monitor& monitor, const Points& x) {
-    std::vector<double> values(x.size(), -7);
-    monitor.values(x, values);
-    return values;
 }
 
 TEST(SechMonitor, HasTheValuesOfItsFormula) {

@@ -1,6 +1,7 @@
 #include "core/base/error.hpp"
 #include "core/monitor/sum.hpp"
 #include "support/built_in.hpp"
+#include "support/monitor_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,25 +16,6 @@ struct Place {
 };
 const Place places[] = {
     {"periodic", {SpaceKind::periodic_square}}, {"walls", {}}, {"sphere", {SpaceKind::sphere}}};
-
-/// Points of the space, and every point a little further in each direction.
-Points points_of(const Space& space) {
-    Points x(40);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const double t = static_cast<double>(i) / 40;
-        Vec3 p{std::fmod(7 * t, 1.0), std::fmod(0.13 + 3 * t, 1.0), 0};
-        if (space.kind == SpaceKind::sphere) p = {std::cos(7 * t), std::sin(7 * t), 2 * t - 0.9};
-        if (space.kind == SpaceKind::sphere) p = (1 / norm(p)) * p;
-        x.set(i, p);
-    }
-    return x;
-}
-
-std::vector<double> values_of(const Monitor& monitor, const Points& x) {
-    std::vector<double> values(x.size());
-    monitor.values(x, values);
-    return values;
-}
 
 TEST(RingAndBell, IsTheSumOfBoth) {
     for (const auto& [name, space] : places) {
@@ -104,18 +86,8 @@ TEST(Sums, HaveTheGradientsOfTheirValues) {
         for (const char* type : {"ring-and-bell", "random-bells", "random-waves"}) {
             const auto monitor = make_monitor(type, space);
             const Points x = points_of(space);
-            Points gradients;
-            monitor->gradients(x, gradients);
-            for (std::size_t i = 0; i < x.size(); ++i) {
-                Vec3 along{0.6, -0.8, 0};
-                if (space.kind == SpaceKind::sphere) along = along - dot(along, x[i]) * x[i];
-                const double e = 1e-6;
-                Points there(2);
-                there.set(0, x[i] + e * along), there.set(1, x[i] - e * along);
-                const auto m = values_of(*monitor, there);
-                const double slope = (m[0] - m[1]) / (2 * e);
-                EXPECT_NEAR(dot(gradients[i], along), slope, 1e-5 * (1 + std::abs(slope))) << name << type;
-            }
+            SCOPED_TRACE(name + std::string(" ") + type);
+            expect_gradients_of_values(*monitor, space, x, 1e-5);
         }
 }
 
