@@ -18,6 +18,7 @@ bool AwaitedField::wanted(std::string_view key) const {
 }
 
 void AwaitedField::ask() {
+    ImGui::SetWindowFocus(); // ImGui 1.90 looks for the field in the window that has the focus alone
     ImGui::SetKeyboardFocusHere();
     if (asked_ == 0) since_ = ImGui::GetFrameCount();
     asked_ = ImGui::GetFrameCount();
