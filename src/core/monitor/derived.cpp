@@ -78,13 +78,13 @@ void check_options(const DerivedOptions& o) {
 class Maker {
   public:
     Maker(std::shared_ptr<const ScalarFunction> u, const DerivedOptions& options,
-          const MonitorContext& context)
+          const MonitorContext& context, MonitorReport of_u)
         : options_(options), context_(context), domain_(domain_grid(context, points_per_cell)),
-          u_(std::move(u)) {}
+          u_(std::move(u)), report_(std::move(of_u)) {}
 
     std::shared_ptr<const Monitor> make() {
         const IndicatorValues indicator = indicator_on(domain_, *u_, options_, options_.smooth, context_);
-        if (indicator.constant) notes_.emplace_back("u is constant on the domain.");
+        if (indicator.constant) report_.notes.emplace_back("u is constant on the domain.");
         values_ = indicator.q;
         for (double& value : values_) value += indicator.background;
         add_field(1);
@@ -97,8 +97,7 @@ class Maker {
         add_field(3);
         check_positive_values();
         if (options_.smooth) smooth();
-        auto last =
-            grid_density(domain_.grid, std::move(values_), {.notes = std::move(notes_)}, context_.space.kind);
+        auto last = grid_density(domain_.grid, std::move(values_), std::move(report_), context_.space.kind);
         return std::make_shared<DerivedMonitor>(
             DerivedMonitor::Stages{u_, std::move(fields_), std::move(last)});
     }
@@ -115,14 +114,14 @@ class Maker {
         limit_stage(domain_, values_, options_.floor, options_.contrast);
         const double after = fraction();
         if (options_.average && std::abs(after - before) > 0.02)
-            notes_.push_back("The limit changes the fraction of cells that go to the feature from " +
-                             two_digits(before) + " to " + two_digits(after) + ".");
+            report_.notes.push_back("The limit changes the fraction of cells that go to the feature from " +
+                                    two_digits(before) + " to " + two_digits(after) + ".");
     }
 
     void smooth() {
         Followed followed = follow(domain_, std::move(values_), options_.smoothing, context_);
         values_ = std::move(followed.values);
-        notes_.insert(notes_.end(), followed.notes.begin(), followed.notes.end());
+        report_.notes.insert(report_.notes.end(), followed.notes.begin(), followed.notes.end());
     }
 
     void check_positive_values() const {
@@ -138,7 +137,7 @@ class Maker {
     std::shared_ptr<const ScalarFunction> u_;
     std::vector<double> values_;
     std::vector<std::pair<FieldInfo, GridFunction>> fields_;
-    std::vector<std::string> notes_;
+    MonitorReport report_;
 };
 
 } // namespace
@@ -156,10 +155,11 @@ std::vector<FieldInfo> derived_fields() {
 }
 
 std::shared_ptr<const Monitor> derived_monitor(std::shared_ptr<const ScalarFunction> u,
-                                               const DerivedOptions& options, const MonitorContext& context) {
+                                               const DerivedOptions& options, const MonitorContext& context,
+                                               MonitorReport of_u) {
     if (!u) throw InputError("derived_monitor: the function is null");
     check_options(options);
-    return Maker(std::move(u), options, context).make();
+    return Maker(std::move(u), options, context, std::move(of_u)).make();
 }
 
 } // namespace gaspard

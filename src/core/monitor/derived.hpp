@@ -46,8 +46,9 @@ struct DerivedOptions {
 /// `context`: the space and the discretisation of the run (Run::space, Run::discretisation), which the
 /// monitor does not keep. Throws InputError if an option is out of its range, if u or what is needed of its
 /// derivatives is not finite at some point of the domain, or if m is not positive; Interrupted if asked to
-/// stop.
+/// stop. `of_u`: what there is to say of u; the monitor's report goes on with it.
 std::shared_ptr<const Monitor> derived_monitor(std::shared_ptr<const ScalarFunction> u,
-                                               const DerivedOptions& options, const MonitorContext& context);
+                                               const DerivedOptions& options, const MonitorContext& context,
+                                               MonitorReport of_u = {});
 
 } // namespace GASPARD_API

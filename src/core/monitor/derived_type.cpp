@@ -174,53 +174,32 @@ DerivedOptions options_of(const Values& values) {
     return options;
 }
 
-/// What the source says, too.
-class SourcedMonitor final : public Monitor {
-  public:
-    SourcedMonitor(std::shared_ptr<const Monitor> monitor, MonitorReport report)
-        : monitor_(std::move(monitor)), report_(std::move(report)) {}
-
-    void values(const Points& x, std::span<double> values) const override { monitor_->values(x, values); }
-    void gradients(const Points& x, Points& gradients) const override { monitor_->gradients(x, gradients); }
-    std::optional<SpaceKind> made_for() const override { return monitor_->made_for(); }
-    MonitorReport report() const override { return report_; }
-    std::vector<Field> fields(const Points& x) const override { return monitor_->fields(x); }
-    std::shared_ptr<const ScalarFunction> solution() const override { return monitor_->solution(); }
-
-  private:
-    std::shared_ptr<const Monitor> monitor_;
-    MonitorReport report_;
-};
-
 std::shared_ptr<const Monitor> make(const Values& values, const MonitorContext& context) {
     MadeFunction u = source_of(values).make(source_values(values, context.space), context);
-    auto monitor = derived_monitor(std::move(u.function), options_of(values), context);
     MonitorReport report{.notes = std::move(u.notes), .advice = std::move(u.advice)};
     for (auto& [key, choices] : u.choices) report.choices[std::string(prefix) + key] = std::move(choices);
-    const MonitorReport own = monitor->report();
-    report.notes.insert(report.notes.end(), own.notes.begin(), own.notes.end());
-    return std::make_shared<SourcedMonitor>(std::move(monitor), std::move(report));
+    return derived_monitor(std::move(u.function), options_of(values), context, std::move(report));
 }
 
 } // namespace
 
 MonitorType derived_monitor_type() {
-    return {.name = "derived",
-            .label = "Derived from u",
-            .help = "small cells where a function u, such as the solution of a PDE, needs them",
-            .equation = "m = 1 + f/(1 - f) q/<q>, limited and smoothed; q from the indicator of u, such as "
-                        "sqrt(1 + a |grad u|^2) - 1",
-            .rows = rows,
-            .make = make,
-            .further_rows = further_rows,
-            .fields = derived_fields(),
-            .stages = {{"Function u", "u", {"u."}},
-                       {"Indicator",
-                        "indicator",
-                        {"kind", "alpha", "order", "level", "width", "profile", "normalise"}},
-                       {"Average", "averaged", {"average", "fraction"}},
-                       {"Limit", "limited", {"limit", "floor", "contrast"}},
-                       {"Smooth", "monitor", {"smooth", "smoothing"}}}};
+    return {
+        .name = "derived",
+        .label = "Derived from u",
+        .help = "small cells where a function u, such as the solution of a PDE, needs them",
+        .equation = "m = 1 + f/(1 - f) q/<q>, limited and smoothed; q from the indicator of u, such as "
+                    "sqrt(1 + a |grad u|^2) - 1",
+        .rows = rows,
+        .make = make,
+        .further_rows = further_rows,
+        .fields = derived_fields(),
+        .stages = {
+            {"Function u", "u", {"u."}},
+            {"Indicator", "indicator", {"kind", "alpha", "order", "level", "width", "profile", "normalise"}},
+            {"Average", "averaged", {"average", "fraction"}},
+            {"Limit", "limited", {"limit", "floor", "contrast"}},
+            {"Smooth", "monitor", {"smooth", "smoothing"}}}};
 }
 
 } // namespace gaspard
