@@ -61,7 +61,7 @@ void to_density(std::span<double> d, double contrast) {
 
 double blur_density(const DomainGrid& domain, std::span<double> m, double sigma, const DataContext& context) {
     blur(domain.grid, m, sigma, context.progress, context.stop);
-    const double limit = steepest(domain);
+    const double limit = steepest(domain, steepest_data);
     for (double steep = steepness(domain, m); steep > limit; steep = steepness(domain, m)) {
         const double wider = sigma * std::clamp(steep / limit, 1.1, 1.5); // variances of Gaussians add up
         blur(domain.grid, m, std::sqrt(wider * wider - sigma * sigma), context.progress, context.stop);

@@ -84,14 +84,14 @@ double steepness(const DomainGrid& domain, std::span<const double> values) {
     return domain.cell * steepest_one;
 }
 
-double steepest(const DomainGrid& domain) {
-    return domain.grid.chart->kind() == ChartKind::box && !domain.patch ? 1.2 : 0.5;
+double steepest(const DomainGrid& domain, double on_square) {
+    return domain.grid.chart->kind() == ChartKind::box && !domain.patch ? on_square : 0.5;
 }
 
 Followed follow(const DomainGrid& domain, std::vector<double> values, std::optional<double> length,
                 const DataContext& context) {
     const auto is_even = [&](const std::vector<double>& m) {
-        return steepness(domain, m) <= steepest(domain);
+        return steepness(domain, m) <= steepest(domain, steepest_stages);
     };
     Followed made{std::move(values), length.value_or(0), {}};
     if (length && *length > 0) smoothing_stage(domain, made.values, *length * domain.cell, context);

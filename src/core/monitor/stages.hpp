@@ -34,9 +34,12 @@ void smoothing_stage(const DomainGrid& domain, std::span<double> values, double 
 ///
 /// over the domain, for cells of size h of the uniform mesh. A mesh cannot follow m where this is large.
 double steepness(const DomainGrid& domain, std::span<const double> values);
-/// The limit of it: 1.2 on the square, 0.5 on the sphere and on patches. Found by experiment
-/// (bench/images.py, docs/monitors.md): with it, `auto` converges for every picture tried.
-double steepest(const DomainGrid& domain);
+/// The limit of it on the square, for a monitor made of a function u or of other monitors, and for one made of
+/// data. Found by experiment: interpolation errors of u are smaller with the first; with the second, which
+/// blurs less, `auto` still converges for every picture tried (bench/images.py, docs/monitors.md).
+inline constexpr double steepest_stages = 1.0, steepest_data = 1.2;
+/// The limit on a domain: `on_square`, or 0.5 on the sphere and on patches.
+double steepest(const DomainGrid& domain, double on_square);
 
 /// A monitor that a mesh can follow, or a note that it may not.
 struct Followed {
