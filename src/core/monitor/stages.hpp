@@ -34,8 +34,8 @@ void smoothing_stage(const DomainGrid& domain, std::span<double> values, double 
 ///
 /// over the domain, for cells of size h of the uniform mesh. A mesh cannot follow m where this is large.
 double steepness(const DomainGrid& domain, std::span<const double> values);
-/// The limit of it on the square, for a monitor made of a function u or of other monitors, and for one made of
-/// data. Found by experiment: interpolation errors of u are smaller with the first; with the second, which
+/// The limit of it on the square: for a monitor made of a function u or of other monitors, and for one made
+/// of data. Found by experiment: interpolation errors of u are smaller with the first; with the second, which
 /// blurs less, `auto` still converges for every picture tried (bench/images.py, docs/monitors.md).
 inline constexpr double steepest_stages = 1.0, steepest_data = 1.2;
 /// The limit on a domain: `on_square`, or 0.5 on the sphere and on patches.
