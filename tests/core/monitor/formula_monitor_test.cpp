@@ -240,8 +240,8 @@ TEST_F(TypedFormula, GivesTheMeshesOfTheBuiltInMonitors) {
         EXPECT_EQ(a.status(), RunStatus::converged) << name;
         EXPECT_EQ(b.status(), RunStatus::converged) << name;
         EXPECT_NEAR(a.history().back().iteration, b.history().back().iteration, 1) << name;
-        const auto &x = a.snapshot()->x, &y = b.snapshot()->x;
-        EXPECT_LT(largest_distance(x, y), 1e-10) << name;
+        const auto at_a = a.snapshot(), at_b = b.snapshot();
+        EXPECT_LT(largest_distance(at_a->x, at_b->x), 1e-10) << name;
     };
     for (const char* method : {"method.type=auto", "method.type=newton", "method.type=accelerated"}) {
         compare("plane-ring", {"domain.cells=24", method});
