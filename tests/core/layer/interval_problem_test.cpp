@@ -1,0 +1,71 @@
+// Solutions on an interval beside Hill, Madden (2021) and beside closed forms.
+#include "core/layer/interval_mesh.hpp"
+#include "core/layer/interval_problem.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace gaspard {
+namespace {
+
+/// (6).
+IntervalProblem reaction_diffusion(double eps) {
+    return {{eps * eps}, [](double x, IntervalCoefficients& at) { at = {{0}, {1}, {1 - x}}; }};
+}
+IntervalExact exact_solution(double eps) {
+    const double d = -std::expm1(-2 / eps);
+    return {[=](double x) { return 1 - x - (std::exp(-x / eps) - std::exp(-(2 - x) / eps)) / d; },
+            [=](double x) { return -1 + (std::exp(-x / eps) + std::exp(-(2 - x) / eps)) / (eps * d); }};
+}
+
+// The errors of Table 3 on Bakhvalov's mesh agree to three digits for small eps, as the paper says.
+TEST(IntervalProblem, HasTheErrorsOfSmallEps) {
+    for (const double eps : {1e-4, 1e-6, 1e-8}) {
+        const auto x = bakhvalov_mesh({.eps = eps}, {}, 1024).x;
+        const IntervalProblem problem = reaction_diffusion(eps);
+        const auto p1 = solve_interval(problem, x, 1), p2 = solve_interval(problem, x, 2);
+        const double expected = 1.295e-3 * std::sqrt(eps);
+        EXPECT_NEAR(reference_error(problem, x, p1, p2), expected, 2e-3 * expected);
+        EXPECT_NEAR(exact_error(problem, x, p1, exact_solution(eps)), expected, 2e-3 * expected);
+    }
+}
+
+TEST(IntervalProblem, ConvergesWithTheOrderOfItsElements) {
+    const IntervalExact u = {[](double x) { return std::sin(std::numbers::pi * x); },
+                             [](double x) { return std::numbers::pi * std::cos(std::numbers::pi * x); }};
+    const IntervalProblem problem = {
+        {0.5}, [&](double x, IntervalCoefficients& at) {
+            const double pi = std::numbers::pi;
+            at = {{1 + x}, {x * x}, {0.5 * pi * pi * u.value(x) + (1 + x) * u.slope(x) + x * x * u.value(x)}};
+        }};
+    double before = 0, middle_before = 0;
+    for (const int cells : {16, 32, 64}) {
+        const auto x = uniform_interval({}, cells);
+        const auto p1 = solve_interval(problem, x, 1), p2 = solve_interval(problem, x, 2);
+        const double error = exact_error(problem, x, p1, u);
+        double middle = 0;
+        for (std::size_t i = 0; i < p2.middles[0].size(); ++i)
+            middle = std::max(middle, std::abs(p2.middles[0][i] - u.value(0.5 * (x[i] + x[i + 1]))));
+        if (before > 0) {
+            EXPECT_NEAR(before / error, 2, 0.02);
+            EXPECT_GT(middle_before / middle, 7.5);
+        }
+        before = error, middle_before = middle;
+    }
+}
+
+// On a uniform mesh the layer falls between two nodes: the reference of order 2 knows as little of it.
+TEST(IntervalProblem, ExactErrorSeesALayerThatTheReferenceMisses) {
+    const double eps = 1e-6;
+    const IntervalProblem problem = reaction_diffusion(eps);
+    const auto x = uniform_interval({}, 64);
+    const auto p1 = solve_interval(problem, x, 1), p2 = solve_interval(problem, x, 2);
+    // u_h is close to the reduced solution next to the layer, whose energy is eps/2 + ...
+    const double exact = exact_error(problem, x, p1, exact_solution(eps));
+    EXPECT_GT(exact, 0.03);
+    EXPECT_GT(exact, 1.25 * reference_error(problem, x, p1, p2));
+}
+
+} // namespace
+} // namespace gaspard
