@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -166,6 +167,7 @@ namespace {
 struct CellError {
     const IntervalExact& exact;
     double diffusion, left, h, u0, u1;
+    double negligible; ///< energy
 
     double part(double s0, double s1) const {
         double sum = 0;
@@ -178,7 +180,8 @@ struct CellError {
     }
     double adaptive(double s0, double s1, double whole, int depth) const {
         const double middle = 0.5 * (s0 + s1), first = part(s0, middle), second = part(middle, s1);
-        if (depth == 0 || std::abs(first + second - whole) <= 1e-10 * (first + second)) return first + second;
+        if (depth == 0 || std::abs(first + second - whole) <= std::max(negligible, 1e-10 * (first + second)))
+            return first + second;
         return adaptive(s0, middle, first, depth - 1) + adaptive(middle, s1, second, depth - 1);
     }
 };
@@ -188,11 +191,15 @@ struct CellError {
 double exact_error(const IntervalProblem& problem, std::span<const double> x, const IntervalSolution& p1,
                    const IntervalExact& exact) {
     GASPARD_CHECK(problem.components() == 1 && p1.order == 1);
-    double square = 0;
+    const auto cell_at = [&](std::size_t i, double negligible) {
+        return CellError{exact,          problem.diffusion[0], x[i],      x[i + 1] - x[i],
+                         p1.nodes[0][i], p1.nodes[0][i + 1],   negligible};
+    };
+    double estimate = 0, square = 0;
+    for (std::size_t i = 0; i + 1 < x.size(); ++i) estimate += cell_at(i, 0).part(0, 1);
     constexpr int panels = 48, depth = 40;
     for (std::size_t i = 0; i + 1 < x.size(); ++i) {
-        const CellError cell{exact,           problem.diffusion[0], x[i],
-                             x[i + 1] - x[i], p1.nodes[0][i],       p1.nodes[0][i + 1]};
+        const CellError cell = cell_at(i, 1e-12 * estimate);
         if (i > 0 && i + 2 < x.size()) {
             square += cell.adaptive(0, 1, cell.part(0, 1), depth);
             continue;
