@@ -1,0 +1,60 @@
+// Symmetric positive definite systems with nine-point stencils on a square grid, such as finite elements give
+// on n x n quadrilaterals with any coefficients: conjugate gradients, preconditioned by a multigrid V-cycle
+// with operator-dependent interpolation (Dendy 1982), Galerkin coarse grids and line relaxation in both
+// directions. The number of iterations hardly depends on n, the coefficients and their anisotropy.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gaspard {
+
+/// The lower triangle, by rows, of the symmetric matrix of one quadrilateral. Corners: (0,0), (1,0), (0,1),
+/// (1,1).
+using CornerMatrix = std::array<double, 10>;
+
+/// A grid with its operators: n x n quadrilaterals, (n + 1)^2 unknowns by rows, some of which are fixed.
+class NinePointSolver {
+  public:
+    /// `n`: a power of two times an odd number; grids are halved as long as that is possible. `fixed`: 1 for
+    /// the unknowns that keep their values.
+    NinePointSolver(int n, std::vector<std::uint8_t> fixed);
+
+    /// The matrices of the quadrilaterals, by rows; makes the coarser grids.
+    void set_matrices(std::vector<CornerMatrix> matrices);
+    /// Solves A u = 0 for the free unknowns, from the values in `u`, until the preconditioned residual is
+    /// `reduction` times its first value or at most `smallest` (in units of u). Returns the iterations.
+    int solve(std::span<double> u, double reduction, double smallest = 0);
+
+  private:
+    struct Grid {
+        int n = 0;
+        std::vector<std::uint8_t> fixed;
+        std::vector<CornerMatrix> matrices;
+        std::vector<double> centre, east, north, north_east,
+            north_west;                              ///< couplings, negated; to later ones
+        std::vector<double> row_pivot, column_pivot; ///< inverse pivots of the lines' tridiagonal systems
+        std::vector<std::array<double, 2>> along;    ///< interpolation of points between two coarse ones
+        std::vector<std::array<double, 4>> middle;   ///< and of those between four
+        std::vector<double> u, b, r;
+        std::size_t at(int i, int j) const {
+            return static_cast<std::size_t>(j) * static_cast<std::size_t>(n + 1) +
+                   static_cast<std::size_t>(i);
+        }
+    };
+    static void assemble(Grid& grid);
+    static void interpolate(Grid& grid);
+    static void coarsen(const Grid& fine, Grid& coarse);
+    static void residual(Grid& grid);
+    static void relax_rows(Grid& grid, int first);
+    static void relax_columns(Grid& grid, int first);
+    void cycle(std::size_t level);
+
+    std::vector<Grid> grids_; ///< the finest first
+    std::vector<double> direction_, image_, rest_;
+};
+
+} // namespace gaspard
