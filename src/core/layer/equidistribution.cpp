@@ -1,7 +1,7 @@
 // Exact equidistribution of a density on an interval: its integral, piecewise in Chebyshev polynomials, is
 // inverted.
 #include "core/base/error.hpp"
-#include "core/base/number_text.hpp"
+#include "core/base/parameter.hpp"
 #include "core/layer/interval_mesh.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "core/layer/interval_mesh.hpp"
 
 #include "core/base/error.hpp"
-#include "core/base/number_text.hpp"
+#include "core/base/parameter.hpp"
 
 #include <algorithm>
 #include <cmath>

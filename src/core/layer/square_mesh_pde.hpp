@@ -1,0 +1,62 @@
+// Meshes of a quadrilateral that are adapted to layers: positions x(xi) of a grid of (N + 1)^2 nodes.
+//
+// Mesh PDEs of Hill, Madden (2021), with a density rho or a diagonal matrix M of densities at x(xi):
+//
+//   componentwise (29): div(M_11 grad x) = 0, div(M_22 grad y) = 0; written with M as it stands, not inverted
+//   one direction (28): (rho y_xi2)_xi2 = 0, x = xi1   (as printed, divided by rho, the equation is linear)
+//
+// in P1 on the crossed mesh of the computational domain (every quadrilateral in four triangles that meet in its
+// centre), with the densities at the last iterate (Algorithm 3): iterations on a mesh of start_cells^2
+// quadrilaterals, then uniform refinement, and so on. The unknowns of the centres are eliminated, which leaves
+// nine-point systems on the grid (linear/nine_point.hpp). The physical mesh joins the grid's nodes by right
+// diagonals.
+//
+// Boundary: the coordinate that a side fixes stays as it is there, the other one is free (nodes slide along the
+// side). Sides: the computational domain is the unit square for (29); for (28) any quadrilateral whose left and
+// right sides are vertical.
+#pragma once
+
+#include "core/base/export.hpp"
+#include "core/base/points.hpp"
+
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace gaspard GASPARD_API {
+
+/// Densities M_11 and M_22 at points; each positive and finite.
+using LayerDensities = std::function<void(const Points& x, std::span<double> m11, std::span<double> m22)>;
+
+enum class MeshPdeForm { componentwise, one_direction };
+/// Where a triangle samples the densities: at its corners, or at the fifteen points of a polynomial of degree 4,
+/// which is integrated exactly. Both see the edges of the domain.
+enum class DensitySamples { corners, degree_4 };
+
+struct SquareMeshPdeOptions {
+    MeshPdeForm form = MeshPdeForm::componentwise;
+    DensitySamples samples = DensitySamples::degree_4;
+    /// Corners of the computational domain: (0,0), (1,0), (0,1), (1,1) of the unit square, mapped bilinearly.
+    std::array<Vec3, 4> corners = {Vec3{0, 0}, {1, 0}, {0, 1}, {1, 1}};
+    int start_cells = 4;  ///< in each direction
+    int inner = 4;        ///< solves on each coarser mesh
+    int final = 5;        ///< at most, on the last mesh
+    double tolerance = 0; ///< ends before, when no node moves by more
+};
+
+struct SquareMeshPdeResult {
+    Points x;                    ///< (N + 1)^2 nodes, by rows
+    std::vector<double> updates; ///< of each solve on the last mesh: the largest change of a coordinate
+    int inner_iterations = 0;    ///< of the linear solver, in all
+};
+
+/// Throws InputError if `cells` is not start_cells times a power of two, or a density is not positive and
+/// finite.
+SquareMeshPdeResult mesh_pde_square(const LayerDensities& densities, int cells,
+                                    const SquareMeshPdeOptions& options);
+
+/// Triangles of a grid with right diagonals (from (0,0) to (1,1)) whose area is not positive.
+std::size_t inverted_triangles(const Points& x, int cells);
+
+} // namespace GASPARD_API
