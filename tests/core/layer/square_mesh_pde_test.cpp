@@ -27,7 +27,7 @@ TEST(MeshPdeSquare, InvertsNoTriangle) {
         for (const int cells : {16, 32, 64}) {
             const auto mesh = mesh_pde_square(varying_diffusion(eps), cells, {});
             EXPECT_EQ(inverted_triangles(mesh.x, cells), 0U) << eps << ' ' << cells;
-            EXPECT_EQ(mesh.updates.size(), 5U);
+            EXPECT_LE(mesh.updates.size(), 5U);
         }
 }
 
