@@ -1,0 +1,192 @@
+#include "core/layer/triangle_problem.hpp"
+
+#include "core/base/check.hpp"
+#include "core/base/error.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+using Index = std::size_t;
+
+/// Symmetric rule of degree 6 with twelve points (Strang, Fix): barycentric coordinates and weights.
+struct RulePoint {
+    double a, b, c, weight;
+};
+constexpr double a1 = 0.501426509658179, b1 = 0.249286745170910, w1 = 0.116786275726379;
+constexpr double a2 = 0.873821971016996, b2 = 0.063089014491502, w2 = 0.050844906370207;
+constexpr double a3 = 0.053145049844817, b3 = 0.310352451033784, c3 = 0.636502499121399,
+                 w3 = 0.082851075618374;
+constexpr std::array<RulePoint, 12> rule = {{{a1, b1, b1, w1},
+                                             {b1, a1, b1, w1},
+                                             {b1, b1, a1, w1},
+                                             {a2, b2, b2, w2},
+                                             {b2, a2, b2, w2},
+                                             {b2, b2, a2, w2},
+                                             {a3, b3, c3, w3},
+                                             {a3, c3, b3, w3},
+                                             {b3, a3, c3, w3},
+                                             {b3, c3, a3, w3},
+                                             {c3, a3, b3, w3},
+                                             {c3, b3, a3, w3}}};
+
+/// A triangle: its corners and, in numbers of the fine grid of (2N + 1)^2 points, its six nodes (corners, then
+/// the midpoints opposite to them).
+struct Triangle {
+    std::array<Vec3, 3> corner;
+    std::array<Index, 6> node;
+    double area = 0;
+    std::array<Vec3, 3> slope; ///< gradients of the barycentric coordinates
+};
+
+template <class Visit>
+void for_each_triangle(const Points& x, int cells, const Visit& visit) {
+    const auto n = static_cast<Index>(cells), fine = 2 * n + 1;
+    for (Index j = 0; j < n; ++j)
+        for (Index i = 0; i < n; ++i)
+            for (const bool lower : {true, false}) {
+                const std::array<std::array<Index, 2>, 3> at =
+                    lower ? std::array<std::array<Index, 2>, 3>{{{i, j}, {i + 1, j}, {i + 1, j + 1}}}
+                          : std::array<std::array<Index, 2>, 3>{{{i, j}, {i + 1, j + 1}, {i, j + 1}}};
+                Triangle t;
+                for (Index k = 0; k < 3; ++k) {
+                    const auto &p = at[(k + 1) % 3], &q = at[(k + 2) % 3];
+                    t.corner[k] = x[at[k][1] * (n + 1) + at[k][0]];
+                    t.node[k] = 2 * at[k][1] * fine + 2 * at[k][0];
+                    t.node[3 + k] = (p[1] + q[1]) * fine + p[0] + q[0];
+                }
+                const Vec3 u = t.corner[1] - t.corner[0], v = t.corner[2] - t.corner[0];
+                t.area = 0.5 * (u.x * v.y - u.y * v.x);
+                for (Index k = 0; k < 3; ++k) {
+                    const Vec3 edge = t.corner[(k + 2) % 3] - t.corner[(k + 1) % 3];
+                    t.slope[k] = {-edge.y / (2 * t.area), edge.x / (2 * t.area), 0};
+                }
+                visit(t);
+            }
+}
+
+/// Shape functions and gradients of order 1 (three) or 2 (six) at a point of the rule.
+struct Shapes {
+    std::array<double, 6> value{};
+    std::array<Vec3, 6> slope{};
+};
+Shapes shapes(const Triangle& t, const RulePoint& p, int order) {
+    const std::array<double, 3> l = {p.a, p.b, p.c};
+    Shapes s;
+    for (Index k = 0; k < 3; ++k) {
+        const Index a = (k + 1) % 3, b = (k + 2) % 3;
+        s.value[k] = order == 1 ? l[k] : l[k] * (2 * l[k] - 1);
+        s.slope[k] = (order == 1 ? 1.0 : 4 * l[k] - 1) * t.slope[k];
+        s.value[3 + k] = 4 * l[a] * l[b];
+        s.slope[3 + k] = 4 * l[a] * t.slope[b] + 4 * l[b] * t.slope[a];
+    }
+    return s;
+}
+
+TriangleCoefficients coefficients_at(const TriangleProblem& problem, const Triangle& t, const RulePoint& p) {
+    const Vec3 x = p.a * t.corner[0] + p.b * t.corner[1] + p.c * t.corner[2];
+    return problem.coefficients(x.x, x.y);
+}
+
+/// Numbers of the unknowns by points of the fine grid; -1 where there is none.
+std::vector<int> numbering(const TriangleProblem& problem, int cells, int order) {
+    const int last = 2 * cells;
+    std::vector<int> number(static_cast<Index>(last + 1) * static_cast<Index>(last + 1), -1);
+    int next = 0;
+    for (int j = 0; j <= last; ++j)
+        for (int i = 0; i <= last; ++i) {
+            if (order == 1 && (i % 2 != 0 || j % 2 != 0)) continue;
+            if ((i == 0 && problem.held[0]) || (i == last && problem.held[1]) ||
+                (j == 0 && problem.held[2]) || (j == last && problem.held[3]))
+                continue;
+            number[static_cast<Index>(j) * static_cast<Index>(last + 1) + static_cast<Index>(i)] = next++;
+        }
+    return number;
+}
+
+} // namespace
+
+TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x, int cells, int order) {
+    GASPARD_CHECK(order == 1 || order == 2);
+    const std::vector<int> number = numbering(problem, cells, order);
+    const int unknowns =
+        static_cast<int>(std::count_if(number.begin(), number.end(), [](int k) { return k >= 0; }));
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(unknowns);
+    const Index count = order == 1 ? 3 : 6;
+    bool symmetric = true;
+    for_each_triangle(x, cells, [&](const Triangle& t) {
+        if (!(t.area > 0)) throw InputError("the mesh has an inverted triangle");
+        std::array<std::array<double, 6>, 6> a{};
+        for (const RulePoint& p : rule) {
+            const TriangleCoefficients c = coefficients_at(problem, t, p);
+            symmetric = symmetric && c.c1 == 0 && c.c2 == 0;
+            const Shapes s = shapes(t, p, order);
+            const double w = p.weight * t.area;
+            for (Index k = 0; k < count; ++k) {
+                if (const int row = number[t.node[k]]; row >= 0) load[row] += w * c.f * s.value[k];
+                for (Index l = 0; l < count; ++l)
+                    a[k][l] +=
+                        w * (c.k1 * s.slope[k].x * s.slope[l].x + c.k2 * s.slope[k].y * s.slope[l].y +
+                             s.value[k] * (c.c1 * s.slope[l].x + c.c2 * s.slope[l].y + c.r * s.value[l]));
+            }
+        }
+        for (Index k = 0; k < count; ++k)
+            for (Index l = 0; l < count; ++l)
+                if (const int row = number[t.node[k]], column = number[t.node[l]]; row >= 0 && column >= 0)
+                    entries.emplace_back(row, column, a[k][l]);
+    });
+    Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    Eigen::VectorXd u;
+    if (symmetric) {
+        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(matrix);
+        u = factors.solve(load);
+    } else {
+        matrix.makeCompressed();
+        Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(matrix);
+        u = factors.solve(load);
+    }
+    if (!u.allFinite()) throw InputError("the solution is not finite; check the coefficients of the problem");
+    TriangleSolution solution{order, {}};
+    const Index fine = 2 * static_cast<Index>(cells) + 1, step = order == 1 ? 2 : 1;
+    for (Index j = 0; j < fine; j += step)
+        for (Index i = 0; i < fine; i += step) {
+            const int k = number[j * fine + i];
+            solution.values.push_back(k < 0 ? 0.0 : u[k]);
+        }
+    return solution;
+}
+
+double reference_error(const TriangleProblem& problem, const Points& x, int cells, const TriangleSolution& p1,
+                       const TriangleSolution& p2) {
+    GASPARD_CHECK(p1.order == 1 && p2.order == 2);
+    const Index n = static_cast<Index>(cells), fine = 2 * n + 1;
+    std::vector<double> difference = p2.values;
+    const auto coarse = [&](Index i, Index j) { return p1.values[j * (n + 1) + i]; };
+    for (Index j = 0; j < fine; ++j)
+        for (Index i = 0; i < fine; ++i) // midpoints lie on sides or on the right diagonal
+            difference[j * fine + i] -= 0.5 * (coarse(i / 2, j / 2) + coarse((i + 1) / 2, (j + 1) / 2));
+    double square = 0;
+    for_each_triangle(x, cells, [&](const Triangle& t) {
+        for (const RulePoint& p : rule) {
+            const TriangleCoefficients c = coefficients_at(problem, t, p);
+            const Shapes s = shapes(t, p, 2);
+            double e = 0;
+            Vec3 d;
+            for (Index k = 0; k < 6; ++k) {
+                const double value = difference[t.node[k]];
+                e += value * s.value[k], d = d + value * s.slope[k];
+            }
+            square += p.weight * t.area * (c.k1 * d.x * d.x + c.k2 * d.y * d.y + e * e);
+        }
+    });
+    return std::sqrt(square);
+}
+
+} // namespace gaspard

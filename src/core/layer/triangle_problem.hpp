@@ -1,0 +1,44 @@
+// Reaction-diffusion with convection on a grid of triangles:
+//
+//   -(k1 u_x)_x - (k2 u_y)_y + c1 u_x + c2 u_y + r u = f,   u = 0 on the sides that are held, free on others
+//
+// Hill, Madden (2021): (32) has k1 = k2 = eps^2, f = x, free on the right; (35) has k1 = (eps (1 + 2y)^2)^2,
+// k2 = (eps (3 - 2x)^2)^2, the square of the printed matrix. Galerkin's method with P1 or P2; coefficients enter
+// at the twelve points of a rule of degree 6. Errors in the energy norm
+//
+//   ||v||_E^2 = (k1 v_x, v_x) + (k2 v_y, v_y) + (v, v).
+#pragma once
+
+#include "core/base/export.hpp"
+#include "core/base/points.hpp"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace gaspard GASPARD_API {
+
+struct TriangleCoefficients {
+    double k1 = 1, k2 = 1, c1 = 0, c2 = 0, r = 1, f = 0;
+};
+
+struct TriangleProblem {
+    std::function<TriangleCoefficients(double x, double y)> coefficients;
+    std::array<bool, 4> held = {true, true, true, true}; ///< left, right, bottom, top: u = 0
+};
+
+/// Values at the nodes of the grid and, of order 2, at the midpoints of edges: (2N + 1)^2 values by rows, the
+/// grid's nodes at even places.
+struct TriangleSolution {
+    int order = 1;
+    std::vector<double> values;
+};
+
+/// `x`: the (N + 1)^2 nodes by rows; triangles have right diagonals and positive areas.
+TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x, int cells, int order);
+
+/// ||p2 - p1||_E of a solution of order 2 and one of order 1 on the same mesh: the paper's error.
+double reference_error(const TriangleProblem& problem, const Points& x, int cells, const TriangleSolution& p1,
+                       const TriangleSolution& p2);
+
+} // namespace GASPARD_API
