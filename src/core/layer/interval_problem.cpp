@@ -43,28 +43,29 @@ struct Element {
 };
 
 template <int m>
-Element<m> element(const IntervalProblem& problem, double left, double h, int order,
-                   IntervalCoefficients& at) {
+Element<m> element(const IntervalProblem& problem, const IntervalCoefficients& at, std::size_t cell, double h,
+                   int order) {
     Element<m> e;
     const int count = order + 1;
     for (std::size_t g = 0; g < gauss_at.size(); ++g) {
-        problem.coefficients(left + h * gauss_at[g], at);
+        const std::size_t point = cell * gauss_at.size() + g;
+        const double* convection = at.convection.data() + point * m;
+        const double* reaction = at.reaction.data() + point * m * m;
+        const double* source = at.source.data() + point * m;
         const Shape phi = shape(order, gauss_at[g]);
         const double w = gauss_weight[g];
         for (int i = 0; i < count; ++i) {
             const double vi = phi.value[static_cast<std::size_t>(i)],
                          di = phi.slope[static_cast<std::size_t>(i)];
-            for (int k = 0; k < m; ++k)
-                e.b[static_cast<std::size_t>(i)](k) += w * h * vi * at.source[static_cast<std::size_t>(k)];
+            for (int k = 0; k < m; ++k) e.b[static_cast<std::size_t>(i)](k) += w * h * vi * source[k];
             for (int j = 0; j < count; ++j) {
                 const double vj = phi.value[static_cast<std::size_t>(j)],
                              dj = phi.slope[static_cast<std::size_t>(j)];
                 auto& block = e.a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
                 for (int k = 0; k < m; ++k) {
                     block(k, k) += w * (problem.diffusion[static_cast<std::size_t>(k)] / h * di * dj +
-                                        at.convection[static_cast<std::size_t>(k)] * vi * dj);
-                    for (int l = 0; l < m; ++l)
-                        block(k, l) += w * h * at.reaction[static_cast<std::size_t>(k * m + l)] * vi * vj;
+                                        convection[k] * vi * dj);
+                    for (int l = 0; l < m; ++l) block(k, l) += w * h * reaction[k * m + l] * vi * vj;
                 }
             }
         }
@@ -93,17 +94,17 @@ Middle<m> condense(Element<m>& e) {
 
 /// Block elimination along the interval; the pivots are definite for these problems, also without diffusion.
 template <int m>
-IntervalSolution solve(const IntervalProblem& problem, std::span<const double> x, int order) {
+IntervalSolution solve(const IntervalProblem& problem, const IntervalCoefficients& at,
+                       std::span<const double> x, int order) {
     using Matrix = typename Element<m>::Matrix;
     using Vector = typename Element<m>::Vector;
     const std::size_t n = x.size() - 1;
     std::vector<Matrix> upper(n + 1, Matrix::Zero());
     std::vector<Vector> u(n + 1, Vector::Zero());
     std::vector<Middle<m>> middles(order == 2 ? n : 0);
-    IntervalCoefficients at{std::vector<double>(m), std::vector<double>(m * m), std::vector<double>(m)};
     Element<m> before;
     for (std::size_t i = 0; i < n; ++i) { // rows of node i: from the cells before and after it
-        Element<m> e = element<m>(problem, x[i], x[i + 1] - x[i], order, at);
+        Element<m> e = element<m>(problem, at, i, x[i + 1] - x[i], order);
         if (order == 2) middles[i] = condense(e);
         if (i > 0) {
             const Matrix pivot = before.a[1][1] + e.a[0][0] - before.a[1][0] * upper[i - 1];
@@ -129,12 +130,30 @@ IntervalSolution solve(const IntervalProblem& problem, std::span<const double> x
 
 } // namespace
 
+IntervalCoefficients coefficients_on(const IntervalProblem& problem, std::span<const double> x) {
+    GASPARD_CHECK(x.size() >= 2);
+    const std::size_t m = problem.components(), cells = x.size() - 1, count = cells * gauss_at.size();
+    std::vector<double> points(count);
+    for (std::size_t i = 0; i < cells; ++i)
+        for (std::size_t g = 0; g < gauss_at.size(); ++g)
+            points[i * gauss_at.size() + g] = x[i] + (x[i + 1] - x[i]) * gauss_at[g];
+    IntervalCoefficients at{std::vector<double>(count * m), std::vector<double>(count * m * m),
+                            std::vector<double>(count * m)};
+    problem.coefficients(points, at);
+    return at;
+}
+
 IntervalSolution solve_interval(const IntervalProblem& problem, std::span<const double> x, int order) {
+    return solve_interval(problem, coefficients_on(problem, x), x, order);
+}
+
+IntervalSolution solve_interval(const IntervalProblem& problem, const IntervalCoefficients& at,
+                                std::span<const double> x, int order) {
     GASPARD_CHECK(order == 1 || order == 2);
     GASPARD_CHECK(problem.components() == 1 || problem.components() == 2);
-    GASPARD_CHECK(x.size() >= 2);
+    GASPARD_CHECK(at.source.size() == (x.size() - 1) * gauss_at.size() * problem.components());
     IntervalSolution solution =
-        problem.components() == 1 ? solve<1>(problem, x, order) : solve<2>(problem, x, order);
+        problem.components() == 1 ? solve<1>(problem, at, x, order) : solve<2>(problem, at, x, order);
     for (const auto& nodes : solution.nodes)
         for (std::size_t i = 0; i < nodes.size(); ++i)
             if (!std::isfinite(nodes[i]))

@@ -17,15 +17,15 @@
 
 namespace gaspard GASPARD_API {
 
-/// The coefficients at one point: c (m), r (m x m, by rows), f (m).
+/// The coefficients at points, one after the other: of each c (m), r (m x m, by rows), f (m).
 struct IntervalCoefficients {
     std::vector<double> convection, reaction, source;
 };
 
 struct IntervalProblem {
     std::vector<double> diffusion; ///< e_k > 0; m of them, 1 or 2
-    /// Sets all coefficients at x; they have their sizes.
-    std::function<void(double x, IntervalCoefficients&)> coefficients;
+    /// Sets all coefficients at the points x, which are in [a, b]; they have their sizes.
+    std::function<void(std::span<const double> x, IntervalCoefficients&)> coefficients;
 
     std::size_t components() const { return diffusion.size(); }
 };
@@ -37,7 +37,12 @@ struct IntervalSolution {
     std::vector<std::vector<double>> nodes, middles;
 };
 
-/// Throws InputError if a coefficient or the solution is not finite.
+/// The coefficients of a problem where the integrals on a mesh need them, for solutions of both orders.
+IntervalCoefficients coefficients_on(const IntervalProblem& problem, std::span<const double> x);
+
+/// Throws InputError if a coefficient or the solution is not finite. `at`: coefficients_on() this mesh.
+IntervalSolution solve_interval(const IntervalProblem& problem, const IntervalCoefficients& at,
+                                std::span<const double> x, int order);
 IntervalSolution solve_interval(const IntervalProblem& problem, std::span<const double> x, int order);
 
 /// ||p2 - p1||_E of a solution of order 2 and one of order 1 on the same mesh: the paper's error.

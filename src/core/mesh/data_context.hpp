@@ -3,6 +3,7 @@
 
 #include "core/base/export.hpp"
 #include "core/base/file_cache.hpp"
+#include "core/base/parameter.hpp"
 #include "core/mesh/discretisation.hpp"
 #include "core/mesh/space.hpp"
 
@@ -16,6 +17,7 @@ namespace gaspard GASPARD_API {
 struct DataContext {
     Space space{};                                  ///< the space of the domain
     const Discretisation* discretisation = nullptr; ///< null: made without a run
+    const Values* pde = nullptr;                    ///< the section "pde" of the problem; null: it has none
     std::filesystem::path folder{};                 ///< base of relative paths; empty: the working directory
     std::shared_ptr<FileCache> files{};             ///< of the run; null: every file is read anew
     Progress progress{};

@@ -32,6 +32,13 @@ struct State {
     friend bool operator==(const State&, const State&) = default;
 };
 
+/// Whether an iterate may be the last one.
+enum class Ending {
+    by_criterion, ///< if MethodType::criterion is below method.tolerance
+    not_yet,      ///< no: the method is on a coarser mesh
+    complete,     ///< yes, whatever the criterion: all steps that were asked for are made
+};
+
 /// Results of evaluating one iterate.
 struct Evaluation {
     double residual = 0;      ///< as MethodType::residual describes it; of the mesh where the iteration ends
@@ -40,6 +47,7 @@ struct Evaluation {
     int inner_iterations = 0; ///< of the linear solver, for that update
     std::string note{};       ///< a sentence for people, where something is to be said of it
     bool anew = false;        ///< the method returned to an earlier iterate: progress is judged from here
+    Ending ending = Ending::by_criterion;
 };
 
 class Method {
@@ -68,7 +76,8 @@ class Method {
     virtual bool knows_map() const { return false; }
     /// Requires knows_map(): the cells in which the map of the state last evaluated folds, ascending.
     virtual std::vector<std::uint32_t> folded_cells() { return {}; }
-    /// The values, of the state last evaluated, of MethodType::fields, in their order.
+    /// The values, of the state last evaluated, of MethodType::fields, in their order; those are empty that
+    /// the problem does not have, such as a second component of the solution.
     virtual std::vector<std::vector<double>> fields(const ProblemData&) { return {}; }
     /// New values of the method's own parameters; the state stays.
     virtual void configure(const Values& values) = 0;
@@ -123,5 +132,9 @@ MethodType newton_method();
 MethodType automatic_method();
 MethodType picard_method();
 MethodType picard_mixed_method();
+MethodType mesh_pde_method();
+MethodType bakhvalov_method();
+MethodType shishkin_method();
+MethodType equidistribute_method();
 
 } // namespace GASPARD_API

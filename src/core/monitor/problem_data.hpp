@@ -10,6 +10,7 @@
 #include "core/monitor/tensor.hpp"
 
 #include <memory>
+#include <string>
 
 namespace gaspard GASPARD_API {
 
@@ -22,7 +23,8 @@ struct ProblemData {
     double unit = 1;
     std::shared_ptr<const TensorMonitor> tensor{}; ///< null: the problem has a scalar monitor
     std::shared_ptr<const Monitor> target{};       ///< density on the target domain; null: constant
-    std::shared_ptr<const Values> pde{};           ///< null: no PDE is solved on the mesh
+    std::string pde_type{};                        ///< of PdeType; empty: the problem has no section pde
+    std::shared_ptr<const Values> pde{};           ///< its values; null: the problem has no section pde
     std::shared_ptr<const MonitorReport> report{}; ///< of the scalar monitor; null: it says nothing
 };
 

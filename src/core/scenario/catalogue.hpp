@@ -8,7 +8,7 @@
 #include "core/mesh/domain_type.hpp"
 #include "core/method/method.hpp"
 #include "core/monitor/monitor.hpp"
-#include "core/scenario/pde_type.hpp"
+#include "core/monitor/pde_type.hpp"
 #include "core/scenario/scenario.hpp"
 
 #include <functional>

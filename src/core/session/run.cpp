@@ -280,7 +280,7 @@ StepReport Run::report(Course& course, const Evaluation& evaluation, int iterati
     take_series(course, evaluation.series, report);
     course.measured.reset();
     if (evaluation.anew) course.judging.best = std::numeric_limits<double>::infinity();
-    report.status = judge(course, report, report.note);
+    report.status = judge(course, report, evaluation.ending, report.note);
     const auto every = course.problem.scenario.method.values.integer("diagnostics_every");
     const bool due = iteration % every == 0 && diagnostics(course) != Diagnostics::none;
     if (is_final(report.status) || due) measure(course, report, at_most);
@@ -329,7 +329,7 @@ bool Run::out_of_bounds(const Course& course, const StepReport& report) const {
     return false;
 }
 
-RunStatus Run::judge(Course& course, const StepReport& report, std::string& note) const {
+RunStatus Run::judge(Course& course, const StepReport& report, Ending ending, std::string& note) const {
     const Values& method = course.problem.scenario.method.values;
     Judging& by = course.judging;
     if (std::exchange(by.not_finite, false)) return RunStatus::diverged;
@@ -337,7 +337,8 @@ RunStatus Run::judge(Course& course, const StepReport& report, std::string& note
     GASPARD_CHECK(criterion.has_value());
     if (std::isinf(by.first)) by.first = *criterion, by.first_values = report.values;
     if (*criterion < worthwhile * by.best) by.best = *criterion, by.best_iteration = report.iteration;
-    if (*criterion < method.real("tolerance")) return RunStatus::converged;
+    if (ending == Ending::complete) return RunStatus::converged;
+    if (*criterion < method.real("tolerance") && ending == Ending::by_criterion) return RunStatus::converged;
     if (*criterion > divergence_factor * std::max(1.0, by.first) || out_of_bounds(course, report)) {
         const Values& domain = course.problem.scenario.domain.values;
         note = "the iteration diverged; ";
@@ -522,6 +523,7 @@ void Run::add_fields_of_method(Snapshot& snapshot) {
     auto values = now_.method->fields(now_.data);
     GASPARD_CHECK(values.size() == infos.size());
     for (std::size_t i = 0; i < infos.size(); ++i) {
+        if (values[i].empty()) continue; // the problem has no such field
         const bool of_nodes = infos[i].place == FieldPlace::node;
         GASPARD_CHECK(values[i].size() ==
                       (of_nodes ? snapshot.mesh->node_count() : snapshot.mesh->cell_count()));

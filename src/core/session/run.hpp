@@ -168,7 +168,7 @@ class Run {
     void add_interpolation(Snapshot& snapshot) const;
     void add_fields_of_monitor(Snapshot& snapshot) const;
     bool out_of_bounds(const Course& course, const StepReport& report) const;
-    RunStatus judge(Course& course, const StepReport& report, std::string& note) const;
+    RunStatus judge(Course& course, const StepReport& report, Ending ending, std::string& note) const;
     void take_back(Evaluation& evaluation, std::string& note);
 
     std::shared_ptr<const Catalogue> catalogue_;

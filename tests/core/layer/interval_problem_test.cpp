@@ -2,16 +2,29 @@
 #include "core/layer/interval_mesh.hpp"
 #include "core/layer/interval_problem.hpp"
 
+#include <array>
 #include <cmath>
+#include <functional>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <span>
 
 namespace gaspard {
 namespace {
 
+/// One component, from the coefficients c, r, f at one point.
+IntervalProblem scalar_problem(double diffusion,
+                               const std::function<std::array<double, 3>(double)>& at_point) {
+    return {{diffusion}, [=](std::span<const double> x, IntervalCoefficients& at) {
+                for (std::size_t i = 0; i < x.size(); ++i) {
+                    const auto [c, r, f] = at_point(x[i]);
+                    at.convection[i] = c, at.reaction[i] = r, at.source[i] = f;
+                }
+            }};
+}
 /// (6).
 IntervalProblem reaction_diffusion(double eps) {
-    return {{eps * eps}, [](double x, IntervalCoefficients& at) { at = {{0}, {1}, {1 - x}}; }};
+    return scalar_problem(eps * eps, [](double x) { return std::array{0.0, 1.0, 1 - x}; });
 }
 IntervalExact exact_solution(double eps) {
     const double d = -std::expm1(-2 / eps);
@@ -34,11 +47,11 @@ TEST(IntervalProblem, HasTheErrorsOfSmallEps) {
 TEST(IntervalProblem, ConvergesWithTheOrderOfItsElements) {
     const IntervalExact u = {[](double x) { return std::sin(std::numbers::pi * x); },
                              [](double x) { return std::numbers::pi * std::cos(std::numbers::pi * x); }};
-    const IntervalProblem problem = {
-        {0.5}, [&](double x, IntervalCoefficients& at) {
-            const double pi = std::numbers::pi;
-            at = {{1 + x}, {x * x}, {0.5 * pi * pi * u.value(x) + (1 + x) * u.slope(x) + x * x * u.value(x)}};
-        }};
+    const IntervalProblem problem = scalar_problem(0.5, [&](double x) {
+        const double pi = std::numbers::pi;
+        return std::array{1 + x, x * x,
+                          0.5 * pi * pi * u.value(x) + (1 + x) * u.slope(x) + x * x * u.value(x)};
+    });
     double before = 0, middle_before = 0;
     for (const int cells : {16, 32, 64}) {
         const auto x = uniform_interval({}, cells);
