@@ -3,6 +3,8 @@
 #include "core/base/check.hpp"
 #include "core/base/growing_values.hpp"
 #include "core/base/join.hpp"
+#include "core/layer/interval_domain.hpp"
+#include "core/layer/layer_pde.hpp"
 #include "core/method/plane_equation.hpp"
 #include "core/method/spline_equation.hpp"
 #include "core/method/surface_equation.hpp"
@@ -79,6 +81,17 @@ Capability spline_capability(const std::string& domain_type) {
             .problem = problem_on<SplineEquation, SplineDomain>};
 }
 
+Capability interval_capability() {
+    return {.domain = "interval",
+            .boundaries = {},
+            .monitors = {"layer", "two-layers", "constant", "formula"},
+            .methods = {"mesh-pde", "bakhvalov", "shishkin", "equidistribute"},
+            .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
+                return make_interval(context.scenario.domain.values);
+            },
+            .pdes = {"none", "reaction-diffusion", "coupled-reaction-diffusion", "convection-diffusion"}};
+}
+
 } // namespace
 
 const DomainType& Catalogue::domain(std::string_view name) const {
@@ -97,7 +110,9 @@ Catalogue builtin_catalogue() {
         .domains = {plane_domain(), cubed_sphere_domain(), icosahedral_sphere_domain()},
         .monitors = monitor_types(),
         .methods = {relaxation_method(), accelerated_method(), quasi_newton_method(), newton_method(),
-                    automatic_method(), picard_method(), picard_mixed_method()},
+                    automatic_method(), picard_method(), picard_mixed_method(), mesh_pde_method(),
+                    bakhvalov_method(), shishkin_method(), equidistribute_method()},
+        .pdes = {no_pde(), reaction_diffusion_pde(), coupled_pde(), convection_diffusion_pde()},
         .capabilities = {plane_capability(), sphere_capability(cubed_sphere_domain(), cubed_sphere_grid),
                          sphere_capability(icosahedral_sphere_domain(), icosahedral_sphere_grid)},
         .output_rows = output_rows()};
@@ -105,6 +120,8 @@ Catalogue builtin_catalogue() {
         catalogue.capabilities.push_back(spline_capability(domain.name));
         catalogue.domains.push_back(std::move(domain));
     }
+    catalogue.domains.push_back(interval_domain());
+    catalogue.capabilities.push_back(interval_capability());
     return catalogue;
 }
 
@@ -218,8 +235,10 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
     };
     const auto make = [&](const Section& section) {
         const MonitorType& type = catalogue.monitor(section.type);
-        return type.make_tensor ? tensor_problem(type.make_tensor(section.values, context))
-                                : in_its_unit(make_on(type, section.values, context));
+        MonitorContext with_pde = context;
+        if (!scenario.pde.type.empty()) with_pde.pde = &scenario.pde.values;
+        return type.make_tensor ? tensor_problem(type.make_tensor(section.values, with_pde))
+                                : in_its_unit(make_on(type, section.values, with_pde));
     };
     const auto make_own = [&] {
         GASPARD_CHECK(context.discretisation != nullptr);
@@ -233,7 +252,10 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
         data.target = target.monitor;
         add_target_notes(data, target.report);
     }
-    if (!scenario.pde.type.empty()) data.pde = std::make_shared<const Values>(scenario.pde.values);
+    if (!scenario.pde.type.empty()) {
+        data.pde_type = scenario.pde.type;
+        data.pde = std::make_shared<const Values>(scenario.pde.values);
+    }
     return data;
 }
 

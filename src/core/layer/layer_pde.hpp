@@ -1,0 +1,35 @@
+// The problems with layers that users choose (section "pde"), from values to what the solvers take:
+//
+//   none                 no problem: only the mesh is computed
+//   reaction-diffusion   -eps^2 u'' + r u = f                            Hill, Madden (2021), (6)
+//   coupled-reaction-diffusion   -eps_k^2 u_k'' + sum_l r_kl u_l = f_k, k = 1, 2         (25)
+//   convection-diffusion -eps u'' + c u' + r u = f
+//
+// u = 0 at both ends. Coefficients are formulas in x and eps.
+#pragma once
+
+#include "core/layer/interval_mesh.hpp"
+#include "core/layer/interval_problem.hpp"
+#include "core/monitor/pde_type.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gaspard {
+
+PdeType no_pde();
+PdeType reaction_diffusion_pde();
+PdeType coupled_pde();
+PdeType convection_diffusion_pde();
+
+/// A problem on an interval, and its solution where that is known in closed form.
+struct IntervalPde {
+    IntervalProblem problem;
+    std::optional<IntervalExact> exact{};
+};
+
+/// nullopt for no_pde(). Throws InputError if a formula is wrong.
+std::optional<IntervalPde> interval_pde(const std::string& type, const Values& values, Interval interval);
+
+} // namespace gaspard

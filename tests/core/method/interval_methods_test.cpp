@@ -1,0 +1,191 @@
+// Methods on an interval, from the scenario to the numbers of Hill and Madden (2021).
+#include "core/layer/interval_mesh.hpp"
+#include "core/scenario/toml.hpp"
+#include "core/session/run.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+class IntervalMethods : public testing::Test {
+  protected:
+    Scenario layer(const std::vector<std::string>& settings) const {
+        Scenario scenario = find_scenario(*catalogue, "layer-1d");
+        apply_settings(*catalogue, scenario, settings);
+        return scenario;
+    }
+    Run run(const std::vector<std::string>& settings) const { return {catalogue, layer(settings)}; }
+    std::string complaint(const std::vector<std::string>& settings) const {
+        try {
+            run(settings);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return {};
+    }
+
+    std::shared_ptr<const Catalogue> catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    /// Algorithm 2 as in the paper.
+    const std::vector<std::string> paper = {"method.tolerance=0.4", "method.normalised=false"};
+};
+
+/// Solves on the last mesh.
+int final_solves(const Run& run) {
+    int count = 0;
+    for (const StepReport& report : run.history())
+        count += report.iteration > 0 && report.value("level") == 0.0;
+    return count;
+}
+
+// Table 2 and 3, eps = 1e-8.
+TEST_F(IntervalMethods, MeshPdeHasTheSolvesAndErrorsOfTheTables) {
+    const int solves[] = {4, 4, 4, 4};
+    const double errors[] = {4.141e-6, 2.071e-6, 1.036e-6, 5.181e-7};
+    for (int i = 0, cells = 32; i < 4; ++i, cells *= 2) {
+        auto settings = paper;
+        settings.push_back("domain.cells=" + std::to_string(cells));
+        settings.push_back("pde.eps=1e-8");
+        Run one = run(settings);
+        one.solve();
+        EXPECT_EQ(one.status(), RunStatus::converged);
+        EXPECT_EQ(final_solves(one), solves[i]) << cells;
+        EXPECT_NEAR(*one.history().back().value("energy_error"), errors[i], 2e-3 * errors[i]);
+        EXPECT_NEAR(*one.history().back().value("exact_energy_error"), errors[i], 2e-2 * errors[i]);
+        EXPECT_EQ(*one.history().back().tangled_cells, 0U);
+    }
+}
+
+TEST_F(IntervalMethods, AlgorithmOneNeedsTheIterationsOfTableOne) {
+    Run one = run({"domain.cells=64", "method.refine=false", "method.normalised=false",
+                   "method.tolerance=0.02", "method.max_iterations=37", "pde.eps=1e-4"});
+    one.solve();
+    EXPECT_EQ(one.status(), RunStatus::iteration_limit);
+    EXPECT_EQ(one.history().back().iteration, 37);
+    Run wide = run({"domain.cells=64", "method.refine=false", "method.normalised=false",
+                    "method.tolerance=0.02", "pde.eps=1e-2"});
+    wide.solve();
+    EXPECT_EQ(wide.status(), RunStatus::converged);
+    EXPECT_EQ(wide.history().back().iteration, 14);
+}
+
+TEST_F(IntervalMethods, EndAfterAFixedNumberOfSolves) {
+    Run one = run({"domain.cells=64", "method.final_solves=5", "method.tolerance=1e-14", "pde.eps=1e-8"});
+    one.solve();
+    EXPECT_EQ(one.status(), RunStatus::converged);
+    EXPECT_EQ(final_solves(one), 5);
+    EXPECT_EQ(one.history().back().iteration, 4 * 3 + 5);
+}
+
+// A result does not depend on the problems before it.
+TEST_F(IntervalMethods, MeshPdeForgetsWhereItStarted) {
+    Run changed = run({"pde.eps=1e-2"});
+    changed.solve();
+    changed.change(layer({"pde.eps=1e-8"}));
+    changed.solve();
+    Run fresh = run({"pde.eps=1e-8"});
+    fresh.solve();
+    EXPECT_EQ(changed.snapshot()->x.x, fresh.snapshot()->x.x);
+}
+
+TEST_F(IntervalMethods, TheUnitOfTheMonitorDoesNotMatter) {
+    std::vector<double> meshes[3];
+    int i = 0;
+    for (const char* scale : {"1", "1e-200", "1e200"}) {
+        Run one = run({"monitor.type=formula",
+                       std::string("monitor.expression=") + scale + "*max(1, 0.4*0.99/eps*exp(-0.396*x/eps))",
+                       "monitor.ranges=eps 1e-12 1 log", "monitor.eps=1e-2", "method.normalised=true"});
+        one.solve();
+        EXPECT_EQ(one.status(), RunStatus::converged) << scale;
+        meshes[i++] = one.snapshot()->x.x;
+    }
+    for (std::size_t node = 0; node < meshes[0].size(); ++node) {
+        EXPECT_NEAR(meshes[1][node], meshes[0][node], 1e-13);
+        EXPECT_NEAR(meshes[2][node], meshes[0][node], 1e-13);
+    }
+}
+
+TEST_F(IntervalMethods, FormulasNeedOneStep) {
+    for (const char* method : {"bakhvalov", "shishkin", "equidistribute"}) {
+        Run one = run({std::string("method.type=") + method, "domain.cells=64", "pde.eps=1e-6"});
+        one.solve();
+        EXPECT_EQ(one.status(), RunStatus::converged) << method;
+        EXPECT_EQ(one.history().back().iteration, 1) << method;
+        EXPECT_LT(*one.history().back().value("energy_error"), 5e-5) << method;
+        EXPECT_GT(*one.history().back().value("uniform_exact_energy_error"), 1e-2) << method;
+    }
+    Run bakhvalov = run({"method.type=bakhvalov", "domain.cells=64", "pde.eps=1e-6"});
+    bakhvalov.solve();
+    EXPECT_EQ(bakhvalov.snapshot()->x.x, bakhvalov_mesh({.eps = 1e-6}, {}, 64).x);
+}
+
+TEST_F(IntervalMethods, LayersAtEitherEndAreMirrored) {
+    for (const char* method : {"bakhvalov", "shishkin"}) {
+        const auto mesh = [&](const char* layers) {
+            Run one = run({std::string("method.type=") + method, std::string("method.layers=") + layers,
+                           "domain.cells=32", "method.eps=1e-3", "domain.start=-1", "domain.end=3"});
+            one.solve();
+            return one.snapshot()->x.x;
+        };
+        const auto left = mesh("left"), right = mesh("right"), both = mesh("both");
+        for (std::size_t i = 0; i <= 32; ++i) {
+            EXPECT_NEAR(left[i] + right[32 - i], 2, 1e-14);
+            EXPECT_NEAR(both[i] + both[32 - i], 2, 1e-14);
+        }
+        EXPECT_NEAR(both[16], 1, 1e-14);
+        EXPECT_LT(both[1] + 1, 1e-3);
+    }
+}
+
+// No node moves by rounding alone.
+TEST_F(IntervalMethods, AConstantMonitorMovesNothing) {
+    for (const char* method : {"mesh-pde", "equidistribute"}) {
+        Run one = run({std::string("method.type=") + method, "monitor.type=constant"});
+        one.solve();
+        EXPECT_EQ(one.status(), RunStatus::converged);
+        const auto snapshot = one.snapshot();
+        for (std::size_t i = 0; i < snapshot->x.size(); ++i)
+            EXPECT_NEAR(snapshot->x.x[i], snapshot->mesh->nodes.x[i], 1e-14);
+    }
+}
+
+TEST_F(IntervalMethods, TransferBetweenMethodsAndResolutions) {
+    Run one = run({"pde.eps=1e-4"});
+    one.solve();
+    EXPECT_EQ(one.change(layer({"pde.eps=1e-4", "domain.cells=64"})), "");
+    EXPECT_EQ(one.change(layer({"pde.eps=1e-4", "method.type=bakhvalov"})), "");
+    one.solve();
+    EXPECT_EQ(one.status(), RunStatus::converged);
+}
+
+TEST_F(IntervalMethods, SolutionsAreFields) {
+    Run one = run({"pde.type=coupled-reaction-diffusion", "monitor.type=two-layers"});
+    one.solve();
+    const auto snapshot = one.snapshot();
+    for (const char* name : {"solution", "solution_2", "solution_uniform", "solution_2_uniform", "width"})
+        ASSERT_NE(snapshot->field(name), nullptr) << name;
+    EXPECT_EQ(snapshot->field("solution")->values.front(), 0);
+    Run without = run({"pde.type=none", "monitor.eps=1e-3"});
+    without.solve();
+    EXPECT_EQ(without.snapshot()->field("solution"), nullptr);
+    EXPECT_FALSE(without.history().back().value("energy_error").has_value());
+}
+
+TEST_F(IntervalMethods, InvalidInputIsOneSentence) {
+    EXPECT_EQ(complaint({"pde.type=none"}), "monitor.eps = auto: the problem has no eps; set it to a number");
+    EXPECT_EQ(complaint({"domain.cells=3"}),
+              "method.start_cells (4) must not be greater than domain.cells (3)");
+    EXPECT_EQ(complaint({"domain.start=1"}), "domain.end (1) must be greater than domain.start (1)");
+    EXPECT_EQ(complaint({"pde.eps=0"}), "pde.eps must be 1e-12 to 1, not 0");
+    EXPECT_EQ(complaint({"monitor.q=1"}), "monitor.q must be 0.01 to 0.99, not 1");
+    EXPECT_NE(complaint({"pde.source=1 + sine(x)"}).find("unknown function 'sine' at character 5"),
+              std::string::npos);
+    EXPECT_EQ(complaint({"pde.reaction=k*x"}), "pde.reaction: unknown name 'k'; known: x, eps");
+    EXPECT_EQ(complaint({"pde.source=1/x", "domain.start=-1"}), "");
+    EXPECT_NE(complaint({"monitor.type=formula", "monitor.expression=x - 0.5"}), "");
+    EXPECT_NE(complaint({"method.type=bakhvalov", "method.layers=both", "domain.cells=33"}), "");
+}
+
+} // namespace
+} // namespace gaspard
