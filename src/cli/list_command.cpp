@@ -120,6 +120,8 @@ int show_command(const Catalogue& catalogue, const std::string& name,
                              "' cannot be written as a formula");
         scenario = std::move(*typed);
     }
+    scenario.modified = modified_keys(input.named, scenario);
+    scenario.title = scenario_title(scenario);
     if (options.portable)
         scenario = with_packed_data(std::move(scenario));
     else if (!scenario.folder.empty())
