@@ -546,11 +546,12 @@ class Information(Contract):
             toml.write(text)
         self.assertEqual(gaspard("show", file).stdout, text)
 
-    def test_show_says_in_the_title_whether_something_was_changed(self):
-        for settings, title in (([], "Ring on the periodic plane"), (["--set", "view.color=area"], "Ring on the periodic plane"),
-                                (["--set", "monitor.type=bell"], "Ring on the periodic plane (modified)"),
-                                (["--as-formula"], "Ring on the periodic plane (modified)")):
-            self.assertEqual(gaspard("show", "plane-ring", *settings).stdout.splitlines()[0], "title = '%s'" % title)
+    def test_show_says_whether_something_was_changed(self):
+        for settings, ending in (([], ""), (["--set", "view.color=area"], ""), (["--set", "monitor.type=bell"], " (modified)"),
+                                 (["--as-formula"], " (modified)")):
+            title, description = gaspard("show", "plane-ring", *settings).stdout.splitlines()[:2]
+            self.assertEqual(title, "title = 'Ring on the periodic plane%s'" % ending)
+            self.assertRegex(description, r"^description = 'A ring .*\)%s'$" % re.escape(ending))
 
     def test_what_a_view_asks_for_in_vain_is_said(self):
         result = self.run_quick("--set", "view.overlay=exact", render=True)
