@@ -2,6 +2,7 @@
 #include "cli/scenario_input.hpp"
 #include "core/base/error.hpp"
 #include "core/scenario/data_files.hpp"
+#include "core/scenario/own_names.hpp"
 
 #include <iostream>
 #include <utility>
@@ -120,6 +121,8 @@ int show_command(const Catalogue& catalogue, const std::string& name,
                              "' cannot be written as a formula");
         scenario = std::move(*typed);
     }
+    scenario.modified = modified_keys(input.named, scenario);
+    if (!scenario.modified.empty()) scenario = with_own_names(std::move(scenario));
     if (options.portable)
         scenario = with_packed_data(std::move(scenario));
     else if (!scenario.folder.empty())

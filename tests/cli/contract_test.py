@@ -546,6 +546,13 @@ class Information(Contract):
             toml.write(text)
         self.assertEqual(gaspard("show", file).stdout, text)
 
+    def test_show_says_whether_something_was_changed(self):
+        for settings, ending in (([], ""), (["--set", "view.color=area"], ""), (["--set", "monitor.type=bell"], " (modified)"),
+                                 (["--as-formula"], " (modified)")):
+            title, description = gaspard("show", "plane-ring", *settings).stdout.splitlines()[:2]
+            self.assertEqual(title, "title = 'Ring on the periodic plane%s'" % ending)
+            self.assertRegex(description, r"^description = 'A ring .*\)%s'$" % re.escape(ending))
+
     def test_what_a_view_asks_for_in_vain_is_said(self):
         result = self.run_quick("--set", "view.overlay=exact", render=True)
         self.assertEqual(result.returncode, 0)
@@ -567,6 +574,15 @@ class Information(Contract):
         self.assertGreater(os.path.getsize(self.path("mcrae-fig2.png")), 10000)
         for name in ("mcrae-fig2", "mcrae-fig3", "mcrae-fig13"):
             self.assertIn(name, gaspard("reproduce").stdout)
+
+    def test_columns_of_a_reproduced_table_are_below_each_other(self):
+        head, *lines = gaspard("reproduce", "mcrae-fig5", "--out", self.out, "--no-render").stdout.splitlines()
+        end = head.index("ours") + len("ours")
+        rows = [line for line in lines if line.startswith("X2")]
+        self.assertTrue(any("rms to the exact mesh, all nodes" in line for line in rows), lines)
+        for line in rows:
+            self.assertRegex(line[:end], r" [0-9][0-9.e+-]*$")
+            self.assertEqual(line[end:].strip(), "", line)
 
     def test_an_interrupted_reproduction_leaves_nothing(self):
         process = subprocess.Popen([PROGRAM, "reproduce", "mcrae-fig11", "--out", os.path.join(self.out, "below")],
@@ -839,6 +855,10 @@ class Files(Contract):
         self.refused(gaspard("compare", "plane-ring", "--out="), "--out")
         self.refused(gaspard("reproduce", "mcrae-fig2", "--out", ""), "--out is empty")
         self.refused(gaspard("run", "plane-ring", "--out"), "--out needs one value")
+        for option in (["--out"], ["--out="]):
+            self.refused(gaspard("run", "plane-ring", *option, "--no-render", cwd=self.folder.name), "--out has no value before --no-render")
+            self.refused(gaspard("run", "plane-ring", *option, "--seed=2", cwd=self.folder.name), "--out has no value before --seed=2")
+        self.assertEqual(os.listdir(self.folder.name), [])
         self.refused(gaspard("run", "plane-ring", "--tolerence", "1"), "'--tolerance'")
         self.refused(gaspard("run", "plane-ring", "--quiet=maybe"), "takes no value")
         self.refused(gaspard("run", "plane-ring", "--tolerance", "small", "--out", self.out), "must be a number", "'small'")

@@ -5,6 +5,7 @@
 #include "core/base/user_path.hpp"
 #include "core/io/formats.hpp"
 #include "core/scenario/data_files.hpp"
+#include "core/scenario/own_names.hpp"
 #include "core/scenario/toml.hpp"
 #include "gui/document/runs_csv.hpp"
 #include "gui/panels/status_bar.hpp"
@@ -408,7 +409,10 @@ void Application::ask_where_to_save() {
 
 void Application::save_as(const SaveDialog::Choice& choice) {
     Scenario scenario = scenario_to_save();
-    if (choice.title != scenario_title(scenario)) scenario.title = choice.title, scenario.modified.clear();
+    if (choice.title != scenario_title(scenario)) {
+        scenario = with_own_names(std::move(scenario));
+        scenario.title = choice.title;
+    }
     files_.save_scenario_as(scenario, choice.file, choice.packed);
 }
 
