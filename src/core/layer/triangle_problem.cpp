@@ -35,8 +35,8 @@ constexpr std::array<RulePoint, 12> rule = {{{a1, b1, b1, w1},
                                              {c3, a3, b3, w3},
                                              {c3, b3, a3, w3}}};
 
-/// A triangle: its corners and, in numbers of the fine grid of (2N + 1)^2 points, its six nodes (corners, then
-/// the midpoints opposite to them).
+/// A triangle: its corners and, in numbers of the fine grid of (2N + 1)^2 points, its six nodes (corners,
+/// then the midpoints opposite to them).
 struct Triangle {
     std::array<Vec3, 3> corner;
     std::array<Index, 6> node;

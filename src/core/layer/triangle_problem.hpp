@@ -3,8 +3,8 @@
 //   -(k1 u_x)_x - (k2 u_y)_y + c1 u_x + c2 u_y + r u = f,   u = 0 on the sides that are held, free on others
 //
 // Hill, Madden (2021): (32) has k1 = k2 = eps^2, f = x, free on the right; (35) has k1 = (eps (1 + 2y)^2)^2,
-// k2 = (eps (3 - 2x)^2)^2, the square of the printed matrix. Galerkin's method with P1 or P2; coefficients enter
-// at the twelve points of a rule of degree 6. Errors in the energy norm
+// k2 = (eps (3 - 2x)^2)^2, the square of the printed matrix. Galerkin's method with P1 or P2; coefficients
+// enter at the twelve points of a rule of degree 6. Errors in the energy norm
 //
 //   ||v||_E^2 = (k1 v_x, v_x) + (k2 v_y, v_y) + (v, v).
 #pragma once

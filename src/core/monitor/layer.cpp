@@ -3,8 +3,8 @@
 //   layer        (18), (34)   rho = max{ 1, sum_s K beta/eps exp(-beta d_s / (sigma eps)) }
 //   two-layers   (27)         rho = 1 + sum_s sum_j K beta/eps_j exp(-beta d_s / (sigma eps_j)),  j = 1, 2
 //
-// d_s is the distance from side s along an axis: x - a and b - x on an interval. K = q / (sigma (1 - q)) puts a
-// share of about q of the cells into a layer (21).
+// d_s is the distance from side s along an axis: x - a and b - x on an interval. K = q / (sigma (1 - q)) puts
+// a share of about q of the cells into a layer (21).
 #include "core/base/error.hpp"
 #include "core/monitor/monitor.hpp"
 
