@@ -14,6 +14,7 @@
 
 #include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace gaspard GASPARD_API {
@@ -23,9 +24,14 @@ struct TriangleCoefficients {
 };
 
 struct TriangleProblem {
-    std::function<TriangleCoefficients(double x, double y)> coefficients;
+    /// Sets the coefficients at many points.
+    std::function<void(const Points& x, std::span<TriangleCoefficients>)> coefficients;
     std::array<bool, 4> held = {true, true, true, true}; ///< left, right, bottom, top: u = 0
 };
+
+/// TriangleProblem::coefficients from a function of one point.
+std::function<void(const Points& x, std::span<TriangleCoefficients>)>
+pointwise(std::function<TriangleCoefficients(double x, double y)> coefficients);
 
 /// Values at the nodes of the grid and, of order 2, at the midpoints of edges: (2N + 1)^2 values by rows, the
 /// grid's nodes at even places.

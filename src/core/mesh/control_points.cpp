@@ -1,4 +1,4 @@
-#include "core/spline/control_points.hpp"
+#include "core/mesh/control_points.hpp"
 
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
@@ -23,7 +23,8 @@ bool take_number(std::string_view& text, double& number) {
 
 } // namespace
 
-Points parse_control_points(std::string_view text, std::size_t count) {
+Points parse_control_points(std::string_view text, std::size_t count, const std::string& key,
+                            const std::string& owner) {
     Points control;
     while (true) {
         const auto comma = text.find(',');
@@ -32,7 +33,7 @@ Points parse_control_points(std::string_view text, std::size_t count) {
         if (!take_number(one, point.x) || !take_number(one, point.y) ||
             one.find_first_not_of(' ') != std::string_view::npos)
             throw InputError(
-                "domain.control_points must be a list of points of two numbers, as in \"0 0, 1 0.5\", not '" +
+                key + " must be a list of points of two numbers, as in \"0 0, 1 0.5\", not '" +
                 std::string(text.substr(0, comma)) + "'");
         control.resize(control.size() + 1);
         control.set(control.size() - 1, point);
@@ -40,8 +41,8 @@ Points parse_control_points(std::string_view text, std::size_t count) {
         text.remove_prefix(comma + 1);
     }
     if (control.size() != count)
-        throw InputError("domain.control_points lists " + std::to_string(control.size()) +
-                         " points, but the patch has " + std::to_string(count));
+        throw InputError(key + " lists " + std::to_string(control.size()) +
+                         " points, but " + owner + " has " + std::to_string(count));
     return control;
 }
 
