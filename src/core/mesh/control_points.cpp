@@ -1,6 +1,7 @@
 #include "core/mesh/control_points.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/join.hpp"
 #include "core/base/parameter.hpp"
 
 #include <charconv>
@@ -26,19 +27,21 @@ bool take_number(std::string_view& text, double& number) {
 Points parse_control_points(std::string_view text, std::size_t count, const std::string& key,
                             const std::string& owner) {
     Points control;
-    while (true) {
-        const auto comma = text.find(',');
-        std::string_view one = text.substr(0, comma);
+    for (const std::string_view part : split(text, ",")) {
+        std::string_view one = part;
         Vec3 point;
         if (!take_number(one, point.x) || !take_number(one, point.y) ||
             one.find_first_not_of(' ') != std::string_view::npos)
             throw InputError(
+<<<<<<< HEAD:src/core/mesh/control_points.cpp
                 key + " must be a list of points of two numbers, as in \"0 0, 1 0.5\", not '" +
                 std::string(text.substr(0, comma)) + "'");
+=======
+                "domain.control_points must be a list of points of two numbers, as in \"0 0, 1 0.5\", not '" +
+                std::string(part) + "'");
+>>>>>>> 8b109b62a2d69e7bc4b9d55d62a223effa0f31ce:src/core/spline/control_points.cpp
         control.resize(control.size() + 1);
         control.set(control.size() - 1, point);
-        if (comma == std::string_view::npos) break;
-        text.remove_prefix(comma + 1);
     }
     if (control.size() != count)
         throw InputError(key + " lists " + std::to_string(control.size()) +

@@ -120,11 +120,10 @@ static bool belongs_to_text(std::string_view key) {
 
 bool Application::press_key(std::string_view key) {
     const Action* row = action_for_key(actions_, key);
-    constexpr std::string_view shifted =
-        "Ctrl+Shift+"; // means the same as Ctrl where it means nothing itself
+    constexpr std::string_view shifted = "Ctrl+Shift+"; // the same as Ctrl where it has no meaning of its own
     if (!row && key.starts_with(shifted)) return press_key("Ctrl+" + std::string(key.substr(shifted.size())));
     if (!row) return false;
-    document_.record_views(); // of keys since the last frame, which undo is to find
+    document_.record_views(); // changes by keys since the last frame, so that undo includes them
     const bool dialog = messages_.error().open() || open_dialog_.open() || save_dialog_.open(); // comes first
     if (dialog && row->name != "cancel" && row->name != "quit") return false;
     if (!dialog && text_expected() && belongs_to_text(key)) return false;

@@ -76,7 +76,7 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                    ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    ImGui::InvisibleButton("##picture", {std::max(1.0F, area.width()), std::max(1.0F, area.height())},
+    ImGui::InvisibleButton("##viewport", {std::max(1.0F, area.width()), std::max(1.0F, area.height())},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                                ImGuiButtonFlags_MouseButtonRight);
     remember_item(context.items, "viewport");

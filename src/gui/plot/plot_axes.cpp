@@ -16,7 +16,7 @@ struct Hull {
     }
 };
 
-/// Of a curve whose extremes are known: nothing is searched through.
+/// For a curve whose extremes are known; no search is necessary.
 void add_indexed(const CurveView& curve, const PlotView& plot, bool vertical, Hull& hull) {
     const Axis& axis = vertical ? plot.y : plot.x;
     if (vertical) {
@@ -34,7 +34,7 @@ void add_indexed(const CurveView& curve, const PlotView& plot, bool vertical, Hu
 
 void add_points(const CurveView& curve, const PlotView& plot, bool vertical, Hull& hull) {
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
-        // A point that the other axis cannot show asks for no room on this one.
+        // Ignore points that the other axis cannot show.
         const double x = to_axis(plot.x, curve.x[i]), y = to_axis(plot.y, curve.y[i]);
         if (!std::isnan(x) && !std::isnan(y)) hull.add(vertical ? y : x);
     }

@@ -36,7 +36,7 @@ std::vector<std::string> caption_parts(const ViewportText& text);
 /// A mesh to be drawn: what, from where, and where it belongs.
 struct PlannedView {
     MeshScene scene;
-    Camera camera; ///< speaks of the size of `rect`
+    Camera camera; ///< for the size of `rect`
     ScreenRect rect;
     std::string title; ///< above it; may be empty
     bool rear = false; ///< its camera looks from behind the view's
@@ -101,7 +101,7 @@ class ViewportPlanner {
 
     SceneBuilder maker_;
     SceneBuilder uniform_maker_{maker_.cache()}; ///< of the uniform mesh, where it has other colours
-    std::vector<SceneBuilder> other_makers_; ///< of the meshes beside it, in their order
+    std::vector<SceneBuilder> other_makers_;     ///< of the meshes beside it, in their order
     ProjectionSceneBuilder projection_maker_;
     double spun_ = 0;
     struct Home {

@@ -1,4 +1,4 @@
-// Pictures compared with stored ones, and wrong pictures that must be found different.
+// Images compared with stored ones, and wrong images that must be found different.
 #include "core/scenario/view_rows.hpp"
 #include "core/tessellate/colouring.hpp"
 #include "gui/app/strips.hpp"
@@ -31,7 +31,7 @@ Image ring(const Snapshot& snapshot, const char* colour = "monitor", double blen
 class Golden : public testing::TestWithParam<Scene> {};
 
 TEST_P(Golden, LooksAsStored) {
-    // read_image throws where the picture is missing, which fails the test.
+    // read_image throws where the image is missing, which fails the test.
     EXPECT_EQ(difference(GetParam().draw(OffscreenBackend::any), golden(GetParam().name)), "");
 }
 
@@ -136,7 +136,7 @@ TEST(Background, IsTransparentOrAColour) {
     EXPECT_EQ(far_off, 0);
 }
 
-/// The picture of an empty plot with a title.
+/// The image of an empty plot with a title.
 Image titled(const std::string& title) {
     return render_plot({.title = title, .x = {"x", false}, .y = {"y", false}, .curves = {}}, 300, 200);
 }
@@ -296,7 +296,7 @@ TEST(Picture, LegendAndMeshHaveTheSameColours) {
     }
 }
 
-/// Brightness around a pixel as the eye averages it: in linear light, through a soft window.
+/// Mean brightness around a pixel, in linear light, with smooth weights.
 double blurred(const Image& image, int left, int top) {
     constexpr int side = 24;
     double sum = 0, weights = 0;
@@ -312,7 +312,7 @@ double blurred(const Image& image, int left, int top) {
 }
 
 TEST(Picture, DenseLinesDoNotBeatWithThePixels) {
-    // A uniform mesh looks the same all over, from an open net to lines too close to be told.
+    // A uniform mesh looks the same all over, from a coarse mesh to lines that merge.
     for (const int n : {110, 150, 190, 240, 480}) {
         Snapshot snapshot = ring_snapshot(n);
         snapshot.x = snapshot.mesh->nodes;

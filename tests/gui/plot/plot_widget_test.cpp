@@ -50,6 +50,29 @@ TEST(HomeRange, OfNothingAndOfOnePointIsNotEmpty) {
             }
 }
 
+TEST(PlotFrame, LabelsOfTheVerticalAxisDoNotOverlap) {
+    HeadlessUi ui;
+    ui.frame([] {
+        const double line = static_cast<double>(ImGui::GetFontSize());
+        for (const double lowest : {1.0, 0.0021, 3e-9})
+            for (const double factor : {1.3, 3.0, 9.5, 45.0, 1e4, 1e9})
+                for (const float height : {60.0F, 90.0F, 150.0F, 300.0F, 700.0F}) {
+                    const Plot plot = plot_of({0, 1}, {lowest, factor * lowest}, true);
+                    const PlotFrame frame = make_frame(view_of(plot), {{0, 0}, {300, height}}, {}, 1);
+                    double above = INFINITY;
+                    int labels = 0;
+                    for (const Tick& tick : frame.y_ticks) {
+                        if (tick.label.empty()) continue;
+                        const double pixel = frame.pixel_y(tick.value);
+                        EXPECT_GE(above - pixel, line) << tick.label << ", " << lowest << " times " << factor
+                                                       << ", " << height << " high";
+                        above = pixel, ++labels;
+                    }
+                    if (height >= 150) EXPECT_GE(labels, 1) << lowest << " times " << factor;
+                }
+    });
+}
+
 /// Draws a plot into a window of a headless ImGui and counts the triangles' corners.
 int drawn_vertices(const Plot& plot, ImVec2 size = {400, 300}, ImVec2 mouse = {-100, -100}) {
     HeadlessUi ui;

@@ -1,4 +1,4 @@
-// Centres of monitors that the mouse takes along.
+// Dragging centres of monitors and control points.
 #include "core/mesh/control_points.hpp"
 #include "gui/application_fixture.hpp"
 #include "gui/globes.hpp"

@@ -1,4 +1,4 @@
-// Plans of viewports: what stands where, from where it is seen, and what is said where a text makes no sense.
+// Plans of viewports: rectangles, cameras, and messages about invalid texts.
 #include "core/base/error.hpp"
 #include "gui/plan_fixture.hpp"
 #include "gui/viewport/legend.hpp"
