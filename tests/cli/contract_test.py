@@ -537,6 +537,15 @@ class Information(Contract):
                         "--no-render")
         self.refused(wrong, "monitor.expression: unknown function 'sine' at character 5 (did you mean 'sin'?)")
 
+    def test_show_refuses_formulas_and_files_that_run_refuses(self):
+        for settings, part in ((("type=formula", "expression=1/0"), "is inf at (0, 0)"),
+                               (("type=formula", "expression=0-1"), "is -1 at (0, 0)"),
+                               (("type=image", "file=gone.png"), "gone.png"),
+                               (("type=combine", "a.type=formula", "a.expression=log(x)"), "-inf")):
+            options = [option for one in settings for option in ("--set", "monitor." + one)]
+            for command in ("show", "run"):
+                self.refused(gaspard(command, "plane-ring", *options, cwd=self.folder.name), part)
+
     def test_show_is_complete_and_reads_back(self):
         text = gaspard("show", "plane-ring", "--set", "monitor.amplitude=3").stdout
         self.assertIn("amplitude = 3.0", text)
