@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <stop_token>
 #include <thread>
 
 namespace gaspard {
@@ -45,13 +46,13 @@ void print_notes(const Run& run) {
 }
 
 /// Both meshes of a run, coloured by the L2 errors of their cells on one scale.
-Image error_maps(Run& run) {
+Image error_maps(Run& run, std::stop_token stop) {
     const auto snapshot = run.snapshot();
     const std::string cells = " mesh, " + std::to_string(snapshot->mesh->cell_count()) + " cells";
     const std::string camera = run.scenario().view.text("camera");
     return render_panels({MeshPanel{"uniform" + cells, snapshot, "interpolation_error_uniform", 0, camera},
                           MeshPanel{"adapted" + cells, snapshot, "interpolation_error", 1, camera}},
-                         2, 1600, 800);
+                         2, 1600, 800, {.light = true, .stop = std::move(stop)});
 }
 
 } // namespace
@@ -92,7 +93,7 @@ int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& 
             print_row(rows.back(), rows.size() == 1);
             if (code == 0) code = exit_code(run.status());
             if (resolution == shown && !arguments.no_render && !rows.back().errors.exact())
-                maps = error_maps(run);
+                maps = error_maps(run, interrupt.token());
         } catch (const Interrupted&) {
             break;
         }

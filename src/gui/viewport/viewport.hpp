@@ -27,6 +27,7 @@ struct ViewportText {
     std::string subject{}; ///< what is solved: "plane, ring"; may be empty
     StepReport report{};
     bool caption = true; ///< whether the line at the bottom is drawn
+    float legend = 0;    ///< least width of the legend in pixels: meshes beside each other are of one size
 };
 
 /// "plane, ring", "iteration 52", "residual 9.8×10⁻⁹", "equidistribution 0.0367", "converged": what the
