@@ -667,6 +667,14 @@ class Information(Contract):
         self.assertIn("'plane-ring'", other.stderr)
         self.assertEqual(self.why("--cells", "8", "--no-render", "--overwrite", name="plane-bell").returncode, 0)
 
+    def test_why_says_where_the_monitor_is_another(self):
+        result = self.why("--cells", "30,60,120", "--no-render", name="walls-front")
+        lines = result.stdout.splitlines()
+        smoothed = "The monitor is smoothed over 0.75 cells of the uniform mesh, so that the mesh can follow it."
+        self.assertEqual(lines[0], smoothed)
+        self.assertEqual([line for line in lines if "note" in line], ["n = 120: the notes above do not apply"])
+        self.assertEqual(sum(smoothed in line for line in lines), 1)
+
     def test_why_refuses_wrong_numbers_of_cells(self):
         for cells, part in (("15,many", "15,30,60"), ("15,15", "twice"), ("1000", "480"), ("2", "4 to 480")):
             self.refused(self.why("--cells", cells), part)

@@ -56,6 +56,7 @@ struct ViewportPlan {
     /// One, or more of one size, whose cameras are one, or look from both sides.
     std::vector<PlannedView> views;
     ViewportText text;
+    std::shared_ptr<const Colouring> colouring; ///< of the legend; null: none
     std::optional<Pick> pick;
     PickFacts facts;       ///< of the pick
     std::string complaint; ///< what was wrong with the view's texts

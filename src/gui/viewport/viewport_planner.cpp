@@ -271,6 +271,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
     ViewportPlan plan;
     plan.rect = rect;
     plan.text = text;
+    plan.colouring = scene.colouring;
     plan.histogram = view.boolean("histogram");
     if (scene.planar()) plan.unavailable.emplace_back("layout=front-and-rear");
     if (scene.ball == 0) plan.unavailable.emplace_back("layout=projection");
