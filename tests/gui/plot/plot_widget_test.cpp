@@ -158,9 +158,9 @@ class PlotSteering : public testing::Test {
 };
 
 TEST_F(PlotSteering, LabelsOfAShortLogarithmicAxisDoNotTouch) {
-    plot = plot_of({900, 3600}, {0.05, 0.0035}, true);
+    plot = plot_of({900, 3600}, {0.0428, 0.00155}, true);
     ui.frame([this] {
-        const PlotFrame low = make_frame(view_of(plot), {{0, 0}, {260, 160}}, {}, 1);
+        const PlotFrame low = make_frame(view_of(plot), {{0, 0}, {260, 200}}, {}, 1);
         std::vector<double> heights;
         for (const Tick& tick : low.y_ticks)
             if (!tick.label.empty()) heights.push_back(low.pixel_y(tick.value));
