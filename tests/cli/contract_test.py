@@ -529,6 +529,8 @@ class Information(Contract):
             toml.write(text)
         self.assertEqual(gaspard("show", file).stdout, text)
         self.assertEqual(gaspard("show", file, "--as-formula").stdout, text)
+        waves = gaspard("show", "spline-sine-waves", "--as-formula").stdout
+        self.assertIn("+ amplitude*exp(-sharpness*abs(y - 0.25 - sin(2*pi*x)/4))'", waves)
         self.refused(gaspard("show", "plane-ring", "--set", "monitor.type=random-bells", "--as-formula"),
                      "'random-bells'")
 
