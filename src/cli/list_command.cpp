@@ -113,6 +113,7 @@ int show_command(const Catalogue& catalogue, const std::string& name,
     ScenarioInput input = load_input(catalogue, name, settings);
     check_input(catalogue, input);
     check_domain(catalogue, input);
+    check_data(catalogue, input);
     Scenario scenario = input.scenario;
     if (options.as_formula && scenario.monitor.type != "formula") {
         auto typed = with_formula(catalogue, scenario);

@@ -529,6 +529,8 @@ class Information(Contract):
             toml.write(text)
         self.assertEqual(gaspard("show", file).stdout, text)
         self.assertEqual(gaspard("show", file, "--as-formula").stdout, text)
+        waves = gaspard("show", "spline-sine-waves", "--as-formula").stdout
+        self.assertIn("+ amplitude*exp(-sharpness*abs(y - 0.25 - sin(2*pi*x)/4))'", waves)
         self.refused(gaspard("show", "plane-ring", "--set", "monitor.type=random-bells", "--as-formula"),
                      "'random-bells'")
 
@@ -536,6 +538,15 @@ class Information(Contract):
         wrong = gaspard("run", "plane-ring", "--set", "monitor.type=formula", "--set", "monitor.expression=1 + sine(x)",
                         "--no-render")
         self.refused(wrong, "monitor.expression: unknown function 'sine' at character 5 (did you mean 'sin'?)")
+
+    def test_show_refuses_formulas_and_files_that_run_refuses(self):
+        for settings, part in ((("type=formula", "expression=1/0"), "is inf at (0, 0)"),
+                               (("type=formula", "expression=0-1"), "is -1 at (0, 0)"),
+                               (("type=image", "file=gone.png"), "gone.png"),
+                               (("type=combine", "a.type=formula", "a.expression=log(x)"), "-inf")):
+            options = [option for one in settings for option in ("--set", "monitor." + one)]
+            for command in ("show", "run"):
+                self.refused(gaspard(command, "plane-ring", *options, cwd=self.folder.name), part)
 
     def test_show_is_complete_and_reads_back(self):
         text = gaspard("show", "plane-ring", "--set", "monitor.amplitude=3").stdout
@@ -673,6 +684,14 @@ class Information(Contract):
         self.assertEqual((other.returncode, other.stdout), (2, ""))
         self.assertIn("'plane-ring'", other.stderr)
         self.assertEqual(self.why("--cells", "8", "--no-render", "--overwrite", name="plane-bell").returncode, 0)
+
+    def test_why_says_where_the_monitor_is_another(self):
+        result = self.why("--cells", "30,60,120", "--no-render", name="walls-front")
+        lines = result.stdout.splitlines()
+        smoothed = "The monitor is smoothed over 0.75 cells of the uniform mesh, so that the mesh can follow it."
+        self.assertEqual(lines[0], smoothed)
+        self.assertEqual([line for line in lines if "note" in line], ["n = 120: the notes above do not apply"])
+        self.assertEqual(sum(smoothed in line for line in lines), 1)
 
     def test_why_refuses_wrong_numbers_of_cells(self):
         for cells, part in (("15,many", "15,30,60"), ("15,15", "twice"), ("1000", "480"), ("2", "4 to 480")):

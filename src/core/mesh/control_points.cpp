@@ -32,20 +32,14 @@ Points parse_control_points(std::string_view text, std::size_t count, const std:
         Vec3 point;
         if (!take_number(one, point.x) || !take_number(one, point.y) ||
             one.find_first_not_of(' ') != std::string_view::npos)
-            throw InputError(
-<<<<<<< HEAD:src/core/mesh/control_points.cpp
-                key + " must be a list of points of two numbers, as in \"0 0, 1 0.5\", not '" +
-                std::string(text.substr(0, comma)) + "'");
-=======
-                "domain.control_points must be a list of points of two numbers, as in \"0 0, 1 0.5\", not '" +
-                std::string(part) + "'");
->>>>>>> 8b109b62a2d69e7bc4b9d55d62a223effa0f31ce:src/core/spline/control_points.cpp
+            throw InputError(key + " must be a list of points of two numbers, as in \"0 0, 1 0.5\", not '" +
+                             std::string(part) + "'");
         control.resize(control.size() + 1);
         control.set(control.size() - 1, point);
     }
     if (control.size() != count)
-        throw InputError(key + " lists " + std::to_string(control.size()) +
-                         " points, but " + owner + " has " + std::to_string(count));
+        throw InputError(key + " lists " + std::to_string(control.size()) + " points, but " + owner +
+                         " has " + std::to_string(count));
     return control;
 }
 

@@ -170,11 +170,14 @@ MonitorType sine_waves_monitor() {
             .formula =
                 [](const Space& space) {
                     const Placement at = placement_of(MonitorFigure::unit_square, space);
+                    const bool here = at.scale == 1 && at.origin.x == 0;
                     const std::string side = format_number(at.scale), left = format_number(at.origin.x);
+                    const std::string sine =
+                        here ? "sin(2*pi*x)" : side + "*sin(2*pi*(x - " + left + ")/" + side + ")";
                     const auto wave = [&](double height, const std::string& factor) {
                         return " + amplitude*exp(-sharpness*abs(y - " +
-                               format_number(at.origin.y + at.scale * height) + " - " + side +
-                               "*sin(2*pi*(x - " + left + ")/" + side + ")" + factor + "/4))";
+                               format_number(at.origin.y + at.scale * height) + " - " + sine + factor +
+                               "/4))";
                     };
                     return "1" + wave(0.5, "*sin(2*pi/3)") + wave(0.25, "");
                 }};

@@ -202,8 +202,8 @@ std::string ViewportPane::camera_text() const {
 }
 
 void ViewportPane::fix_range(DocumentViewport& viewport) const {
-    if (!plan_ || plan_->views.front().scene.colouring == nullptr) return;
-    const ColourRange& range = plan_->views.front().scene.colouring->range;
+    if (!plan_ || plan_->colouring == nullptr) return;
+    const ColourRange& range = plan_->colouring->range;
     if (!(range.low < range.high)) return;
     viewport.view.set("range", std::string("fixed"));
     viewport.view.set("low", range.low);

@@ -27,6 +27,7 @@ struct ViewportText {
     std::string subject{}; ///< what is solved: "plane, ring"; may be empty
     StepReport report{};
     bool caption = true; ///< whether the line at the bottom is drawn
+    float legend = 0;    ///< least width of the legend in pixels: meshes beside each other are of one size
 };
 
 /// "plane, ring", "iteration 52", "residual 9.8×10⁻⁹", "equidistribution 0.0367", "converged": what the
@@ -55,6 +56,7 @@ struct ViewportPlan {
     /// One, or more of one size, whose cameras are one, or look from both sides.
     std::vector<PlannedView> views;
     ViewportText text;
+    std::shared_ptr<const Colouring> colouring; ///< of the legend; null: none
     std::optional<Pick> pick;
     PickFacts facts;       ///< of the pick
     std::string complaint; ///< what was wrong with the view's texts

@@ -41,6 +41,21 @@ TEST_F(ViewportTest, SideBySideIsTwoPicturesOfOneSizeSeenByOneCamera) {
     EXPECT_EQ(plan(ring_snapshot(8), view_).views.size(), 1U);
 }
 
+TEST_F(ViewportTest, TheLegendOfTwoIsThatOfThePhysicalMesh) {
+    Snapshot snapshot = ring_snapshot(8);
+    const std::vector<double> errors(snapshot.mesh->cell_count(), 0.5);
+    for (const char* name : {"interpolation_error", "interpolation_error_uniform"})
+        snapshot.fields.push_back({{.name = name, .place = FieldPlace::cell}, errors});
+    snapshot.interpolation = std::make_shared<const InterpolationComparison>();
+    view_.set("layout", std::string("side-by-side"));
+    view_.set("color", std::string("interpolation_error"));
+    const ViewportPlan both = plan(snapshot, view_);
+    EXPECT_EQ(both.views[0].scene.colouring->name, "interpolation_error_uniform");
+    EXPECT_EQ(both.views[1].scene.colouring->name, "interpolation_error");
+    ASSERT_NE(both.colouring, nullptr);
+    EXPECT_EQ(both.colouring->name, "interpolation_error");
+}
+
 TEST_F(ViewportTest, HomeStaysWhileTheMeshMovesUntilItIsForgotten) {
     Snapshot snapshot = cube_snapshot(3);
     const Camera before = plan(snapshot, view_).views[0].camera;
