@@ -2,8 +2,8 @@
 //
 //   x(s, t) = (1 - s)(1 - t) c_1 + s (1 - t) c_2 + s t c_3 + (1 - s) t c_4,   corners c_k anticlockwise,
 //
-// divided into N x N parts of two triangles each, which right diagonals (from (0, 0) to (1, 1)) separate. Node
-// (i, j) has number j (N + 1) + i and xi = x(i/N, j/N).
+// divided into N x N parts of two triangles each, which right diagonals (from (0, 0) to (1, 1)) separate.
+// Node (i, j) has number j (N + 1) + i and xi = x(i/N, j/N).
 #pragma once
 
 #include "core/mesh/discretisation.hpp"

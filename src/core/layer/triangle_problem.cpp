@@ -69,7 +69,8 @@ Triangle triangle_at(const Points& x, Index n, Index i, Index j, bool lower) {
 
 using RuleCoefficients = std::span<const TriangleCoefficients, rule.size()>;
 
-/// Calls `visit(triangle, coefficients at the points of the rule)`; formulas are evaluated by rows of the grid.
+/// Calls `visit(triangle, coefficients at the points of the rule)`; formulas are evaluated by rows of the
+/// grid.
 template <class Visit>
 void for_each_triangle(const TriangleProblem& problem, const Points& x, int cells, const Visit& visit) {
     const auto n = static_cast<Index>(cells);

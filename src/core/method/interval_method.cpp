@@ -113,7 +113,9 @@ const IntervalMethod::Solved& IntervalMethod::solved_on_uniform() {
     return *uniform_;
 }
 
-std::vector<SeriesInfo> IntervalMethod::series() const {
+std::vector<SeriesInfo> IntervalMethod::series() const { return energy_error_series(); }
+
+std::vector<SeriesInfo> energy_error_series() {
     const auto error = [](const char* name, const char* part, const char* help) {
         return SeriesInfo{.name = name,
                           .label = std::string("Energy error, ") + part,
@@ -137,7 +139,7 @@ std::vector<double> IntervalMethod::measures(const ProblemData& data) {
     return {here.reference_error, here.exact_error, uniform.reference_error, uniform.exact_error};
 }
 
-std::vector<FieldInfo> interval_fields() {
+std::vector<FieldInfo> layer_fields() {
     const auto node = [](const char* name, const char* label, const char* symbol, const char* help) {
         return FieldInfo{.name = name, .label = label, .symbol = symbol, .centre = 0, .help = help};
     };

@@ -58,8 +58,12 @@ class IntervalMethod : public Method {
     std::optional<Solved> solved_, uniform_; ///< on the positions and on the uniform mesh, if it is there
 };
 
-/// MethodType::fields of these methods.
-std::vector<FieldInfo> interval_fields();
+/// MethodType::fields of these methods, and of those on a quadrilateral, which have the first and the third.
+std::vector<FieldInfo> layer_fields();
+
+/// Method::series of both, the errors of the solution: against P2 and exact, of the adapted and the uniform
+/// mesh.
+std::vector<SeriesInfo> energy_error_series();
 
 /// x(xi) in P1 at n + 1 equidistant places.
 std::vector<double> resampled_interval(std::span<const double> x, std::size_t n);

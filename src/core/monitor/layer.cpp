@@ -2,11 +2,12 @@
 //
 //   layer          (18), (34)   rho = max{ 1, sum_s K beta/eps exp(-beta d_s / (sigma eps)) }
 //   two-layers     (27)         rho = 1 + sum_s sum_j K beta/eps_j exp(-beta d_s / (sigma eps_j)),  j = 1, 2
-//   layer-tensor   (37)         M = diag(rho_1, rho_2), of the form of "layer": rho_1 for the left and the right
+//   layer-tensor   (37)         M = diag(rho_1, rho_2), of the form of "layer": rho_1 for the left and the
+// right
 //                               side with eps_1(x, y), rho_2 for the lower and the upper one with eps_2(x, y)
 //
-// d_s is the distance from side s, on an interval x - a and b - x. K = q / (sigma (1 - q)) puts a share of about
-// q of the cells into a layer (21).
+// d_s is the distance from side s, on an interval x - a and b - x. K = q / (sigma (1 - q)) puts a share of
+// about q of the cells into a layer (21).
 #include "core/base/error.hpp"
 #include "core/function/coefficient.hpp"
 #include "core/monitor/tensor.hpp"
@@ -42,8 +43,8 @@ constexpr std::array<SideName, 4> side_names = {{{"bottom", "Lower side", true},
                                                  {"top", "Upper side", true},
                                                  {"left", "Left side", false}}};
 
-/// Of an interval, or of a quadrilateral: from corner k to the next one. `along_axis`: the distance is measured
-/// along the axis that crosses the side.
+/// Of an interval, or of a quadrilateral: from corner k to the next one. `along_axis`: the distance is
+/// measured along the axis that crosses the side.
 Side side_of(const Space& space, std::size_t k, bool along_axis) {
     if (space.dimension == 1) {
         const Box ends = space.reach.empty() ? Box{{0, 0, 0}, {1, 0, 0}} : space.reach.front();

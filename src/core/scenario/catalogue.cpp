@@ -5,6 +5,7 @@
 #include "core/base/join.hpp"
 #include "core/layer/interval_domain.hpp"
 #include "core/layer/layer_pde.hpp"
+#include "core/layer/quadrilateral_domain.hpp"
 #include "core/method/plane_equation.hpp"
 #include "core/method/spline_equation.hpp"
 #include "core/method/surface_equation.hpp"
@@ -92,6 +93,17 @@ Capability interval_capability() {
             .pdes = {"none", "reaction-diffusion", "coupled-reaction-diffusion", "convection-diffusion"}};
 }
 
+Capability quadrilateral_capability() {
+    return {.domain = "quadrilateral",
+            .boundaries = {},
+            .monitors = {"layer-tensor", "layer", "constant", "formula"},
+            .methods = {"mesh-pde"},
+            .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
+                return make_quadrilateral(context.scenario.domain.values);
+            },
+            .pdes = {"none", "reaction-diffusion-2d", "convection-diffusion-2d"}};
+}
+
 } // namespace
 
 const DomainType& Catalogue::domain(std::string_view name) const {
@@ -112,7 +124,8 @@ Catalogue builtin_catalogue() {
         .methods = {relaxation_method(), accelerated_method(), quasi_newton_method(), newton_method(),
                     automatic_method(), picard_method(), picard_mixed_method(), mesh_pde_method(),
                     bakhvalov_method(), shishkin_method(), equidistribute_method()},
-        .pdes = {no_pde(), reaction_diffusion_pde(), coupled_pde(), convection_diffusion_pde()},
+        .pdes = {no_pde(), reaction_diffusion_pde(), coupled_pde(), convection_diffusion_pde(),
+                 plane_reaction_diffusion_pde(), plane_convection_diffusion_pde()},
         .capabilities = {plane_capability(), sphere_capability(cubed_sphere_domain(), cubed_sphere_grid),
                          sphere_capability(icosahedral_sphere_domain(), icosahedral_sphere_grid)},
         .output_rows = output_rows()};
@@ -122,6 +135,8 @@ Catalogue builtin_catalogue() {
     }
     catalogue.domains.push_back(interval_domain());
     catalogue.capabilities.push_back(interval_capability());
+    catalogue.domains.push_back(quadrilateral_domain());
+    catalogue.capabilities.push_back(quadrilateral_capability());
     return catalogue;
 }
 
@@ -152,15 +167,15 @@ Values view_section(const Catalogue& catalogue, std::string_view method, std::st
 }
 
 Scenario default_scenario(const Catalogue& catalogue) {
-    Scenario scenario{.name = "untitled",
-                      .title = {},
-                      .description = {},
-                      .domain = domain_section(catalogue, catalogue.domains.front().name),
-                      .monitor = monitor_section(catalogue, catalogue.monitors.front().name),
-                      .method = method_section(catalogue, catalogue.methods.front().name),
-                      .view = view_section(catalogue, catalogue.methods.front().name,
-                                           catalogue.monitors.front().name),
-                      .output = Values("output", catalogue.output_rows)};
+    Scenario scenario{
+        .name = "untitled",
+        .title = {},
+        .description = {},
+        .domain = domain_section(catalogue, catalogue.domains.front().name),
+        .monitor = monitor_section(catalogue, catalogue.monitors.front().name),
+        .method = method_section(catalogue, catalogue.methods.front().name),
+        .view = view_section(catalogue, catalogue.methods.front().name, catalogue.monitors.front().name),
+        .output = Values("output", catalogue.output_rows)};
     update_rows(catalogue, scenario);
     return scenario;
 }

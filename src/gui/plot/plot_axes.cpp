@@ -46,19 +46,6 @@ float label_width(const std::vector<Tick>& ticks) {
     return width;
 }
 
-/// Removes labels that would touch the one below.
-void thin_labels(std::vector<Tick>& ticks, const PlotFrame& frame, double spacing) {
-    double last = std::numeric_limits<double>::infinity();
-    for (Tick& tick : ticks) {
-        const double y = frame.pixel_y(tick.value);
-        if (tick.label.empty()) continue;
-        if (last - y < spacing)
-            tick.label.clear();
-        else
-            last = y;
-    }
-}
-
 /// Minor lines help only where decades are wide.
 bool is_shown(const Tick& tick, AxisRange range, float length, float scale) {
     return tick.major || length / static_cast<float>(range.span()) > 45 * scale;
@@ -151,7 +138,6 @@ PlotFrame make_frame(const PlotView& plot, ScreenRect rect, const PlotZoom& zoom
     const float spacing = plot.y.logarithmic ? 2.0F : 2.6F; // in lines of text
     frame.y_ticks =
         axis_ticks(plot.y, frame.y_range, static_cast<int>(frame.area.height() / (spacing * line)));
-    thin_labels(frame.y_ticks, frame, 1.1 * static_cast<double>(line));
     frame.area.min.x += label_width(frame.y_ticks) + gap;
     frame.x_ticks = axis_ticks(plot.x, frame.x_range, static_cast<int>(frame.area.width() / (5 * line)));
     const float last_label =

@@ -180,19 +180,6 @@ class PlotSteering : public testing::Test {
     bool menu = false;
 };
 
-TEST_F(PlotSteering, LabelsOfAShortLogarithmicAxisDoNotTouch) {
-    plot = plot_of({900, 3600}, {0.0428, 0.00155}, true);
-    ui.frame([this] {
-        const PlotFrame low = make_frame(view_of(plot), {{0, 0}, {260, 200}}, {}, 1);
-        std::vector<double> heights;
-        for (const Tick& tick : low.y_ticks)
-            if (!tick.label.empty()) heights.push_back(low.pixel_y(tick.value));
-        ASSERT_GE(heights.size(), 2U);
-        for (std::size_t i = 1; i < heights.size(); ++i)
-            EXPECT_GE(heights[i - 1] - heights[i], static_cast<double>(ImGui::GetFontSize()));
-    });
-}
-
 TEST_F(PlotSteering, TheWheelZoomsAtThePointer) {
     const ImVec2 at = place(0.25F, 0.6F);
     const double x = under(at), y = height_at(at);

@@ -1,0 +1,257 @@
+#include "core/method/quadrilateral_mesh_pde.hpp"
+
+#include "core/base/check.hpp"
+#include "core/base/error.hpp"
+#include "core/layer/layer_pde.hpp"
+#include "core/layer/square_mesh_pde.hpp"
+#include "core/method/interval_method.hpp"
+#include "core/method/mesh_levels.hpp"
+#include "core/monitor/tensor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+constexpr std::string_view layout_prefix = "quadrilateral ";
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+class QuadrilateralMeshPde final : public Method {
+  public:
+    QuadrilateralMeshPde(std::shared_ptr<const QuadrilateralDomain> domain, const Values& values)
+        : domain_(std::move(domain)) {
+        configure(values);
+    }
+
+    void configure(const Values& values) override {
+        const bool vertical = values.text("form") == "vertical";
+        if (vertical && !domain_->has_vertical_sides())
+            throw InputError("method.form = vertical needs a left and a right side that are vertical; see "
+                             "domain.corners");
+        levels_.configure(values, domain_->cells(), true);
+        form_ = vertical ? MeshPdeForm::one_direction : MeshPdeForm::componentwise;
+        samples_ = values.text("samples") == "corners" ? DensitySamples::corners : DensitySamples::degree_4;
+        reference_ = values.boolean("reference");
+        next_.reset();
+    }
+
+    State initial_state() const override { return state_of(uniform(domain_->cells()).nodes()); }
+
+    std::optional<State> adopt(const State& other, const Discretisation*) override {
+        // In the same coordinates, of any number of cells: of another quadrilateral with the form (29).
+        if (other.layout == layout()) return other;
+        const std::string_view text = other.layout;
+        const std::string kind(layout_prefix_of_form());
+        if (form_ != MeshPdeForm::componentwise || !text.starts_with(kind)) return std::nullopt;
+        const Points nodes = nodes_of(other);
+        return state_of(resampled_grid(nodes, cells_of(nodes), domain_->cells()));
+    }
+
+    Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token) override {
+        levels_.begin();
+        Points nodes = nodes_of(state);
+        SquareMeshPde at = uniform(cells_of(nodes));
+        at.set_positions(nodes);
+        Evaluation evaluation = look(data, std::move(at));
+        if (level() > 0) evaluation.ending = Ending::not_yet;
+        return evaluation;
+    }
+
+    Evaluation step(const ProblemData& data, State& state, std::stop_token stop) override {
+        const std::size_t level = levels_.next(this->level());
+        std::optional<SquareMeshPde> at = std::exchange(next_, std::nullopt);
+        GASPARD_CHECK(at.has_value());
+        if (level != this->level()) {
+            if (level > this->level()) {
+                at = uniform(levels_.cells(level));
+            } else {
+                at->set_positions(nodes_, centres_); // of the iterate, whose next one is of no use
+                at->refine();
+            }
+            at->solve(densities_of(data));
+        }
+        if (stop.stop_requested()) throw Interrupted();
+        Evaluation evaluation = look(data, std::move(*at));
+        state = state_of(nodes_);
+        evaluation.step_size = 1;
+        evaluation.ending = levels_.ending(level);
+        return evaluation;
+    }
+
+    const Points& positions() override {
+        if (positions_.size() == 0) {
+            const int n = domain_->cells(), own = cells_of(nodes_);
+            const Points grid = own == n ? nodes_ : resampled_grid(nodes_, own, n);
+            positions_ = form_ == MeshPdeForm::componentwise ? domain_->positions(grid) : grid;
+        }
+        return positions_;
+    }
+
+    std::vector<SeriesInfo> series() const override {
+        std::vector<SeriesInfo> all = energy_error_series();
+        all.push_back(level_series());
+        return all;
+    }
+
+    std::vector<double> measures(const ProblemData& data) override {
+        take_problem(data);
+        if (!problem_ || !reference_ || !is_solvable()) return {unknown, unknown, unknown, unknown};
+        return {solved().error.value_or(unknown), unknown, solved_on_uniform().error.value_or(unknown),
+                unknown};
+    }
+
+    std::vector<std::vector<double>> fields(const ProblemData& data) override {
+        take_problem(data);
+        std::vector<std::vector<double>> all(layer_fields().size());
+        if (problem_ && is_solvable()) {
+            all[0] = solved().solution.values;
+            all[2] = solved_on_uniform().solution.values;
+        }
+        return all;
+    }
+
+  private:
+    struct Solved {
+        TriangleSolution solution;
+        std::optional<double> error{};
+    };
+
+    const char* layout_prefix_of_form() const {
+        return form_ == MeshPdeForm::componentwise ? "quadrilateral parameters n="
+                                                   : "quadrilateral positions n=";
+    }
+    std::string layout() const { return layout_prefix_of_form() + std::to_string(domain_->cells()); }
+    State state_of(const Points& nodes) const { return {layout(), {{"x", nodes.x}, {"y", nodes.y}}}; }
+    static Points nodes_of(const State& state) {
+        GASPARD_CHECK(state.layout.starts_with(layout_prefix) && state.arrays.size() == 2);
+        Points nodes(state.arrays[0].values.size());
+        nodes.x = state.arrays[0].values, nodes.y = state.arrays[1].values;
+        return nodes;
+    }
+    static int cells_of(const Points& nodes) {
+        return static_cast<int>(std::lround(std::sqrt(static_cast<double>(nodes.size())))) - 1;
+    }
+    std::size_t level() const { return levels_.level_of(cells_of(nodes_)); }
+
+    /// The uniform mesh: of the parameters, or of the quadrilateral.
+    SquareMeshPde uniform(int cells) const {
+        std::array<Vec3, 4> corners = SquareMeshPdeOptions{}.corners;
+        if (form_ == MeshPdeForm::one_direction) {
+            const Corners& c = domain_->corners();
+            corners = {c[0], c[1], c[3], c[2]};
+        }
+        return {form_, samples_, corners, cells};
+    }
+
+    LayerDensities densities_of(const ProblemData& data) const {
+        return [this, &data](const Points& at, std::span<double> first, std::span<double> second) {
+            const Points x = form_ == MeshPdeForm::componentwise ? domain_->positions(at) : at;
+            if (!data.tensor) {
+                data.monitor->values(x, first);
+                std::copy(first.begin(), first.end(), second.begin());
+                return;
+            }
+            std::vector<SymmetricTensor> m(x.size());
+            data.tensor->values(x, m);
+            for (std::size_t i = 0; i < m.size(); ++i) first[i] = m[i].xx, second[i] = m[i].yy;
+        };
+    }
+
+    /// Makes `at` the iterate and computes the next one.
+    Evaluation look(const ProblemData& data, SquareMeshPde at) {
+        take_problem(data);
+        nodes_ = at.nodes();
+        centres_ = at.centres();
+        positions_.resize(0);
+        solved_.reset();
+        const SquareMeshSolve solve = at.solve(densities_of(data));
+        next_ = std::move(at);
+        const double size =
+            form_ == MeshPdeForm::componentwise ? 1 : longest_side(bounding_box(*domain_->control_points()));
+        return {.residual = solve.update / size,
+                .series = {static_cast<double>(level())},
+                .inner_iterations = solve.inner_iterations};
+    }
+
+    void take_problem(const ProblemData& data) {
+        if (data.pde == pde_values_ && data.pde_type == pde_type_) return;
+        std::optional<TriangleProblem> made;
+        if (data.pde) made = plane_pde(data.pde_type, *data.pde);
+        pde_values_ = data.pde;
+        pde_type_ = data.pde_type;
+        problem_ = std::move(made);
+        solved_.reset();
+        uniform_.reset();
+    }
+
+    /// Finite elements need triangles that are not inverted.
+    bool is_solvable() { return inverted_triangles(positions(), domain_->cells()) == 0; }
+    Solved solved_on(const Points& x) const {
+        Solved made{solve_triangles(*problem_, x, domain_->cells(), 1)};
+        return made;
+    }
+    void add_error(Solved& solved, const Points& x) const {
+        if (!reference_ || solved.error) return;
+        solved.error = reference_error(*problem_, x, domain_->cells(), solved.solution,
+                                       solve_triangles(*problem_, x, domain_->cells(), 2));
+    }
+    const Solved& solved() {
+        if (!solved_) solved_ = solved_on(positions());
+        add_error(*solved_, positions());
+        return *solved_;
+    }
+    const Solved& solved_on_uniform() {
+        if (!uniform_) uniform_ = solved_on(domain_->mesh()->nodes);
+        add_error(*uniform_, domain_->mesh()->nodes);
+        return *uniform_;
+    }
+
+    std::shared_ptr<const QuadrilateralDomain> domain_;
+    MeshLevels levels_;
+    MeshPdeForm form_ = MeshPdeForm::componentwise;
+    DensitySamples samples_ = DensitySamples::degree_4;
+    bool reference_ = true;
+    // The iterate last evaluated, and the next one:
+    Points nodes_, centres_, positions_;
+    std::optional<SquareMeshPde> next_;
+    std::shared_ptr<const Values> pde_values_; ///< of which problem_ was made
+    std::string pde_type_;
+    std::optional<TriangleProblem> problem_;
+    std::optional<Solved> solved_, uniform_;
+};
+
+} // namespace
+
+std::vector<ParameterRow> quadrilateral_rows() {
+    return {{.key = "form",
+             .label = "Form",
+             .kind = ParameterKind::choice,
+             .default_value = std::string("both"),
+             .choices = {"both", "vertical"},
+             .help = "on a quadrilateral: in both directions (29), or nodes move vertically only (28)"},
+            {.key = "samples",
+             .label = "Samples",
+             .kind = ParameterKind::choice,
+             .default_value = std::string("degree-4"),
+             .choices = {"degree-4", "corners"},
+             .help = "on a quadrilateral: where triangles sample M, as a polynomial of degree 4 or at their "
+                     "corners, which is faster"},
+            {.key = "reference",
+             .label = "Measure errors",
+             .kind = ParameterKind::boolean,
+             .default_value = true,
+             .help = "on a quadrilateral: the energy error of the solution, against one of order 2"}};
+}
+
+std::unique_ptr<Method> quadrilateral_mesh_pde(std::shared_ptr<const QuadrilateralDomain> domain,
+                                               const Values& values) {
+    return std::make_unique<QuadrilateralMeshPde>(std::move(domain), values);
+}
+
+} // namespace gaspard

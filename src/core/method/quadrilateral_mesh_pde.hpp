@@ -1,0 +1,23 @@
+// Mesh PDEs on a quadrilateral (layer/square_mesh_pde.hpp), as the method "mesh-pde": Algorithm 3 of Hill,
+// Madden (2021). The form (29) is solved for the parameters (s, t) of the quadrilateral, with M at x(s, t),
+// so that nodes slide along sides of any direction; on the unit square that is (29) itself. The form (28) is
+// that of a quadrilateral with vertical sides, in Cartesian coordinates.
+//
+// The residual of an iterate is the largest change of a coordinate that the next solve makes; with the form
+// (28) divided by the longest side. A State is the grid of nodes, of the domain's number of cells or of a
+// coarser one.
+#pragma once
+
+#include "core/layer/quadrilateral_domain.hpp"
+#include "core/method/method.hpp"
+
+#include <memory>
+
+namespace gaspard {
+
+/// The rows of the form.
+std::vector<ParameterRow> quadrilateral_rows();
+std::unique_ptr<Method> quadrilateral_mesh_pde(std::shared_ptr<const QuadrilateralDomain> domain,
+                                               const Values& values);
+
+} // namespace gaspard
