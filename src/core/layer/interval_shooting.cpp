@@ -140,7 +140,8 @@ struct Shot {
     }
 };
 
-/// What rounding of a node takes from a share is given to the next, so that no sum of shares is wrong by more.
+/// What rounding of a node takes from a share is given to the next, so that no sum of shares is wrong by
+/// more.
 Shot shoot(const Monitor& rho, Guide guide, double a, double b, double c, Index most) {
     Share share(rho);
     Shot shot{{a}, {share.density(a)}, c, 0};
@@ -164,7 +165,8 @@ Shot shoot(const Monitor& rho, Guide guide, double a, double b, double c, Index 
     }
 }
 
-/// Position in a cell of a shot, 0 <= t <= 1, by a monotone rational function with dx/dt = C / rho at both ends.
+/// Position in a cell of a shot, 0 <= t <= 1, by a monotone rational function with dx/dt = C / rho at both
+/// ends.
 double within(const Shot& shot, Index cell, double t) {
     const double left = shot.x[cell], d = shot.x[cell + 1] - left;
     const bool cut = cell + 2 == shot.x.size(); // b is not a node of its own
@@ -234,8 +236,8 @@ IntervalShooting::IntervalShooting(std::vector<double> x)
                              format_number(x_[i - 1]));
 }
 
-/// First the median share of the mesh, which a single cell of the layer does not spoil; then 1/C as T asks for;
-/// then by secants of the logarithms, or by halving where these do not close the bounds.
+/// First the median share of the mesh, which a single cell of the layer does not spoil; then 1/C as T asks
+/// for; then by secants of the logarithms, or by halving where these do not close the bounds.
 double IntervalShooting::next_share() const {
     if (share_ <= 0) {
         std::vector<double> shares = shares_;

@@ -3,16 +3,16 @@
 //
 //   r_i(x) (x_i - x_(i-1)) = C,   i = 1..N,   x_0 = a,   x_N = b.
 //
-// The iteration (15) of Hill, Madden (2021) does not get there for thin layers: where the density has a kink or
-// falls by orders of magnitude within a cell, r_i changes at each step by more than the step corrects.
+// The iteration (15) of Hill, Madden (2021) does not get there for thin layers: where the density has a kink
+// or falls by orders of magnitude within a cell, r_i changes at each step by more than the step corrects.
 //
-// Shooting: for a share C, nodes follow from left to right, each a root of r_i d_i = C. That takes T(C) cells up
-// to b, the last of which may be a fraction; T falls with C, nearly like 1/C. C is right when T(C) = N. Roots
-// are bracketed, so that kinks do not matter; one shot takes about 50 N densities.
+// Shooting: for a share C, nodes follow from left to right, each a root of r_i d_i = C. That takes T(C) cells
+// up to b, the last of which may be a fraction; T falls with C, nearly like 1/C. C is right when T(C) = N.
+// Roots are bracketed, so that kinks do not matter; one shot takes about 50 N densities.
 //
 // For (18) and (27), eps = 1 to 1e-12 and N = 16 to 65536, that needs at most 43 shots, 10 on average, from
-// Algorithm 2 as well as from the uniform mesh. Spikes and bumps
-// (widths to 1e-8) take as few, if nodes of the start are on them: others are not looked for.
+// Algorithm 2 as well as from the uniform mesh. Spikes and
+// bumps (widths to 1e-8) take as few, if nodes of the start are on them: others are not looked for.
 #pragma once
 
 #include "core/base/export.hpp"
@@ -26,11 +26,13 @@ namespace gaspard GASPARD_API {
 
 /// How far the shares r_i d_i are from equal: max |r_i d_i / C - 1| with C their mean.
 double share_deviation(std::span<const double> densities, std::span<const double> x);
-/// What rounding of nodes leaves of it: the largest change of a share, in units of C, when a node moves by half
-/// a unit in the last place. Large where layers are far from 0 or r_i comes from a thin part of the cell.
+/// What rounding of nodes leaves of it: the largest change of a share, in units of C, when a node moves by
+/// half a unit in the last place. Large where layers are far from 0 or r_i comes from a thin part of the
+/// cell.
 double share_rounding(const Monitor& rho, std::span<const double> densities, std::span<const double> x);
 
-/// Shots from a mesh, one at a time. The mesh guides the search for nodes: between several roots, the nearest.
+/// Shots from a mesh, one at a time. The mesh guides the search for nodes: between several roots, the
+/// nearest.
 class IntervalShooting {
   public:
     /// Throws InputError if x has less than two nodes or does not grow.

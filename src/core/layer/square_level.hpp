@@ -1,5 +1,5 @@
-// One resolution of a mesh PDE on quadrilaterals (square_mesh_pde.hpp): the iterate, the mean densities of the
-// four triangles of every quadrilateral, and the systems of the two coordinates.
+// One resolution of a mesh PDE on quadrilaterals (square_mesh_pde.hpp): the iterate, the mean densities of
+// the four triangles of every quadrilateral, and the systems of the two coordinates.
 #pragma once
 
 #include "core/layer/square_mesh_pde.hpp"

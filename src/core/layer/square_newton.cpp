@@ -3,12 +3,13 @@
 //   sum over triangles T at p of m_T (k_T u)_p = 0,
 //
 // has positive and negative terms, flows in and out, whose sums I and O are compared as ln(I / O): densities
-// depend on positions exponentially, their logarithms do not. The iteration solve() amplifies errors of nodes at
-// the edge of a layer of width eps by up to 1 / (N eps) and ends in a cycle for small eps.
+// depend on positions exponentially, their logarithms do not. The iteration solve() amplifies errors of nodes
+// at the edge of a layer of width eps by up to 1 / (N eps) and ends in a cycle for small eps.
 //
-// From the result of Algorithm 3, (37) converges for N = 16, 32, 64 and eps = 1e-2, 1e-4 in 3 to 9 steps, for
-// N = 16, 32 and eps = 1e-6, 1e-8 in 22 to 66; (34) for eps = 1e-2, 1e-4 in 3 to 46, and not in 150 for thinner
-// layers: at the kink of its density, steps have to be too short.
+// From the result of Algorithm 3, (37) converges for N = 16 to 128 and eps = 1e-2, 1e-4 in 3 to 13 steps, for
+// N = 16, 32 and eps = 1e-6, 1e-8 in 22 to 66. Numbers that are no powers of two start worse and need more, up
+// to 145; N = 12 and eps = 1e-8 takes over 150. (34) converges for eps = 1e-2, 1e-4 in 3 to 46 steps, and not
+// in 150 for thinner layers: at the kink of its density, steps have to be too short.
 #include "core/layer/square_level.hpp"
 
 #include <Eigen/Sparse>
