@@ -10,9 +10,9 @@
 // up to b, the last of which may be a fraction; T falls with C, nearly like 1/C. C is right when T(C) = N.
 // Roots are bracketed, so that kinks do not matter; one shot takes about 50 N densities.
 //
-// For (18) and (27), eps = 1 to 1e-12 and N = 16 to 65536, that needs at most 43 shots, 10 on average, from
-// Algorithm 2 as well as from the uniform mesh. Spikes and
-// bumps (widths to 1e-8) take as few, if nodes of the start are on them: others are not looked for.
+// For (18) and (27), eps = 1 to 1e-12 and N = 16 to 65536, that needs at most 44 shots, 10 on average, from
+// Algorithm 2 as well as from the uniform mesh, to 1e-12 and what rounding of nodes leaves. Spikes and bumps
+// (widths to 1e-8) take as few, if nodes of the start are on them: others are not looked for.
 #pragma once
 
 #include "core/base/export.hpp"

@@ -7,9 +7,9 @@
 // at the edge of a layer of width eps by up to 1 / (N eps) and ends in a cycle for small eps.
 //
 // From the result of Algorithm 3, (37) converges for N = 16 to 128 and eps = 1e-2, 1e-4 in 3 to 13 steps, for
-// N = 16, 32 and eps = 1e-6, 1e-8 in 22 to 66. Numbers that are no powers of two start worse and need more, up
-// to 145; N = 12 and eps = 1e-8 takes over 150. (34) converges for eps = 1e-2, 1e-4 in 3 to 46 steps, and not
-// in 150 for thinner layers: at the kink of its density, steps have to be too short.
+// N = 16 to 64 and eps = 1e-6, 1e-8 in 22 to 108. Numbers that are no powers of two start worse and need
+// more, up to 145; N = 12 and eps = 1e-8 takes over 150. (34) converges for eps = 1e-2, 1e-4 in 3 to 46
+// steps, and not in 150 for thinner layers: the steps that help have to be too short.
 #include "core/layer/square_level.hpp"
 
 #include <Eigen/Sparse>
