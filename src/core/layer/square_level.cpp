@@ -9,27 +9,6 @@
 
 namespace gaspard {
 
-namespace {
-
-/// Closed Newton-Cotes rule of degree 4 on a triangle: barycentric coordinates (in quarters) and weights.
-struct SamplePoint {
-    double a, b, c, weight;
-};
-constexpr std::array<SamplePoint, 12> degree_4_points = {{{3, 1, 0, 4},
-                                                          {1, 3, 0, 4},
-                                                          {0, 3, 1, 4},
-                                                          {0, 1, 3, 4},
-                                                          {1, 0, 3, 4},
-                                                          {3, 0, 1, 4},
-                                                          {2, 2, 0, -1},
-                                                          {0, 2, 2, -1},
-                                                          {2, 0, 2, -1},
-                                                          {2, 1, 1, 8},
-                                                          {1, 2, 1, 8},
-                                                          {1, 1, 2, 8}}};
-
-} // namespace
-
 SquareLevel::SquareLevel(int n, MeshPdeForm form, DensitySamples samples, const std::array<Vec3, 4>& corners)
     : n_(n), form_(form), samples_(samples), domain_(corners), nodes_(node_count()),
       centres_(quad_count()), solvers_{solver(0), solver(1)} {
@@ -153,7 +132,7 @@ void SquareLevel::sample(const LayerDensities& densities) {
             for (int i = 0; i < n_; ++i) {
                 const auto corner = corners_of(i, j);
                 for (const auto& t : crossed_triangles)
-                    for (const SamplePoint& p : degree_4_points)
+                    for (const SquareSample& p : degree_4_points)
                         at_.set(next++,
                                 0.25 * (p.a * corner[t[0]] + p.b * corner[t[1]] + p.c * corner[t[2]]));
             }

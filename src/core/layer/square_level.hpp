@@ -7,6 +7,24 @@
 
 namespace gaspard {
 
+/// A rule on a triangle: barycentric coordinates (in quarters) and weights (in 45ths).
+struct SquareSample {
+    double a, b, c, weight;
+};
+/// The closed Newton-Cotes rule of degree 4; its corners have weight 0.
+constexpr std::array<SquareSample, 12> degree_4_points = {{{3, 1, 0, 4},
+                                                           {1, 3, 0, 4},
+                                                           {0, 3, 1, 4},
+                                                           {0, 1, 3, 4},
+                                                           {1, 0, 3, 4},
+                                                           {3, 0, 1, 4},
+                                                           {2, 2, 0, -1},
+                                                           {0, 2, 2, -1},
+                                                           {2, 0, 2, -1},
+                                                           {2, 1, 1, 8},
+                                                           {1, 2, 1, 8},
+                                                           {1, 1, 2, 8}}};
+
 /// Corners of the four triangles of a quadrilateral: (0,0), (1,0), (0,1), (1,1), centre = 0..4.
 constexpr std::array<std::array<std::size_t, 3>, 4> crossed_triangles = {
     {{0, 1, 4}, {1, 3, 4}, {3, 2, 4}, {2, 0, 4}}};
@@ -30,8 +48,23 @@ class SquareLevel {
     /// A mesh of twice as many cells with the same iterate, which is linear on its triangles.
     SquareLevel refined() const;
     SquareMeshSolve solve(const LayerDensities& densities);
+    SquareMeshNewton newton(const LayerDensities& densities);
 
   private:
+    struct Residual; // square_newton.cpp
+    struct Gradients;
+    Gradients gradients(const LayerDensities& densities) const;
+    Residual residual() const;
+    double move(const Points& nodes, const Points& centres, const std::vector<double>& step, double factor);
+    std::vector<double> newton_direction(const Residual& r, const Gradients& gradients) const;
+    Index unknown(Index axis, Index point) const;
+    std::array<Index, 3> triangle_points(Index triangle) const;
+    std::array<std::array<double, 3>, 3> triangle_stiffness(Index triangle) const;
+    std::vector<Index> axes() const;
+    double coordinate(Index axis, Index point) const;
+    bool is_fixed_point(Index axis, Index point) const;
+    bool is_inverted() const;
+
     Index node(int i, int j) const {
         return static_cast<Index>(j) * static_cast<Index>(n_ + 1) + static_cast<Index>(i);
     }

@@ -32,6 +32,7 @@ int SquareMeshPde::cells() const { return level_->n(); }
 const Points& SquareMeshPde::nodes() const { return level_->nodes(); }
 const Points& SquareMeshPde::centres() const { return level_->centres(); }
 SquareMeshSolve SquareMeshPde::solve(const LayerDensities& densities) { return level_->solve(densities); }
+SquareMeshNewton SquareMeshPde::newton(const LayerDensities& densities) { return level_->newton(densities); }
 void SquareMeshPde::refine() { *level_ = level_->refined(); }
 
 static void check_positions(const Points& x, Index count, const char* what) {
@@ -80,6 +81,18 @@ SquareMeshPdeResult mesh_pde_square(const LayerDensities& densities, int cells,
         if (solve.update <= options.tolerance) break;
     }
     result.x = pde.nodes();
+    return result;
+}
+
+SquareConvergence converge_square(SquareMeshPde& pde, const LayerDensities& densities, double tolerance,
+                                  int max_steps) {
+    SquareConvergence result;
+    while (result.steps < max_steps && !result.converged) {
+        const auto step = pde.newton(densities);
+        ++result.steps;
+        result.update = step.update, result.residual = step.residual;
+        result.converged = (step.factor == 0 || step.factor == 1) && step.update <= tolerance;
+    }
     return result;
 }
 

@@ -45,6 +45,13 @@ struct SquareMeshSolve {
     int inner_iterations = 0;
 };
 
+/// What one step of Newton's method did.
+struct SquareMeshNewton {
+    double residual = 0; ///< before the step: root mean square of ln(inflow / outflow) over the equations
+    double update = 0;   ///< the largest change of a coordinate, centres included
+    double factor = 0;   ///< of the step: 1 where it was not shortened; 0: a solve of the fixed point instead
+};
+
 class SquareLevel;
 
 /// The iterate of a mesh PDE on one mesh, to be stepped from outside.
@@ -68,6 +75,9 @@ class SquareMeshPde {
     /// One step of the fixed point: the solution for the densities at the iterate. Throws InputError if a
     /// density is not positive and finite.
     SquareMeshSolve solve(const LayerDensities& densities);
+    /// One step of Newton's method for the fixed point of solve(), by sparse elimination. Shortened until the
+    /// residual falls and no triangle is inverted.
+    SquareMeshNewton newton(const LayerDensities& densities);
     /// Halves the cells; the iterate stays the same function.
     void refine();
 
@@ -96,6 +106,18 @@ struct SquareMeshPdeResult {
 /// not positive and finite.
 SquareMeshPdeResult mesh_pde_square(const LayerDensities& densities, int cells,
                                     const SquareMeshPdeOptions& options);
+
+struct SquareConvergence {
+    int steps = 0;
+    double update = 0;   ///< of the last step
+    double residual = 0; ///< before it
+    bool converged = false;
+};
+
+/// Steps of Newton's method until one that is not shortened, or a solve where rounding leaves nothing to
+/// shorten, changes no coordinate by more than `tolerance`.
+SquareConvergence converge_square(SquareMeshPde& pde, const LayerDensities& densities,
+                                  double tolerance = 1e-8, int max_steps = 100);
 
 /// Triangles of a grid with right diagonals (from (0,0) to (1,1)) whose area is not positive.
 std::size_t inverted_triangles(const Points& x, int cells);
