@@ -158,6 +158,11 @@ static std::vector<double> densities_of(SolutionDensity density, const IntervalP
     throw InputError("unknown density");
 }
 
+std::vector<double> solution_densities(const SolutionMeshOptions& options, const IntervalProblem& problem,
+                                       std::span<const double> x, const IntervalSolution& solution) {
+    return smoothed_densities(densities_of(options.density, problem, x, solution), options.smoothing);
+}
+
 std::vector<double> mesh_from_solution(const IntervalProblem& problem, Interval interval, int cells,
                                        const SolutionMeshOptions& options) {
     if (options.start_cells < 4) throw InputError("the coarsest mesh must have at least 4 cells");
@@ -165,9 +170,7 @@ std::vector<double> mesh_from_solution(const IntervalProblem& problem, Interval 
     for (;;) {
         for (int k = 0; k < options.steps; ++k) {
             const auto solution = solve_interval(problem, x, 1);
-            std::vector<double> densities = densities_of(options.density, problem, x, solution);
-            densities = smoothed_densities(std::move(densities), options.smoothing);
-            x = next_interval_mesh(densities, interval);
+            x = next_interval_mesh(solution_densities(options, problem, x, solution), interval);
         }
         if (x.size() > static_cast<Index>(cells)) return x;
         x = refined_interval(x);

@@ -48,6 +48,10 @@ struct SolutionMeshOptions {
     int smoothing = 2;   ///< of densities, by smoothed_densities()
 };
 
+/// The densities of these options for a solution of order 1.
+std::vector<double> solution_densities(const SolutionMeshOptions& options, const IntervalProblem& problem,
+                                       std::span<const double> x, const IntervalSolution& solution);
+
 /// Alternates solutions of order 1 with steps of (15), from a uniform mesh of few cells, which is refined:
 /// boundary layers of reaction-diffusion are found by coefficients alone. For (6), eps = 1e-2 to 1e-8 and N =
 /// 32 to 256, the energy error is 0.8 to 1.1 times that of (18) by curvature or estimate, 1.3 to 1.7 times by

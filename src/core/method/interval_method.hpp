@@ -35,6 +35,8 @@ class IntervalMethod : public Method {
     /// problem's formulas are wrong.
     void look_at(const ProblemData& data, std::vector<double> x);
     const std::vector<double>& x() const { return x_; }
+    /// The problem; null if there is none.
+    const IntervalProblem* problem() const { return pde_ ? &pde_->problem : nullptr; }
     /// The mesh of a state of this method.
     static const std::vector<double>& mesh_of(const State& state);
     static std::vector<double>& mesh_of(State& state);
@@ -64,6 +66,8 @@ std::vector<FieldInfo> layer_fields();
 /// Method::series of both, the errors of the solution: against P2 and exact, of the adapted and the uniform
 /// mesh.
 std::vector<SeriesInfo> energy_error_series();
+
+MethodType solution_adapted_method();
 
 /// x(xi) in P1 at n + 1 equidistant places.
 std::vector<double> resampled_interval(std::span<const double> x, std::size_t n);

@@ -7,7 +7,7 @@
 
 namespace gaspard {
 
-std::vector<ParameterRow> MeshLevels::rows() {
+std::vector<ParameterRow> MeshLevels::rows(int start_cells, int inner_solves, int final_solves) {
     return {{.key = "refine",
              .label = "Start coarse",
              .kind = ParameterKind::boolean,
@@ -20,7 +20,7 @@ std::vector<ParameterRow> MeshLevels::rows() {
              .maximum = 65536,
              .scale = ParameterScale::logarithmic,
              .slider = SliderRange{1, 64},
-             .default_value = std::int64_t{4},
+             .default_value = std::int64_t{start_cells},
              .help = "the coarsest mesh has at least as many cells (per side)"},
             {.key = "inner_solves",
              .label = "Solves per mesh",
@@ -28,7 +28,7 @@ std::vector<ParameterRow> MeshLevels::rows() {
              .minimum = 1,
              .maximum = 1000,
              .slider = SliderRange{1, 20},
-             .default_value = std::int64_t{3},
+             .default_value = std::int64_t{inner_solves},
              .help = "solves on each coarser mesh"},
             {.key = "final_solves",
              .label = "Final solves",
@@ -36,7 +36,7 @@ std::vector<ParameterRow> MeshLevels::rows() {
              .minimum = 0,
              .maximum = 10000,
              .slider = SliderRange{0, 20},
-             .default_value = std::int64_t{0},
+             .default_value = std::int64_t{final_solves},
              .help = "solves on the last mesh; 0: until the residual is below the tolerance"}};
 }
 

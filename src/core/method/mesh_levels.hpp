@@ -12,8 +12,8 @@ namespace gaspard {
 
 class MeshLevels {
   public:
-    /// Rows "refine", "start_cells", "inner_solves" and "final_solves", the last three from these defaults.
-    static std::vector<ParameterRow> rows();
+    /// Rows "refine", "start_cells", "inner_solves" and "final_solves", with defaults of the last three.
+    static std::vector<ParameterRow> rows(int start_cells, int inner_solves, int final_solves);
 
     /// `even`: meshes are halved only while their number of cells is even. Throws InputError if the coarsest
     /// mesh would be finer than that of the run.

@@ -38,6 +38,7 @@ class QuadrilateralMeshPde final : public Method {
         form_ = vertical ? MeshPdeForm::one_direction : MeshPdeForm::componentwise;
         samples_ = values.text("samples") == "corners" ? DensitySamples::corners : DensitySamples::degree_4;
         reference_ = values.boolean("reference");
+        converges_ = values.text("finish") == "converged";
         next_.reset();
     }
 
@@ -77,9 +78,14 @@ class QuadrilateralMeshPde final : public Method {
             at->solve(densities_of(data));
         }
         if (stop.stop_requested()) throw Interrupted();
+        double factor = 1;
+        if (converges_ && level == 0 && level == this->level()) {
+            at->set_positions(nodes_, centres_); // Newton's step replaces the solve
+            factor = at->newton(densities_of(data)).factor;
+        }
         Evaluation evaluation = look(data, std::move(*at));
         state = state_of(nodes_);
-        evaluation.step_size = 1;
+        evaluation.step_size = factor;
         evaluation.ending = levels_.ending(level);
         return evaluation;
     }
@@ -216,7 +222,7 @@ class QuadrilateralMeshPde final : public Method {
     MeshLevels levels_;
     MeshPdeForm form_ = MeshPdeForm::componentwise;
     DensitySamples samples_ = DensitySamples::degree_4;
-    bool reference_ = true;
+    bool reference_ = true, converges_ = true;
     // The iterate last evaluated, and the next one:
     Points nodes_, centres_, positions_;
     std::optional<SquareMeshPde> next_;

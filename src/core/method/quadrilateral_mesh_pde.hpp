@@ -3,6 +3,8 @@
 // so that nodes slide along sides of any direction; on the unit square that is (29) itself. The form (28) is
 // that of a quadrilateral with vertical sides, in Cartesian coordinates.
 //
+// On the last mesh the solves of Algorithm 3, or steps of Newton's method for the same equations.
+//
 // The residual of an iterate is the largest change of a coordinate that the next solve makes; with the form
 // (28) divided by the longest side. A State is the grid of nodes, of the domain's number of cells or of a
 // coarser one.

@@ -123,8 +123,9 @@ std::vector<ParameterRow> common_method_rows() {
          .label = "Interpolation errors",
          .kind = ParameterKind::boolean,
          .default_value = true,
-         .help = "measures how well the uniform and the adapted mesh interpolate the monitor, or the function "
-                 "from which it is made; needs diagnostics = full"}};
+         .help =
+             "measures how well the uniform and the adapted mesh interpolate the monitor, or the function "
+             "from which it is made; needs diagnostics = full"}};
 }
 
 } // namespace gaspard

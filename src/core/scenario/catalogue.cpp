@@ -6,6 +6,7 @@
 #include "core/layer/interval_domain.hpp"
 #include "core/layer/layer_pde.hpp"
 #include "core/layer/quadrilateral_domain.hpp"
+#include "core/method/interval_method.hpp"
 #include "core/method/plane_equation.hpp"
 #include "core/method/spline_equation.hpp"
 #include "core/method/surface_equation.hpp"
@@ -86,7 +87,7 @@ Capability interval_capability() {
     return {.domain = "interval",
             .boundaries = {},
             .monitors = {"layer", "two-layers", "constant", "formula"},
-            .methods = {"mesh-pde", "bakhvalov", "shishkin", "equidistribute"},
+            .methods = {"mesh-pde", "bakhvalov", "shishkin", "equidistribute", "solution-adapted"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 return make_interval(context.scenario.domain.values);
             },
@@ -123,7 +124,8 @@ Catalogue builtin_catalogue() {
         .monitors = monitor_types(),
         .methods = {relaxation_method(), accelerated_method(), quasi_newton_method(), newton_method(),
                     automatic_method(), picard_method(), picard_mixed_method(), mesh_pde_method(),
-                    bakhvalov_method(), shishkin_method(), equidistribute_method()},
+                    bakhvalov_method(), shishkin_method(), equidistribute_method(),
+                    solution_adapted_method()},
         .pdes = {no_pde(), reaction_diffusion_pde(), coupled_pde(), convection_diffusion_pde(),
                  plane_reaction_diffusion_pde(), plane_convection_diffusion_pde()},
         .capabilities = {plane_capability(), sphere_capability(cubed_sphere_domain(), cubed_sphere_grid),

@@ -6,13 +6,21 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <span>
 
 namespace gaspard {
 namespace {
 
+/// -eps^2 u'' + u = source.
+IntervalProblem reaction_diffusion(double eps, double (*source)(double)) {
+    return {{eps * eps}, [=](std::span<const double> x, IntervalCoefficients& at) {
+                std::fill(at.reaction.begin(), at.reaction.end(), 1.0);
+                std::transform(x.begin(), x.end(), at.source.begin(), source);
+            }};
+}
 /// (6).
 IntervalProblem reaction_diffusion(double eps) {
-    return {{eps * eps}, [](double x, IntervalCoefficients& at) { at = {{0}, {1}, {1 - x}}; }};
+    return reaction_diffusion(eps, [](double x) { return 1 - x; });
 }
 double error_of_6(double eps, const std::vector<double>& x) {
     const double d = -std::expm1(-2 / eps);
@@ -43,9 +51,7 @@ TEST(SolutionDensity, FindsALayerOfAnyWidth) {
 // -eps^2 u'' + u = 1 + x has layers at both ends, of different heights.
 TEST(SolutionDensity, FindsLayersAtBothEndsByArcLength) {
     for (const double eps : {1e-2, 1e-4, 1e-6, 1e-8}) {
-        const IntervalProblem problem = {{eps * eps}, [](double x, IntervalCoefficients& at) {
-                                             at = {{0}, {1}, {1 + x}};
-                                         }};
+        const IntervalProblem problem = reaction_diffusion(eps, [](double x) { return 1 + x; });
         const auto x = mesh_from_solution(problem, {}, 64, {});
         const double error =
             reference_error(problem, x, solve_interval(problem, x, 1), solve_interval(problem, x, 2));
@@ -72,7 +78,7 @@ TEST(SolutionDensity, IsThatOfTheFormulas) {
     EXPECT_DOUBLE_EQ(arc[2], std::sqrt(2));
     for (const double density : curvature_densities(x, solution, 4))
         EXPECT_DOUBLE_EQ(density, std::pow(2, 0.25));
-    const IntervalProblem problem = {{3}, [](double, IntervalCoefficients&) {}};
+    const IntervalProblem problem = {{3}, [](std::span<const double>, IntervalCoefficients&) {}};
     // eta^2 = 3 h^3 16 / 12 + h^5 16 / 120 = 4 h^3 + 2 h^5 / 15
     const double first = 4 + 2.0 / 15, other = 0.5 + 1.0 / 240;
     EXPECT_DOUBLE_EQ(estimated_error(problem, x, solution), std::sqrt(first + 2 * other));

@@ -28,7 +28,8 @@ class IntervalMethods : public testing::Test {
 
     std::shared_ptr<const Catalogue> catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
     /// Algorithm 2 as in the paper.
-    const std::vector<std::string> paper = {"method.tolerance=0.4", "method.normalised=false"};
+    const std::vector<std::string> paper = {"method.tolerance=0.4", "method.normalised=false",
+                                            "method.finish=fixed-point"};
 };
 
 /// Solves on the last mesh.
@@ -58,13 +59,14 @@ TEST_F(IntervalMethods, MeshPdeHasTheSolvesAndErrorsOfTheTables) {
 }
 
 TEST_F(IntervalMethods, AlgorithmOneNeedsTheIterationsOfTableOne) {
-    gaspard::Run one = run({"domain.cells=64", "method.refine=false", "method.normalised=false",
-                            "method.tolerance=0.02", "method.max_iterations=37", "pde.eps=1e-4"});
+    gaspard::Run one =
+        run({"domain.cells=64", "method.refine=false", "method.normalised=false", "method.finish=fixed-point",
+             "method.tolerance=0.02", "method.max_iterations=37", "pde.eps=1e-4"});
     one.solve();
     EXPECT_EQ(one.status(), RunStatus::iteration_limit);
     EXPECT_EQ(one.history().back().iteration, 37);
     gaspard::Run wide = run({"domain.cells=64", "method.refine=false", "method.normalised=false",
-                             "method.tolerance=0.02", "pde.eps=1e-2"});
+                             "method.finish=fixed-point", "method.tolerance=0.02", "pde.eps=1e-2"});
     wide.solve();
     EXPECT_EQ(wide.status(), RunStatus::converged);
     EXPECT_EQ(wide.history().back().iteration, 14);
@@ -72,11 +74,39 @@ TEST_F(IntervalMethods, AlgorithmOneNeedsTheIterationsOfTableOne) {
 
 TEST_F(IntervalMethods, EndAfterAFixedNumberOfSolves) {
     gaspard::Run one =
-        run({"domain.cells=64", "method.final_solves=5", "method.tolerance=1e-14", "pde.eps=1e-8"});
+        run({"domain.cells=64", "method.final_solves=5", "method.finish=fixed-point", "pde.eps=1e-8"});
     one.solve();
     EXPECT_EQ(one.status(), RunStatus::converged);
     EXPECT_EQ(final_solves(one), 5);
     EXPECT_EQ(one.history().back().iteration, 4 * 3 + 5);
+}
+
+// Cells have equal shares to rounding, which no fixed point of thin layers reaches.
+TEST_F(IntervalMethods, ConvergeForLayersOfAnyWidth) {
+    for (const char* eps : {"1", "1e-2", "1e-4", "1e-8", "1e-12"})
+        for (const char* cells : {"7", "32", "1000"}) {
+            gaspard::Run one = run({std::string("pde.eps=") + eps, std::string("domain.cells=") + cells});
+            one.solve();
+            EXPECT_EQ(one.status(), RunStatus::converged) << eps << ' ' << cells;
+            EXPECT_LT(one.history().back().residual, 1e-9) << eps << ' ' << cells;
+            EXPECT_LE(one.history().back().iteration, 40) << eps << ' ' << cells;
+        }
+}
+
+TEST_F(IntervalMethods, FindsTheLayerWithoutEps) {
+    for (const char* density : {"arc-length", "curvature", "estimate"})
+        for (const double eps : {1e-2, 1e-5, 1e-8}) {
+            gaspard::Run one =
+                run({"method.type=solution-adapted", "monitor.type=constant", "domain.cells=64",
+                     std::string("method.density=") + density, "pde.eps=" + format_number(eps)});
+            one.solve();
+            EXPECT_EQ(one.status(), RunStatus::converged) << density << ' ' << eps;
+            // (18) has 1.326 sqrt(eps) / N
+            EXPECT_LT(*one.history().back().value("exact_energy_error"), 1.7 * 1.326 * std::sqrt(eps) / 64)
+                << density << ' ' << eps;
+        }
+    EXPECT_EQ(complaint({"method.type=solution-adapted", "pde.type=none", "monitor.type=constant"}),
+              "method solution-adapted needs a problem to solve; set pde.type");
 }
 
 // A result does not depend on the problems before it.
