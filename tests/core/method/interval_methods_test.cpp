@@ -16,7 +16,7 @@ class IntervalMethods : public testing::Test {
         apply_settings(*catalogue, scenario, settings);
         return scenario;
     }
-    Run run(const std::vector<std::string>& settings) const { return {catalogue, layer(settings)}; }
+    gaspard::Run run(const std::vector<std::string>& settings) const { return {catalogue, layer(settings)}; }
     std::string complaint(const std::vector<std::string>& settings) const {
         try {
             run(settings);
@@ -32,7 +32,7 @@ class IntervalMethods : public testing::Test {
 };
 
 /// Solves on the last mesh.
-int final_solves(const Run& run) {
+int final_solves(const gaspard::Run& run) {
     int count = 0;
     for (const StepReport& report : run.history())
         count += report.iteration > 0 && report.value("level") == 0.0;
@@ -47,7 +47,7 @@ TEST_F(IntervalMethods, MeshPdeHasTheSolvesAndErrorsOfTheTables) {
         auto settings = paper;
         settings.push_back("domain.cells=" + std::to_string(cells));
         settings.push_back("pde.eps=1e-8");
-        Run one = run(settings);
+        gaspard::Run one = run(settings);
         one.solve();
         EXPECT_EQ(one.status(), RunStatus::converged);
         EXPECT_EQ(final_solves(one), solves[i]) << cells;
@@ -58,20 +58,21 @@ TEST_F(IntervalMethods, MeshPdeHasTheSolvesAndErrorsOfTheTables) {
 }
 
 TEST_F(IntervalMethods, AlgorithmOneNeedsTheIterationsOfTableOne) {
-    Run one = run({"domain.cells=64", "method.refine=false", "method.normalised=false",
-                   "method.tolerance=0.02", "method.max_iterations=37", "pde.eps=1e-4"});
+    gaspard::Run one = run({"domain.cells=64", "method.refine=false", "method.normalised=false",
+                            "method.tolerance=0.02", "method.max_iterations=37", "pde.eps=1e-4"});
     one.solve();
     EXPECT_EQ(one.status(), RunStatus::iteration_limit);
     EXPECT_EQ(one.history().back().iteration, 37);
-    Run wide = run({"domain.cells=64", "method.refine=false", "method.normalised=false",
-                    "method.tolerance=0.02", "pde.eps=1e-2"});
+    gaspard::Run wide = run({"domain.cells=64", "method.refine=false", "method.normalised=false",
+                             "method.tolerance=0.02", "pde.eps=1e-2"});
     wide.solve();
     EXPECT_EQ(wide.status(), RunStatus::converged);
     EXPECT_EQ(wide.history().back().iteration, 14);
 }
 
 TEST_F(IntervalMethods, EndAfterAFixedNumberOfSolves) {
-    Run one = run({"domain.cells=64", "method.final_solves=5", "method.tolerance=1e-14", "pde.eps=1e-8"});
+    gaspard::Run one =
+        run({"domain.cells=64", "method.final_solves=5", "method.tolerance=1e-14", "pde.eps=1e-8"});
     one.solve();
     EXPECT_EQ(one.status(), RunStatus::converged);
     EXPECT_EQ(final_solves(one), 5);
@@ -80,11 +81,11 @@ TEST_F(IntervalMethods, EndAfterAFixedNumberOfSolves) {
 
 // A result does not depend on the problems before it.
 TEST_F(IntervalMethods, MeshPdeForgetsWhereItStarted) {
-    Run changed = run({"pde.eps=1e-2"});
+    gaspard::Run changed = run({"pde.eps=1e-2"});
     changed.solve();
     changed.change(layer({"pde.eps=1e-8"}));
     changed.solve();
-    Run fresh = run({"pde.eps=1e-8"});
+    gaspard::Run fresh = run({"pde.eps=1e-8"});
     fresh.solve();
     EXPECT_EQ(changed.snapshot()->x.x, fresh.snapshot()->x.x);
 }
@@ -93,9 +94,10 @@ TEST_F(IntervalMethods, TheUnitOfTheMonitorDoesNotMatter) {
     std::vector<double> meshes[3];
     int i = 0;
     for (const char* scale : {"1", "1e-200", "1e200"}) {
-        Run one = run({"monitor.type=formula",
-                       std::string("monitor.expression=") + scale + "*max(1, 0.4*0.99/eps*exp(-0.396*x/eps))",
-                       "monitor.ranges=eps 1e-12 1 log", "monitor.eps=1e-2", "method.normalised=true"});
+        gaspard::Run one =
+            run({"monitor.type=formula",
+                 std::string("monitor.expression=") + scale + "*max(1, 0.4*0.99/eps*exp(-0.396*x/eps))",
+                 "monitor.ranges=eps 1e-12 1 log", "monitor.eps=1e-2", "method.normalised=true"});
         one.solve();
         EXPECT_EQ(one.status(), RunStatus::converged) << scale;
         meshes[i++] = one.snapshot()->x.x;
@@ -108,14 +110,14 @@ TEST_F(IntervalMethods, TheUnitOfTheMonitorDoesNotMatter) {
 
 TEST_F(IntervalMethods, FormulasNeedOneStep) {
     for (const char* method : {"bakhvalov", "shishkin", "equidistribute"}) {
-        Run one = run({std::string("method.type=") + method, "domain.cells=64", "pde.eps=1e-6"});
+        gaspard::Run one = run({std::string("method.type=") + method, "domain.cells=64", "pde.eps=1e-6"});
         one.solve();
         EXPECT_EQ(one.status(), RunStatus::converged) << method;
         EXPECT_EQ(one.history().back().iteration, 1) << method;
         EXPECT_LT(*one.history().back().value("energy_error"), 5e-5) << method;
         EXPECT_GT(*one.history().back().value("uniform_exact_energy_error"), 1e-2) << method;
     }
-    Run bakhvalov = run({"method.type=bakhvalov", "domain.cells=64", "pde.eps=1e-6"});
+    gaspard::Run bakhvalov = run({"method.type=bakhvalov", "domain.cells=64", "pde.eps=1e-6"});
     bakhvalov.solve();
     EXPECT_EQ(bakhvalov.snapshot()->x.x, bakhvalov_mesh({.eps = 1e-6}, {}, 64).x);
 }
@@ -123,8 +125,9 @@ TEST_F(IntervalMethods, FormulasNeedOneStep) {
 TEST_F(IntervalMethods, LayersAtEitherEndAreMirrored) {
     for (const char* method : {"bakhvalov", "shishkin"}) {
         const auto mesh = [&](const char* layers) {
-            Run one = run({std::string("method.type=") + method, std::string("method.layers=") + layers,
-                           "domain.cells=32", "method.eps=1e-3", "domain.start=-1", "domain.end=3"});
+            gaspard::Run one =
+                run({std::string("method.type=") + method, std::string("method.layers=") + layers,
+                     "domain.cells=32", "method.eps=1e-3", "domain.start=-1", "domain.end=3"});
             one.solve();
             return one.snapshot()->x.x;
         };
@@ -141,7 +144,7 @@ TEST_F(IntervalMethods, LayersAtEitherEndAreMirrored) {
 // No node moves by rounding alone.
 TEST_F(IntervalMethods, AConstantMonitorMovesNothing) {
     for (const char* method : {"mesh-pde", "equidistribute"}) {
-        Run one = run({std::string("method.type=") + method, "monitor.type=constant"});
+        gaspard::Run one = run({std::string("method.type=") + method, "monitor.type=constant"});
         one.solve();
         EXPECT_EQ(one.status(), RunStatus::converged);
         const auto snapshot = one.snapshot();
@@ -151,7 +154,7 @@ TEST_F(IntervalMethods, AConstantMonitorMovesNothing) {
 }
 
 TEST_F(IntervalMethods, TransferBetweenMethodsAndResolutions) {
-    Run one = run({"pde.eps=1e-4"});
+    gaspard::Run one = run({"pde.eps=1e-4"});
     one.solve();
     EXPECT_EQ(one.change(layer({"pde.eps=1e-4", "domain.cells=64"})), "");
     EXPECT_EQ(one.change(layer({"pde.eps=1e-4", "method.type=bakhvalov"})), "");
@@ -160,13 +163,13 @@ TEST_F(IntervalMethods, TransferBetweenMethodsAndResolutions) {
 }
 
 TEST_F(IntervalMethods, SolutionsAreFields) {
-    Run one = run({"pde.type=coupled-reaction-diffusion", "monitor.type=two-layers"});
+    gaspard::Run one = run({"pde.type=coupled-reaction-diffusion", "monitor.type=two-layers"});
     one.solve();
     const auto snapshot = one.snapshot();
     for (const char* name : {"solution", "solution_2", "solution_uniform", "solution_2_uniform", "width"})
         ASSERT_NE(snapshot->field(name), nullptr) << name;
     EXPECT_EQ(snapshot->field("solution")->values.front(), 0);
-    Run without = run({"pde.type=none", "monitor.eps=1e-3"});
+    gaspard::Run without = run({"pde.type=none", "monitor.eps=1e-3"});
     without.solve();
     EXPECT_EQ(without.snapshot()->field("solution"), nullptr);
     EXPECT_FALSE(without.history().back().value("energy_error").has_value());
