@@ -64,11 +64,8 @@ class Level {
                     x_.set(node(i, j), coarse.centres_[coarse.quad(a, b)]);
             }
         for (int j = 0; j < n_; ++j)
-            for (int i = 0; i < n_; ++i) { // between a corner of the coarse quadrilateral and its centre
-                const int a = i / 2, b = j / 2;
-                const Vec3 corner = coarse.x_[coarse.node(a + i % 2, b + j % 2)];
-                centres_.set(quad(i, j), 0.5 * (corner + coarse.centres_[coarse.quad(a, b)]));
-            }
+            for (int i = 0; i < n_; ++i) // its place: where sides are not parallel, off the coarse edges
+                centres_.set(quad(i, j), coarse.at(i / 2, j / 2, centre(i, j)));
     }
 
     struct Step {
@@ -97,6 +94,26 @@ class Level {
     }
 
   private:
+    /// The iterate at a point of the computational quadrilateral (i, j), linear on each triangle.
+    Vec3 at(int i, int j, Vec3 xi) const {
+        const std::array<Vec3, 5> place = {computational(i, j), computational(i + 1, j),
+                                           computational(i, j + 1), computational(i + 1, j + 1),
+                                           centre(i, j)};
+        const auto value = corners_of(i, j);
+        const auto area = [](Vec3 a, Vec3 b, Vec3 c) { return cross(b - a, c - a).z; };
+        Vec3 found{};
+        double most = -1;
+        for (const auto& t : triangles) { // the one whose barycentric coordinates are not negative
+            const Vec3 a = place[t[0]], b = place[t[1]], c = place[t[2]];
+            const double whole = area(a, b, c), u = area(xi, b, c) / whole, v = area(a, xi, c) / whole;
+            const double w = 1 - u - v, least = std::min({u, v, w});
+            if (least <= most) continue;
+            most = least;
+            found = u * value[t[0]] + v * value[t[1]] + w * value[t[2]];
+        }
+        return found;
+    }
+
     Index node(int i, int j) const {
         return static_cast<Index>(j) * static_cast<Index>(n_ + 1) + static_cast<Index>(i);
     }

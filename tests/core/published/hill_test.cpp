@@ -1,5 +1,6 @@
 // Tables and figures of Hill, Madden (2021), and numbers of their figures by an independent implementation
 // (FEniCS).
+#include "core/published/hill_problems.hpp"
 #include "core/published/published.hpp"
 
 #include <algorithm>
@@ -79,6 +80,51 @@ TEST(Hill, Figure7HasTheErrorsOfTheSystem) {
             EXPECT_NEAR(ours(result, "ε2 = " + eps2 + ", N = " + std::to_string(n), "energy error"), wanted,
                         1e-3 * wanted);
         }
+}
+
+/// Energy errors on N = 16, 32, 64, in the three digits that are known.
+struct SquareErrors {
+    double eps;
+    std::array<double, 3> errors;
+};
+void expect_errors(const HillSquare& square, const SquareErrors& expected) {
+    for (int k = 0, n = 16; k < 3; ++k, n *= 2) {
+        const Points x = mesh_pde_square(square.densities, n, square.options).x;
+        const auto p1 = solve_triangles(square.problem, x, n, 1),
+                   p2 = solve_triangles(square.problem, x, n, 2);
+        const double wanted = expected.errors[static_cast<std::size_t>(k)];
+        EXPECT_NEAR(reference_error(square.problem, x, n, p1, p2), wanted, printed(wanted, 3).last_digit)
+            << expected.eps << ' ' << n;
+        EXPECT_EQ(inverted_triangles(x, n), 0U);
+    }
+}
+
+TEST(Hill, IrregularDomainHasTheErrorsOfFigure11) {
+    for (const SquareErrors& one : {SquareErrors{1e-2, {9.23e-3, 4.73e-3, 2.59e-3}},
+                                    {1e-4, {1.06e-3, 5.17e-4, 2.55e-4}},
+                                    {1e-8, {1.12e-5, 5.19e-6, 2.60e-6}}})
+        expect_errors(hill_irregular(one.eps), one);
+}
+
+TEST(Hill, VaryingDiffusionHasTheErrorsOfFigure14) {
+    for (const SquareErrors& one : {SquareErrors{1e-2, {3.74e-2, 1.87e-2, 9.38e-3}},
+                                    {1e-4, {6.95e-3, 3.09e-3, 1.51e-3}},
+                                    {1e-8, {4.12e-3, 1.04e-3, 2.62e-4}}})
+        expect_errors(hill_varying(one.eps, Diffusion::squared), one);
+}
+
+TEST(Hill, MeshesOfFigures10And13AreTriangles) {
+    for (const std::string id : {"hill-fig10", "hill-fig13"}) {
+        const Reproduction result = reproduce(id);
+        ASSERT_EQ(result.figure->panels.size(), 2U);
+        for (const FigurePanel& panel : result.figure->panels) {
+            const auto& snapshot = *std::get<std::shared_ptr<const Snapshot>>(panel.content);
+            EXPECT_EQ(snapshot.mesh->kind, (CellKind{CellShape::triangle, 1}));
+            EXPECT_EQ(snapshot.mesh->cell_count(), 2048U);
+            EXPECT_EQ(snapshot.report.tangled_cells, 0U);
+            EXPECT_LT(snapshot.x.y[33 * 32] - snapshot.x.y[33 * 31], 0.25 / 32) << "a layer above";
+        }
+    }
 }
 
 } // namespace
