@@ -5,7 +5,7 @@ build="build-essential cmake ninja-build pkg-config libglfw3-dev libimgui-dev li
   libtinygltf-dev libegl-dev libgl-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libnetcdf-dev
   libopenmesh-dev libpugixml-dev libmuparser-dev libpng-dev libjpeg-dev zlib1g-dev libnanoflann-dev
   libstb-dev libgl1-mesa-dri libfontconfig-dev"
-# Not in every release: Mesa has dropped OSMesa after 25.0. Pictures are then drawn through EGL.
+# Not in every release: Mesa has dropped OSMesa after 25.0. Images are then drawn through EGL.
 optional="libosmesa6"
 test="libgtest-dev libassimp-dev libtinyxml2-dev xvfb xdotool x11-utils python3 python3-xlib
   desktop-file-utils fonts-droid-fallback"

@@ -24,8 +24,8 @@ gaspard_test(gui_tests LABELS threads LIBRARIES gaspard_scenes PkgConfig::IMGUI
 gaspard_test(picture_tests LABELS graphics LIBRARIES gaspard_scenes
   SOURCES gui/app/viewport_image_test.cpp gui/app/globe_image_test.cpp gui/app/fixture_image_test.cpp
     gui/gl/imgui_renderer_test.cpp gui/plot/plot_image_test.cpp gui/render/mesh_renderer_test.cpp)
-# Pictures are drawn by OSMesa where it is installed. Golden.LooksTheSameThroughEgl draws the stored ones through EGL too;
-# this draws those through EGL that have to be found different.
+# Images are drawn by OSMesa where it is installed. Golden.LooksTheSameThroughEgl compares those of EGL with the
+# stored ones, too; this repeats the negative controls through EGL.
 add_test(NAME pictures_through_egl COMMAND picture_tests --gtest_brief=1 --gtest_filter=Wrong*:Offscreen.*:Fixture*)
 set_tests_properties(pictures_through_egl PROPERTIES TIMEOUT 300 LABELS graphics
   ENVIRONMENT GASPARD_OFFSCREEN=egl)

@@ -77,11 +77,17 @@ void add_why(CLI::App& app, WhyArguments& why) {
     command->add_flag("--overwrite", why.overwrite, "Replace files about another scenario as well");
 }
 
-/// Empty values are mistakes, such as those of an unset variable in a script.
-void refuse_empty_values(const CLI::App& app) {
+/// Values that are missing are mistakes, such as those of an unset variable in a script: an empty one, or the
+/// next option in its place.
+void refuse_missing_values(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options())
-        for (const std::string& value : option->results())
+        for (const std::string& value : option->results()) {
             if (value.empty()) throw InputError(option->get_name() + " is empty; see gaspard --help");
+            const std::string name = value.substr(0, value.find('='));
+            if (name.starts_with('-') && app.get_option_no_throw(name) != nullptr)
+                throw InputError(option->get_name() + " has no value before " + value +
+                                 "; see gaspard --help");
+        }
 }
 
 /// The arguments that no option takes, with the nearest option of the command.
@@ -156,8 +162,8 @@ int dispatch(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         throw InputError(sentence(error) + "; see gaspard --help");
     }
-    refuse_empty_values(app);
-    for (const CLI::App* command : app.get_subcommands()) refuse_empty_values(*command);
+    refuse_missing_values(app);
+    for (const CLI::App* command : app.get_subcommands()) refuse_missing_values(*command);
     if (const auto commands = app.get_subcommands(); !commands.empty())
         for (const char* option : {"SCENARIO", "--set", "--size"})
             if (app.get_option(option)->count() > 0)

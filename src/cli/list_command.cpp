@@ -2,6 +2,7 @@
 #include "cli/scenario_input.hpp"
 #include "core/base/error.hpp"
 #include "core/scenario/data_files.hpp"
+#include "core/scenario/own_names.hpp"
 
 #include <iostream>
 #include <utility>
@@ -112,6 +113,7 @@ int show_command(const Catalogue& catalogue, const std::string& name,
     ScenarioInput input = load_input(catalogue, name, settings);
     check_input(catalogue, input);
     check_domain(catalogue, input);
+    check_data(catalogue, input);
     Scenario scenario = input.scenario;
     if (options.as_formula && scenario.monitor.type != "formula") {
         auto typed = with_formula(catalogue, scenario);
@@ -120,6 +122,8 @@ int show_command(const Catalogue& catalogue, const std::string& name,
                              "' cannot be written as a formula");
         scenario = std::move(*typed);
     }
+    scenario.modified = modified_keys(input.named, scenario);
+    if (!scenario.modified.empty()) scenario = with_own_names(std::move(scenario));
     if (options.portable)
         scenario = with_packed_data(std::move(scenario));
     else if (!scenario.folder.empty())

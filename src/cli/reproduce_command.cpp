@@ -9,6 +9,7 @@
 #include "core/published/published.hpp"
 #include "gui/app/viewport_image.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace gaspard {
@@ -16,13 +17,20 @@ namespace gaspard {
 namespace {
 
 void print_table(const std::vector<PublishedRow>& rows) {
-    std::printf("%-22s %-22s %14s %12s %12s  %s\n", "row", "quantity", "ours", "published", "difference",
-                "note");
+    std::size_t row_width = 21, quantity_width = 22;
+    for (const auto& row : rows) {
+        row_width = std::max(row_width, row.row.size());
+        quantity_width = std::max(quantity_width, row.quantity.size());
+    }
+    const auto first = static_cast<int>(row_width), second = static_cast<int>(quantity_width);
+    std::printf("%-*s  %-*s %14s %12s %12s  %s\n", first, "row", second, "quantity", "ours", "published",
+                "difference", "note");
     std::size_t published = 0, different = 0;
     for (const auto& row : rows) {
         char number[40] = "";
         if (const auto by = difference(row)) std::snprintf(number, sizeof number, "%+.2e", *by);
-        std::printf("%-22s %-22s %14.7g %12s %12s  %s\n", row.row.c_str(), row.quantity.c_str(), row.ours,
+        std::printf("%-*s  %-*s %14.7g %12s %12s  %s\n", first, row.row.c_str(), second, row.quantity.c_str(),
+                    row.ours,
                     row.published ? format_number(row.published->value).c_str() : "", number,
                     full_note(row).c_str());
         published += row.published ? 1 : 0;

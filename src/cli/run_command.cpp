@@ -22,6 +22,7 @@
 #include <cstdio>
 #include <iostream>
 #include <optional>
+#include <stop_token>
 #include <thread>
 #include <unistd.h>
 
@@ -112,7 +113,8 @@ void print_outcome(const Run& run, const std::filesystem::path& folder, bool oth
 }
 
 void draw_view(std::shared_ptr<const Catalogue> catalogue, Run& run, const std::filesystem::path& folder,
-               bool whole_window) {
+               bool whole_window, std::stop_token stop) {
+    if (stop.stop_requested()) throw Interrupted();
     const Scenario& scenario = run.scenario();
     const auto width = static_cast<int>(scenario.view.integer("width"));
     const auto height = static_cast<int>(scenario.view.integer("height"));
@@ -122,8 +124,8 @@ void draw_view(std::shared_ptr<const Catalogue> catalogue, Run& run, const std::
         return write_png(folder / "view.png",
                          render_whole_window(std::move(catalogue), {scenario, run.history(), run.snapshot()},
                                              width, height));
-    write_png(folder / "view.png",
-              render_view(*run.snapshot(), scenario.view, width, height, scenario_title(scenario)));
+    write_png(folder / "view.png", render_view(*run.snapshot(), scenario.view, width, height,
+                                               scenario_title(scenario), {.stop = std::move(stop)}));
 }
 
 } // namespace
@@ -179,17 +181,18 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
         const std::stop_token stop = interrupt.restart(); // what was interrupted is written, too
         std::exception_ptr failure;                       // rethrown after the other files are written
         try {
-            write_run_files(folder, run, input.formats, {}, stop);
-            if (!arguments.no_render && stop.stop_requested()) throw Interrupted();
-        } catch (const MachineError&) {
-            failure = std::current_exception();
+            try {
+                write_run_files(folder, run, input.formats, {}, stop);
+            } catch (const MachineError&) {
+                failure = std::current_exception();
+            }
+            if (!arguments.no_render) draw_view(catalogue, run, folder, arguments.whole_window, stop);
         } catch (const Interrupted&) {
             remove_empty(made);
             std::cerr << "gaspard: interrupted while files were written; each file in " << folder.string()
                       << " is complete, but some are missing or of an earlier run\n";
             return exit_code(RunStatus::interrupted);
         }
-        if (!arguments.no_render) draw_view(catalogue, run, folder, arguments.whole_window);
         if (failure) std::rethrow_exception(failure);
         return exit_code(run.status());
     } catch (const Interrupted&) {

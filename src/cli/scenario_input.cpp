@@ -58,6 +58,20 @@ void check_domain(const Catalogue& catalogue, const ScenarioInput& input) {
     if (needs_mesh) check_with_mesh(input, *prepare(check(catalogue, input.scenario), {}, {})->mesh());
 }
 
+void check_data(const Catalogue& catalogue, const ScenarioInput& input) {
+    const Scenario& scenario = input.scenario;
+    const auto depends = [](const Section& section) {
+        const auto& rows = section.values.rows();
+        return find_role(rows, ParameterRole::file) || find_role(rows, ParameterRole::defines_rows);
+    };
+    if (!depends(scenario.monitor) && !depends(scenario.target)) return;
+    const auto discretisation = prepare(check(catalogue, scenario), {}, {});
+    make_problem_data(catalogue, scenario, nullptr,
+                      {.space = space_of(catalogue, scenario),
+                       .discretisation = discretisation.get(),
+                       .folder = scenario.folder});
+}
+
 void check_with_mesh(const ScenarioInput& input, const Mesh& mesh) {
     with_place_of(input.source, [&] {
         const Values& view = input.scenario.view;

@@ -31,6 +31,9 @@ void check_input(const Catalogue& catalogue, ScenarioInput& input);
 /// Makes the mesh if something has to be checked with it that `run` would refuse: a patch file, a layout, a
 /// camera for SVG. Throws InputError.
 void check_domain(const Catalogue& catalogue, const ScenarioInput& input);
+/// Makes the monitors that depend on a file or a formula: `run` would refuse a file that is not there, or a
+/// formula that is not positive. Throws InputError.
+void check_data(const Catalogue& catalogue, const ScenarioInput& input);
 /// The checks of the view and the formats that need the mesh.
 void check_with_mesh(const ScenarioInput& input, const Mesh& mesh);
 

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <stop_token>
 #include <thread>
 
 namespace gaspard {
@@ -36,22 +37,28 @@ void print_row(const InterpolationRow& row, bool first) {
     std::fflush(stdout);
 }
 
-/// What the monitor says about itself.
-void print_notes(const Run& run) {
+std::vector<std::string> notes_of(const Run& run) {
     const auto report = run.monitor_report();
-    if (!report) return;
-    for (const std::string& note : report->notes) std::printf("%s\n", note.c_str());
+    return report ? report->notes : std::vector<std::string>();
+}
+
+/// What the monitor says about itself on a mesh, unless it has said so on the one before.
+void print_notes(const std::vector<std::string>& notes, const std::vector<std::string>& before,
+                 const std::string& mesh) {
+    if (notes == before) return;
+    for (const std::string& note : notes) std::printf("%s%s\n", mesh.c_str(), note.c_str());
+    if (notes.empty()) std::printf("%sthe notes above do not apply\n", mesh.c_str());
     std::fflush(stdout);
 }
 
 /// Both meshes of a run, coloured by the L2 errors of their cells on one scale.
-Image error_maps(Run& run) {
+Image error_maps(Run& run, std::stop_token stop) {
     const auto snapshot = run.snapshot();
     const std::string cells = " mesh, " + std::to_string(snapshot->mesh->cell_count()) + " cells";
     const std::string camera = run.scenario().view.text("camera");
     return render_panels({MeshPanel{"uniform" + cells, snapshot, "interpolation_error_uniform", 0, camera},
                           MeshPanel{"adapted" + cells, snapshot, "interpolation_error", 1, camera}},
-                         2, 1600, 800);
+                         2, 1600, 800, {.light = true, .stop = std::move(stop)});
 }
 
 } // namespace
@@ -77,6 +84,7 @@ int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& 
     const std::int64_t shown = has_own ? own : resolutions.back();
     const InterruptWatch interrupt; // once the input is read: a signal ends a program that waits for it
     std::vector<InterpolationRow> rows;
+    std::vector<std::string> notes; // of the last mesh
     std::optional<Image> maps;
     int code = 0;
     for (const std::int64_t resolution : resolutions) {
@@ -84,7 +92,8 @@ int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& 
             Run run(catalogue, with_resolution(*catalogue, scenario, resolution),
                     {.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))}, {},
                     interrupt.token());
-            if (rows.empty()) print_notes(run);
+            print_notes(notes_of(run), notes, rows.empty() ? "" : "n = " + std::to_string(resolution) + ": ");
+            notes = notes_of(run);
             run.solve(interrupt.token());
             if (run.status() == RunStatus::interrupted) break;
             rows.push_back(interpolation_row(run, rows.empty() ? nullptr : &rows.back(), interrupt.token()));
@@ -92,7 +101,7 @@ int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& 
             print_row(rows.back(), rows.size() == 1);
             if (code == 0) code = exit_code(run.status());
             if (resolution == shown && !arguments.no_render && !rows.back().errors.exact())
-                maps = error_maps(run);
+                maps = error_maps(run, interrupt.token());
         } catch (const Interrupted&) {
             break;
         }

@@ -529,6 +529,8 @@ class Information(Contract):
             toml.write(text)
         self.assertEqual(gaspard("show", file).stdout, text)
         self.assertEqual(gaspard("show", file, "--as-formula").stdout, text)
+        waves = gaspard("show", "spline-sine-waves", "--as-formula").stdout
+        self.assertIn("+ amplitude*exp(-sharpness*abs(y - 0.25 - sin(2*pi*x)/4))'", waves)
         self.refused(gaspard("show", "plane-ring", "--set", "monitor.type=random-bells", "--as-formula"),
                      "'random-bells'")
 
@@ -536,6 +538,15 @@ class Information(Contract):
         wrong = gaspard("run", "plane-ring", "--set", "monitor.type=formula", "--set", "monitor.expression=1 + sine(x)",
                         "--no-render")
         self.refused(wrong, "monitor.expression: unknown function 'sine' at character 5 (did you mean 'sin'?)")
+
+    def test_show_refuses_formulas_and_files_that_run_refuses(self):
+        for settings, part in ((("type=formula", "expression=1/0"), "is inf at (0, 0)"),
+                               (("type=formula", "expression=0-1"), "is -1 at (0, 0)"),
+                               (("type=image", "file=gone.png"), "gone.png"),
+                               (("type=combine", "a.type=formula", "a.expression=log(x)"), "-inf")):
+            options = [option for one in settings for option in ("--set", "monitor." + one)]
+            for command in ("show", "run"):
+                self.refused(gaspard(command, "plane-ring", *options, cwd=self.folder.name), part)
 
     def test_show_is_complete_and_reads_back(self):
         text = gaspard("show", "plane-ring", "--set", "monitor.amplitude=3").stdout
@@ -545,6 +556,13 @@ class Information(Contract):
         with open(file, "w") as toml:
             toml.write(text)
         self.assertEqual(gaspard("show", file).stdout, text)
+
+    def test_show_says_whether_something_was_changed(self):
+        for settings, ending in (([], ""), (["--set", "view.color=area"], ""), (["--set", "monitor.type=bell"], " (modified)"),
+                                 (["--as-formula"], " (modified)")):
+            title, description = gaspard("show", "plane-ring", *settings).stdout.splitlines()[:2]
+            self.assertEqual(title, "title = 'Ring on the periodic plane%s'" % ending)
+            self.assertRegex(description, r"^description = 'A ring .*\)%s'$" % re.escape(ending))
 
     def test_what_a_view_asks_for_in_vain_is_said(self):
         result = self.run_quick("--set", "view.overlay=exact", render=True)
@@ -567,6 +585,15 @@ class Information(Contract):
         self.assertGreater(os.path.getsize(self.path("mcrae-fig2.png")), 10000)
         for name in ("mcrae-fig2", "mcrae-fig3", "mcrae-fig13"):
             self.assertIn(name, gaspard("reproduce").stdout)
+
+    def test_columns_of_a_reproduced_table_are_below_each_other(self):
+        head, *lines = gaspard("reproduce", "mcrae-fig5", "--out", self.out, "--no-render").stdout.splitlines()
+        end = head.index("ours") + len("ours")
+        rows = [line for line in lines if line.startswith("X2")]
+        self.assertTrue(any("rms to the exact mesh, all nodes" in line for line in rows), lines)
+        for line in rows:
+            self.assertRegex(line[:end], r" [0-9][0-9.e+-]*$")
+            self.assertEqual(line[end:].strip(), "", line)
 
     def test_an_interrupted_reproduction_leaves_nothing(self):
         process = subprocess.Popen([PROGRAM, "reproduce", "mcrae-fig11", "--out", os.path.join(self.out, "below")],
@@ -657,6 +684,14 @@ class Information(Contract):
         self.assertEqual((other.returncode, other.stdout), (2, ""))
         self.assertIn("'plane-ring'", other.stderr)
         self.assertEqual(self.why("--cells", "8", "--no-render", "--overwrite", name="plane-bell").returncode, 0)
+
+    def test_why_says_where_the_monitor_is_another(self):
+        result = self.why("--cells", "30,60,120", "--no-render", name="walls-front")
+        lines = result.stdout.splitlines()
+        smoothed = "The monitor is smoothed over 0.75 cells of the uniform mesh, so that the mesh can follow it."
+        self.assertEqual(lines[0], smoothed)
+        self.assertEqual([line for line in lines if "note" in line], ["n = 120: the notes above do not apply"])
+        self.assertEqual(sum(smoothed in line for line in lines), 1)
 
     def test_why_refuses_wrong_numbers_of_cells(self):
         for cells, part in (("15,many", "15,30,60"), ("15,15", "twice"), ("1000", "480"), ("2", "4 to 480")):
@@ -839,6 +874,10 @@ class Files(Contract):
         self.refused(gaspard("compare", "plane-ring", "--out="), "--out")
         self.refused(gaspard("reproduce", "mcrae-fig2", "--out", ""), "--out is empty")
         self.refused(gaspard("run", "plane-ring", "--out"), "--out needs one value")
+        for option in (["--out"], ["--out="]):
+            self.refused(gaspard("run", "plane-ring", *option, "--no-render", cwd=self.folder.name), "--out has no value before --no-render")
+            self.refused(gaspard("run", "plane-ring", *option, "--seed=2", cwd=self.folder.name), "--out has no value before --seed=2")
+        self.assertEqual(os.listdir(self.folder.name), [])
         self.refused(gaspard("run", "plane-ring", "--tolerence", "1"), "'--tolerance'")
         self.refused(gaspard("run", "plane-ring", "--quiet=maybe"), "takes no value")
         self.refused(gaspard("run", "plane-ring", "--tolerance", "small", "--out", self.out), "must be a number", "'small'")

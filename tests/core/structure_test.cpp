@@ -1,5 +1,5 @@
-// Checks the sources against docs/architecture.md: which module may include which, and the size limit of
-// files.
+// Checks the sources against docs/architecture.md: which module may include which, and the limits on sizes of
+// files and classes.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -131,6 +131,73 @@ TEST(Structure, FilesAreBelowTheSizeLimit) {
             for (std::string line; std::getline(in, line);) ++lines;
             EXPECT_LE(lines, 600u) << file;
         }
+}
+
+/// The public members of each class of a header, by its name: functions, types and variables that it declares
+/// itself. The text has no comments.
+std::map<std::string, int> public_members(const std::string& text) {
+    static const std::regex head(R"re((^|\n) *class (\w+)( final)?( :[^{;]*)? \{)re");
+    std::map<std::string, int> found;
+    for (std::sregex_iterator at(text.begin(), text.end(), head), end; at != end; ++at) {
+        int& count = found[(*at)[2]];
+        bool is_public = false;
+        std::string declaration;
+        int depth = 1;
+        for (auto i = static_cast<std::size_t>(at->position() + at->length()); depth > 0; ++i) {
+            const char c = text.at(i);
+            depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+            if (depth != 1 || c == '\n') continue;
+            const bool body_ends = c == '}' && declaration.find('(') != declaration.npos;
+            if (c == ';' || body_ends) {
+                if (is_public && declaration.find_first_not_of(' ') != declaration.npos) ++count;
+                declaration.clear();
+            } else if (c == ':' && (declaration.ends_with("public") || declaration.ends_with("private") ||
+                                    declaration.ends_with("protected"))) {
+                is_public = declaration.ends_with("public");
+                declaration.clear();
+            } else if (c != '}') {
+                declaration += c;
+            }
+        }
+    }
+    return found;
+}
+
+TEST(Structure, ClassesWithManyPublicMembersAreListedWithAReason) {
+    const auto example = public_members(R"(
+class Example final : public Base {
+  public:
+    explicit Example(int n) : n_(n) { check(n); }
+    enum class Kind { one, two };
+    int size() const { return n_; }
+    std::function<void()> notify{};
+
+  private:
+    int n_ = 0;
+};
+class Other {
+    int hidden();
+};
+)");
+    EXPECT_EQ(example, (std::map<std::string, int>{{"Example", 4}, {"Other", 0}}));
+
+    std::map<std::string, int> many;
+    const std::regex comment("//.*");
+    for (const auto& file : sources("src")) {
+        if (file.extension() != ".hpp") continue;
+        std::ifstream in(file);
+        std::string text;
+        for (std::string line; std::getline(in, line);) text += std::regex_replace(line, comment, "") + "\n";
+        for (const auto& [name, count] : public_members(text))
+            if (count > 22) many[name] = count;
+    }
+    std::ifstream in(root / "docs/architecture.md");
+    std::stringstream page;
+    page << in.rdbuf();
+    for (const auto& [name, count] : many)
+        EXPECT_NE(page.str().find("\n| `" + name + "` | "), std::string::npos)
+            << name << " has " << count << " public members";
+    EXPECT_EQ(many.size(), 4U) << "the table of docs/architecture.md has as many";
 }
 
 /// clang-format leaves comments as they are (ReflowComments), and counts as it likes in what follows them.

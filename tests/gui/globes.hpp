@@ -1,4 +1,4 @@
-// Meshes on the sphere, moved as an axisymmetric monitor wants it: looks without a solver.
+// Meshes on the sphere, moved by the exact map of an axisymmetric monitor; no solver is needed.
 #pragma once
 
 #include "core/session/snapshot.hpp"
@@ -12,7 +12,7 @@ Mesh cubed_globe(int k, int order);
 /// The icosahedron with every triangle cut into four `refinements` times.
 Mesh icosahedral_globe(int refinements, int order);
 
-/// The map that shares out m (a function of the angle to `pole`) evenly: each node is moved along its
+/// The map that equidistributes m (a function of the angle to `pole`): each node is moved along its
 /// meridian from s to t, where the integrals of m sin from 0 to t, and of sin from 0 to s, are equal parts of
 /// those to pi (McRae, Cotter, Budd, Appendix A). Field "monitor" is m.
 Snapshot adapted_globe(Mesh mesh, Vec3 pole, const std::function<double(double)>& m);

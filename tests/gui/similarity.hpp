@@ -1,5 +1,5 @@
-// How alike two pictures look: a measure that forgives what drivers round differently, but not what the eye
-// sees.
+// The similarity of two images: a measure that ignores differences in rounding between drivers, but not
+// visible ones.
 #pragma once
 
 #include "core/io/image.hpp"
@@ -15,7 +15,7 @@ struct Similarity {
     double mean_structure = -1; ///< the same, mean of all parts
 };
 
-/// Pictures of different sizes have nothing in common.
+/// Images of different sizes have similarity zero.
 Similarity compare(const Image& a, const Image& b);
 /// Empty if they look the same, else what is different.
 std::string difference(const Image& a, const Image& b);

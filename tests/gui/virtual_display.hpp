@@ -1,5 +1,5 @@
 // Programs run for a test: a screen of its own in memory (Xvfb), the program under test, and xdotool, which
-// moves mouse and keys on that screen. Whatever is started ends with its owner.
+// moves mouse and keys on that screen. Each process ends with its owner.
 #pragma once
 
 #include <chrono>
@@ -30,7 +30,7 @@ class ChildProcess {
     std::optional<int> wait(std::chrono::milliseconds patience);
     bool running() { return !wait(std::chrono::milliseconds(0)).has_value(); }
     void send(int signal);
-    double cpu_seconds() const; ///< used so far, by all its threads
+    double cpu_seconds() const; ///< used by all its threads
 
   private:
     pid_t pid_ = -1;

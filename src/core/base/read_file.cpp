@@ -38,7 +38,7 @@ class Input {
     /// Reads what there is, at least one byte except at the end; negative if it fails, with errno. Waits for
     /// data as long as something has the pipe open for writing. Throws Interrupted.
     ssize_t read(std::span<char> buffer, const std::stop_token& stop) {
-        constexpr double patience = 10; // s, for somebody who opens a pipe for writing
+        constexpr double patience = 10; // s, to wait for a writer of a pipe
         const Stopwatch watch;
         while (true) {
             const ssize_t count = ::read(descriptor_, buffer.data(), buffer.size());

@@ -66,7 +66,7 @@ class JpegDecoder {
         std::longjmp(self(jpeg).jump_, 1);
     }
     static void fail(j_common_ptr jpeg) { give_up(jpeg, jpeg->err->msg_code); }
-    /// Warnings: libjpeg goes on with grey pixels where data are damaged. Others do no harm.
+    /// Warnings: libjpeg goes on with grey pixels where data are damaged. Others are ignored.
     static void note(j_common_ptr jpeg, int level) {
         if (level >= 0) return;
         for (const int code : {int{JWRN_JPEG_EOF}, int{JWRN_HIT_MARKER}, int{JWRN_HUFF_BAD_CODE},

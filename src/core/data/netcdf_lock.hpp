@@ -1,4 +1,4 @@
-// The NetCDF library is not thread-safe: whoever calls it holds this lock.
+// The NetCDF library is not thread-safe: its callers must hold this lock.
 #pragma once
 
 #include <mutex>

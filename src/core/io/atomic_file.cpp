@@ -99,7 +99,7 @@ void write_atomically(const fs::path& file, std::string_view bytes) {
 }
 
 void write_atomically(const fs::path& file, const std::function<void(std::ostream&)>& write) {
-    // Write to memory first: if `write` throws, no file has been touched, and errno is at hand for file
+    // Write to memory first: if `write` throws, no file has been touched, and errno is known for file
     // errors.
     std::ostringstream stream(std::ios::binary);
     stream.imbue(std::locale::classic());

@@ -156,27 +156,19 @@ const std::vector<Format>& formats() {
 }
 
 bool exports(const Scenario& scenario, std::string_view format) {
-    std::string_view list = scenario.output.text("formats");
-    while (!list.empty()) {
-        const auto comma = std::min(list.find(','), list.size());
-        if (list.substr(0, comma) == format) return true;
-        list.remove_prefix(std::min(comma + 1, list.size()));
-    }
-    return false;
+    const auto names = split(scenario.output.text("formats"), ",");
+    return std::find(names.begin(), names.end(), format) != names.end();
 }
 
 std::vector<const Format*> parse_formats(std::string_view list) {
     std::vector<const Format*> chosen;
-    while (true) {
-        const auto comma = list.find(',');
-        const std::string_view name = list.substr(0, comma);
-        if (name.empty() && !(list.empty() && chosen.empty()))
+    for (const std::string_view name : split(list, ",")) {
+        if (name.empty() && !list.empty())
             throw InputError("a list of formats must have a name between commas, as in 'obj,glb'");
         const Format* format = &find_format(name);
         if (std::find(chosen.begin(), chosen.end(), format) == chosen.end()) chosen.push_back(format);
-        if (comma == std::string_view::npos) return chosen;
-        list.remove_prefix(comma + 1);
     }
+    return chosen;
 }
 
 std::vector<const Format*> formats_of(const Catalogue& catalogue, const Scenario& scenario) {
@@ -189,8 +181,8 @@ std::vector<const Format*> formats_of(const Catalogue& catalogue, const Scenario
     }
     for (const Format* format : chosen)
         if (format->splines_only && !is_spline)
-            throw InputError("output.formats: format '" + format->name + "' requires a spline patch; domain '" +
-                             scenario.domain.type + "' is not one");
+            throw InputError("output.formats: format '" + format->name +
+                             "' requires a spline patch; domain '" + scenario.domain.type + "' is not one");
     return chosen;
 }
 

@@ -1,4 +1,4 @@
-// What `run` leaves in its folder: summary.json, history.csv, state.bin and the meshes in the chosen formats.
+// The files that `run` writes: summary.json, history.csv, state.bin and the meshes in the chosen formats.
 #pragma once
 
 #include "core/base/export.hpp"

@@ -1,4 +1,4 @@
-// The frame of an SVG picture, and its text.
+// The frame of an SVG image, and its text.
 #pragma once
 
 #include "core/io/svg_path.hpp"

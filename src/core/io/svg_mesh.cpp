@@ -214,7 +214,7 @@ std::string flat_edges(const Drawing& drawing) {
     return text + "</g>\n";
 }
 
-/// Cell by cell: in one path, overlapping cells of opposite orientation would blot each other out.
+/// Cell by cell: in one path, overlapping cells of opposite orientation would cancel.
 std::string flat_tangled(const Drawing& drawing) {
     std::string cells;
     for (std::size_t f = 0; f < drawing.scene.faces.size(); ++f) {
@@ -351,7 +351,7 @@ std::vector<bool> shown_parts(const SvgScene& scene, const SvgView& view) {
     return shown;
 }
 
-/// Cuts off what lies outside the view.
+/// Clips what lies outside the view.
 std::string cropped(const SvgView& view, const std::string& content) {
     if (!view.cropped) return content;
     return "<clipPath id=\"view\">" +

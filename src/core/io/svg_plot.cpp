@@ -13,7 +13,7 @@ namespace gaspard {
 
 namespace {
 
-/// Told apart also by eyes that see no red or no green (Okabe and Ito's palette, without its yellow).
+/// Distinguishable with red-green colour blindness, too (Okabe and Ito's palette, without its yellow).
 constexpr std::array<const char*, 7> curve_colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                       "#56b4e9", "#e69f00", "#333333"};
 
@@ -201,7 +201,7 @@ std::string svg_curve(const Curve& curve, const Mapping& map, const std::string&
     return text;
 }
 
-/// Thin lines where something happened, what it was along them.
+/// Thin vertical lines at events, with their labels along them.
 std::string svg_marks(const Mapping& map) {
     std::string text;
     for (const PlotMark& mark : map.plot.marks) {

@@ -197,7 +197,7 @@ std::vector<std::uint32_t> painters_order(const SvgScene& scene, const SvgView& 
         const Vec3 normal = face_normal(scene, f);
         // A part of a curved face may be seen although its corners turn away.
         const double limit = scene.faces.kind.order > 1 ? -0.5 * norm(normal) : 0;
-        // A cell turned inside out is seen where its neighbours are.
+        // An inverted cell is visible where its neighbours are.
         if (!scene.closed || scene.tangled[f] || outward * dot(viewer, normal) > limit)
             order.push_back(static_cast<std::uint32_t>(f));
     }

@@ -5,8 +5,8 @@
 //   (rho(x) x')' = 0 on (0, 1),   x(0) = a,   x(1) = b
 //
 // It is solved in P1 by the iteration (15): rho is taken at the last iterate, at the ends and the middle of
-// every cell (Simpson's rule), so that it is seen where layers are thinnest. With the mean density r_i of cell
-// i, the solution of (15) is
+// every cell (Simpson's rule), so that it is seen where layers are thinnest. With the mean density r_i of
+// cell i, the solution of (15) is
 //
 //   x_i - x_(i-1) = (b - a) (1 / r_i) / sum_j (1 / r_j),
 //
@@ -71,9 +71,9 @@ struct LayerShape {
     double q = 0.5;     ///< share of the cells in the layer, 0 < q < 1
 };
 
-/// Bakhvalov's mesh (8) with a layer at a: x = chi(t) = -(sigma eps / beta) ln(1 - t / q) up to t = tau, beyond
-/// its tangent, which ends at b. `tau` is the root of chi(tau) + (1 - tau) chi'(tau) = b - a, to rounding; the
-/// mesh is uniform if there is none in (0, q).
+/// Bakhvalov's mesh (8) with a layer at a: x = chi(t) = -(sigma eps / beta) ln(1 - t / q) up to t = tau,
+/// beyond its tangent, which ends at b. `tau` is the root of chi(tau) + (1 - tau) chi'(tau) = b - a, to
+/// rounding; the mesh is uniform if there is none in (0, q).
 struct BakhvalovMesh {
     std::vector<double> x;
     double tau = 0;        ///< 0: uniform
@@ -81,8 +81,8 @@ struct BakhvalovMesh {
 };
 BakhvalovMesh bakhvalov_mesh(const LayerShape& layer, Interval interval, int cells);
 
-/// Shishkin's mesh with a layer at a: q N cells in [a, a + min(q (b - a), (sigma eps / beta) ln N)], the others
-/// beyond, uniform each. Throws InputError if neither part has a cell.
+/// Shishkin's mesh with a layer at a: q N cells in [a, a + min(q (b - a), (sigma eps / beta) ln N)], the
+/// others beyond, uniform each. Throws InputError if neither part has a cell.
 std::vector<double> shishkin_mesh(const LayerShape& layer, Interval interval, int cells);
 
 /// Nodes that equidistribute rho: the integral of rho from a to x_i is i/N of that to b. The integral is

@@ -3,8 +3,8 @@
 //   -e_k u_k'' + c_k(x) u_k' + sum_l r_kl(x) u_l = f_k(x) in (a, b),   u_k = 0 at a and b
 //
 // Hill, Madden (2021): (6) has m = 1, e = eps^2, c = 0, r = 1, f = 1 - x; the coupled system (25) m = 2.
-// Galerkin's method with P1 or P2 on any mesh; coefficients enter at five Gauss points of each cell. Errors are
-// measured in the energy norm
+// Galerkin's method with P1 or P2 on any mesh; coefficients enter at five Gauss points of each cell. Errors
+// are measured in the energy norm
 //
 //   ||v||_E^2 = sum_k ( e_k ||v_k'||^2 + ||v_k||^2 ).
 #pragma once
@@ -30,8 +30,8 @@ struct IntervalProblem {
     std::size_t components() const { return diffusion.size(); }
 };
 
-/// A piecewise polynomial, by components. Values at the nodes of the mesh and, of order 2, at the midpoints of
-/// cells.
+/// A piecewise polynomial, by components. Values at the nodes of the mesh and, of order 2, at the midpoints
+/// of cells.
 struct IntervalSolution {
     int order = 1;
     std::vector<std::vector<double>> nodes, middles;

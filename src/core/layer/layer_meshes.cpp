@@ -28,8 +28,8 @@ BakhvalovMesh bakhvalov_mesh(const LayerShape& layer, Interval interval, int cel
     const double length = interval.b - interval.a, q = layer.q;
     const double scale =
         layer.sigma * layer.eps / layer.beta; // chi = -scale ln(1 - t/q), chi' = scale / (q - t)
-    // With s = 1 - t/q in (0, 1): -scale ln s + scale (1 - q + q s) / (q s) = length. The left side falls with
-    // s; solved for ln s, so that it is exact also where t is next to q.
+    // With s = 1 - t/q in (0, 1): -scale ln s + scale (1 - q + q s) / (q s) = length. The left side falls
+    // with s; solved for ln s, so that it is exact also where t is next to q.
     const auto missing = [&](double log_s) { // < 0 for s above the root
         const double s = std::exp(log_s);
         return scale * (-log_s + (1 - q + q * s) / (q * s)) - length;

@@ -1,6 +1,6 @@
 #include "core/layer/layer_pde.hpp"
 
-#include "core/layer/coefficient.hpp"
+#include "core/function/coefficient.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,11 +5,19 @@
 //   coupled-reaction-diffusion   -eps_k^2 u_k'' + sum_l r_kl u_l = f_k, k = 1, 2         (25)
 //   convection-diffusion -eps u'' + c u' + r u = f
 //
-// u = 0 at both ends. Coefficients are formulas in x and eps.
+//
+// on an interval, u = 0 at both ends, and on a quadrilateral
+//
+//   reaction-diffusion-2d   -((eps k_1)^p u_x)_x - ((eps k_2)^p u_y)_y + r u = f      (32), (35)
+//   convection-diffusion-2d -eps (u_xx + u_yy) + c_1 u_x + c_2 u_y + r u = f
+//
+// with p = 2, or p = 1 as (35) is printed; u = 0 on the sides that are held, free on others. Coefficients are
+// formulas in the coordinates and eps.
 #pragma once
 
 #include "core/layer/interval_mesh.hpp"
 #include "core/layer/interval_problem.hpp"
+#include "core/layer/triangle_problem.hpp"
 #include "core/monitor/pde_type.hpp"
 
 #include <optional>
@@ -22,6 +30,8 @@ PdeType no_pde();
 PdeType reaction_diffusion_pde();
 PdeType coupled_pde();
 PdeType convection_diffusion_pde();
+PdeType plane_reaction_diffusion_pde();
+PdeType plane_convection_diffusion_pde();
 
 /// A problem on an interval, and its solution where that is known in closed form.
 struct IntervalPde {
@@ -31,5 +41,8 @@ struct IntervalPde {
 
 /// nullopt for no_pde(). Throws InputError if a formula is wrong.
 std::optional<IntervalPde> interval_pde(const std::string& type, const Values& values, Interval interval);
+
+/// The same on a quadrilateral.
+std::optional<TriangleProblem> plane_pde(const std::string& type, const Values& values);
 
 } // namespace gaspard

@@ -5,15 +5,15 @@
 //   componentwise (29): div(M_11 grad x) = 0, div(M_22 grad y) = 0; written with M as it stands, not inverted
 //   one direction (28): (rho y_xi2)_xi2 = 0, x = xi1   (as printed, divided by rho, the equation is linear)
 //
-// in P1 on the crossed mesh of the computational domain (every quadrilateral in four triangles that meet in its
-// centre), with the densities at the last iterate (Algorithm 3): iterations on a mesh of start_cells^2
-// quadrilaterals, then uniform refinement, and so on. The unknowns of the centres are eliminated, which leaves
-// nine-point systems on the grid (linear/nine_point.hpp). The physical mesh joins the grid's nodes by right
-// diagonals.
+// in P1 on the crossed mesh of the computational domain (every quadrilateral in four triangles that meet in
+// its centre), with the densities at the last iterate (Algorithm 3): iterations on a mesh of start_cells^2
+// quadrilaterals, then uniform refinement, and so on. The unknowns of the centres are eliminated, which
+// leaves nine-point systems on the grid (linear/nine_point.hpp). The physical mesh joins the grid's nodes by
+// right diagonals.
 //
-// Boundary: the coordinate that a side fixes stays as it is there, the other one is free (nodes slide along the
-// side). Sides: the computational domain is the unit square for (29); for (28) any quadrilateral whose left and
-// right sides are vertical.
+// Boundary: the coordinate that a side fixes stays as it is there, the other one is free (nodes slide along
+// the side). Sides: the computational domain is the unit square for (29); for (28) any quadrilateral whose
+// left and right sides are vertical.
 #pragma once
 
 #include "core/base/export.hpp"
@@ -21,6 +21,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -30,16 +31,56 @@ namespace gaspard GASPARD_API {
 using LayerDensities = std::function<void(const Points& x, std::span<double> m11, std::span<double> m22)>;
 
 enum class MeshPdeForm { componentwise, one_direction };
-/// Where a triangle samples the densities: at its corners, or at the fifteen points of a polynomial of degree 4,
-/// which is integrated exactly. Both see the edges of the domain.
+/// Where a triangle samples the densities: at its corners, or at the fifteen points of a polynomial of degree
+/// 4, which is integrated exactly. Both see the edges of the domain.
 enum class DensitySamples { corners, degree_4 };
+
+/// The coarsest mesh in the sequence cells, cells/2, ... of numbers of at least `start_cells`, as long as
+/// they are even: 4 for 64, 6 for 48, 33 for 33. Throws InputError if start_cells < 1 or cells < start_cells.
+int coarsest_cells(int cells, int start_cells);
+
+/// What one linear solve did.
+struct SquareMeshSolve {
+    double update = 0; ///< the largest change of a coordinate, centres included
+    int inner_iterations = 0;
+};
+
+class SquareLevel;
+
+/// The iterate of a mesh PDE on one mesh, to be stepped from outside.
+class SquareMeshPde {
+  public:
+    /// The uniform mesh of cells x cells quadrilaterals. Throws InputError if cells < 1. For `corners` see
+    /// SquareMeshPdeOptions.
+    SquareMeshPde(MeshPdeForm form, DensitySamples samples, const std::array<Vec3, 4>& corners, int cells);
+    ~SquareMeshPde();
+    SquareMeshPde(SquareMeshPde&&) noexcept;
+    SquareMeshPde& operator=(SquareMeshPde&&) noexcept;
+
+    int cells() const;             ///< in each direction
+    const Points& nodes() const;   ///< (cells + 1)^2, by rows
+    const Points& centres() const; ///< of the quadrilaterals, where the crossed mesh has nodes as well
+    /// An iterate from outside; with centres in the middle of the nodes if none are given. Throws InputError
+    /// if numbers or values are wrong, or a node leaves its side.
+    void set_positions(Points nodes);
+    void set_positions(Points nodes, Points centres);
+
+    /// One step of the fixed point: the solution for the densities at the iterate. Throws InputError if a
+    /// density is not positive and finite.
+    SquareMeshSolve solve(const LayerDensities& densities);
+    /// Halves the cells; the iterate stays the same function.
+    void refine();
+
+  private:
+    std::unique_ptr<SquareLevel> level_;
+};
 
 struct SquareMeshPdeOptions {
     MeshPdeForm form = MeshPdeForm::componentwise;
     DensitySamples samples = DensitySamples::degree_4;
     /// Corners of the computational domain: (0,0), (1,0), (0,1), (1,1) of the unit square, mapped bilinearly.
     std::array<Vec3, 4> corners = {Vec3{0, 0}, {1, 0}, {0, 1}, {1, 1}};
-    int start_cells = 4;  ///< in each direction
+    int start_cells = 4;  ///< least number in each direction of the coarsest mesh
     int inner = 4;        ///< solves on each coarser mesh
     int final = 5;        ///< at most, on the last mesh
     double tolerance = 0; ///< ends before, when no node moves by more
@@ -51,8 +92,8 @@ struct SquareMeshPdeResult {
     int inner_iterations = 0;    ///< of the linear solver, in all
 };
 
-/// Throws InputError if `cells` is not start_cells times a power of two, or a density is not positive and
-/// finite.
+/// From the mesh of coarsest_cells() to `cells`. Throws InputError if cells < start_cells, or a density is
+/// not positive and finite.
 SquareMeshPdeResult mesh_pde_square(const LayerDensities& densities, int cells,
                                     const SquareMeshPdeOptions& options);
 

@@ -7,6 +7,8 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace gaspard {
 
@@ -35,8 +37,8 @@ constexpr std::array<RulePoint, 12> rule = {{{a1, b1, b1, w1},
                                              {c3, a3, b3, w3},
                                              {c3, b3, a3, w3}}};
 
-/// A triangle: its corners and, in numbers of the fine grid of (2N + 1)^2 points, its six nodes (corners, then
-/// the midpoints opposite to them).
+/// A triangle: its corners and, in numbers of the fine grid of (2N + 1)^2 points, its six nodes (corners,
+/// then the midpoints opposite to them).
 struct Triangle {
     std::array<Vec3, 3> corner;
     std::array<Index, 6> node;
@@ -44,30 +46,47 @@ struct Triangle {
     std::array<Vec3, 3> slope; ///< gradients of the barycentric coordinates
 };
 
+Triangle triangle_at(const Points& x, Index n, Index i, Index j, bool lower) {
+    const Index fine = 2 * n + 1;
+    const std::array<std::array<Index, 2>, 3> at =
+        lower ? std::array<std::array<Index, 2>, 3>{{{i, j}, {i + 1, j}, {i + 1, j + 1}}}
+              : std::array<std::array<Index, 2>, 3>{{{i, j}, {i + 1, j + 1}, {i, j + 1}}};
+    Triangle t;
+    for (Index k = 0; k < 3; ++k) {
+        const auto &p = at[(k + 1) % 3], &q = at[(k + 2) % 3];
+        t.corner[k] = x[at[k][1] * (n + 1) + at[k][0]];
+        t.node[k] = 2 * at[k][1] * fine + 2 * at[k][0];
+        t.node[3 + k] = (p[1] + q[1]) * fine + p[0] + q[0];
+    }
+    const Vec3 u = t.corner[1] - t.corner[0], v = t.corner[2] - t.corner[0];
+    t.area = 0.5 * (u.x * v.y - u.y * v.x);
+    for (Index k = 0; k < 3; ++k) {
+        const Vec3 edge = t.corner[(k + 2) % 3] - t.corner[(k + 1) % 3];
+        t.slope[k] = {-edge.y / (2 * t.area), edge.x / (2 * t.area), 0};
+    }
+    return t;
+}
+
+using RuleCoefficients = std::span<const TriangleCoefficients, rule.size()>;
+
+/// Calls `visit(triangle, coefficients at the points of the rule)`; formulas are evaluated by rows of the grid.
 template <class Visit>
-void for_each_triangle(const Points& x, int cells, const Visit& visit) {
-    const auto n = static_cast<Index>(cells), fine = 2 * n + 1;
-    for (Index j = 0; j < n; ++j)
-        for (Index i = 0; i < n; ++i)
-            for (const bool lower : {true, false}) {
-                const std::array<std::array<Index, 2>, 3> at =
-                    lower ? std::array<std::array<Index, 2>, 3>{{{i, j}, {i + 1, j}, {i + 1, j + 1}}}
-                          : std::array<std::array<Index, 2>, 3>{{{i, j}, {i + 1, j + 1}, {i, j + 1}}};
-                Triangle t;
-                for (Index k = 0; k < 3; ++k) {
-                    const auto &p = at[(k + 1) % 3], &q = at[(k + 2) % 3];
-                    t.corner[k] = x[at[k][1] * (n + 1) + at[k][0]];
-                    t.node[k] = 2 * at[k][1] * fine + 2 * at[k][0];
-                    t.node[3 + k] = (p[1] + q[1]) * fine + p[0] + q[0];
-                }
-                const Vec3 u = t.corner[1] - t.corner[0], v = t.corner[2] - t.corner[0];
-                t.area = 0.5 * (u.x * v.y - u.y * v.x);
-                for (Index k = 0; k < 3; ++k) {
-                    const Vec3 edge = t.corner[(k + 2) % 3] - t.corner[(k + 1) % 3];
-                    t.slope[k] = {-edge.y / (2 * t.area), edge.x / (2 * t.area), 0};
-                }
-                visit(t);
-            }
+void for_each_triangle(const TriangleProblem& problem, const Points& x, int cells, const Visit& visit) {
+    const auto n = static_cast<Index>(cells);
+    std::vector<Triangle> row(2 * n);
+    Points points(row.size() * rule.size());
+    std::vector<TriangleCoefficients> at(points.size());
+    for (Index j = 0; j < n; ++j) {
+        for (Index k = 0; k < row.size(); ++k) {
+            const Triangle& t = row[k] = triangle_at(x, n, k / 2, j, k % 2 == 0);
+            for (Index p = 0; p < rule.size(); ++p)
+                points.set(k * rule.size() + p, rule[p].a * t.corner[0] + rule[p].b * t.corner[1] +
+                                                    rule[p].c * t.corner[2]);
+        }
+        problem.coefficients(points, at);
+        for (Index k = 0; k < row.size(); ++k)
+            visit(row[k], RuleCoefficients(at.data() + k * rule.size(), rule.size()));
+    }
 }
 
 /// Shape functions and gradients of order 1 (three) or 2 (six) at a point of the rule.
@@ -88,11 +107,6 @@ Shapes shapes(const Triangle& t, const RulePoint& p, int order) {
     return s;
 }
 
-TriangleCoefficients coefficients_at(const TriangleProblem& problem, const Triangle& t, const RulePoint& p) {
-    const Vec3 x = p.a * t.corner[0] + p.b * t.corner[1] + p.c * t.corner[2];
-    return problem.coefficients(x.x, x.y);
-}
-
 /// Numbers of the unknowns by points of the fine grid; -1 where there is none.
 std::vector<int> numbering(const TriangleProblem& problem, int cells, int order) {
     const int last = 2 * cells;
@@ -111,6 +125,13 @@ std::vector<int> numbering(const TriangleProblem& problem, int cells, int order)
 
 } // namespace
 
+std::function<void(const Points& x, std::span<TriangleCoefficients>)>
+pointwise(std::function<TriangleCoefficients(double x, double y)> coefficients) {
+    return [f = std::move(coefficients)](const Points& x, std::span<TriangleCoefficients> all) {
+        for (Index i = 0; i < all.size(); ++i) all[i] = f(x.x[i], x.y[i]);
+    };
+}
+
 TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x, int cells, int order) {
     GASPARD_CHECK(order == 1 || order == 2);
     const std::vector<int> number = numbering(problem, cells, order);
@@ -120,11 +141,12 @@ TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x
     Eigen::VectorXd load = Eigen::VectorXd::Zero(unknowns);
     const Index count = order == 1 ? 3 : 6;
     bool symmetric = true;
-    for_each_triangle(x, cells, [&](const Triangle& t) {
+    for_each_triangle(problem, x, cells, [&](const Triangle& t, RuleCoefficients at) {
         if (!(t.area > 0)) throw InputError("the mesh has an inverted triangle");
         std::array<std::array<double, 6>, 6> a{};
-        for (const RulePoint& p : rule) {
-            const TriangleCoefficients c = coefficients_at(problem, t, p);
+        for (Index g = 0; g < rule.size(); ++g) {
+            const RulePoint& p = rule[g];
+            const TriangleCoefficients& c = at[g];
             symmetric = symmetric && c.c1 == 0 && c.c2 == 0;
             const Shapes s = shapes(t, p, order);
             const double w = p.weight * t.area;
@@ -173,9 +195,10 @@ double reference_error(const TriangleProblem& problem, const Points& x, int cell
         for (Index i = 0; i < fine; ++i) // midpoints lie on sides or on the right diagonal
             difference[j * fine + i] -= 0.5 * (coarse(i / 2, j / 2) + coarse((i + 1) / 2, (j + 1) / 2));
     double square = 0;
-    for_each_triangle(x, cells, [&](const Triangle& t) {
-        for (const RulePoint& p : rule) {
-            const TriangleCoefficients c = coefficients_at(problem, t, p);
+    for_each_triangle(problem, x, cells, [&](const Triangle& t, RuleCoefficients at) {
+        for (Index g = 0; g < rule.size(); ++g) {
+            const RulePoint& p = rule[g];
+            const TriangleCoefficients& c = at[g];
             const Shapes s = shapes(t, p, 2);
             double e = 0;
             Vec3 d;

@@ -3,8 +3,8 @@
 //   -(k1 u_x)_x - (k2 u_y)_y + c1 u_x + c2 u_y + r u = f,   u = 0 on the sides that are held, free on others
 //
 // Hill, Madden (2021): (32) has k1 = k2 = eps^2, f = x, free on the right; (35) has k1 = (eps (1 + 2y)^2)^2,
-// k2 = (eps (3 - 2x)^2)^2, the square of the printed matrix. Galerkin's method with P1 or P2; coefficients enter
-// at the twelve points of a rule of degree 6. Errors in the energy norm
+// k2 = (eps (3 - 2x)^2)^2, the square of the printed matrix. Galerkin's method with P1 or P2; coefficients
+// enter at the twelve points of a rule of degree 6. Errors in the energy norm
 //
 //   ||v||_E^2 = (k1 v_x, v_x) + (k2 v_y, v_y) + (v, v).
 #pragma once
@@ -14,6 +14,7 @@
 
 #include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace gaspard GASPARD_API {
@@ -23,9 +24,14 @@ struct TriangleCoefficients {
 };
 
 struct TriangleProblem {
-    std::function<TriangleCoefficients(double x, double y)> coefficients;
+    /// Sets the coefficients at many points.
+    std::function<void(const Points& x, std::span<TriangleCoefficients>)> coefficients;
     std::array<bool, 4> held = {true, true, true, true}; ///< left, right, bottom, top: u = 0
 };
+
+/// TriangleProblem::coefficients from a function of one point.
+std::function<void(const Points& x, std::span<TriangleCoefficients>)>
+pointwise(std::function<TriangleCoefficients(double x, double y)> coefficients);
 
 /// Values at the nodes of the grid and, of order 2, at the midpoints of edges: (2N + 1)^2 values by rows, the
 /// grid's nodes at even places.

@@ -270,7 +270,8 @@ void NinePointSolver::relax_columns(Grid& g, int first) {
         }
 }
 
-/// One V-cycle for A u = b from u = 0 (fixed values are 0), symmetric: relaxation before and after is adjoint.
+/// One V-cycle for A u = b from u = 0 (fixed values are 0), symmetric: relaxation before and after is
+/// adjoint.
 void NinePointSolver::cycle(std::size_t level) {
     Grid& g = grids_[level];
     std::fill(g.u.begin(), g.u.end(), 0.0);

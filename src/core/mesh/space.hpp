@@ -27,6 +27,8 @@ struct Space {
     Vec3 middle{};
     /// Boxes that the ranges of centres and lengths have to cover in any case.
     std::vector<Box> reach{};
+    /// Of a quadrilateral, anticlockwise from the lower left; empty: other domains.
+    std::vector<Vec3> corners{};
     /// The image of the parameter square of a patch: formulas may use its parameters u and v.
     bool patch = false;
     friend bool operator==(const Space&, const Space&) = default;

@@ -1,5 +1,5 @@
-// The mesh PDE (rho(x) x')' = 0 on an interval, by the iterations of Hill, Madden (2021): Algorithm 1 starts on
-// the mesh of the run, Algorithm 2 on a coarse one, with some solves on every mesh before it is refined.
+// The mesh PDE (rho(x) x')' = 0 on an interval, by the iterations of Hill, Madden (2021): Algorithm 1 starts
+// on the mesh of the run, Algorithm 2 on a coarse one, with some solves on every mesh before it is refined.
 //
 // An iteration is one solve of (15). On the last mesh they go on until the residual (16) is below
 // method.tolerance, or as often as method.final_solves says.

@@ -1,5 +1,5 @@
-// What the methods on an interval share: states, positions, and the solution of the problem on the mesh of the
-// iterate, with its errors (layer/interval_problem.hpp).
+// What the methods on an interval share: states, positions, and the solution of the problem on the mesh of
+// the iterate, with its errors (layer/interval_problem.hpp).
 //
 // A State is the mesh x_0 < ... < x_n, of the domain's number of cells or of a coarser one; positions() are
 // those of the domain's nodes, x(xi) in P1.

@@ -8,7 +8,7 @@ MonitorType bell_monitor() {
         .name = "bell",
         .label = "Bell",
         .help = "small cells around a point",
-        .equation = "m(x) = 1 + A sech^2( B |x - c|^2 )",
+        .equation = "m(x) = 1 + A sech²( B |x - c|² )",
         .figure = MonitorFigure::unit_square,
         .rows =
             [](const Space& space) {

@@ -100,7 +100,7 @@ MonitorType circle_monitor() {
     return {.name = "circle",
             .label = "Circle",
             .help = "small cells along a circle, where m has a crease",
-            .equation = "m(x) = 1 + A exp( -B | |x - c|^2 - r^2 | )",
+            .equation = "m(x) = 1 + A exp( -B | |x - c|² - r² | )",
             .figure = MonitorFigure::unit_square,
             .spaces = {SpaceKind::euclidean},
             .rows =
@@ -136,7 +136,7 @@ MonitorType three_circles_monitor() {
         .label = "Three circles",
         .help = "a large circle and two small ones in the unit disk, like a head with ears",
         .equation =
-            "m(x) = 1 + sum_i A exp( -B | |x - c_i|^2 - r_i^2 | ) + A_m exp( -B | |x - c_m|^2 - r_m^2 | )",
+            "m(x) = 1 + Σᵢ A exp( -B | |x - cᵢ|² - rᵢ² | ) + Aₘ exp( -B | |x - cₘ|² - rₘ² | )",
         .figure = MonitorFigure::unit_disk,
         .spaces = {SpaceKind::euclidean},
         .rows =
@@ -173,7 +173,7 @@ MonitorType two_circles_monitor() {
         .name = "two-circles",
         .label = "Two circles",
         .help = "small cells along two large circles (spheres in space) that intersect",
-        .equation = "m(x) = 1 + sum_i A sech^2( B (|x - c_i|^2 - r^2) ), c_i = (+-sqrt(3)/2, 1/2, c3)",
+        .equation = "m(x) = 1 + Σᵢ A sech²( B (|x - cᵢ|² - r²) ), cᵢ = (±sqrt(3)/2, 1/2, c₃)",
         .figure = MonitorFigure::unit_disk,
         .spaces = {SpaceKind::euclidean},
         .rows =

@@ -12,7 +12,7 @@ MonitorType cross_monitor() {
             .label = "Cross",
             .help = "small cells along two great circles",
             .equation =
-                "m(x) = 1 + A sech^2( B (|x - p1|^2 - (pi/2)^2) ) + A sech^2( B (|x - p2|^2 - (pi/2)^2) )",
+                "m(x) = 1 + A sech²( B (|x - p₁|² - (π/2)²) ) + A sech²( B (|x - p₂|² - (π/2)²) )",
             .spaces = {SpaceKind::sphere},
             .rows =
                 [](const Space&) {

@@ -189,7 +189,7 @@ MonitorType derived_monitor_type() {
         .label = "Derived from u",
         .help = "small cells where a function u, such as the solution of a PDE, needs them",
         .equation = "m = 1 + f/(1 - f) q/<q>, limited and smoothed; q from the indicator of u, such as "
-                    "sqrt(1 + a |grad u|^2) - 1",
+                    "sqrt(1 + a |grad u|²) - 1",
         .rows = rows,
         .make = make,
         .further_rows = further_rows,

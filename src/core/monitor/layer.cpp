@@ -1,64 +1,147 @@
 // Densities for boundary layers of width eps / beta at sides of the domain, Hill, Madden (2021):
 //
-//   layer        (18), (34)   rho = max{ 1, sum_s K beta/eps exp(-beta d_s / (sigma eps)) }
-//   two-layers   (27)         rho = 1 + sum_s sum_j K beta/eps_j exp(-beta d_s / (sigma eps_j)),  j = 1, 2
+//   layer          (18), (34)   rho = max{ 1, sum_s K beta/eps exp(-beta d_s / (sigma eps)) }
+//   two-layers     (27)         rho = 1 + sum_s sum_j K beta/eps_j exp(-beta d_s / (sigma eps_j)),  j = 1, 2
+//   layer-tensor   (37)         M = diag(rho_1, rho_2), of the form of "layer": rho_1 for the left and the right
+//                               side with eps_1(x, y), rho_2 for the lower and the upper one with eps_2(x, y)
 //
-// d_s is the distance from side s along an axis: x - a and b - x on an interval. K = q / (sigma (1 - q)) puts a
-// share of about q of the cells into a layer (21).
+// d_s is the distance from side s, on an interval x - a and b - x. K = q / (sigma (1 - q)) puts a share of about
+// q of the cells into a layer (21).
 #include "core/base/error.hpp"
-#include "core/monitor/monitor.hpp"
+#include "core/function/coefficient.hpp"
+#include "core/monitor/tensor.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace gaspard {
 
 namespace {
 
-/// One term of the density: at one side, with one eps.
-struct Term {
-    double sign, end;     ///< d = sign (x - end)
-    double height, decay; ///< height exp(-decay d)
+/// Where a side is: d = normal . (x - point) is the distance from it.
+struct Side {
+    Vec3 normal, point;
+    double distance(Vec3 x) const {
+        return std::max(0.0, normal.x * (x.x - point.x) + normal.y * (x.y - point.y));
+    }
 };
 
-/// Both monitors; the larger of 1 and the sum of the terms, or their sum.
+struct SideName {
+    const char* key;
+    const char* label;
+    bool horizontal; ///< about so
+};
+constexpr std::array<SideName, 4> side_names = {{{"bottom", "Lower side", true},
+                                                 {"right", "Right side", false},
+                                                 {"top", "Upper side", true},
+                                                 {"left", "Left side", false}}};
+
+/// Of an interval, or of a quadrilateral: from corner k to the next one. `along_axis`: the distance is measured
+/// along the axis that crosses the side.
+Side side_of(const Space& space, std::size_t k, bool along_axis) {
+    if (space.dimension == 1) {
+        const Box ends = space.reach.empty() ? Box{{0, 0, 0}, {1, 0, 0}} : space.reach.front();
+        return side_names[k].key == std::string_view("left") ? Side{{1, 0, 0}, ends.low}
+                                                             : Side{{-1, 0, 0}, ends.high};
+    }
+    static const std::vector<Vec3> unit_square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const std::vector<Vec3>& corners = space.corners.empty() ? unit_square : space.corners;
+    const Vec3 from = corners[k], along = corners[(k + 1) % 4] - from;
+    const double across = std::abs(side_names[k].horizontal ? along.x : along.y), length = norm(along);
+    const double scale = along_axis && across > 1e-6 * length ? across : length;
+    return {{-along.y / scale, along.x / scale, 0}, from};
+}
+
+/// The sides that are switched on.
+std::vector<Side> sides_of(const Values& values, const Space& space, bool horizontal, bool upright) {
+    const bool along_axis = values.has("distance") && values.text("distance") == "axis";
+    std::vector<Side> sides;
+    for (std::size_t k = 0; k < side_names.size(); ++k)
+        if (side_names[k].horizontal ? horizontal : upright)
+            if (values.has(side_names[k].key) && values.boolean(side_names[k].key))
+                sides.push_back(side_of(space, k, along_axis));
+    return sides;
+}
+
+struct Shape {
+    double k, beta, sigma;
+    double term(double eps, double distance) const {
+        return k * beta / eps * std::exp(-beta * distance / (sigma * eps));
+    }
+};
+
+Shape shape_of(const Values& values) {
+    const double sigma = values.real("sigma"), q = values.real("q");
+    return {values.real_or_auto("K").value_or(q / (sigma * (1 - q))), values.real("beta"), sigma};
+}
+
+/// The larger of 1 and the sum of the terms of sides and eps, or 1 and their sum.
 class LayerDensity final : public Monitor {
   public:
-    LayerDensity(std::vector<Term> terms, bool sum) : terms_(std::move(terms)), base_(sum ? 1 : 0) {}
+    LayerDensity(const Values& values, const Space& space, std::vector<double> eps, bool sum)
+        : shape_(shape_of(values)), sides_(sides_of(values, space, true, true)), eps_(std::move(eps)),
+          base_(sum ? 1 : 0) {}
 
     void values(const Points& x, std::span<double> values) const override {
         for (std::size_t i = 0; i < values.size(); ++i) {
             double rho = base_;
-            for (const Term& term : terms_)
-                rho += term.height * std::exp(-term.decay * std::max(0.0, term.sign * (x.x[i] - term.end)));
+            for (const Side& side : sides_)
+                for (const double eps : eps_) rho += shape_.term(eps, side.distance(x[i]));
             values[i] = std::max(1.0, rho);
         }
     }
 
   private:
-    std::vector<Term> terms_;
+    Shape shape_;
+    std::vector<Side> sides_;
+    std::vector<double> eps_;
     double base_;
 };
 
-Box ends_of(const Space& space) {
-    return space.reach.empty() ? Box{{0, 0, 0}, {1, 0, 0}} : space.reach.front();
-}
+/// diag(rho_1, rho_2).
+class LayerTensor final : public TensorMonitor {
+  public:
+    LayerTensor(const Values& values, const Space& space, double eps)
+        : shape_(shape_of(values)), upright_(sides_of(values, space, false, true)),
+          horizontal_(sides_of(values, space, true, false)), widths_{coefficient(values, "width_x", 2,
+                                                                                 {{"eps", eps}}),
+                                                                     coefficient(values, "width_y", 2,
+                                                                                 {{"eps", eps}})},
+          key_(values.section()) {}
 
-std::vector<Term> terms(const Values& values, const Space& space, const std::vector<double>& all_eps) {
-    const double sigma = values.real("sigma"), beta = values.real("beta"), q = values.real("q");
-    const double k = values.real_or_auto("K").value_or(q / (sigma * (1 - q)));
-    const Box ends = ends_of(space);
-    std::vector<Term> found;
-    for (const double eps : all_eps) {
-        const double height = k * beta / eps, decay = beta / (sigma * eps);
-        if (values.boolean("left")) found.push_back({1, ends.low.x, height, decay});
-        if (values.boolean("right")) found.push_back({-1, ends.high.x, height, decay});
+    void values(const Points& x, std::span<SymmetricTensor> values) const override {
+        std::vector<double> first(x.size()), second(x.size());
+        widths_[0](x, first);
+        widths_[1](x, second);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!(first[i] > 0) || !(second[i] > 0))
+                throw InputError(key_ + (first[i] > 0 ? ".width_y" : ".width_x") +
+                                 " must be positive, but is " + format_number(std::min(first[i], second[i])) +
+                                 " at (" + format_number(x.x[i]) + ", " + format_number(x.y[i]) + ")");
+            values[i] = {.xx = density(upright_, first[i], x[i]),
+                         .yy = density(horizontal_, second[i], x[i])};
+        }
     }
-    return found;
-}
+    void check() const override {} // where it is evaluated
+
+  private:
+    double density(const std::vector<Side>& sides, double eps, Vec3 x) const {
+        double rho = 0;
+        for (const Side& side : sides) rho += shape_.term(eps, side.distance(x));
+        return std::max(1.0, rho);
+    }
+
+    Shape shape_;
+    std::vector<Side> upright_, horizontal_;
+    std::array<Coefficient, 2> widths_;
+    std::string key_;
+};
 
 /// eps and its relatives: of the monitor, or of the problem where they are automatic.
 std::vector<double> eps_of(const Values& values, const std::vector<std::string>& keys,
@@ -86,16 +169,33 @@ ParameterRow eps_row(const std::string& key, const char* symbol) {
             .help = "the layer decays as exp(-β d/ε); auto: that of the problem"};
 }
 
-ParameterRow side_row(const char* key, const char* label, bool on) {
-    return {.key = key,
-            .label = label,
-            .kind = ParameterKind::boolean,
-            .default_value = on,
-            .help = "a layer at this end"};
+/// `on`: the sides with a layer by default.
+std::vector<ParameterRow> side_rows(const Space& space, const std::vector<std::string>& on) {
+    std::vector<ParameterRow> rows;
+    for (const char* key : {"left", "right", "bottom", "top"}) {
+        const auto name = std::find_if(side_names.begin(), side_names.end(),
+                                       [&](const SideName& one) { return one.key == std::string_view(key); });
+        if (name->horizontal && space.dimension == 1) continue;
+        rows.push_back({.key = key,
+                        .label = space.dimension > 1               ? name->label
+                                 : key == std::string_view("left") ? "Left end"
+                                                                   : "Right end",
+                        .kind = ParameterKind::boolean,
+                        .default_value = std::find(on.begin(), on.end(), key) != on.end(),
+                        .help = "a layer there"});
+    }
+    if (space.dimension > 1)
+        rows.push_back({.key = "distance",
+                        .label = "Distance",
+                        .kind = ParameterKind::choice,
+                        .default_value = std::string("normal"),
+                        .choices = {"normal", "axis"},
+                        .help = "from a side: across it, or along the axis that crosses it"});
+    return rows;
 }
 
-std::vector<ParameterRow> rows(std::vector<ParameterRow> eps, bool both_sides, Value k) {
-    std::vector<ParameterRow> all = std::move(eps);
+std::vector<ParameterRow> rows(std::vector<ParameterRow> first, Value k, std::vector<ParameterRow> sides) {
+    std::vector<ParameterRow> all = std::move(first);
     const std::vector<ParameterRow> others = {
         {.key = "q",
          .label = "Share in a layer",
@@ -129,10 +229,9 @@ std::vector<ParameterRow> rows(std::vector<ParameterRow> eps, bool both_sides, V
          .maximum = 100,
          .scale = ParameterScale::logarithmic,
          .default_value = std::move(k),
-         .help = "weight of a layer against the rest; auto: q/(σ(1 - q))"},
-        side_row("left", "Left end", true),
-        side_row("right", "Right end", both_sides)};
+         .help = "weight of a layer against the rest; auto: q/(σ(1 - q))"}};
     all.insert(all.end(), others.begin(), others.end());
+    all.insert(all.end(), sides.begin(), sides.end());
     return all;
 }
 
@@ -142,13 +241,16 @@ MonitorType layer_monitor_type() {
     return {
         .name = "layer",
         .label = "Layer",
-        .help = "cells as in Bakhvalov's meshes, for a boundary layer",
-        .equation = "ρ(x) = max{1, Σ K β/ε exp(-β d/(σ ε))}, d the distance from an end",
+        .help = "cells as in Bakhvalov's meshes, for boundary layers",
+        .equation = "ρ = max{1, Σ K β/ε exp(-β d/(σ ε))}, d the distance from a side",
         .spaces = {SpaceKind::euclidean},
-        .rows = [](const Space&) { return rows({eps_row("eps", "ε")}, false, std::string("auto")); },
+        .rows =
+            [](const Space& space) {
+                return rows({eps_row("eps", "ε")}, std::string("auto"), side_rows(space, {"left"}));
+            },
         .make = [](const Values& values, const MonitorContext& context) -> std::shared_ptr<const Monitor> {
-            return std::make_shared<LayerDensity>(
-                terms(values, context.space, eps_of(values, {"eps"}, context)), false);
+            return std::make_shared<LayerDensity>(values, context.space, eps_of(values, {"eps"}, context),
+                                                  false);
         }};
 }
 
@@ -157,16 +259,37 @@ MonitorType two_layers_monitor_type() {
         .name = "two-layers",
         .label = "Two layers",
         .help = "for boundary layers of two widths at the same place",
-        .equation = "ρ(x) = 1 + Σ K β/ε₁ exp(-β d/(σ ε₁)) + K β/ε₂ exp(-β d/(σ ε₂))",
+        .equation = "ρ = 1 + Σ K β/ε₁ exp(-β d/(σ ε₁)) + K β/ε₂ exp(-β d/(σ ε₂))",
         .spaces = {SpaceKind::euclidean},
         .rows =
-            [](const Space&) {
-                return rows({eps_row("eps1", "ε₁"), eps_row("eps2", "ε₂")}, true, 0.1);
+            [](const Space& space) {
+                return rows({eps_row("eps1", "ε₁"), eps_row("eps2", "ε₂")}, 0.1,
+                            side_rows(space, {"left", "right"}));
             },
         .make = [](const Values& values, const MonitorContext& context) -> std::shared_ptr<const Monitor> {
-            return std::make_shared<LayerDensity>(
-                terms(values, context.space, eps_of(values, {"eps1", "eps2"}, context)), true);
+            return std::make_shared<LayerDensity>(values, context.space,
+                                                  eps_of(values, {"eps1", "eps2"}, context), true);
         }};
+}
+
+MonitorType layer_tensor_monitor_type() {
+    return {.name = "layer-tensor",
+            .label = "Layers, by direction",
+            .help = "for boundary layers whose width varies, by directions",
+            .equation = "M = diag(ρ₁, ρ₂), ρₖ = max{1, Σ K β/εₖ exp(-β d/(σ εₖ))}",
+            .rows =
+                [](const Space& space) {
+                    const char* help = "width of the layers, a formula in x, y and eps";
+                    return rows({eps_row("eps", "ε"),
+                                 coefficient_row("width_x", "Width, left and right", "ε₁", "eps", help),
+                                 coefficient_row("width_y", "Width, lower and upper", "ε₂", "eps", help)},
+                                std::string("auto"), side_rows(space, {"right", "top"}));
+                },
+            .make_tensor = [](const Values& values,
+                              const MonitorContext& context) -> std::shared_ptr<const TensorMonitor> {
+                return std::make_shared<LayerTensor>(values, context.space,
+                                                     eps_of(values, {"eps"}, context).front());
+            }};
 }
 
 } // namespace gaspard

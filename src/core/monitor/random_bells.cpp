@@ -39,7 +39,7 @@ MonitorType random_bells_monitor() {
     return {.name = "random-bells",
             .label = "Random bells",
             .help = "small cells around random points, determined by a seed",
-            .equation = "m(x) = 1 + sum_i A_i sech^2( B_i |x - c_i|^2 )",
+            .equation = "m(x) = 1 + Σᵢ Aᵢ sech²( Bᵢ |x - cᵢ|² )",
             .figure = MonitorFigure::unit_square,
             .rows =
                 [](const Space& space) {

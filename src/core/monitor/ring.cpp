@@ -10,7 +10,7 @@ MonitorType ring_monitor() {
         .name = "ring",
         .label = "Ring",
         .help = "small cells along a circle",
-        .equation = "m(x) = 1 + A sech^2( B (|x - c|^2 - r^2) )",
+        .equation = "m(x) = 1 + A sech²( B (|x - c|² - r²) )",
         .figure = MonitorFigure::unit_square,
         .rows =
             [](const Space& space) {

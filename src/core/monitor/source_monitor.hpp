@@ -11,7 +11,7 @@
 
 namespace gaspard {
 
-/// How such a monitor speaks of its function.
+/// Words of such a monitor for its function.
 struct DensityWords {
     std::string what;   ///< "the formula"
     std::string remedy; ///< what to change if u <= 0 somewhere: "set monitor.floor to a positive number"

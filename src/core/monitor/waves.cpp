@@ -83,7 +83,7 @@ MonitorType spiral_monitor() {
     return {.name = "spiral",
             .label = "Spiral",
             .help = "small cells along the arms of a spiral",
-            .equation = "m(x) = 1 + A / (1 + (B r cos(angle - k r^2))^2), r, angle relative to c",
+            .equation = "m(x) = 1 + A / (1 + (B r cos(angle - k r²))²), r, angle relative to c",
             .figure = MonitorFigure::unit_square,
             .spaces = {SpaceKind::euclidean},
             .rows =
@@ -122,7 +122,7 @@ MonitorType cosine_waves_monitor() {
     return {.name = "cosine-waves",
             .label = "Cosine waves",
             .help = "rings around a point; max m / min m = 3",
-            .equation = "m(x) = 1 / (2 + cos(2 pi k |x - c|))",
+            .equation = "m(x) = 1 / (2 + cos(2 π k |x - c|))",
             .figure = MonitorFigure::unit_square,
             .spaces = {SpaceKind::euclidean},
             .rows =
@@ -153,8 +153,8 @@ MonitorType sine_waves_monitor() {
     return {.name = "sine-waves",
             .label = "Sine waves",
             .help = "small cells along two sine curves, where m has a crease",
-            .equation = "m(x) = 1 + A exp( -B |y - 1/2 - sin(2 pi x) sin(2 pi/3) / 4| ) "
-                        "+ A exp( -B |y - 1/4 - sin(2 pi x) / 4| )",
+            .equation = "m(x) = 1 + A exp( -B |y - 1/2 - sin(2 π x) sin(2 π/3) / 4| ) "
+                        "+ A exp( -B |y - 1/4 - sin(2 π x) / 4| )",
             .figure = MonitorFigure::unit_square,
             .spaces = {SpaceKind::euclidean},
             .rows =
@@ -170,11 +170,14 @@ MonitorType sine_waves_monitor() {
             .formula =
                 [](const Space& space) {
                     const Placement at = placement_of(MonitorFigure::unit_square, space);
+                    const bool here = at.scale == 1 && at.origin.x == 0;
                     const std::string side = format_number(at.scale), left = format_number(at.origin.x);
+                    const std::string sine =
+                        here ? "sin(2*pi*x)" : side + "*sin(2*pi*(x - " + left + ")/" + side + ")";
                     const auto wave = [&](double height, const std::string& factor) {
                         return " + amplitude*exp(-sharpness*abs(y - " +
-                               format_number(at.origin.y + at.scale * height) + " - " + side +
-                               "*sin(2*pi*(x - " + left + ")/" + side + ")" + factor + "/4))";
+                               format_number(at.origin.y + at.scale * height) + " - " + sine + factor +
+                               "/4))";
                     };
                     return "1" + wave(0.5, "*sin(2*pi/3)") + wave(0.25, "");
                 }};

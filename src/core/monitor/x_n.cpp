@@ -36,7 +36,7 @@ MonitorType x_n_monitor() {
             .label = "Xₙ",
             .help = "small cells in a disc on the sphere, N times larger outside",
             .equation =
-                "m(x) = sqrt( (1 - gamma)/2 (tanh((beta - |x - c|)/alpha) + 1) + gamma ), gamma = 1/N^4",
+                "m(x) = sqrt( (1 - γ)/2 (tanh((β - |x - c|)/α) + 1) + γ ), γ = 1/N⁴",
             .spaces = {SpaceKind::sphere},
             .rows =
                 [](const Space&) {

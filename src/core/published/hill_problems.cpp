@@ -14,10 +14,11 @@ constexpr double beta = 0.99, sigma = 2.5;
 std::shared_ptr<const Monitor> density(const Catalogue& catalogue, const std::string& type, double k,
                                        const std::vector<std::pair<std::string, double>>& eps) {
     const MonitorType& layers = catalogue.monitor(type);
-    Values values("monitor", layers.rows({}));
+    const Space line{.dimension = 1};
+    Values values("monitor", layers.rows(line));
     values.set("beta", beta), values.set("sigma", sigma), values.set("K", k);
     for (const auto& [key, value] : eps) values.set(key, value);
-    return layers.make(values, {});
+    return layers.make(values, {.space = line});
 }
 
 /// The defaults of the problems are those of the paper.
@@ -55,10 +56,9 @@ HillSquare hill_irregular(double eps) {
                 }
             },
             {.form = MeshPdeForm::one_direction, .corners = {Vec3{0, 0}, {1, 0.5}, {0, 1}, {1, 1}}},
-            {.coefficients =
-                 [eps](double x, double) {
-                     return TriangleCoefficients{.k1 = eps * eps, .k2 = eps * eps, .f = x};
-                 },
+            {.coefficients = pointwise([eps](double x, double) {
+                 return TriangleCoefficients{.k1 = eps * eps, .k2 = eps * eps, .f = x};
+             }),
              .held = {true, false, true, true}}};
 }
 
@@ -73,11 +73,11 @@ HillSquare hill_varying(double eps, Diffusion diffusion) {
                 }
             },
             {},
-            {.coefficients = [=](double x, double y) {
-                return TriangleCoefficients{.k1 = std::pow(eps1(y), power),
-                                            .k2 = std::pow(eps2(x), power),
-                                            .f = std::expm1(x) * std::expm1(y)};
-            }}};
+            {.coefficients = pointwise([=](double x, double y) {
+                 return TriangleCoefficients{.k1 = std::pow(eps1(y), power),
+                                             .k2 = std::pow(eps2(x), power),
+                                             .f = std::expm1(x) * std::expm1(y)};
+             })}};
 }
 
 } // namespace gaspard

@@ -28,7 +28,7 @@ namespace gaspard GASPARD_API {
 enum class RunStatus {
     preparing,       ///< operators are being prepared
     running,         ///< further steps are possible
-    converged,       ///< the residual (MethodType::criterion) is below method.tolerance, or all steps are made
+    converged,       ///< the residual (MethodType::criterion) is below the tolerance, or all steps are made
     iteration_limit, ///< method.max_iterations was reached
     stalled,         ///< the criterion has not decreased for many iterations
     diverged,        ///< residual or theta became too large, or not finite

@@ -59,7 +59,7 @@ std::size_t find_entry(const std::vector<PatchEntry>& all, const std::vector<std
             if (!found || all[i].refusal.empty() || !all[*found].refusal.empty()) found = i;
         }
         if (found) return *found;
-        refuse_choice(file, readable.size(), any_id);
+        if (!readable.empty()) refuse_choice(file, readable.size(), any_id);
     }
     if (readable.empty()) return 0;
     const auto index = parse_index(file.which);
@@ -80,9 +80,10 @@ ChosenPatch choose_patch(const std::vector<PatchEntry>& entries, const PatchText
     if (entries.empty()) cannot_read(file.origin, "it has no patch");
     ChosenPatch chosen{.entry = find_entry(entries, readable, file), .origin = file.origin};
     const PatchEntry& entry = entries[chosen.entry];
-    if (!entry.refusal.empty())
-        cannot_read(file.origin,
-                    file.which.empty() ? refusals(entries) : name_of(entry) + " is " + entry.refusal);
+    if (!entry.refusal.empty()) {
+        const bool by_id = !entry.id.empty() && file.which == "id:" + entry.id;
+        cannot_read(file.origin, by_id ? name_of(entry) + " is " + entry.refusal : refusals(entries));
+    }
     if (readable.size() == 1) return chosen;
     PatchList list;
     for (std::size_t i = 0; i < readable.size(); ++i) {

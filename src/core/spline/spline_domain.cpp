@@ -3,7 +3,7 @@
 #include "core/base/box.hpp"
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
-#include "core/spline/control_points.hpp"
+#include "core/mesh/control_points.hpp"
 #include "core/spline/patch_checks.hpp"
 #include "core/spline/patch_file.hpp"
 #include "core/spline/patch_inverse.hpp"

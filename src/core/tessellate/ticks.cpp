@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace gaspard {
 
@@ -41,6 +42,19 @@ std::string tick_label(double value, double step, double largest) {
     std::string text = format(value, std::chars_format::fixed, std::max(0, -last_digit));
     if (text.front() == '-') text.replace(0, 1, "−");
     return text;
+}
+
+/// Removes labels of ticks in ascending order that are closer on a logarithmic axis than `distance`, in
+/// decades, to the label before.
+void thin_labels(std::vector<Tick>& ticks, double distance) {
+    double last = -std::numeric_limits<double>::infinity();
+    for (Tick& tick : ticks) {
+        const double position = std::log10(tick.value);
+        if (position - last < distance)
+            tick.label.clear();
+        else
+            last = position;
+    }
 }
 
 } // namespace
@@ -94,6 +108,7 @@ std::vector<Tick> log_ticks(double low, double high, int count) {
     if (last <= first) {
         std::vector<Tick> ticks = linear_ticks(low, high, count);
         std::erase_if(ticks, [](const Tick& tick) { return tick.value <= 0; });
+        thin_labels(ticks, 0.6 * std::log10(high / low) / std::max(count, 1));
         return ticks;
     }
     const int stride =

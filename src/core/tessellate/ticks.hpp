@@ -17,7 +17,9 @@ struct Tick {
 std::vector<Tick> linear_ticks(double low, double high, int count);
 
 /// Powers of ten in [low, high] as major ticks, at most about `count`, and 2 to 9 times each as minor ticks
-/// if no decade is skipped. For ranges of less than one decade, linear ticks. Requires 0 < low <= high.
+/// if no decade is skipped. For ranges with at most one power of ten, linear ticks; these crowd together
+/// towards the upper end of a logarithmic axis, so that some have no label: two labels are at least 0.6/count
+/// of the axis apart. Requires 0 < low <= high.
 std::vector<Tick> log_ticks(double low, double high, int count);
 
 /// `digits` significant digits without trailing zeros: "0.25", "1.5×10⁻⁵".

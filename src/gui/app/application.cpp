@@ -5,6 +5,7 @@
 #include "core/base/user_path.hpp"
 #include "core/io/formats.hpp"
 #include "core/scenario/data_files.hpp"
+#include "core/scenario/own_names.hpp"
 #include "core/scenario/toml.hpp"
 #include "gui/document/runs_csv.hpp"
 #include "gui/panels/status_bar.hpp"
@@ -119,11 +120,10 @@ static bool belongs_to_text(std::string_view key) {
 
 bool Application::press_key(std::string_view key) {
     const Action* row = action_for_key(actions_, key);
-    constexpr std::string_view shifted =
-        "Ctrl+Shift+"; // means the same as Ctrl where it means nothing itself
+    constexpr std::string_view shifted = "Ctrl+Shift+"; // the same as Ctrl where it has no meaning of its own
     if (!row && key.starts_with(shifted)) return press_key("Ctrl+" + std::string(key.substr(shifted.size())));
     if (!row) return false;
-    document_.record_views(); // of keys since the last frame, which undo is to find
+    document_.record_views(); // changes by keys since the last frame, so that undo includes them
     const bool dialog = messages_.error().open() || open_dialog_.open() || save_dialog_.open(); // comes first
     if (dialog && row->name != "cancel" && row->name != "quit") return false;
     if (!dialog && text_expected() && belongs_to_text(key)) return false;
@@ -408,7 +408,10 @@ void Application::ask_where_to_save() {
 
 void Application::save_as(const SaveDialog::Choice& choice) {
     Scenario scenario = scenario_to_save();
-    if (choice.title != scenario_title(scenario)) scenario.title = choice.title, scenario.modified.clear();
+    if (choice.title != scenario_title(scenario)) {
+        scenario = with_own_names(std::move(scenario));
+        scenario.title = choice.title;
+    }
     files_.save_scenario_as(scenario, choice.file, choice.packed);
 }
 

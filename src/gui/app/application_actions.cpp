@@ -221,7 +221,7 @@ std::vector<Action> Application::layout_actions() {
     return rows;
 }
 
-/// An action that shows or hides what a key of the view says.
+/// An action that switches a setting of the view.
 Action Application::view_toggle(std::string_view key, std::string_view label, std::string_view shortcut,
                                 std::string_view help) {
     return {.name = key,

@@ -7,6 +7,7 @@
 #include "core/io/run_folder.hpp"
 #include "core/io/svg.hpp"
 #include "core/scenario/data_files.hpp"
+#include "core/scenario/own_names.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/tessellate/check_view.hpp"
 
@@ -101,10 +102,9 @@ namespace {
 
 /// As the file is read back: its name is that of the scenario.
 Scenario as_saved(Scenario scenario, const std::filesystem::path& file) {
-    scenario = with_relative_paths(std::move(scenario), std::filesystem::absolute(file).parent_path());
-    scenario.title = scenario_title(scenario);
+    scenario = with_own_names(
+        with_relative_paths(std::move(scenario), std::filesystem::absolute(file).parent_path()));
     scenario.name = file.stem().string();
-    scenario.modified.clear();
     return scenario;
 }
 

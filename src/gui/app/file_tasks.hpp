@@ -1,5 +1,5 @@
-// The files that the window reads and writes, all of them on other threads. What became of each is said
-// through the notice board.
+// The files that the window reads and writes, all of them on other threads. The outcome of each is
+// reported as a notice.
 #pragma once
 
 #include "core/io/image.hpp"

@@ -57,7 +57,7 @@ Choice draw_menu(const MenuContext& context, std::string_view menu) {
 }
 
 bool draw_button(const MenuContext& context, const Action& row) {
-    const bool main = row.name == "run"; // stands out, as the one that users look for first
+    const bool main = row.name == "run"; // highlighted, because users look for it first
     if (main) {
         const Theme& theme = context.frame.theme;
         const ImVec4 accent = to_imgui(theme.accent);

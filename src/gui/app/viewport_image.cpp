@@ -1,12 +1,14 @@
 #include "gui/app/viewport_image.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/error.hpp"
 #include "core/scenario/view_rows.hpp"
 #include "gui/app/strips.hpp"
 #include "gui/gl/imgui_context.hpp"
 #include "gui/gl/imgui_renderer.hpp"
 #include "gui/plot/plot_widget.hpp"
 #include "gui/render/mesh_renderer.hpp"
+#include "gui/viewport/legend.hpp"
 #include "gui/viewport/viewport.hpp"
 
 #include <algorithm>
@@ -48,13 +50,23 @@ void divide_by_alpha(Image& image) {
     }
 }
 
+Values view_of(const MeshPanel& panel) {
+    const auto& fields = panel.snapshot->fields;
+    Values view("view", view_rows(std::vector<FieldInfo>(fields.begin(), fields.end())));
+    view.set("color", panel.colour);
+    view.set("blend", panel.blend);
+    view.set("camera", panel.camera);
+    view.set("histogram", false);
+    return view;
+}
+
 /// Everything an image needs, in the order of construction.
 class Canvas {
   public:
     /// `text`: what will be written that is not the program's own, such as titles.
     Canvas(int width, int height, float scale, const ImageOptions& options, std::string_view text)
         : theme_(theme_of(options)), scale_(scale), context_(make_offscreen_context(options.backend)),
-          width_(width), height_(height),
+          width_(width), height_(height), stop_(options.stop),
           target_(context_->gl(), width, strip_height(width, height, options.most_pixels)),
           mesh_renderer_(context_->gl()) {
         ImGuiIO& io = ImGui::GetIO();
@@ -65,7 +77,15 @@ class Canvas {
         ImGui::NewFrame();
     }
 
+    /// The width of its legend.
+    float legend_of(const MeshPanel& panel) const {
+        const Values view = view_of(panel);
+        const auto colouring = make_colouring(*panel.snapshot, colour_choice(view));
+        return colouring ? legend_width(*colouring, view.boolean("histogram"), scale_) : 0;
+    }
+
     void mesh(const Snapshot& snapshot, const Values& view, const ViewportText& text, PixelRect area) {
+        go_on();
         ViewportPlanner planner;
         ViewportPlan plan = planner.plan(snapshot, view, text, on_screen(area), scale_);
         draw_viewport_overlay(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
@@ -89,6 +109,10 @@ class Canvas {
     }
 
   private:
+    void go_on() const {
+        if (stop_.stop_requested()) throw Interrupted();
+    }
+
     Image draw(Strip strip) {
         target_.bind();
         const Gl& gl = context_->gl();
@@ -98,8 +122,10 @@ class Canvas {
         gl.Clear(GL_COLOR_BUFFER_BIT);
         strip.height = target_.height(); // the last one may be cut off below the image
         for (const PlannedView& shown : views_)
-            if (const auto part = in_strip(shown.camera, in_pixels(shown.rect), strip))
+            if (const auto part = in_strip(shown.camera, in_pixels(shown.rect), strip)) {
+                go_on();
                 mesh_renderer_.draw(shown.scene, part->camera, part->area, target_.height(), theme_, scale_);
+            }
         text_renderer_->draw(in_strip(*ImGui::GetDrawData(), strip));
         return target_.read();
     }
@@ -117,7 +143,8 @@ class Canvas {
     Theme theme_;
     float scale_;
     std::unique_ptr<OffscreenContext> context_;
-    int width_, height_;  ///< of the image
+    int width_, height_; ///< of the image
+    std::stop_token stop_;
     RenderTarget target_; ///< one strip of it
     ImGuiSession session_;
     std::optional<ImGuiRenderer> text_renderer_; ///< once the font is there
@@ -152,6 +179,10 @@ Image render_panels(const std::vector<Panel>& panels, int columns, int width, in
     for (const Panel& panel : panels)
         titles += std::visit([](const auto& shown) { return shown.title; }, panel);
     Canvas canvas(width, height, image_scale(panel_width * 3 / 2, panel_height * 3 / 2), options, titles);
+    float legend = 0;
+    for (const Panel& panel : panels)
+        if (const auto* mesh = std::get_if<MeshPanel>(&panel))
+            legend = std::max(legend, canvas.legend_of(*mesh));
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const int at = static_cast<int>(i);
         const PixelRect area{at % columns * panel_width, at / columns * panel_height, panel_width,
@@ -161,13 +192,8 @@ Image render_panels(const std::vector<Panel>& panels, int columns, int width, in
             continue;
         }
         const auto& panel = std::get<MeshPanel>(panels[i]);
-        const auto& fields = panel.snapshot->fields;
-        Values view("view", view_rows(std::vector<FieldInfo>(fields.begin(), fields.end())));
-        view.set("color", panel.colour);
-        view.set("blend", panel.blend);
-        view.set("camera", panel.camera);
-        view.set("histogram", false);
-        canvas.mesh(*panel.snapshot, view, {.title = panel.title, .caption = false}, area);
+        canvas.mesh(*panel.snapshot, view_of(panel),
+                    {.title = panel.title, .caption = false, .legend = legend}, area);
     }
     return canvas.finish();
 }

@@ -11,6 +11,7 @@
 #include "gui/gl/offscreen.hpp"
 
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,6 +26,7 @@ struct ImageOptions {
     OffscreenBackend backend = OffscreenBackend::any;
     Background background{}; ///< so is view.background
     int most_pixels = strip_pixels;
+    std::stop_token stop{}; ///< asked to stop between meshes, drawing throws Interrupted
 };
 
 /// What a viewport of the window would show of `snapshot`. `view` is the section of view_rows(); `subject`

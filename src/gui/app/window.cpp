@@ -523,7 +523,7 @@ class Window {
     std::array<bool, ImGuiMouseButton_COUNT> buttons_{};
     int frames_due_ = settling_frames;
     double begun_ = 0;           ///< of the last frame
-    double drawing_seconds_ = 0; ///< of the last one with meshes drawn anew
+    double drawing_seconds_ = 0; ///< of the last one that redrew meshes
     FontFinder fonts_{[this] { wake(); }};
     std::optional<Application> application_;
     std::stop_token stop_;

@@ -29,7 +29,7 @@ void report_outcome(NoticeBoard& board, const std::function<std::string()>& task
         std::string said = task();
         said.empty() ? board.wake() : board.add({std::move(said), false});
     } catch (const Interrupted&) {
-        throw; // whoever cancelled it says so
+        throw; // reported where it was cancelled
     } catch (const std::exception& error) {
         board.add({error.what(), true});
     }

@@ -1,7 +1,7 @@
 // How everything looks: one set of colours and sizes for ImGui, the mesh, legends and plots.
 //
-// Colours are sRGB with straight alpha, 0 to 1. Sizes are in pixels of a display of scale 1; whoever draws
-// multiplies by `scale` (2 on a high-density display, or for a large image).
+// Colours are sRGB with straight alpha, 0 to 1. Sizes are in pixels of a display of scale 1; drawing
+// code multiplies by `scale` (2 on a high-density display, or for a large image).
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ struct Theme {
     Colour surface;                     ///< cells without a colour map
     Colour line_on_dark, line_on_light; ///< cell edges, by what lies below them
     Colour overlay;                     ///< lines of another mesh
-    Colour tangled;                     ///< cells turned inside out; stands out from every colour map
+    Colour tangled;                     ///< inverted cells; distinct from every colour map
     std::array<Colour, 8> curves;
     float font_size = 15;
     float line_width = 1.0F; ///< of cell edges

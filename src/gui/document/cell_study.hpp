@@ -30,9 +30,9 @@ class CellStudy {
     CellStudy& operator=(const CellStudy&) = delete;
 
     void begin(const Scenario& scenario);
-    /// What is computed of another problem is in vain; its result so far stays.
+    /// A computation for another problem is cancelled; its result so far stays.
     void cancel();
-    /// The result so far is of no problem any more.
+    /// Discards the result so far.
     void forget() { cancel(), known_ = false; }
     /// Whether the result is, or will be, that of this problem.
     bool describes(const Scenario& scenario) const;
@@ -48,7 +48,7 @@ class CellStudy {
     std::shared_ptr<const Catalogue> catalogue_;
     std::function<void()> wake_;
     Scenario scenario_;
-    bool known_ = false; ///< describes scenario_
+    bool known_ = false;         ///< describes scenario_
     std::shared_ptr<Work> work_; ///< null: none was begun
     std::vector<Leaving> leaving_;
     std::jthread thread_;

@@ -38,7 +38,7 @@ struct DocumentViewport {
 /// instead of the ones that the scenario sets.
 Scenario for_window(const Catalogue& catalogue, Scenario scenario);
 
-/// It has about five public members more than a class should: they are the commands of the window, one each.
+/// Why it has so many public members: docs/architecture.md.
 class Document {
   public:
     /// `notify` is called on a solver thread when there is something to collect; it must be quick.

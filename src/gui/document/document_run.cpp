@@ -94,7 +94,7 @@ void append(DocumentRun& run, const SolverEvent& event) {
         run.history.back() = event.report;
         return;
     }
-    // A change of values adds a row for the iterate at hand.
+    // A change of values adds a row for the current iterate.
     const bool changed = !run.history.empty() && event.report.iteration == run.history.back().iteration;
     run.history.push_back(event.report);
     run.curves.append(event.report);

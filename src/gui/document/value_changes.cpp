@@ -52,6 +52,14 @@ std::string monitor_label(const Catalogue& catalogue, const Scenario& scenario) 
     return scenario.monitor.type;
 }
 
+/// The data of a monitor by the name of their file, without its folder; empty if they have none.
+std::string data_name(const Values& monitor) {
+    const ParameterRow* row = find_role(monitor.rows(), ParameterRole::file);
+    if (!row) return {};
+    const std::string& path = monitor.text(row->key);
+    return path.starts_with("data:") ? std::string() : path.substr(path.find_last_of("/:") + 1);
+}
+
 } // namespace
 
 std::vector<ValueChange> value_changes(const Scenario& before, const Scenario& after) {
@@ -94,8 +102,13 @@ std::string describe_changes(const std::vector<ValueChange>& changes) {
 
 std::string describe_scenario(const Catalogue& catalogue, const Scenario& opened, const Scenario& scenario) {
     std::vector<std::string> texts = {monitor_label(catalogue, scenario)};
+    const Values& monitor = scenario.monitor.values;
+    const ParameterRow* file = find_role(monitor.rows(), ParameterRole::file);
+    if (const std::string data = data_name(monitor); data != data_name(opened.monitor.values))
+        if (!data.empty()) texts.front() += " " + data;
     for (const ValueChange& change : value_changes(opened, scenario))
-        if (change.key != "monitor.type") texts.push_back(change.label + " " + change.after);
+        if (change.key != "monitor.type" && !(file && change.key == "monitor." + file->key))
+            texts.push_back(change.label + " " + change.after);
     return join(texts, ", ");
 }
 

@@ -31,7 +31,8 @@ std::string describe_changes(const std::vector<ValueChange>& changes);
 /// more than three.
 std::string name_changes(const std::vector<ValueChange>& changes);
 
-/// "Ring, amplitude 20": the monitor, and the values that differ from the scenario as it was opened.
+/// "Ring, amplitude 20", "Image photo.jpg": the monitor, and the values that differ from the scenario as it
+/// was opened.
 std::string describe_scenario(const Catalogue& catalogue, const Scenario& opened, const Scenario& scenario);
 
 /// Shortens such texts by the parts that all of them share: "Ring, amplitude 20, radius 0.3" and

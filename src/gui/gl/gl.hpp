@@ -1,8 +1,8 @@
 // The OpenGL functions we use, looked up through whichever context is current: a window's or an offscreen
 // one.
 //
-// A value, not a global: each context has its own table, and whatever draws is given it. Target: OpenGL 3.3
-// core. The functions are called as gl.DrawArrays(...) and may be used only while their context is current.
+// A value, not a global: each context has its own table. Target: OpenGL 3.3 core. The functions are called as
+// gl.DrawArrays(...) and may be used only while their context is current.
 #pragma once
 
 #include <GL/glcorearb.h>

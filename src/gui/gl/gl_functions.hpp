@@ -1,4 +1,4 @@
-// The functions of a Gl table, one after the other, with their names: for whoever fills it.
+// The functions of a Gl table, one after the other, with their names, to load it.
 #pragma once
 
 #include "gui/gl/gl.hpp"

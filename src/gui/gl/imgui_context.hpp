@@ -1,5 +1,5 @@
-// An ImGui context with an owner. While it lives it is the current one, then the one before is again; nothing
-// is read from or left on disk.
+// An ImGui context with an owner. It is current during its lifetime; afterwards the previous one is current
+// again. It reads and writes no files.
 #pragma once
 
 #include "gui/gl/imgui_input.hpp"

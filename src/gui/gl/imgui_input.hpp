@@ -7,7 +7,7 @@ namespace gaspard {
 
 #if IMGUI_VERSION_NUM >= 18900
 
-/// All events of a frame are processed in it: whoever feeds them has put them in order.
+/// All events of a frame are processed in it: the caller passes them in order.
 inline void process_events_at_once(ImGuiIO& io) { io.ConfigInputTrickleEventQueue = false; }
 inline void feed_key(ImGuiIO& io, ImGuiKey key, bool down) { io.AddKeyEvent(key, down); }
 inline void feed_control(ImGuiIO& io, bool down) { io.AddKeyEvent(ImGuiMod_Ctrl, down); }

@@ -1,7 +1,7 @@
 // Draws ImGui's ImDrawData through our own table of OpenGL functions, in a window and offscreen alike.
 //
-// Leaves blending on, scissor and depth test off, and its own program bound: whoever draws next sets what it
-// needs.
+// Leaves blending on, scissor and depth test off, and its own program bound; later drawing
+// code sets the state that it needs.
 #pragma once
 
 #include "gui/gl/gl_objects.hpp"

@@ -77,7 +77,7 @@ class OsMesa : public OffscreenContext {
         context_ = create(attributes.data(), nullptr);
         if (context_ == nullptr) throw MachineError("OSMesa offers no OpenGL 3.3 core context");
         try {
-            // The context's own picture is not used: we draw into framebuffer objects.
+            // The context's own buffer is not used: we draw into framebuffer objects.
             if (make_current(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE)
                 throw MachineError("OSMesa cannot make its context current");
             gl_ = load_gl([&](const char* name) { return reinterpret_cast<void*>(lookup(name)); });
@@ -232,7 +232,7 @@ RenderTarget::RenderTarget(const Gl& gl, int width, int height, int samples)
     };
     const auto check = [&] {
         if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-            throw MachineError("this machine's OpenGL cannot draw a picture of " + std::to_string(width) +
+            throw MachineError("this machine's OpenGL cannot draw an image of " + std::to_string(width) +
                                " x " + std::to_string(height) + " pixels");
     };
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
@@ -250,7 +250,7 @@ void RenderTarget::bind() const {
 }
 
 void RenderTarget::blit(const GlFramebuffer& from, GLuint to) const {
-    gl_->Disable(GL_SCISSOR_TEST); // it would cut the copy
+    gl_->Disable(GL_SCISSOR_TEST); // it would clip the copy
     gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
     gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
     gl_->BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -262,7 +262,7 @@ void RenderTarget::copy(const RenderTarget& from) const {
 }
 
 void RenderTarget::show() const {
-    if (samples_ > 0) blit(drawn_, resolved_.name()); // into one sample only where formats are the same
+    if (samples_ > 0) blit(drawn_, resolved_.name()); // formats must agree to resolve samples
     blit(samples_ > 0 ? resolved_ : drawn_, 0);
     gl_->BindFramebuffer(GL_FRAMEBUFFER, 0);
 }

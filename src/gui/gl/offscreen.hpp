@@ -30,13 +30,13 @@ void check_offscreen_choice();
 std::unique_ptr<OffscreenContext> make_offscreen_context(OffscreenBackend backend = OffscreenBackend::any);
 
 /// How often a pixel is looked at, for smooth rims of surfaces.
-inline constexpr int picture_samples = 4;
+inline constexpr int image_samples = 4;
 
 /// An image to draw into, with depth, and with several samples a pixel (0 for one) where the machine can.
 class RenderTarget {
   public:
     /// Throws MachineError where the machine cannot make one of this size.
-    RenderTarget(const Gl& gl, int width, int height, int samples = picture_samples);
+    RenderTarget(const Gl& gl, int width, int height, int samples = image_samples);
     void bind() const; ///< drawing goes here; sets the viewport to all of it
     /// Takes over what was drawn into another of the same size, with as many samples or into one.
     void copy(const RenderTarget& from) const;

@@ -65,7 +65,7 @@ PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_w
     return view;
 }
 
-/// The points of a curve as many as a picture `columns` pixels wide can show.
+/// As many points of a curve as an image `columns` pixels wide can show.
 Curve thinned(const CurveView& view, const PlotView& plot, const PlotZoom& zoom) {
     constexpr float columns = 2000;
     Curve curve{.label = view.label, .x = {}, .y = {}, .colour = view.colour};
@@ -147,7 +147,7 @@ PlotView view_of_runs(const DocumentRuns& runs, const PlotChoice& choice) {
 }
 
 Plot plot_of_runs(const DocumentRuns& runs, const PlotChoice& choice, const PlotZoom& zoom) {
-    const PlotView view = make_view(runs, choice, false); // in a file there is no now
+    const PlotView view = make_view(runs, choice, false); // a file does not mark the current iterate
     Plot plot{.title = std::string(plot_label(runs, choice.plot)), .x = view.x, .y = view.y, .curves = {}};
     ask_for(plot.x, zoom.x);
     ask_for(plot.y, zoom.y);

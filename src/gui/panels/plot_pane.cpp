@@ -75,7 +75,7 @@ void draw_toggle(const char* label, bool& on, const char* help, const Theme& the
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
 }
 
-/// Another axis begins with all there is to see.
+/// A new axis shows its whole range.
 void forget_zoom(const PlotChoice& before, const PlotChoice& now, PlotZoom& zoom) {
     if (before.plot != now.plot || before.log_y != now.log_y) zoom.y.reset();
     if (before.abscissa != now.abscissa || before.log_x != now.log_x) zoom.x.reset();

@@ -11,7 +11,7 @@
 
 namespace gaspard {
 
-/// What a user wants done with a plot; whoever has a clipboard and files does it.
+/// What a user asks to do with a plot; the application, which has clipboard and files, does it.
 struct PlotWish {
     enum class Kind { copy_csv, save_png, save_svg };
     Kind kind = Kind::copy_csv;

@@ -47,7 +47,7 @@ bool draw_cross(const char* id, const Theme& theme) {
     return pressed;
 }
 
-/// As much of the text as there is room for, in whole letters of UTF-8.
+/// As much of the text as fits, in whole letters of UTF-8.
 template <std::size_t size>
 std::array<char, size> buffer_of(const std::string& text) {
     std::size_t length = std::min(text.size(), size - 1);

@@ -42,7 +42,7 @@ std::string remedy_note(const DocumentRun& run);
 struct StatusTexts {
     std::string closing; ///< why the run did not converge; else the others are shown
     std::string method;  ///< the note of the method
-    std::string hint;    ///< after the note, as far as there is room
+    std::string hint;    ///< after the note, as far as it fits
 };
 
 /// Draws the cells, and below them the message or the texts, into the current ImGui window. Keys "status.0",

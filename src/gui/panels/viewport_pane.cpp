@@ -76,7 +76,7 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                    ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    ImGui::InvisibleButton("##picture", {std::max(1.0F, area.width()), std::max(1.0F, area.height())},
+    ImGui::InvisibleButton("##viewport", {std::max(1.0F, area.width()), std::max(1.0F, area.height())},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                                ImGuiButtonFlags_MouseButtonRight);
     remember_item(context.items, "viewport");
@@ -202,8 +202,8 @@ std::string ViewportPane::camera_text() const {
 }
 
 void ViewportPane::fix_range(DocumentViewport& viewport) const {
-    if (!plan_ || plan_->views.front().scene.colouring == nullptr) return;
-    const ColourRange& range = plan_->views.front().scene.colouring->range;
+    if (!plan_ || plan_->colouring == nullptr) return;
+    const ColourRange& range = plan_->colouring->range;
     if (!(range.low < range.high)) return;
     viewport.view.set("range", std::string("fixed"));
     viewport.view.set("low", range.low);

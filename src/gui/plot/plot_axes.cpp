@@ -16,7 +16,7 @@ struct Hull {
     }
 };
 
-/// Of a curve whose extremes are known: nothing is searched through.
+/// For a curve whose extremes are known; no search is necessary.
 void add_indexed(const CurveView& curve, const PlotView& plot, bool vertical, Hull& hull) {
     const Axis& axis = vertical ? plot.y : plot.x;
     if (vertical) {
@@ -34,7 +34,7 @@ void add_indexed(const CurveView& curve, const PlotView& plot, bool vertical, Hu
 
 void add_points(const CurveView& curve, const PlotView& plot, bool vertical, Hull& hull) {
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
-        // A point that the other axis cannot show asks for no room on this one.
+        // Ignore points that the other axis cannot show.
         const double x = to_axis(plot.x, curve.x[i]), y = to_axis(plot.y, curve.y[i]);
         if (!std::isnan(x) && !std::isnan(y)) hull.add(vertical ? y : x);
     }
@@ -44,6 +44,19 @@ float label_width(const std::vector<Tick>& ticks) {
     float width = 0;
     for (const Tick& tick : ticks) width = std::max(width, ImGui::CalcTextSize(tick.label.c_str()).x);
     return width;
+}
+
+/// Removes labels that would touch the one below.
+void thin_labels(std::vector<Tick>& ticks, const PlotFrame& frame, double spacing) {
+    double last = std::numeric_limits<double>::infinity();
+    for (Tick& tick : ticks) {
+        const double y = frame.pixel_y(tick.value);
+        if (tick.label.empty()) continue;
+        if (last - y < spacing)
+            tick.label.clear();
+        else
+            last = y;
+    }
 }
 
 /// Minor lines help only where decades are wide.
@@ -138,6 +151,7 @@ PlotFrame make_frame(const PlotView& plot, ScreenRect rect, const PlotZoom& zoom
     const float spacing = plot.y.logarithmic ? 2.0F : 2.6F; // in lines of text
     frame.y_ticks =
         axis_ticks(plot.y, frame.y_range, static_cast<int>(frame.area.height() / (spacing * line)));
+    thin_labels(frame.y_ticks, frame, 1.1 * static_cast<double>(line));
     frame.area.min.x += label_width(frame.y_ticks) + gap;
     frame.x_ticks = axis_ticks(plot.x, frame.x_range, static_cast<int>(frame.area.width() / (5 * line)));
     const float last_label =

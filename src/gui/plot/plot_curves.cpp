@@ -74,7 +74,7 @@ bool clip_line(DPoint& a, DPoint& b, DPoint low, DPoint high) {
 }
 
 /// Draws connected lines, in parts that stay far below what ImGui can index, and cut off not far outside of
-/// `area`: single precision would bend what leads far away.
+/// `area`: single precision would bend lines that end far away.
 class Stroke {
   public:
     Stroke(ImDrawList& list, ScreenRect area, ImU32 colour, float width)
@@ -176,7 +176,7 @@ PixelPath pixel_path(const CurveView& curve, const PlotFrame& frame) {
             maker.column(i, next);
         i = next;
     }
-    maker.points(std::min(i, end - 1), end); // the last one in any case: it is where the curve stands now
+    maker.points(std::min(i, end - 1), end); // the last one in any case: it is the current value
     return maker.take();
 }
 

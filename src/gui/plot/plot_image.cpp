@@ -10,7 +10,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr float picture_width = 960, picture_height = 600; // in units of scale 1
+constexpr float image_width = 960, image_height = 600; // in units of scale 1
 
 /// ImDrawData holds a vector of lists since 1.89.8, and pointed to an array of them before.
 template <class Lists>
@@ -37,7 +37,7 @@ ImDrawData draw_data(ImDrawList*& list, ImVec2 size, float density) {
 
 Image draw_plot_image(const Gl& gl, ImGuiRenderer& renderer, const Plot& plot, const Theme& theme,
                       float scale, float density) {
-    const ImVec2 size{picture_width * scale, picture_height * scale};
+    const ImVec2 size{image_width * scale, image_height * scale};
     ImDrawList list(ImGui::GetDrawListSharedData());
     list._ResetForNewFrame();
     list.PushTextureID(ImGui::GetIO().Fonts->TexID);

@@ -1,7 +1,7 @@
-// A plot of the window as a picture for a file, drawn with the window's own OpenGL context and font.
+// A plot of the window as an image for a file, drawn with the window's own OpenGL context and font.
 //
-// Not on another thread: ImGui's context is one global of the process, and whoever draws text needs it. It
-// takes some milliseconds; what is slow is the file, which is written elsewhere.
+// Not on another thread: ImGui's context is a global of the process, which drawing text needs. It takes
+// some milliseconds; writing the file is slow, and is done on another thread.
 #pragma once
 
 #include "core/io/image.hpp"
@@ -13,7 +13,7 @@ namespace gaspard {
 
 /// `scale`: how much larger than the theme says everything is in the window; `density`: pixels per unit of
 /// the window. To be called between ImGui::Render() and ImGui::NewFrame(). Leaves the window's framebuffer
-/// bound. Throws MachineError where the machine cannot draw a picture of that size.
+/// bound. Throws MachineError where the machine cannot draw an image of that size.
 Image draw_plot_image(const Gl& gl, ImGuiRenderer& renderer, const Plot& plot, const Theme& theme,
                       float scale, float density);
 

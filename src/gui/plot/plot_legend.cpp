@@ -12,10 +12,10 @@ namespace {
 
 struct Entry {
     std::string text;
-    const CurveView* curve = nullptr; ///< null: speaks of several
+    const CurveView* curve = nullptr; ///< null: the entry of several curves
 };
 
-/// One entry per label, as many as there is room for.
+/// One entry per label, as many as fit.
 std::vector<Entry> entries_of(const PlotView& plot, float width, std::size_t fitting) {
     std::vector<Entry> entries;
     const CurveView* before = nullptr;
@@ -43,7 +43,7 @@ ScreenRect legend_place(const std::vector<PixelPath>& paths, ScreenRect area, Im
         const ScreenRect place{corner, {corner.x + size.x, corner.y + size.y}};
         double hidden = 0;
         for (const PixelPath& path : paths) hidden += length_within(path, place);
-        // Only clearly better ones count, lest the legend jump to and fro while the curves grow.
+        // Only clearly better ones count, so that the legend does not jump while curves grow.
         if (hidden < 0.7 * least) best = place, least = hidden;
         if (least < static_cast<double>(margin)) break;
     }

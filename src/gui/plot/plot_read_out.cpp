@@ -18,7 +18,7 @@ std::size_t nearest_index(const CurveView& curve, const PlotFrame& frame, double
     };
     const std::size_t count = curve.x.size();
     std::size_t begin = 0, end = count;
-    if (curve.extremes) { // the x are in order: a few to the left and to the right will do
+    if (curve.extremes) { // the x are in order: a few to the left and to the right suffice
         constexpr std::size_t far = 32;
         const double x = from_axis(frame.x, frame.position_x(pixel_x));
         const auto at =
@@ -32,7 +32,7 @@ std::size_t nearest_index(const CurveView& curve, const PlotFrame& frame, double
     return best;
 }
 
-/// A line of the read-out: with a colour where it speaks of a curve.
+/// A line of the read-out, with a colour if it belongs to a curve.
 struct ReadOutLine {
     std::string name, value;
     std::optional<std::size_t> colour;

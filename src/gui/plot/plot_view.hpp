@@ -1,4 +1,4 @@
-// A plot as it is drawn: the numbers belong to someone else and are only looked at, so that a frame of the
+// A plot as it is drawn: the numbers are owned elsewhere and only referenced, so that a frame of the
 // window copies none of them.
 #pragma once
 

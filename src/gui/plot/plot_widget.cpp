@@ -31,7 +31,7 @@ void draw_marks(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, 
     }
 }
 
-/// Which axes the mouse steers at a place.
+/// Which axes the mouse changes at a position.
 struct Steered {
     bool x = false, y = false;
     bool any() const { return x || y; }
@@ -46,7 +46,7 @@ Steered steered_at(const PlotFrame& frame, ImVec2 place) {
     return {};
 }
 
-/// Moves ranges about; `home` keeps them within reason.
+/// Moves ranges, within limits that `home` sets.
 class Steering {
   public:
     Steering(const PlotView& plot, const PlotFrame& frame, PlotZoom& zoom)
@@ -150,7 +150,7 @@ bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zo
     ImGui::InvisibleButton(id, size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     const ScreenRect rect{low, {low.x + size.x, low.y + size.y}};
     PlotFrame frame = make_frame(plot, rect, zoom, scale);
-    if (!frame.drawable()) return false; // no room for anything
+    if (!frame.drawable()) return false; // too small
     const PlotZoom before = zoom;
     const bool menu = steer(plot, frame, zoom, scale);
     if (zoom != before) frame = make_frame(plot, rect, zoom, scale);

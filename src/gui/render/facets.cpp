@@ -15,7 +15,7 @@ DrawnFacets make_facets(const Tessellation& tessellation, bool quadrilaterals) {
         for (const std::uint32_t corner : corners) found.corners.push_back(first + corner);
     };
     for (std::size_t i = 0; i < t.size(); i += 3) {
-        // A map divides triangles at its border; what is left of a pair is then on its own.
+        // A map divides triangles at its border; what remains of a pair is then a single triangle.
         const bool pair = quadrilaterals && i + 5 < t.size() && t[i + 3] == t[i + 1] &&
                           t[i + 5] == t[i + 2] &&
                           tessellation.triangle_cells[i / 3] == tessellation.triangle_cells[i / 3 + 1];

@@ -15,7 +15,7 @@ struct Candidate {
 };
 
 /// Squares in the plane, in world units: a whole number of cells wide where cells are about squares of one
-/// size, with a node in the middle, so that arrows stand in rows.
+/// size, with a node in the middle, so that arrows form rows.
 struct Squares {
     double side = 1;
     Vec3 origin;

@@ -1,7 +1,7 @@
 #include "gui/viewport/handles.hpp"
 
 #include "core/base/error.hpp"
-#include "core/spline/control_points.hpp"
+#include "core/mesh/control_points.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -29,7 +29,7 @@ Scenario with_handle_at(const Scenario& scenario, const Handle& handle, Vec3 pla
 
 /// The position of a handle in a scene; nothing on the far side of a globe, or if only xi is shown.
 std::optional<Pixel> pixel_of(const Handle& handle, const PlannedView& shown);
-/// The place that a pixel means for a handle; of what lies beside a globe the nearest point of its limb,
+/// The place of a handle for a pixel; for pixels beside a globe the nearest point of its limb,
 /// beside a projection nothing.
 std::optional<Vec3> place_under(const Handle& handle, const PlannedView& shown, Pixel pixel);
 

@@ -316,10 +316,10 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
         if (r.min.y > plan.views[0].rect.min.y)
             list.AddRectFilled(r.min, {r.max.x, r.min.y + 1}, packed(theme.border));
     }
-    if (const auto& colouring = plan.views.front().scene.colouring) {
+    if (plan.colouring) {
         ScreenRect legend = available;
         legend.min.y += title_height(plan.text.title, scale);
-        draw_legend(list, *colouring, plan.histogram, legend, theme, scale);
+        draw_legend(list, *plan.colouring, plan.histogram, legend, theme, scale);
     }
     draw_notes(list, plan, available, theme, scale);
     if (plan.text.caption) draw_caption(list, plan, theme, scale);

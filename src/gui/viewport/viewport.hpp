@@ -27,6 +27,7 @@ struct ViewportText {
     std::string subject{}; ///< what is solved: "plane, ring"; may be empty
     StepReport report{};
     bool caption = true; ///< whether the line at the bottom is drawn
+    float legend = 0;    ///< least width of the legend in pixels: meshes beside each other are of one size
 };
 
 /// "plane, ring", "iteration 52", "residual 9.8×10⁻⁹", "equidistribution 0.0367", "converged": what the
@@ -36,7 +37,7 @@ std::vector<std::string> caption_parts(const ViewportText& text);
 /// A mesh to be drawn: what, from where, and where it belongs.
 struct PlannedView {
     MeshScene scene;
-    Camera camera; ///< speaks of the size of `rect`
+    Camera camera; ///< for the size of `rect`
     ScreenRect rect;
     std::string title; ///< above it; may be empty
     bool rear = false; ///< its camera looks from behind the view's
@@ -55,6 +56,7 @@ struct ViewportPlan {
     /// One, or more of one size, whose cameras are one, or look from both sides.
     std::vector<PlannedView> views;
     ViewportText text;
+    std::shared_ptr<const Colouring> colouring; ///< of the legend; null: none
     std::optional<Pick> pick;
     PickFacts facts;       ///< of the pick
     std::string complaint; ///< what was wrong with the view's texts
@@ -101,7 +103,7 @@ class ViewportPlanner {
 
     SceneBuilder maker_;
     SceneBuilder uniform_maker_{maker_.cache()}; ///< of the uniform mesh, where it has other colours
-    std::vector<SceneBuilder> other_makers_; ///< of the meshes beside it, in their order
+    std::vector<SceneBuilder> other_makers_;     ///< of the meshes beside it, in their order
     ProjectionSceneBuilder projection_maker_;
     double spun_ = 0;
     struct Home {

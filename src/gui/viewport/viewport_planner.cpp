@@ -23,7 +23,8 @@ Insets insets_of(const ViewportPlan& plan, const MeshScene& scene, float scale) 
     insets.top = static_cast<double>(title_height(plan.text.title, scale));
     insets.bottom = static_cast<double>(caption_height(plan.text, rect.width(), scale));
     if (scene.colouring != nullptr)
-        insets.right = static_cast<double>(legend_width(*scene.colouring, plan.histogram, scale));
+        insets.right = static_cast<double>(
+            std::max(plan.text.legend, legend_width(*scene.colouring, plan.histogram, scale)));
     if (scene.projection)
         insets.left = static_cast<double>(ImGui::CalcTextSize("30° N").x + 2 * margin * scale);
     // Where the legend's strip is free anyway beside a centred mesh, the mesh stays centred.
@@ -270,6 +271,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
     ViewportPlan plan;
     plan.rect = rect;
     plan.text = text;
+    plan.colouring = scene.colouring;
     plan.histogram = view.boolean("histogram");
     if (scene.planar()) plan.unavailable.emplace_back("layout=front-and-rear");
     if (scene.ball == 0) plan.unavailable.emplace_back("layout=projection");

@@ -1,5 +1,6 @@
 #include "core/base/error.hpp"
 #include "core/io/run_folder.hpp"
+#include "core/scenario/own_names.hpp"
 #include "core/scenario/toml.hpp"
 #include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
@@ -61,8 +62,16 @@ TEST(ScenarioNames, SayWhatWasModified) {
     EXPECT_EQ(changed.modified, std::vector<std::string>{"monitor.amplitude"});
     EXPECT_EQ(scenario_title(changed), named.title + " (modified)");
     EXPECT_EQ(scenario_stem(changed), "plane-ring-modified");
-    changed.title = scenario_title(changed),
-    changed.name = scenario_stem(changed); // saved, and modified again
+    const std::string stem = scenario_stem(changed);
+    changed = with_own_names(std::move(changed)); // saved
+    EXPECT_TRUE(changed.modified.empty());
+    EXPECT_EQ(changed.title, named.title + " (modified)");
+    EXPECT_EQ(changed.description, named.description + " (modified)");
+    changed.name = stem;
+    changed.modified = {"monitor.amplitude"}; // and modified again
+    EXPECT_EQ(with_own_names(changed).title, named.title + " (modified)");
+    EXPECT_EQ(with_own_names(changed).description, named.description + " (modified)");
+    EXPECT_EQ(with_own_names(named), named);
     EXPECT_EQ(scenario_title(changed), named.title + " (modified)");
     EXPECT_EQ(scenario_stem(changed), "plane-ring-modified");
     changed.title.clear();

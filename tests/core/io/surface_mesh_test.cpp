@@ -226,7 +226,7 @@ TEST_F(SurfaceMesh, SaysWhatIsWrongWithTheFile) {
     std::filesystem::create_symlink("/dev/zero", folder_ / "zero.obj");
     EXPECT_EQ(fault(folder_ / "zero.obj"), "it is not a regular file");
     write("large.obj", "");
-    std::filesystem::resize_file(folder_ / "large.obj", largest_surface_file + 1); // takes no room
+    std::filesystem::resize_file(folder_ / "large.obj", largest_surface_file + 1); // a sparse file
     EXPECT_EQ(fault(folder_ / "large.obj"), "it is larger than 1024 MiB");
     EXPECT_EQ(fault("m.obj", ""), "it is empty");
     EXPECT_EQ(fault("m.txt", "v 0 0 0\n"), "surface meshes are .obj, .off, .ply or .stl");

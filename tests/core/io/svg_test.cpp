@@ -1,4 +1,4 @@
-// SVG read back: paths by SVG's own grammar, text as text, sizes. How the pictures look is tried by hand with
+// SVG read back: paths by SVG's own grammar, text as text, sizes. Their appearance is checked by hand with
 // librsvg and Inkscape (docs/formats.md).
 #include "core/base/error.hpp"
 #include "core/io/facets.hpp"

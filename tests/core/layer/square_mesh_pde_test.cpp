@@ -70,7 +70,60 @@ TEST(MeshPdeSquare, SaysWhereADensityIsWrong) {
         for (std::size_t i = 0; i < m11.size(); ++i) m11[i] = x.x[i] - 0.5, m22[i] = 1;
     };
     EXPECT_THROW(mesh_pde_square(wrong, 8, {}), InputError);
-    EXPECT_THROW(mesh_pde_square(varying_diffusion(0.1), 12, {}), InputError);
+}
+
+TEST(MeshPdeSquare, StartsWithTheCoarsestMeshOfItsSequence) {
+    EXPECT_EQ(coarsest_cells(64, 4), 4);
+    EXPECT_EQ(coarsest_cells(48, 4), 6);
+    EXPECT_EQ(coarsest_cells(33, 4), 33);
+    EXPECT_EQ(coarsest_cells(12, 12), 12);
+    EXPECT_EQ(coarsest_cells(12, 7), 12);
+    EXPECT_THROW(coarsest_cells(3, 4), InputError);
+    EXPECT_THROW(coarsest_cells(8, 0), InputError);
+    EXPECT_THROW(mesh_pde_square(varying_diffusion(0.1), 3, {}), InputError);
+}
+
+TEST(SquareMeshPde, StepsAsAlgorithm3) {
+    const SquareMeshPdeOptions options;
+    for (const int cells : {33, 48}) {
+        const LayerDensities densities = varying_diffusion(1e-4);
+        SquareMeshPde pde(options.form, options.samples, options.corners, coarsest_cells(cells, 4));
+        while (pde.cells() < cells) {
+            for (int i = 0; i < options.inner; ++i) pde.solve(densities);
+            pde.refine();
+        }
+        const auto mesh = mesh_pde_square(densities, cells, options);
+        ASSERT_EQ(mesh.updates.size(), 5U);
+        for (const double update : mesh.updates) EXPECT_EQ(pde.solve(densities).update, update);
+        EXPECT_EQ(pde.nodes(), mesh.x);
+        EXPECT_EQ(inverted_triangles(mesh.x, cells), 0U);
+    }
+}
+
+TEST(SquareMeshPde, StartsFromPositions) {
+    const SquareMeshPdeOptions options;
+    const LayerDensities densities = varying_diffusion(1e-2);
+    SquareMeshPde pde(options.form, options.samples, options.corners, 9);
+    const Points uniform = pde.nodes(), uniform_centres = pde.centres();
+    const double update = pde.solve(densities).update;
+    const Points nodes = pde.nodes(), centres = pde.centres();
+    const double second = pde.solve(densities).update;
+    pde.set_positions(nodes, centres);
+    EXPECT_EQ(pde.solve(densities).update, second);
+    pde.set_positions(uniform); // the centres of a uniform mesh are in the middle
+    for (std::size_t i = 0; i < uniform_centres.size(); ++i)
+        EXPECT_NEAR(norm(pde.centres()[i] - uniform_centres[i]), 0, 1e-15);
+    EXPECT_NEAR(pde.solve(densities).update, update, 1e-12);
+
+    EXPECT_THROW(pde.set_positions(Points(99)), InputError);
+    EXPECT_THROW(pde.set_positions(nodes, nodes), InputError);
+    Points wrong = nodes;
+    wrong.y[3] = std::nan("");
+    EXPECT_THROW(pde.set_positions(wrong), InputError);
+    wrong = nodes;
+    wrong.x[10] = 0.01;
+    EXPECT_THROW(pde.set_positions(wrong), InputError);
+    EXPECT_THROW(SquareMeshPde(options.form, options.samples, options.corners, 0), InputError);
 }
 
 } // namespace

@@ -32,11 +32,11 @@ TEST(TriangleProblem, HasTheErrorsOfVaryingDiffusion) {
                 m22[i] = layer(second(x.x[i]), 1 - x.y[i]);
             }
         };
-        const TriangleProblem problem = {[&](double x, double y) {
+        const TriangleProblem problem = {pointwise([&](double x, double y) {
             return TriangleCoefficients{.k1 = std::pow(first(y), 2),
                                         .k2 = std::pow(second(x), 2),
                                         .f = std::expm1(x) * std::expm1(y)};
-        }};
+        })};
         for (int k = 0, n = 16; k < 3; ++k, n *= 2) {
             const auto mesh = mesh_pde_square(densities, n, {});
             const auto p1 = solve_triangles(problem, mesh.x, n, 1),
@@ -52,7 +52,7 @@ TEST(TriangleProblem, HasTheErrorsOfVaryingDiffusion) {
 TEST(TriangleProblem, ConvergesForASmoothSolution) {
     const double pi = std::numbers::pi;
     const auto u = [pi](double x, double y) { return std::sin(pi * x) * std::sin(pi * y); };
-    const TriangleProblem problem = {[&](double x, double y) {
+    const TriangleProblem problem = {pointwise([&](double x, double y) {
         const double ux = pi * std::cos(pi * x) * std::sin(pi * y),
                      uy = pi * std::sin(pi * x) * std::cos(pi * y);
         return TriangleCoefficients{.k1 = 2,
@@ -61,7 +61,7 @@ TEST(TriangleProblem, ConvergesForASmoothSolution) {
                                     .c2 = -3,
                                     .r = 0.5,
                                     .f = 3 * pi * pi * u(x, y) + ux - 3 * uy + 0.5 * u(x, y)};
-    }};
+    })};
     std::array<double, 2> before = {1e9, 1e9};
     for (const int n : {8, 16, 32}) {
         Points x;

@@ -43,7 +43,7 @@ TEST(Allocation, DoesNotHappenInAStepOfTheRelaxation) {
     for (const bool periodic : {true, false})
         for (const int cells : {20, 49}) {
             Relaxing run(cells, periodic, make_monitor("ring", {}), 0.1);
-            run.step(); // the first may still make room
+            run.step(); // the first may still allocate
             std::size_t before = allocations;
             for (int i = 0; i < 5; ++i) run.method->step(problem_of(*run.monitor), run.state, {});
             EXPECT_EQ(allocations, before);
@@ -80,7 +80,7 @@ TEST(Allocation, DoesNotHappenInALinearSolve) {
         equation->linearise(data, NonlinearProblem::Linearised::fully);
         Gmres gmres(phi.size(), 10);
         std::size_t before = 0;
-        for (int solves = 0; solves < 2; ++solves) { // the first may still make room
+        for (int solves = 0; solves < 2; ++solves) { // the first may still allocate
             before = allocations;
             const auto result = gmres.solve([&](auto v, auto out) { equation->derivative(v, out); },
                                             [&](auto v, auto out) { equation->precondition(v, out); },

@@ -215,6 +215,18 @@ TEST_F(CombineScenario, ConvergesOnEveryDomain) {
         }
 }
 
+TEST_F(CombineScenario, OfPlaneSphereAndPatchConverges) {
+    for (const char* name : {"plane-combine", "sphere-combine", "spline-combine"}) {
+        const Scenario scenario = find_scenario(*catalogue, name);
+        EXPECT_EQ(scenario.monitor.type, "combine") << name;
+        gaspard::Run run(catalogue, scenario);
+        const StepReport& last = run.solve();
+        EXPECT_EQ(last.status, RunStatus::converged) << name;
+        EXPECT_EQ(last.tangled_cells, 0u) << name;
+        for (const char* part : {"part-a", "part-b"}) EXPECT_NE(run.snapshot()->field(part), nullptr) << name;
+    }
+}
+
 // Parts that a mesh can follow each, but not together.
 TEST_F(CombineScenario, IsSmoothedSoThatAMeshCanFollowIt) {
     const std::vector<std::string> rings = {"domain.cells=32", "method.type=auto", "monitor.type=combine",

@@ -1,6 +1,6 @@
 // A monitor that is dragged across the plane, as the window does it with the mouse: values of a centre that
-// moves by 0.1 of the domain a second, sixty times a second. What comes out must be smooth to look at and
-// adapted.
+// moves by 0.1 of the domain a second, sixty times a second. The mesh must follow without visible delay and
+// stay adapted.
 #include "core/base/stopwatch.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/solver_thread.hpp"

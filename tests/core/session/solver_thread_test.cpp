@@ -206,7 +206,7 @@ TEST_F(SolverThreadTest, ARefusedChangeSaysSoAndNamesTheValuesThatRemain) {
     EXPECT_EQ(thread.status().scenario->monitor.values.real("amplitude"), 15);
 }
 
-/// A catalogue whose plane takes as long to prepare as it is left to.
+/// A catalogue whose plane is not prepared before `slow` becomes false.
 std::shared_ptr<const Catalogue> slow_catalogue(std::atomic<bool>& slow) {
     auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
     auto& prepare = catalogue->capabilities.front().prepare;
@@ -266,7 +266,7 @@ TEST_F(SolverThreadTest, ATaskIsCancelledOnItsOwnAndTheRunGoesOn) {
     ASSERT_TRUE(eventually([&] { return thread.status().activity == "working"; }));
     thread.cancel();
     ASSERT_TRUE(eventually([&] { return thread.status().activity.empty(); }));
-    thread.cancel(); // nothing is under way: no harm
+    thread.cancel(); // no task to cancel: no effect
     thread.post(StartCommand{});
     EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
 }

@@ -1,5 +1,5 @@
 #include "core/base/error.hpp"
-#include "core/spline/control_points.hpp"
+#include "core/mesh/control_points.hpp"
 #include "core/spline/patch_file.hpp"
 #include "support/messages.hpp"
 

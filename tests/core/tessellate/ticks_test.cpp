@@ -55,6 +55,23 @@ TEST(Ticks, LessThanADecadeIsLabelledLinearly) {
     EXPECT_EQ(labels(log_ticks(0.03, 0.05, 2)), (Labels{"0.03", "0.04", "0.05"}));
 }
 
+TEST(Ticks, LabelsOfLogarithmicTicksKeepTheirDistance) {
+    EXPECT_EQ(labels(log_ticks(1, 9.5, 7)), (Labels{"1", "2", "3", "4", "5", "7", "9"}));
+    EXPECT_EQ(log_ticks(1, 9.5, 7).size(), 9U) << "ticks without a label stay";
+    for (const double low : {1.0, 1.7, 2.0, 0.011, 5e-7})
+        for (const double factor : {1.01, 2.0, 5.0, 9.0, 30.0, 1e3, 1e6})
+            for (const int count : {1, 2, 4, 7, 20}) {
+                double last = -INFINITY;
+                for (const Tick& tick : log_ticks(low, factor * low, count)) {
+                    if (tick.label.empty()) continue;
+                    const double position = std::log10(tick.value / low) / std::log10(factor);
+                    EXPECT_GE(position - last, 0.599 / count)
+                        << tick.label << " from " << low << " times " << factor;
+                    last = position;
+                }
+            }
+}
+
 TEST(ShortNumber, KeepsSignificantDigits) {
     EXPECT_EQ(short_number(0.03667985), "0.03668");
     EXPECT_EQ(short_number(9.8123e-9, 3), "9.81×10⁻⁹");

@@ -1,4 +1,4 @@
-// Monitors of one's own in the window: formulas that are typed, files that are dropped, packed data.
+// The user's own monitors in the window: typed formulas, dropped files, packed data.
 #include "core/io/image.hpp"
 #include "gui/app/file_kinds.hpp"
 #include "gui/application_fixture.hpp"

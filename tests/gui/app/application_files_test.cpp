@@ -261,6 +261,7 @@ TEST_F(SaveAsTest, AsksForFileAndTitleAndGivesTheirName) {
     save();
     ASSERT_TRUE(wait_until([&] { return application.title() == "A gentle ring"; })) << application.title();
     EXPECT_EQ(load_scenario(*catalogue, file).title, "A gentle ring");
+    EXPECT_EQ(load_scenario(*catalogue, file).description, small_ring().description + " (modified)");
     EXPECT_EQ(run().scenario.name, "gentle");
     set_value(*catalogue, changed, "monitor.amplitude", 4.0);
     application.document().change(run().id, changed);

@@ -1,4 +1,4 @@
-// Offscreen pictures of the fixtures: cells that no shipped domain has are drawn where they should be.
+// Offscreen images of the fixtures: cells that no shipped domain has are drawn where they should be.
 #include "core/fixtures/fixture_run.hpp"
 #include "core/tessellate/camera.hpp"
 #include "gui/app/viewport_image.hpp"

@@ -1,4 +1,4 @@
-// Pictures of globes: how light falls, what hides what, and that wrong ones are found different.
+// Images of globes: shading, hidden surfaces, and negative controls.
 #include "core/scenario/view_rows.hpp"
 #include "core/tessellate/colour_map.hpp"
 #include "gui/globes.hpp"
@@ -36,7 +36,7 @@ int apart(const std::array<int, 3>& a, const std::array<int, 3>& b) {
     return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
-/// The unit ball around the origin fills the picture's height but for a tenth.
+/// The unit ball around the origin fills nine tenths of the image's height.
 const std::string look = "centre 0 0 0 height 2.2 right 0 1 0 up 0 0 1"; // from +x
 
 TEST(WrongGlobe, IsFoundDifferent) {
@@ -157,7 +157,7 @@ TEST(Globe, LinesFadeAtTheLimbAndNeverSink) {
 }
 
 TEST(Globe, BlendsAlongTheBall) {
-    // Half of a long way: straight on, the globe would dent.
+    // Half of a long displacement: along a straight line, the globe would be dented.
     Snapshot snapshot = xn_globe(cubed_globe(8, 2), 16);
     const Image image = drawn(
         snapshot, {{"blend", "0.5"}, {"camera", look}, {"color", "none"}, {"lines", "false"}}, 440, 440);

@@ -1,4 +1,5 @@
-// Pictures compared with stored ones, and wrong pictures that must be found different.
+// Images compared with stored ones, and wrong images that must be found different.
+#include "core/base/error.hpp"
 #include "core/scenario/view_rows.hpp"
 #include "core/tessellate/colouring.hpp"
 #include "gui/app/strips.hpp"
@@ -31,7 +32,7 @@ Image ring(const Snapshot& snapshot, const char* colour = "monitor", double blen
 class Golden : public testing::TestWithParam<Scene> {};
 
 TEST_P(Golden, LooksAsStored) {
-    // read_image throws where the picture is missing, which fails the test.
+    // read_image throws where the image is missing, which fails the test.
     EXPECT_EQ(difference(GetParam().draw(OffscreenBackend::any), golden(GetParam().name)), "");
 }
 
@@ -136,7 +137,7 @@ TEST(Background, IsTransparentOrAColour) {
     EXPECT_EQ(far_off, 0);
 }
 
-/// The picture of an empty plot with a title.
+/// The image of an empty plot with a title.
 Image titled(const std::string& title) {
     return render_plot({.title = title, .x = {"x", false}, .y = {"y", false}, .curves = {}}, 300, 200);
 }
@@ -296,7 +297,7 @@ TEST(Picture, LegendAndMeshHaveTheSameColours) {
     }
 }
 
-/// Brightness around a pixel as the eye averages it: in linear light, through a soft window.
+/// Mean brightness around a pixel, in linear light, with smooth weights.
 double blurred(const Image& image, int left, int top) {
     constexpr int side = 24;
     double sum = 0, weights = 0;
@@ -312,7 +313,7 @@ double blurred(const Image& image, int left, int top) {
 }
 
 TEST(Picture, DenseLinesDoNotBeatWithThePixels) {
-    // A uniform mesh looks the same all over, from an open net to lines too close to be told.
+    // A uniform mesh looks the same all over, from a coarse mesh to lines that merge.
     for (const int n : {110, 150, 190, 240, 480}) {
         Snapshot snapshot = ring_snapshot(n);
         snapshot.x = snapshot.mesh->nodes;
@@ -374,6 +375,43 @@ TEST(Picture, HugeAndTinyMeshesLookTheSame) {
         snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
         EXPECT_EQ(difference(ring(snapshot), golden("ring-16")), "") << factor;
     }
+}
+
+/// The first columns of an image, from `left` on, that are not of its background.
+int coloured_columns(const Image& image, int left, int right) {
+    const auto coloured = [&](int x) {
+        for (int y = image.height / 4; y < 3 * image.height / 4; ++y)
+            if (pixel(image, x, y) == pixel(image, left, 0)) return false;
+        return true;
+    };
+    while (left < right && !coloured(left)) ++left;
+    int end = left;
+    while (end < right && coloured(end)) ++end;
+    return end - left;
+}
+
+TEST(Panels, ShowMeshesInOneSizeWhateverTheirLegends) {
+    auto snapshot = std::make_shared<Snapshot>(ring_snapshot(16));
+    std::vector<double> values(snapshot->mesh->cell_count());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i);
+    snapshot->fields.push_back({{.name = "number", .label = "a word", .place = FieldPlace::cell}, values});
+    snapshot->fields.push_back(
+        {{.name = "other", .label = "a label with many words", .place = FieldPlace::cell}, values});
+    const MeshPanel narrow{"a", snapshot, "number", 0}, wide{"b", snapshot, "other", 0};
+    const Image image = render_panels({narrow, wide}, 2, 800, 400);
+    const int first = coloured_columns(image, 0, 400);
+    EXPECT_GT(first, 100);
+    EXPECT_EQ(first, coloured_columns(image, 400, 800));
+}
+
+TEST(Panels, AreNotDrawnOnceAskedToStop) {
+    const auto snapshot = std::make_shared<Snapshot>(ring_snapshot(16));
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_THROW(render_panels({MeshPanel{"a", snapshot}}, 1, 100, 100, {.stop = source.get_token()}),
+                 Interrupted);
+    EXPECT_THROW(
+        render_view(*snapshot, view("monitor", 1), 100, 100, "", {.stop = source.get_token()}), Interrupted);
 }
 
 } // namespace

@@ -299,7 +299,7 @@ TEST_F(WindowTest, WhatWasChangedIsThereTheNextTime) {
         return size.find("WIDTH=1100") != std::string::npos && size.find("HEIGHT=760") != std::string::npos;
     }));
     settle();
-    move(700, 300); // over the picture: pan, zoom
+    move(700, 300); // over the view: pan, zoom
     display.xdotool({"mousedown", "1"});
     move(740, 330);
     settle();

@@ -35,6 +35,11 @@ TEST_F(ValueChangesTest, MakeTheNameOfARun) {
     EXPECT_EQ(describe_scenario(catalogue, ring, with({"monitor.amplitude=20", "method.step_size=1e-3"})),
               "Ring, amplitude 20, step size 0.001");
     EXPECT_EQ(describe_scenario(catalogue, ring, with({"monitor.type=bell"})), "Bell");
+    const Scenario photo = with({"monitor.type=image", "monitor.file=/far/away/photo.jpg"});
+    EXPECT_EQ(describe_scenario(catalogue, ring, photo), "Image photo.jpg");
+    EXPECT_EQ(describe_scenario(catalogue, photo, photo), "Image");
+    const Scenario other = with({"monitor.type=image", "monitor.file=gaspard:relief.png"});
+    EXPECT_EQ(describe_scenario(catalogue, photo, other), "Image relief.png");
 }
 
 TEST(WhatDiffers, LeavesOutWhatStandsInAll) {

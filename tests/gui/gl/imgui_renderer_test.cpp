@@ -1,4 +1,4 @@
-// Our renderer of ImGui's triangles: every pixel where it belongs.
+// The renderer of ImGui's triangles, compared pixel by pixel.
 #include "gui/gl/imgui_context.hpp"
 #include "gui/gl/imgui_renderer.hpp"
 #include "gui/gl/offscreen.hpp"

@@ -1,4 +1,4 @@
-// A plot of the window as a picture: what a file shows is what render_plot() draws.
+// A plot of the window as an image: what a file shows is what render_plot() draws.
 #include "gui/app/viewport_image.hpp"
 #include "gui/gl/imgui_context.hpp"
 #include "gui/plot/plot_image.hpp"
@@ -20,7 +20,7 @@ Plot falling_plot() {
 Image draw(const Plot& plot, const Theme& theme, float scale, float density) {
     const auto context = make_offscreen_context();
     const ImGuiSession session;
-    ImGui::GetIO().DisplaySize = {300, 200}; // the window may be smaller than the picture
+    ImGui::GetIO().DisplaySize = {300, 200}; // the window may be smaller than the image
     load_font(*ImGui::GetIO().Fonts, theme, scale * density);
     ImGui::GetIO().FontGlobalScale = 1 / density;
     ImGuiRenderer renderer(context->gl());

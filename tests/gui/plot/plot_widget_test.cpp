@@ -50,6 +50,29 @@ TEST(HomeRange, OfNothingAndOfOnePointIsNotEmpty) {
             }
 }
 
+TEST(PlotFrame, LabelsOfTheVerticalAxisDoNotOverlap) {
+    HeadlessUi ui;
+    ui.frame([] {
+        const double line = static_cast<double>(ImGui::GetFontSize());
+        for (const double lowest : {1.0, 0.0021, 3e-9})
+            for (const double factor : {1.3, 3.0, 9.5, 45.0, 1e4, 1e9})
+                for (const float height : {60.0F, 90.0F, 150.0F, 300.0F, 700.0F}) {
+                    const Plot plot = plot_of({0, 1}, {lowest, factor * lowest}, true);
+                    const PlotFrame frame = make_frame(view_of(plot), {{0, 0}, {300, height}}, {}, 1);
+                    double above = INFINITY;
+                    int labels = 0;
+                    for (const Tick& tick : frame.y_ticks) {
+                        if (tick.label.empty()) continue;
+                        const double pixel = frame.pixel_y(tick.value);
+                        EXPECT_GE(above - pixel, line) << tick.label << ", " << lowest << " times " << factor
+                                                       << ", " << height << " high";
+                        above = pixel, ++labels;
+                    }
+                    if (height >= 150) EXPECT_GE(labels, 1) << lowest << " times " << factor;
+                }
+    });
+}
+
 /// Draws a plot into a window of a headless ImGui and counts the triangles' corners.
 int drawn_vertices(const Plot& plot, ImVec2 size = {400, 300}, ImVec2 mouse = {-100, -100}) {
     HeadlessUi ui;
@@ -156,6 +179,19 @@ class PlotSteering : public testing::Test {
     PlotFrame shown, home;
     bool menu = false;
 };
+
+TEST_F(PlotSteering, LabelsOfAShortLogarithmicAxisDoNotTouch) {
+    plot = plot_of({900, 3600}, {0.0428, 0.00155}, true);
+    ui.frame([this] {
+        const PlotFrame low = make_frame(view_of(plot), {{0, 0}, {260, 200}}, {}, 1);
+        std::vector<double> heights;
+        for (const Tick& tick : low.y_ticks)
+            if (!tick.label.empty()) heights.push_back(low.pixel_y(tick.value));
+        ASSERT_GE(heights.size(), 2U);
+        for (std::size_t i = 1; i < heights.size(); ++i)
+            EXPECT_GE(heights[i - 1] - heights[i], static_cast<double>(ImGui::GetFontSize()));
+    });
+}
 
 TEST_F(PlotSteering, TheWheelZoomsAtThePointer) {
     const ImVec2 at = place(0.25F, 0.6F);

@@ -1,5 +1,5 @@
-// Centres of monitors that the mouse takes along.
-#include "core/spline/control_points.hpp"
+// Dragging centres of monitors and control points.
+#include "core/mesh/control_points.hpp"
 #include "gui/application_fixture.hpp"
 #include "gui/globes.hpp"
 #include "gui/panels/viewport_pane.hpp"

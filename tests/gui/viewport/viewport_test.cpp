@@ -1,4 +1,4 @@
-// Plans of viewports: what stands where, from where it is seen, and what is said where a text makes no sense.
+// Plans of viewports: rectangles, cameras, and messages about invalid texts.
 #include "core/base/error.hpp"
 #include "gui/plan_fixture.hpp"
 #include "gui/viewport/legend.hpp"
@@ -39,6 +39,21 @@ TEST_F(ViewportTest, SideBySideIsTwoPicturesOfOneSizeSeenByOneCamera) {
     }
     view_.set("layout", std::string("single"));
     EXPECT_EQ(plan(ring_snapshot(8), view_).views.size(), 1U);
+}
+
+TEST_F(ViewportTest, TheLegendOfTwoIsThatOfThePhysicalMesh) {
+    Snapshot snapshot = ring_snapshot(8);
+    const std::vector<double> errors(snapshot.mesh->cell_count(), 0.5);
+    for (const char* name : {"interpolation_error", "interpolation_error_uniform"})
+        snapshot.fields.push_back({{.name = name, .place = FieldPlace::cell}, errors});
+    snapshot.interpolation = std::make_shared<const InterpolationComparison>();
+    view_.set("layout", std::string("side-by-side"));
+    view_.set("color", std::string("interpolation_error"));
+    const ViewportPlan both = plan(snapshot, view_);
+    EXPECT_EQ(both.views[0].scene.colouring->name, "interpolation_error_uniform");
+    EXPECT_EQ(both.views[1].scene.colouring->name, "interpolation_error");
+    ASSERT_NE(both.colouring, nullptr);
+    EXPECT_EQ(both.colouring->name, "interpolation_error");
 }
 
 TEST_F(ViewportTest, HomeStaysWhileTheMeshMovesUntilItIsForgotten) {

@@ -1,6 +1,7 @@
-#include "core/spline/control_points.hpp"
+#include "core/mesh/control_points.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/join.hpp"
 #include "core/base/parameter.hpp"
 
 #include <charconv>
@@ -23,25 +24,22 @@ bool take_number(std::string_view& text, double& number) {
 
 } // namespace
 
-Points parse_control_points(std::string_view text, std::size_t count) {
+Points parse_control_points(std::string_view text, std::size_t count, const std::string& key,
+                            const std::string& owner) {
     Points control;
-    while (true) {
-        const auto comma = text.find(',');
-        std::string_view one = text.substr(0, comma);
+    for (const std::string_view part : split(text, ",")) {
+        std::string_view one = part;
         Vec3 point;
         if (!take_number(one, point.x) || !take_number(one, point.y) ||
             one.find_first_not_of(' ') != std::string_view::npos)
-            throw InputError(
-                "domain.control_points must be a list of points of two numbers, as in \"0 0, 1 0.5\", not '" +
-                std::string(text.substr(0, comma)) + "'");
+            throw InputError(key + " must be a list of points of two numbers, as in \"0 0, 1 0.5\", not '" +
+                             std::string(part) + "'");
         control.resize(control.size() + 1);
         control.set(control.size() - 1, point);
-        if (comma == std::string_view::npos) break;
-        text.remove_prefix(comma + 1);
     }
     if (control.size() != count)
-        throw InputError("domain.control_points lists " + std::to_string(control.size()) +
-                         " points, but the patch has " + std::to_string(count));
+        throw InputError(key + " lists " + std::to_string(control.size()) + " points, but " + owner +
+                         " has " + std::to_string(count));
     return control;
 }
 

@@ -1,4 +1,4 @@
-#include "core/layer/coefficient.hpp"
+#include "core/function/coefficient.hpp"
 
 #include "core/base/join.hpp"
 #include "core/function/expression.hpp"

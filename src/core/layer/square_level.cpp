@@ -1,0 +1,252 @@
+#include "core/layer/square_level.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/parameter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+/// Closed Newton-Cotes rule of degree 4 on a triangle: barycentric coordinates (in quarters) and weights.
+struct SamplePoint {
+    double a, b, c, weight;
+};
+constexpr std::array<SamplePoint, 12> degree_4_points = {{{3, 1, 0, 4},
+                                                          {1, 3, 0, 4},
+                                                          {0, 3, 1, 4},
+                                                          {0, 1, 3, 4},
+                                                          {1, 0, 3, 4},
+                                                          {3, 0, 1, 4},
+                                                          {2, 2, 0, -1},
+                                                          {0, 2, 2, -1},
+                                                          {2, 0, 2, -1},
+                                                          {2, 1, 1, 8},
+                                                          {1, 2, 1, 8},
+                                                          {1, 1, 2, 8}}};
+
+} // namespace
+
+SquareLevel::SquareLevel(int n, MeshPdeForm form, DensitySamples samples, const std::array<Vec3, 4>& corners)
+    : n_(n), form_(form), samples_(samples), domain_(corners), nodes_(node_count()),
+      centres_(quad_count()), solvers_{solver(0), solver(1)} {
+    for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i)
+            nodes_.set(node(i, j), computational(static_cast<double>(i) / n, static_cast<double>(j) / n));
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) centres_.set(quad(i, j), computational((i + 0.5) / n, (j + 0.5) / n));
+}
+
+void SquareLevel::set_positions(Points nodes, Points centres) {
+    nodes_ = std::move(nodes), centres_ = std::move(centres);
+}
+
+bool SquareLevel::is_fixed(Index axis, int i, int j) const {
+    if (axis == 0) return form_ == MeshPdeForm::one_direction || i == 0 || i == n_;
+    return j == 0 || j == n_;
+}
+
+void SquareLevel::restore_fixed(Points& nodes) const {
+    for (int j = 0; j <= n_; ++j)
+        for (int i = 0; i <= n_; ++i)
+            for (const Index axis : {Index{0}, Index{1}}) {
+                if (!is_fixed(axis, i, j)) continue;
+                const Index p = node(i, j);
+                double& value = axis == 0 ? nodes.x[p] : nodes.y[p];
+                const double kept = axis == 0 ? nodes_.x[p] : nodes_.y[p];
+                if (std::abs(value - kept) > 1e-9)
+                    throw InputError("a node is to lie at " + format_number(value) + ", but its side is at " +
+                                     format_number(kept));
+                value = kept;
+            }
+}
+
+SquareLevel SquareLevel::refined() const {
+    SquareLevel fine(2 * n_, form_, samples_, domain_);
+    for (int j = 0; j <= fine.n_; ++j)
+        for (int i = 0; i <= fine.n_; ++i) {
+            const int a = i / 2, b = j / 2;
+            if (i % 2 == 0 && j % 2 == 0)
+                fine.nodes_.set(fine.node(i, j), nodes_[node(a, b)]);
+            else if (j % 2 == 0)
+                fine.nodes_.set(fine.node(i, j), 0.5 * (nodes_[node(a, b)] + nodes_[node(a + 1, b)]));
+            else if (i % 2 == 0)
+                fine.nodes_.set(fine.node(i, j), 0.5 * (nodes_[node(a, b)] + nodes_[node(a, b + 1)]));
+            else
+                fine.nodes_.set(fine.node(i, j), centres_[quad(a, b)]);
+        }
+    for (int j = 0; j < fine.n_; ++j)
+        for (int i = 0; i < fine.n_; ++i) // their places: where sides are not parallel, off the coarse edges
+            fine.centres_.set(fine.quad(i, j), at(i / 2, j / 2, fine.computational_corners(i, j)[4]));
+    return fine;
+}
+
+Vec3 SquareLevel::at(int i, int j, Vec3 xi) const {
+    const auto place = computational_corners(i, j), value = corners_of(i, j);
+    const auto area = [](Vec3 a, Vec3 b, Vec3 c) { return cross(b - a, c - a).z; };
+    Vec3 found{};
+    double most = -1;
+    for (const auto& t : crossed_triangles) { // the one whose barycentric coordinates are not negative
+        const Vec3 a = place[t[0]], b = place[t[1]], c = place[t[2]];
+        const double whole = area(a, b, c), u = area(xi, b, c) / whole, v = area(a, xi, c) / whole;
+        const double w = 1 - u - v, least = std::min({u, v, w});
+        if (least <= most) continue;
+        most = least;
+        found = u * value[t[0]] + v * value[t[1]] + w * value[t[2]];
+    }
+    return found;
+}
+
+SquareMeshSolve SquareLevel::solve(const LayerDensities& densities) {
+    sample(densities);
+    SquareMeshSolve result;
+    const bool both = form_ == MeshPdeForm::componentwise;
+    for (const Index axis : {Index{0}, Index{1}}) {
+        if (axis == 0 && !both) continue; // x = xi1 already
+        std::vector<double>& u = axis == 0 ? nodes_.x : nodes_.y;
+        std::vector<double>& c = axis == 0 ? centres_.x : centres_.y;
+        solvers_[axis].set_matrices(eliminated(axis));
+        const std::vector<double> before = u, centres_before = c;
+        result.inner_iterations += solvers_[axis].solve(u, 1e-8, 1e-14);
+        restore_centres(u, c);
+        for (Index i = 0; i < u.size(); ++i)
+            result.update = std::max(result.update, std::abs(u[i] - before[i]));
+        for (Index i = 0; i < c.size(); ++i)
+            result.update = std::max(result.update, std::abs(c[i] - centres_before[i]));
+    }
+    return result;
+}
+
+Vec3 SquareLevel::computational(double s, double t) const {
+    const auto& c = domain_;
+    return (1 - t) * ((1 - s) * c[0] + s * c[1]) + t * ((1 - s) * c[2] + s * c[3]);
+}
+
+std::array<Vec3, 5> SquareLevel::computational_corners(int i, int j) const {
+    const auto at = [&](int a, int b) {
+        return computational(static_cast<double>(a) / n_, static_cast<double>(b) / n_);
+    };
+    return {at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1),
+            computational((i + 0.5) / n_, (j + 0.5) / n_)};
+}
+
+std::array<Vec3, 5> SquareLevel::corners_of(int i, int j) const {
+    return {nodes_[node(i, j)], nodes_[node(i + 1, j)], nodes_[node(i, j + 1)], nodes_[node(i + 1, j + 1)],
+            centres_[quad(i, j)]};
+}
+
+/// x is fixed on the left and right, y below and above.
+NinePointSolver SquareLevel::solver(int axis) const {
+    std::vector<std::uint8_t> fixed(node_count());
+    for (int j = 0; j <= n_; ++j)
+        for (int i = 0; i <= n_; ++i) {
+            const int along = axis == 0 ? i : j;
+            fixed[node(i, j)] = along == 0 || along == n_ ? 1 : 0;
+        }
+    return {n_, std::move(fixed)};
+}
+
+/// Mean densities of all triangles, by quadrilaterals.
+void SquareLevel::sample(const LayerDensities& densities) {
+    const bool corners = samples_ == DensitySamples::corners;
+    const Index count = corners ? node_count() + quad_count() : 48 * quad_count();
+    if (at_.size() != count) {
+        at_.resize(count), m11_.resize(count), m22_.resize(count);
+        for (auto& mean : means_) mean.resize(4 * quad_count());
+    }
+    if (corners) {
+        for (Index i = 0; i < node_count(); ++i) at_.set(i, nodes_[i]);
+        for (Index i = 0; i < quad_count(); ++i) at_.set(node_count() + i, centres_[i]);
+    } else {
+        Index next = 0;
+        for (int j = 0; j < n_; ++j)
+            for (int i = 0; i < n_; ++i) {
+                const auto corner = corners_of(i, j);
+                for (const auto& t : crossed_triangles)
+                    for (const SamplePoint& p : degree_4_points)
+                        at_.set(next++,
+                                0.25 * (p.a * corner[t[0]] + p.b * corner[t[1]] + p.c * corner[t[2]]));
+            }
+    }
+    densities(at_, m11_, m22_);
+    check_values();
+    for (const Index axis : {Index{0}, Index{1}}) average(axis);
+}
+
+void SquareLevel::average(Index axis) {
+    const auto& m = axis == 0 ? m11_ : m22_;
+    for (int j = 0; j < n_; ++j)
+        for (int i = 0; i < n_; ++i) {
+            const Index q = quad(i, j);
+            const std::array<Index, 5> at = {node(i, j), node(i + 1, j), node(i, j + 1), node(i + 1, j + 1),
+                                             node_count() + q};
+            for (Index t = 0; t < 4; ++t) {
+                double mean = 0;
+                if (samples_ == DensitySamples::corners)
+                    for (const Index c : crossed_triangles[t]) mean += m[at[c]] / 3;
+                else
+                    for (Index p = 0; p < 12; ++p)
+                        mean += m[12 * (4 * q + t) + p] * degree_4_points[p].weight / 45;
+                means_[axis][4 * q + t] = mean;
+            }
+        }
+}
+
+void SquareLevel::check_values() const {
+    for (const auto* m : {&m11_, &m22_})
+        for (Index i = 0; i < m->size(); ++i)
+            if (!((*m)[i] > 0) || !std::isfinite((*m)[i]))
+                throw InputError("the density of the mesh must be positive and finite, but is " +
+                                 format_number((*m)[i]) + " at (" + format_number(at_.x[i]) + ", " +
+                                 format_number(at_.y[i]) + ")");
+}
+
+/// The stiffness matrix of a quadrilateral with its centre.
+std::array<std::array<double, 5>, 5> SquareLevel::matrix(Index axis, int i, int j) const {
+    const bool one = form_ == MeshPdeForm::one_direction;
+    const std::array<Vec3, 5> xi = computational_corners(i, j);
+    std::array<std::array<double, 5>, 5> k{};
+    for (Index t = 0; t < 4; ++t) {
+        const auto& v = crossed_triangles[t];
+        const double area = 0.5 * ((xi[v[1]].x - xi[v[0]].x) * (xi[v[2]].y - xi[v[0]].y) -
+                                   (xi[v[2]].x - xi[v[0]].x) * (xi[v[1]].y - xi[v[0]].y));
+        const double weight = means_[axis][4 * quad(i, j) + t] / (4 * area);
+        for (Index a = 0; a < 3; ++a)
+            for (Index b = 0; b < 3; ++b) {
+                const auto edge = [&](Index c) { return xi[v[(c + 2) % 3]] - xi[v[(c + 1) % 3]]; };
+                const Vec3 ea = edge(a), eb = edge(b); // 2 |T| grad = the opposite edge, turned
+                k[v[a]][v[b]] += weight * (ea.x * eb.x + (one ? 0.0 : ea.y * eb.y));
+            }
+    }
+    return k;
+}
+
+/// The matrices of the quadrilaterals without their centres.
+std::vector<CornerMatrix> SquareLevel::eliminated(Index axis) {
+    std::vector<CornerMatrix> matrices(quad_count());
+    centre_weights_.resize(quad_count());
+    for (int j = 0; j < n_; ++j)
+        for (int i = 0; i < n_; ++i) {
+            const auto k = matrix(axis, i, j);
+            auto& c = centre_weights_[quad(i, j)];
+            for (Index a = 0; a < 4; ++a) c[a] = -k[4][a] / k[4][4];
+            Index at = 0;
+            for (Index a = 0; a < 4; ++a)
+                for (Index b = 0; b <= a; ++b) matrices[quad(i, j)][at++] = k[a][b] + k[a][4] * c[b];
+        }
+    return matrices;
+}
+
+void SquareLevel::restore_centres(const std::vector<double>& u, std::vector<double>& c) const {
+    for (int j = 0; j < n_; ++j)
+        for (int i = 0; i < n_; ++i) {
+            const auto& w = centre_weights_[quad(i, j)];
+            c[quad(i, j)] = w[0] * u[node(i, j)] + w[1] * u[node(i + 1, j)] + w[2] * u[node(i, j + 1)] +
+                            w[3] * u[node(i + 1, j + 1)];
+        }
+}
+
+} // namespace gaspard

@@ -1,0 +1,70 @@
+// One resolution of a mesh PDE on quadrilaterals (square_mesh_pde.hpp): the iterate, the mean densities of
+// the four triangles of every quadrilateral, and the systems of the two coordinates.
+#pragma once
+
+#include "core/layer/square_mesh_pde.hpp"
+#include "core/linear/nine_point.hpp"
+
+namespace gaspard {
+
+/// Corners of the four triangles of a quadrilateral: (0,0), (1,0), (0,1), (1,1), centre = 0..4.
+constexpr std::array<std::array<std::size_t, 3>, 4> crossed_triangles = {
+    {{0, 1, 4}, {1, 3, 4}, {3, 2, 4}, {2, 0, 4}}};
+
+class SquareLevel {
+  public:
+    using Index = std::size_t;
+
+    SquareLevel(int n, MeshPdeForm form, DensitySamples samples, const std::array<Vec3, 4>& corners);
+
+    int n() const { return n_; }
+    const Points& nodes() const { return nodes_; }
+    const Points& centres() const { return centres_; }
+    void set_positions(Points nodes, Points centres);
+
+    /// Whether a coordinate of a node (axis 0: x) stays as it is.
+    bool is_fixed(Index axis, int i, int j) const;
+    /// Takes away the rounding of coordinates that stay. Throws InputError if they are others.
+    void restore_fixed(Points& nodes) const;
+
+    /// A mesh of twice as many cells with the same iterate, which is linear on its triangles.
+    SquareLevel refined() const;
+    SquareMeshSolve solve(const LayerDensities& densities);
+
+  private:
+    Index node(int i, int j) const {
+        return static_cast<Index>(j) * static_cast<Index>(n_ + 1) + static_cast<Index>(i);
+    }
+    Index quad(int i, int j) const {
+        return static_cast<Index>(j) * static_cast<Index>(n_) + static_cast<Index>(i);
+    }
+    Index node_count() const { return static_cast<Index>(n_ + 1) * static_cast<Index>(n_ + 1); }
+    Index quad_count() const { return static_cast<Index>(n_) * static_cast<Index>(n_); }
+    /// The point (s, t) of the unit square in the computational domain.
+    Vec3 computational(double s, double t) const;
+    std::array<Vec3, 5> computational_corners(int i, int j) const;
+    std::array<Vec3, 5> corners_of(int i, int j) const;
+    /// The iterate at a point of the computational quadrilateral (i, j), linear on each triangle.
+    Vec3 at(int i, int j, Vec3 xi) const;
+    NinePointSolver solver(int axis) const;
+
+    void sample(const LayerDensities& densities);
+    void check_values() const;
+    void average(Index axis);
+    std::array<std::array<double, 5>, 5> matrix(Index axis, int i, int j) const;
+    std::vector<CornerMatrix> eliminated(Index axis);
+    void restore_centres(const std::vector<double>& u, std::vector<double>& c) const;
+
+    int n_;
+    MeshPdeForm form_;
+    DensitySamples samples_;
+    std::array<Vec3, 4> domain_; ///< corners of the computational domain
+    Points nodes_, centres_;
+    Points at_; ///< where the densities were sampled
+    std::vector<double> m11_, m22_;
+    std::array<std::vector<double>, 2> means_;          ///< of triangles, by quadrilaterals
+    std::vector<std::array<double, 4>> centre_weights_; ///< of the last axis
+    std::array<NinePointSolver, 2> solvers_;
+};
+
+} // namespace gaspard
