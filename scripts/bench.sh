@@ -19,4 +19,6 @@ echo
 echo
 python3 "$here/bench/splines.py" "$here/build-bench/bench/bench_splines"
 echo
+python3 "$here/bench/layers.py" "$here/build-bench/bench/bench_layers"
+echo
 "$here/build-bench/bench/measure_orders"

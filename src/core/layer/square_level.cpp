@@ -58,12 +58,25 @@ SquareLevel SquareLevel::refined() const {
                 fine.nodes_.set(fine.node(i, j), centres_[quad(a, b)]);
         }
     for (int j = 0; j < fine.n_; ++j)
-        for (int i = 0; i < fine.n_; ++i) { // between a corner of the coarse quadrilateral and its centre
-            const int a = i / 2, b = j / 2;
-            const Vec3 corner = nodes_[node(a + i % 2, b + j % 2)];
-            fine.centres_.set(fine.quad(i, j), 0.5 * (corner + centres_[quad(a, b)]));
-        }
+        for (int i = 0; i < fine.n_; ++i) // their places: where sides are not parallel, off the coarse edges
+            fine.centres_.set(fine.quad(i, j), at(i / 2, j / 2, fine.computational_corners(i, j)[4]));
     return fine;
+}
+
+Vec3 SquareLevel::at(int i, int j, Vec3 xi) const {
+    const auto place = computational_corners(i, j), value = corners_of(i, j);
+    const auto area = [](Vec3 a, Vec3 b, Vec3 c) { return cross(b - a, c - a).z; };
+    Vec3 found{};
+    double most = -1;
+    for (const auto& t : crossed_triangles) { // the one whose barycentric coordinates are not negative
+        const Vec3 a = place[t[0]], b = place[t[1]], c = place[t[2]];
+        const double whole = area(a, b, c), u = area(xi, b, c) / whole, v = area(a, xi, c) / whole;
+        const double w = 1 - u - v, least = std::min({u, v, w});
+        if (least <= most) continue;
+        most = least;
+        found = u * value[t[0]] + v * value[t[1]] + w * value[t[2]];
+    }
+    return found;
 }
 
 SquareMeshSolve SquareLevel::solve(const LayerDensities& densities) {

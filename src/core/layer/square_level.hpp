@@ -77,6 +77,8 @@ class SquareLevel {
     Vec3 computational(double s, double t) const;
     std::array<Vec3, 5> computational_corners(int i, int j) const;
     std::array<Vec3, 5> corners_of(int i, int j) const;
+    /// The iterate at a point of the computational quadrilateral (i, j), linear on each triangle.
+    Vec3 at(int i, int j, Vec3 xi) const;
     NinePointSolver solver(int axis) const;
 
     void sample(const LayerDensities& densities);

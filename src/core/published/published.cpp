@@ -12,6 +12,7 @@ namespace gaspard {
 std::vector<Recipe> recipes() {
     std::vector<Recipe> all = mcrae_recipes();
     for (auto& one : bahari_recipes()) all.push_back(std::move(one));
+    for (auto& one : hill_recipes()) all.push_back(std::move(one));
     return all;
 }
 

@@ -65,5 +65,8 @@ std::vector<Recipe> mcrae_recipes();
 /// The recipes of Bahari, Habbal, Ratnani, Sonnendruecker, "Adaptive isogeometric analysis using optimal
 /// transport and their fast solvers", Comput. Methods Appl. Mech. Engrg. 418 (2024).
 std::vector<Recipe> bahari_recipes();
+/// The recipes of Hill, Madden, "Generating layer-adapted meshes using mesh partial differential equations"
+/// (2021).
+std::vector<Recipe> hill_recipes();
 
 } // namespace gaspard
