@@ -7,11 +7,13 @@
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/background.hpp"
 #include "core/tessellate/colouring.hpp"
+#include "core/tessellate/interval_plots.hpp"
 #include "core/tessellate/plot.hpp"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gaspard {
 
@@ -22,6 +24,9 @@ struct PlotSvgOptions {
 /// Axes with ticks and grid, curves, and a legend where there are several. What a logarithmic axis cannot
 /// show (zero, negative numbers) and what is not finite is a gap.
 std::string svg_of_plot(const Plot& plot, const PlotSvgOptions& options = {});
+
+/// The plots of an interval's mesh, columns beside each other.
+std::string svg_of_plots(const std::vector<IntervalColumn>& columns, const Background& background = {});
 
 struct MeshSvgOptions {
     double width_mm = 120;   ///< of the whole drawing
@@ -44,6 +49,8 @@ std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>
                         const MeshSvgOptions& options = {});
 
 void write_svg(const std::filesystem::path& file, const Plot& plot, const PlotSvgOptions& options = {});
+void write_svg(const std::filesystem::path& file, const std::vector<IntervalColumn>& columns,
+               const Background& background = {});
 void write_svg(const std::filesystem::path& file, const Snapshot& snapshot,
                const std::optional<Colouring>& colouring, const MeshSvgOptions& options = {});
 

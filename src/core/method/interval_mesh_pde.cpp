@@ -146,6 +146,7 @@ MethodType mesh_pde_method() {
                          .scale = ParameterScale::logarithmic,
                          .help = "L2 norm of the residual of the mesh PDE"},
             .fields = interval_fields(),
+            .colour = "solution",
             .make = [](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
                 auto domain = std::dynamic_pointer_cast<const IntervalDomain>(context.discretisation);
                 GASPARD_CHECK(domain != nullptr); // guaranteed by the capability table

@@ -68,6 +68,7 @@ class Canvas {
     void mesh(const Snapshot& snapshot, const Values& view, const ViewportText& text, PixelRect area) {
         ViewportPlanner planner;
         ViewportPlan plan = planner.plan(snapshot, view, text, on_screen(area), scale_);
+        draw_viewport_plots(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
         draw_viewport_overlay(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
         std::move(plan.views.begin(), plan.views.end(), std::back_inserter(views_));
     }
