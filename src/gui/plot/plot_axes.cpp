@@ -129,7 +129,7 @@ AxisRange home_range(const PlotView& plot, bool vertical) {
 AxisRange limited(AxisRange range, AxisRange home, bool logarithmic) {
     const double low = logarithmic ? lowest_decade : -1e300, high = logarithmic ? highest_decade : 1e300;
     const double size = std::max({std::abs(range.low), std::abs(range.high), 1e-290});
-    const double narrowest = std::max(1e-12 * size, 1e-15 * home.span()); // rounding is far below
+    const double narrowest = std::max(5e-13 * size, 1e-15 * home.span()); // rounding is far below
     const double widest = std::max(20 * home.span(), narrowest);
     const double middle = std::clamp(range.low / 2 + range.high / 2, low, high);
     const double span = std::clamp(range.span(), narrowest, widest);

@@ -54,8 +54,9 @@ TEST_F(IntervalPlan, ALinearAxisIsExactToTenToMinusTwelveAtBothEnds) {
     for (const double end : {0.0, 1.0}) {
         const double sign = end == 0 ? 1 : -1;
         const AxisRange zoom{std::min(end, end + sign * 0x1p-40), std::max(end, end + sign * 0x1p-40)};
-        const PlotFrame frame = frame_of(plots(snapshot, {{.x = zoom}})[0]);
-        EXPECT_EQ(limited(zoom, home_range(plots(snapshot)[0].view, false), false), zoom);
+        const PlotFrame frame = frame_of(plots(snapshot, {{.x = zoom, .values = {}, .spacing = {}}})[0]);
+        const AxisRange allowed = limited(zoom, home_range(plots(snapshot)[0].view, false), false);
+        EXPECT_NEAR(allowed.span(), zoom.span(), 0.1 * zoom.span()) << "one can zoom in so far";
         const double width = static_cast<double>(frame.area.width());
         const double at = frame.pixel_x(end + sign * 0x1p-42) - static_cast<double>(frame.area.min.x);
         EXPECT_NEAR(at, (end == 0 ? 0.25 : 0.75) * width, 1e-9 * width);
@@ -127,7 +128,12 @@ class IntervalWindow : public ApplicationFixture {
 
   private:
     explicit IntervalWindow(const std::shared_ptr<const Catalogue>& of)
-        : ApplicationFixture(of, find_scenario(*of, "layer-1d")) {}
+        : ApplicationFixture(of, layer(*of)) {}
+    static Scenario layer(const Catalogue& catalogue) {
+        Scenario scenario = find_scenario(catalogue, "layer-1d");
+        apply_settings(catalogue, scenario, {"method.interpolation=false"});
+        return scenario;
+    }
 };
 
 TEST_F(IntervalWindow, TheWheelZoomsBothPlotsOfAColumnAndADoubleClickShowsEverything) {
