@@ -345,11 +345,12 @@ std::string svg_rect(const Area& area, const std::string& attributes) {
 struct Layout {
     AxisRange x_range, y_range;
     std::vector<Tick> x, y;
-    Area area;
+    Area area{};
 };
 
 Layout layout_of(const Plot& plot, double width, double height) {
-    Layout made{.x_range = shown_range(plot, false), .y_range = shown_range(plot, true)};
+    Layout made;
+    made.x_range = shown_range(plot, false), made.y_range = shown_range(plot, true);
     made.y = axis_ticks(plot.y, made.y_range, static_cast<int>(height / (2.8 * svg_font_size)));
     const auto width_of = [](const std::string& label) { return svg_text_width(label) + gap; };
     made.x =

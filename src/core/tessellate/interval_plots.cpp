@@ -240,6 +240,23 @@ class Maker {
                 (part.uniform ? uniform_colour : adapted_colour) + second_colours * (part.number - 1);
             plot.curves.push_back(std::move(curve));
         }
+        limit(plot);
+    }
+    /// Solutions on the uniform mesh may oscillate wildly; they must not squeeze those on the adapted one.
+    static void limit(Plot& plot) {
+        if (plot.y.logarithmic || plot.y.low) return;
+        double low = std::numeric_limits<double>::infinity(), high = -low, lowest = low, highest = high;
+        for (const Curve& curve : plot.curves)
+            for (const double y : curve.y) {
+                if (!std::isfinite(y)) continue;
+                lowest = std::min(lowest, y), highest = std::max(highest, y);
+                if (!curve.behind) low = std::min(low, y), high = std::max(high, y);
+            }
+        constexpr double most = 1; // beyond the others, in units of their span
+        const double span = high - low;
+        if (!(span > 0) || (lowest >= low - most * span && highest <= high + most * span)) return;
+        plot.y.low = std::max(lowest - 0.05 * span, low - most * span);
+        plot.y.high = std::min(highest + 0.05 * span, high + most * span);
     }
     Axis value_axis() const {
         Axis axis{.label = colouring_->label, .logarithmic = view_.boolean("log")};

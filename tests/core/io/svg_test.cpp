@@ -490,15 +490,6 @@ TEST(MeshSvg, AClosedSurfaceMayFaceInwardAsAWhole) {
     EXPECT_EQ(seen[0], seen[1]) << "the same corners: those in front";
 }
 
-TEST(MeshSvg, AnIntervalIsABand) {
-    const SvgReader svg(svg_of(sample_snapshot(three_lines())));
-    std::size_t uprights = 0;
-    for (const auto& stroke : strokes_in(svg, "edges"))
-        for (std::size_t i = 1; i < stroke.corners.size(); ++i)
-            if (stroke.corners[i].x == stroke.corners[i - 1].x) ++uprights;
-    EXPECT_EQ(uprights, 4u);
-}
-
 TEST(MeshSvg, ACurveInThePlaneIsALine) {
     Mesh mesh = three_lines();
     mesh.space_dimension = 2;

@@ -150,6 +150,18 @@ TEST(IntervalPlots, ComponentsAreToldApart) {
     EXPECT_EQ(plot.curves[3].y, (Numbers{6, 7, 8}));
 }
 
+TEST(IntervalPlots, WildOscillationsOnTheUniformMeshLeaveTheOtherVisible) {
+    Snapshot snapshot = snapshot_at({0, 0.25, 1}); // the solution is 0, 2, 4
+    snapshot.fields[1].values = {0, 7.5, 0};
+    EXPECT_FALSE(interval_plots(snapshot, view_with({}))[0].values.y.high) << "all is shown";
+    snapshot.fields[1].values = {0, 1e5, -1};
+    const Axis y = interval_plots(snapshot, view_with({}))[0].values.y;
+    EXPECT_EQ(y.high, 8) << "the span of the solution more than it needs";
+    EXPECT_NEAR(*y.low, -1.2, 1e-12) << "and as far down as anything reaches";
+    const auto fixed = view_with({{"range", "fixed"}, {"low", "-3"}, {"high", "1e6"}});
+    EXPECT_EQ(interval_plots(snapshot, fixed)[0].values.y.high, 1e6);
+}
+
 TEST(IntervalPlots, FieldsOfCellsAreAtTheirMiddles) {
     const Plot plot = interval_plots(snapshot_at({0, 0.25, 1}), view_with({{"color", "area"}}))[0].values;
     ASSERT_EQ(plot.curves.size(), 1U);
