@@ -81,6 +81,24 @@ TEST_F(IntervalPlan, TheRightEndIsAtTheRightAndDistancesFromItAreExact) {
     EXPECT_EQ(frame.x_ticks.back().label.rfind("1 − 10", 0), 0U) << frame.x_ticks.back().label;
 }
 
+TEST_F(IntervalPlan, RunsAreBesideEachOtherAndZoomedTogether) {
+    const Snapshot first = layer_snapshot(8, 0.1), second = layer_snapshot(16, 0.01);
+    const std::vector<NamedSnapshot> others{{"Shishkin", &second}};
+    view_.set("layout", std::string("runs"));
+    const ColumnZoom zoom{.x = AxisRange{0.2, 0.3}, .values = {}, .spacing = {}};
+    std::vector<PlannedPlot> made;
+    ui_.frame([&] {
+        made = planner_.plan(first, view_, {.subject = "mesh PDE"}, whole_, 1, others, {zoom}).plots;
+    });
+    ASSERT_EQ(made.size(), 4U);
+    EXPECT_EQ(made[0].view.title, "mesh PDE");
+    EXPECT_EQ(made[2].view.title, "Shishkin");
+    EXPECT_EQ(made[0].view.curves[0].x.size(), 9U);
+    EXPECT_EQ(made[2].view.curves[0].x.size(), 17U);
+    for (const PlannedPlot& plot : made) EXPECT_EQ(plot.zoom.x, zoom.x);
+    EXPECT_GE(made[2].rect.min.x, made[0].rect.max.x);
+}
+
 TEST_F(IntervalPlan, AMeshOfManyCellsIsDrawnFromFewPoints) {
     const Snapshot snapshot = layer_snapshot(65536, 1e-8);
     for (const char* axis : {"linear", "log-left", "log-right"}) {
