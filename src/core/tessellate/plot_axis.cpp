@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace gaspard {
 
@@ -59,12 +62,22 @@ double position_at(const Axis& axis, AxisRange range, double fraction) {
     return axis.reversed ? range.high - fraction * range.span() : range.low + fraction * range.span();
 }
 
+/// A label of a distance as one of a place. Differences between distances ("+2×10⁻¹³") stay differences, of
+/// the other sign where the place is that much before an end.
+static std::string behind(const std::string& before, std::string label) {
+    static constexpr std::string_view minus = "−";
+    if (before.empty() || label.empty()) return label;
+    const bool more = label.front() == '+', less = label.starts_with(minus);
+    if (!more && !less) return before + label;
+    if (!before.ends_with(minus) && !before.ends_with("− ")) return label;
+    return more ? std::string(minus).append(label, 1) : "+" + label.substr(minus.size());
+}
+
 std::vector<Tick> axis_ticks(const Axis& axis, AxisRange range, int count) {
     std::vector<Tick> ticks = axis.logarithmic
                                   ? log_ticks(from_axis(axis, range.low), from_axis(axis, range.high), count)
                                   : linear_ticks(range.low, range.high, count);
-    for (Tick& tick : ticks)
-        if (!tick.label.empty()) tick.label.insert(0, axis.before);
+    for (Tick& tick : ticks) tick.label = behind(axis.before, std::move(tick.label));
     return ticks;
 }
 

@@ -193,6 +193,22 @@ TEST(PlotAxis, LinesBetweenPointsBendOnLogarithmicAxes) {
     EXPECT_TRUE(bends_between({"x"}, {0, 1}, 0.5, 0.4, 0.5).empty()) << "backwards";
 }
 
+TEST(PlotAxis, DistancesAreLabelledAsPlaces) {
+    const auto labels = [](const char* before, AxisRange range) {
+        const Axis axis{.label = "x", .logarithmic = true, .low = {}, .high = {}, .before = before};
+        std::vector<std::string> found;
+        for (const Tick& tick : axis_ticks(axis, range, 3))
+            if (!tick.label.empty()) found.push_back(tick.label);
+        return found;
+    };
+    using Labels = std::vector<std::string>;
+    EXPECT_EQ(labels("1 − ", {-9, -8}), (Labels{"1 − 10⁻⁹", "1 − 10⁻⁸"}));
+    const AxisRange narrow{std::log10(2), std::log10(2 + 2.1e-10)};
+    EXPECT_EQ(labels("", narrow), (Labels{"2", "+10⁻¹⁰", "+2×10⁻¹⁰"}));
+    EXPECT_EQ(labels("5 + ", narrow), (Labels{"5 + 2", "+10⁻¹⁰", "+2×10⁻¹⁰"}));
+    EXPECT_EQ(labels("5 − ", narrow), (Labels{"5 − 2", "−10⁻¹⁰", "−2×10⁻¹⁰"}));
+}
+
 TEST(PlotAxis, LabelsBesideEachOtherDoNotTouch) {
     const auto width = [](const std::string& label) { return 8.0 * static_cast<double>(label.size()); };
     const Axis x{.label = "x"};
