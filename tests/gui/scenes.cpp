@@ -191,6 +191,30 @@ Snapshot interval_snapshot(int n) {
     return finished(std::move(mesh), std::move(x));
 }
 
+Snapshot layer_snapshot(int n, double width) {
+    Snapshot snapshot = interval_snapshot(n);
+    const auto solution = [width](double d) { return 1 - std::exp(-d / width); };
+    Field here{{.name = "solution", .label = "solution"}, {}}, uniform{{.name = "solution_uniform"}, {}};
+    for (std::size_t i = 0; i < snapshot.x.size(); ++i) {
+        const double xi = snapshot.mesh->nodes.x[i], from_end = 2 * std::min(xi, 1 - xi); // 0 to 1
+        const double reach = std::min(8 * width, 0.25);
+        const double d = from_end < 0.5 ? 2 * from_end * reach : reach + (2 * from_end - 1) * (0.5 - reach);
+        snapshot.x.x[i] = xi <= 0.5 ? d : 1 - d;
+        here.values.push_back(solution(d));
+        uniform.values.push_back(solution(from_end / 2) * (i % 2 == 0 ? 1.1 : 0.95));
+    }
+    snapshot.fields = {std::move(here), std::move(uniform)};
+    return snapshot;
+}
+
+/// With the view of a method that solves a problem.
+static Image draw_layer(const Snapshot& snapshot, OffscreenBackend backend,
+                        const std::vector<std::pair<std::string, std::string>>& settings) {
+    Values values("view", view_rows(std::vector<FieldInfo>{{.name = "solution"}}, "solution"));
+    for (const auto& [key, text] : settings) values.parse(key, text);
+    return render_view(snapshot, values, 600, 450, "interval, layer", {.light = false, .backend = backend});
+}
+
 const std::vector<Scene>& scenes() {
     static const std::vector<Scene> all = {
         {"ring-16", [](OffscreenBackend backend) { return draw(ring_snapshot(16), backend); }},
@@ -207,6 +231,17 @@ const std::vector<Scene>& scenes() {
          [](OffscreenBackend backend) {
              return draw_with(interval_snapshot(20), backend,
                               {{"color", "area"}, {"color_map", "plasma"}, {"log", "true"}});
+         }},
+        {"layers",
+         [](OffscreenBackend backend) { return draw_layer(layer_snapshot(32, 0.01), backend, {}); }},
+        {"layers-side-by-side",
+         [](OffscreenBackend backend) {
+             return draw_layer(layer_snapshot(16, 1e-4), backend,
+                               {{"layout", "side-by-side"}, {"theme", "light"}});
+         }},
+        {"layers-right-end",
+         [](OffscreenBackend backend) {
+             return draw_layer(layer_snapshot(32, 1e-8), backend, {{"x_axis", "log-right"}});
          }},
         {"area-ember-light",
          [](OffscreenBackend backend) {

@@ -22,6 +22,10 @@ Snapshot cube_snapshot(int n);
 /// n lines in [0, 1], finer towards 0.
 Snapshot interval_snapshot(int n);
 
+/// n cells in [0, 1], half of them in a layer of this width at both ends, with a solution there and on the
+/// uniform mesh.
+Snapshot layer_snapshot(int n, double width);
+
 /// A view with everything else as by default.
 Values view(const std::string& colour, double blend = 1);
 

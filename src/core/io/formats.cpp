@@ -11,6 +11,7 @@
 #include "core/spline/patch_xml.hpp"
 #include "core/tessellate/colouring.hpp"
 #include "core/tessellate/fine_tessellation.hpp"
+#include "core/tessellate/interval_plots.hpp"
 
 #include <algorithm>
 
@@ -86,10 +87,16 @@ Plot history_plot(const std::vector<StepReport>& history, std::string_view name)
 }
 
 void write_svg_files(const std::filesystem::path& folder, const RunResult& result) {
-    write_svg(folder / "adapted.svg", result.snapshot, make_colouring(result.snapshot, result.colours),
-              {.camera = result.camera,
-               .aspect = result.aspect,
-               .background = parse_background(result.background)});
+    const Values& view = result.view;
+    const Background background = parse_background(view.text("background"));
+    const double aspect =
+        static_cast<double>(view.integer("height")) / static_cast<double>(view.integer("width"));
+    if (is_interval(*result.snapshot.mesh))
+        write_svg(folder / "adapted.svg", interval_plots(result.snapshot, view), background);
+    else
+        write_svg(folder / "adapted.svg", result.snapshot,
+                  make_colouring(result.snapshot, colour_choice(view)),
+                  {.camera = view.text("camera"), .aspect = aspect, .background = background});
     write_svg(folder / "residual.svg", history_plot(result.history, "residual"));
     write_svg(folder / "equidistribution.svg", history_plot(result.history, "equidistribution"));
 }
@@ -148,7 +155,8 @@ const std::vector<Format>& formats() {
          &write_patch_files,
          true},
         {"svg",
-         "vector graphics: the adapted mesh, and plots of residual and equidistribution",
+         "vector graphics: the adapted mesh (of an interval, its plots), and plots of residual and "
+         "equidistribution",
          {"adapted.svg", "residual.svg", "equidistribution.svg"},
          &write_svg_files},
     };

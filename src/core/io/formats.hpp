@@ -3,11 +3,11 @@
 #pragma once
 
 #include "core/base/export.hpp"
+#include "core/base/parameter.hpp"
 #include "core/mesh/space.hpp"
 #include "core/scenario/output_rows.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/session/snapshot.hpp"
-#include "core/tessellate/colour_choice.hpp"
 
 #include <filesystem>
 #include <string>
@@ -59,13 +59,10 @@ void write_ugrid(const std::filesystem::path& file, const Snapshot& snapshot, co
 struct RunResult {
     const Snapshot& snapshot;
     const std::vector<StepReport>& history;
-    Space space;            ///< of the domain; tells whether opposite sides are identified
-    ColourChoice colours{}; ///< from the view
+    Space space;        ///< of the domain; tells whether opposite sides are identified
+    const Values& view; ///< of view_rows()
     double curve_tolerance = default_curve_tolerance; ///< relative to the size of the mesh
     std::shared_ptr<const SplinePatch> patch{}; ///< the mesh as splines; null if it is not a spline mesh
-    std::string camera{};                       ///< from the view; may be empty
-    double aspect = 0.75;                       ///< height over width of the view
-    std::string background = "theme";           ///< from the view
 };
 
 struct Format {

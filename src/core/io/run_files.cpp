@@ -190,17 +190,12 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
     const bool patch_wanted = std::any_of(formats.begin(), formats.end(),
                                           [](const Format* format) { return format->splines_only; });
     const auto snapshot = run.snapshot();
-    const Values& view = run.scenario().view;
     const RunResult result{*snapshot,
                            run.history(),
                            run.space(),
-                           colour_choice(view),
+                           run.scenario().view,
                            run.scenario().output.real("curve_tolerance"),
-                           patch_wanted ? patch_of(run) : nullptr,
-                           view.text("camera"),
-                           static_cast<double>(view.integer("height")) /
-                               static_cast<double>(view.integer("width")),
-                           view.text("background")};
+                           patch_wanted ? patch_of(run) : nullptr};
     for (const auto* format : formats) attempt(format->files.front(), [&] { format->write(folder, result); });
     if (first) std::rethrow_exception(first);
 }

@@ -7,11 +7,13 @@
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/background.hpp"
 #include "core/tessellate/colouring.hpp"
+#include "core/tessellate/interval_plots.hpp"
 #include "core/tessellate/plot.hpp"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gaspard {
 
@@ -22,6 +24,9 @@ struct PlotSvgOptions {
 /// Axes with ticks and grid, curves, and a legend where there are several. What a logarithmic axis cannot
 /// show (zero, negative numbers) and what is not finite is a gap.
 std::string svg_of_plot(const Plot& plot, const PlotSvgOptions& options = {});
+
+/// The plots of an interval's mesh, columns beside each other.
+std::string svg_of_plots(const std::vector<IntervalColumn>& columns, const Background& background = {});
 
 struct MeshSvgOptions {
     double width_mm = 120;   ///< of the whole drawing
@@ -37,13 +42,15 @@ void check_svg_camera(const Points& nodes, const std::string& camera, double asp
 
 /// The mesh at x: cells filled in classes of the colouring (white without one), edges as long lines (curved
 /// ones as exact parabolas), tangled cells in magenta above all others, a legend. Of a mesh in space hidden
-/// faces are left out. An interval is drawn as a band, a curve as a line. The camera says from where and
+/// faces are left out. A curve is drawn as a line; of an interval, see svg_of_plots(). The camera says from where and
 /// which part; the height of the drawing follows from the mesh or, for a part, from `aspect`. Throws
 /// InputError if the camera cannot be read.
 std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>& colouring,
                         const MeshSvgOptions& options = {});
 
 void write_svg(const std::filesystem::path& file, const Plot& plot, const PlotSvgOptions& options = {});
+void write_svg(const std::filesystem::path& file, const std::vector<IntervalColumn>& columns,
+               const Background& background = {});
 void write_svg(const std::filesystem::path& file, const Snapshot& snapshot,
                const std::optional<Colouring>& colouring, const MeshSvgOptions& options = {});
 

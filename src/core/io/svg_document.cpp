@@ -49,6 +49,18 @@ std::vector<Piece> split(std::string_view text) {
 
 } // namespace
 
+std::string svg_colour(std::array<unsigned char, 3> colour) {
+    static constexpr std::string_view digits = "0123456789abcdef";
+    std::string text = "#";
+    for (const unsigned char channel : colour) (text += digits[channel >> 4]) += digits[channel & 15];
+    return text;
+}
+
+std::string svg_background(const Background& background) {
+    if (background.kind == Background::Kind::transparent) return "";
+    return background.kind == Background::Kind::theme ? "#fff" : svg_colour(background.colour);
+}
+
 std::string svg_document(double width, double height, std::string_view title, std::string_view content,
                          std::string_view background) {
     const std::string w = svg_number(width), h = svg_number(height);

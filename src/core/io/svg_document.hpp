@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/io/svg_path.hpp"
+#include "core/tessellate/background.hpp"
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -10,6 +12,11 @@ namespace gaspard {
 
 constexpr double points_per_mm = 72 / 25.4;
 constexpr double svg_font_size = 8; ///< points
+
+/// "#0072b2"
+std::string svg_colour(std::array<unsigned char, 3> colour);
+/// White on paper; empty if there is none.
+std::string svg_background(const Background& background);
 
 /// A document of this size in points around `content`, on a background of this colour; on none if it is
 /// empty.

@@ -17,19 +17,6 @@ namespace {
 constexpr const char *dark_ink = "#14171c", *light_ink = "#d4d2de", *tangled_colour = "#e600b8";
 constexpr double margin = 6, legend_gap = 10, bar_width = 10; // points
 
-std::string hex(std::array<unsigned char, 3> colour) {
-    static constexpr std::string_view digits = "0123456789abcdef";
-    std::string text = "#";
-    for (const unsigned char channel : colour) (text += digits[channel >> 4]) += digits[channel & 15];
-    return text;
-}
-
-/// White on paper; empty if there is none.
-std::string background_of(const Background& background) {
-    if (background.kind == Background::Kind::transparent) return "";
-    return background.kind == Background::Kind::theme ? "#fff" : hex(background.colour);
-}
-
 /// From 0 to 1, of linear light.
 double luminance(std::array<unsigned char, 3> colour) {
     constexpr std::array weights = {0.2126, 0.7152, 0.0722};
@@ -56,7 +43,7 @@ class Classes {
 
     std::size_t count() const { return colours_.size(); }
     const ColourRange& range() const { return range_; }
-    std::string colour(std::size_t k) const { return hex(colours_[k]); }
+    std::string colour(std::size_t k) const { return svg_colour(colours_[k]); }
     std::size_t of(std::size_t face) const {
         if (scene_.values.empty()) return 0;
         const double place = std::clamp(range_.position(scene_.values[face]), 0.0, 1.0);
@@ -385,7 +372,7 @@ std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>
     if (!note.empty()) content += note, height += 1.5 * svg_font_size;
     return svg_document(width, height,
                         "Mesh after " + std::to_string(snapshot.report.iteration) + " iterations", content,
-                        background_of(options.background));
+                        svg_background(options.background));
 }
 
 void write_svg(const std::filesystem::path& file, const Snapshot& snapshot,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -17,8 +18,9 @@ namespace {
 constexpr std::array<const char*, 7> curve_colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                       "#56b4e9", "#e69f00", "#333333"};
 
-constexpr double gap = 3, tick_length = 3; // points
+constexpr double gap = 3, tick_length = 3, row_height = 5; // points
 
+/// A part of the page, of the curves; the rows of nodes are below it.
 struct Area {
     double left, top, right, bottom;
     double width() const { return right - left; }
@@ -36,10 +38,10 @@ struct Mapping {
     AxisRange x, y;
 
     double page_x(double value) const {
-        return area.left + (to_axis(plot.x, value) - x.low) / x.span() * area.width();
+        return area.left + fraction_of(plot.x, x, to_axis(plot.x, value)) * area.width();
     }
     double page_y(double value) const {
-        return area.bottom - (to_axis(plot.y, value) - y.low) / y.span() * area.height();
+        return area.bottom - fraction_of(plot.y, y, to_axis(plot.y, value)) * area.height();
     }
 };
 
@@ -55,6 +57,7 @@ Area area_of(const Plot& plot, double width, double height, double y_labels, dou
     if (!plot.title.empty()) area.top += line;
     if (!plot.y.label.empty()) area.left += line + gap;
     if (!plot.x.label.empty()) area.bottom -= line;
+    area.bottom -= row_height * static_cast<double>(plot.rows.size());
     area.left += y_labels + tick_length + gap;
     area.right -= last_x_label / 2;
     return area;
@@ -94,9 +97,10 @@ std::string svg_labels(const Mapping& map, const std::vector<Tick>& x, const std
                        double height) {
     const Area& area = map.area;
     std::string text = "<g fill=\"#222\">\n";
+    const double below = area.bottom + row_height * static_cast<double>(map.plot.rows.size());
     for (const Tick& tick : x)
         if (!tick.label.empty())
-            text += svg_text({map.page_x(tick.value), area.bottom + tick_length + gap + 0.6 * svg_font_size},
+            text += svg_text({map.page_x(tick.value), below + tick_length + gap + 0.6 * svg_font_size},
                              Anchor::middle, tick.label);
     for (const Tick& tick : y)
         if (!tick.label.empty())
@@ -136,10 +140,23 @@ std::vector<PagePoint> thinned(const std::vector<PagePoint>& points) {
     return kept;
 }
 
+/// The places between the last point and this one where a line that is straight in values bends.
+void add_bends(const Curve& curve, std::size_t i, const Mapping& map, std::vector<PagePoint>& piece) {
+    constexpr double step = 2; // points of the page
+    const double x0 = curve.x[i - 1], x1 = curve.x[i], y0 = curve.y[i - 1], y1 = curve.y[i];
+    for (const double at : bends_between(map.plot.x, map.x, x0, x1, step * map.x.span() / map.area.width())) {
+        const double x = from_axis(map.plot.x, at);
+        const PagePoint p{map.page_x(x), map.page_y(value_between(x, x0, y0, x1, y1))};
+        if (std::isfinite(p.x) && std::isfinite(p.y)) piece.push_back(p);
+    }
+}
+
 /// The unbroken pieces of a curve.
 std::vector<std::vector<PagePoint>> pieces_of(const Curve& curve, const Mapping& map) {
     std::vector<std::vector<PagePoint>> pieces(1);
+    const bool bent = curve.linear && (map.plot.x.logarithmic || map.plot.y.logarithmic);
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        if (bent && i > 0) add_bends(curve, i, map, pieces.back());
         const PagePoint p{map.page_x(curve.x[i]), map.page_y(curve.y[i])};
         if (std::isfinite(p.x) && std::isfinite(p.y))
             pieces.back().push_back(p);
@@ -148,6 +165,16 @@ std::vector<std::vector<PagePoint>> pieces_of(const Curve& curve, const Mapping&
     }
     if (pieces.back().empty()) pieces.pop_back();
     return pieces;
+}
+
+/// The points of a curve that the axes can show.
+std::vector<PagePoint> points_of(const Curve& curve, const Mapping& map) {
+    std::vector<PagePoint> points;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        const PagePoint p{map.page_x(curve.x[i]), map.page_y(curve.y[i])};
+        if (std::isfinite(p.x) && std::isfinite(p.y)) points.push_back(p);
+    }
+    return points;
 }
 
 std::string svg_disc(PagePoint at, double radius) {
@@ -185,18 +212,45 @@ void add_line(SvgPath& path, const std::vector<PagePoint>& points, const Area& a
     }
 }
 
+/// Discs on the points of a curve, unless they would run into a thick line.
+std::string svg_markers(const Curve& curve, const Mapping& map) {
+    std::string discs;
+    const bool dense = static_cast<double>(curve.x.size()) > map.area.width();
+    for (const PagePoint p : thinned(points_of(curve, map)))
+        if (map.area.contains(p) && !dense) discs += svg_disc(p, 2);
+    return discs;
+}
+
+/// A stroke for every place that can be told from the one before.
+std::string svg_row(const PlotRow& row, std::size_t number, const Mapping& map, const std::string& colour) {
+    SvgPath path;
+    const double top = map.area.bottom + row_height * static_cast<double>(number) + 1;
+    double last = std::numeric_limits<double>::quiet_NaN();
+    for (const double x : row.x) {
+        const double at = map.page_x(x);
+        if (!(at >= map.area.left - 0.01 && at <= map.area.right + 0.01) || std::abs(at - last) < 0.25)
+            continue;
+        path.move({at, top});
+        path.line({at, top + row_height - 1});
+        last = at;
+    }
+    return "<path fill=\"none\" stroke=\"" + colour + "\" stroke-width=\".5\" d=\"" + path.data() + "\"/>\n";
+}
+
 std::string svg_curve(const Curve& curve, const Mapping& map, const std::string& colour) {
     SvgPath path;
     std::string discs;
     for (const auto& piece : pieces_of(curve, map)) {
         const auto points = thinned(piece);
         add_line(path, points, map.area);
-        if (!curve.markers && points.size() > 1) continue;
-        for (const PagePoint p : points)
-            if (map.area.contains(p)) discs += svg_disc(p, curve.markers ? 2 : 1);
+        if (!curve.markers && points.size() == 1 && map.area.contains(points[0]))
+            discs += svg_disc(points[0], 1);
     }
+    if (curve.markers) discs += svg_markers(curve, map);
     std::string text;
-    if (!path.empty()) text += "<path fill=\"none\" stroke=\"" + colour + "\" d=\"" + path.data() + "\"/>\n";
+    const std::string width = curve.behind ? " stroke-width=\".7\"" : "";
+    if (!path.empty())
+        text += "<path fill=\"none\" stroke=\"" + colour + '"' + width + " d=\"" + path.data() + "\"/>\n";
     if (!discs.empty()) text += "<g fill=\"" + colour + "\">\n" + discs + "</g>\n";
     return text;
 }
@@ -232,16 +286,41 @@ std::vector<std::size_t> named_curves(const Plot& plot) {
     return named;
 }
 
+/// How many pieces of the curves a box would hide.
+std::size_t hidden_by(const Area& box, const Mapping& map) {
+    std::size_t count = 0;
+    for (const Curve& curve : map.plot.curves)
+        for (const auto& piece : pieces_of(curve, map)) {
+            const auto points = thinned(piece);
+            for (std::size_t i = 1; i < points.size(); ++i)
+                count += clipped(points[i - 1], points[i], box) ? 1 : 0;
+        }
+    return count;
+}
+
+/// The upper right corner, or else the first in which a box of this size hides nothing, or least.
+Area legend_box(const Mapping& map, double width, double height, double pad) {
+    const double left = map.area.left + pad, right = map.area.right - pad - width;
+    const double top = map.area.top + pad, bottom = map.area.bottom - pad - height;
+    Area best{};
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    for (const PagePoint corner : {PagePoint{right, top}, {left, bottom}, {left, top}, {right, bottom}}) {
+        const Area box{corner.x, corner.y, corner.x + width, corner.y + height};
+        const std::size_t hidden = hidden_by(box, map);
+        if (hidden < least) best = box, least = hidden;
+    }
+    return best;
+}
+
 std::string svg_legend(const Mapping& map) {
     constexpr double line = 1.3 * svg_font_size, sample = 14, pad = 4;
     double width = 0;
     const auto named = named_curves(map.plot);
     for (const std::size_t c : named) width = std::max(width, svg_text_width(map.plot.curves[c].label));
-    const double right = map.area.right - pad, top = map.area.top + pad;
-    const double left = right - width - sample - 3 * pad;
+    const double height = line * static_cast<double>(named.size()) + pad;
+    const auto [left, top, right, bottom] = legend_box(map, width + sample + 3 * pad, height, pad);
     std::string text = "<rect x=\"" + svg_number(left) + "\" y=\"" + svg_number(top) + "\" width=\"" +
-                       svg_number(right - left) + "\" height=\"" +
-                       svg_number(line * static_cast<double>(named.size()) + pad) +
+                       svg_number(right - left) + "\" height=\"" + svg_number(bottom - top) +
                        "\" fill=\"#fff\" fill-opacity=\".85\"/>\n";
     for (std::size_t row = 0; row < named.size(); ++row) {
         const double middle = top + pad / 2 + line * (static_cast<double>(row) + 0.5);
@@ -262,29 +341,75 @@ std::string svg_rect(const Area& area, const std::string& attributes) {
            "/>\n";
 }
 
+/// What a plot of this size in points is drawn with.
+struct Layout {
+    AxisRange x_range, y_range;
+    std::vector<Tick> x, y;
+    Area area{};
+};
+
+Layout layout_of(const Plot& plot, double width, double height) {
+    Layout made;
+    made.x_range = shown_range(plot, false), made.y_range = shown_range(plot, true);
+    made.y = axis_ticks(plot.y, made.y_range, static_cast<int>(height / (2.8 * svg_font_size)));
+    const auto width_of = [](const std::string& label) { return svg_text_width(label) + gap; };
+    made.x =
+        fitting_ticks(plot.x, made.x_range, static_cast<int>(width / (5 * svg_font_size)), width, width_of);
+    const Tick* last = made.x.empty() ? nullptr : plot.x.reversed ? &made.x.front() : &made.x.back();
+    made.area = area_of(plot, width, height, widest(made.y), last ? svg_text_width(last->label) : 0);
+    return made;
+}
+
+std::string svg_content(const Plot& plot, const Layout& layout, double height) {
+    const Mapping map{plot, layout.area, layout.x_range, layout.y_range};
+    std::string content = svg_grid(map, layout.x, layout.y);
+    content += svg_rect(map.area, "fill=\"none\" stroke=\"#444\" stroke-width=\".5\"");
+    content +=
+        svg_marks(map) + "<g stroke-width=\"1.2\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
+    for (const bool behind : {true, false})
+        for (std::size_t c = 0; c < plot.curves.size(); ++c)
+            if (plot.curves[c].behind == behind)
+                content += svg_curve(plot.curves[c], map, colour_of(plot, c));
+    content += "</g>\n";
+    for (std::size_t i = 0; i < plot.rows.size(); ++i)
+        content += svg_row(plot.rows[i], i, map, curve_colours[plot.rows[i].colour % curve_colours.size()]);
+    content += svg_labels(map, layout.x, layout.y, height);
+    if (named_curves(plot).size() > 1) content += svg_legend(map);
+    return content;
+}
+
 } // namespace
 
 std::string svg_of_plot(const Plot& plot, const PlotSvgOptions& options) {
     const double width = options.width_mm * points_per_mm, height = options.height_mm * points_per_mm;
-    const AxisRange x_range = shown_range(plot, false), y_range = shown_range(plot, true);
-    const auto y = axis_ticks(plot.y, y_range, static_cast<int>(height / (2.8 * svg_font_size)));
-    const auto x = axis_ticks(plot.x, x_range, static_cast<int>(width / (5 * svg_font_size)));
-    const double last = x.empty() ? 0 : svg_text_width(x.back().label);
-    const Mapping map{plot, area_of(plot, width, height, widest(y), last), x_range, y_range};
+    return svg_document(width, height, plot.title, svg_content(plot, layout_of(plot, width, height), height));
+}
 
-    std::string content = svg_grid(map, x, y);
-    content += svg_rect(map.area, "fill=\"none\" stroke=\"#444\" stroke-width=\".5\"");
-    content +=
-        svg_marks(map) + "<g stroke-width=\"1.2\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
-    for (std::size_t c = 0; c < plot.curves.size(); ++c)
-        content += svg_curve(plot.curves[c], map, colour_of(plot, c));
-    content += "</g>\n" + svg_labels(map, x, y, height);
-    if (named_curves(plot).size() > 1) content += svg_legend(map);
-    return svg_document(width, height, plot.title, content);
+std::string svg_of_plots(const std::vector<IntervalColumn>& columns, const Background& background) {
+    constexpr double width = 120 * points_per_mm, height = 120 * points_per_mm;
+    const double part = width * (columns.size() > 1 ? 0.75 : 1.0), upper = values_share * height;
+    std::string content;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const Plot &values = columns[i].values, &spacing = columns[i].spacing;
+        Layout above = layout_of(values, part, upper), below = layout_of(spacing, part, height - upper);
+        above.area.left = below.area.left = std::max(above.area.left, below.area.left);
+        above.area.right = below.area.right = std::min(above.area.right, below.area.right);
+        const std::string left = svg_number(part * static_cast<double>(i));
+        content += "<g transform=\"translate(" + left + " 0)\">\n" + svg_content(values, above, upper) +
+                   "</g>\n<g transform=\"translate(" + left + ' ' + svg_number(upper) + ")\">\n" +
+                   svg_content(spacing, below, height - upper) + "</g>\n";
+    }
+    return svg_document(part * static_cast<double>(columns.size()), height, columns[0].values.title, content,
+                        svg_background(background));
 }
 
 void write_svg(const std::filesystem::path& file, const Plot& plot, const PlotSvgOptions& options) {
     write_atomically(file, svg_of_plot(plot, options));
+}
+
+void write_svg(const std::filesystem::path& file, const std::vector<IntervalColumn>& columns,
+               const Background& background) {
+    write_atomically(file, svg_of_plots(columns, background));
 }
 
 } // namespace gaspard

@@ -28,11 +28,10 @@ void for_each_part(const SvgScene& scene, const Mesh& mesh, const Use& use) {
 }
 
 void add_values(SvgScene& scene, const Mesh& mesh, const Colouring& field) {
-    const std::size_t nodes = mesh.node_count(); // a band has every node twice
     for_each_part(scene, mesh, [&](std::uint32_t cell, std::span<const std::int32_t> corners) {
         double value = 0;
         for (const auto node : corners)
-            value += field.place == FieldPlace::cell ? field.values[cell] : field.values[index(node) % nodes];
+            value += field.place == FieldPlace::cell ? field.values[cell] : field.values[index(node)];
         value /= static_cast<double>(corners.size());
         GASPARD_CHECK(std::isfinite(value));
         scene.values.push_back(value);
@@ -54,24 +53,6 @@ std::vector<Side> lines_of(const Mesh& mesh) {
         lines.push_back(line);
     }
     return lines;
-}
-
-/// Two rows of nodes, one above the other, with an upright square between for every line.
-void make_band(SvgScene& scene, const Mesh& mesh) {
-    const auto [low, high] = std::minmax_element(mesh.nodes.x.begin(), mesh.nodes.x.end());
-    const double height = 0.08 * (*high - *low);
-    for (Points* points : {&scene.x, &scene.xi}) {
-        const std::size_t n = points->size();
-        points->resize(2 * n);
-        for (std::size_t i = 0; i < n; ++i) points->set(n + i, {points->x[i], height, 0});
-    }
-    const auto above = static_cast<std::int32_t>(mesh.node_count());
-    scene.faces = {{CellShape::quadrilateral, 1}, 4, 4, {}, {}};
-    for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
-        const auto a = mesh.cell(c)[0], b = mesh.cell(c)[1];
-        scene.faces.nodes.insert(scene.faces.nodes.end(), {a, b, above + b, above + a});
-        scene.faces.cells.push_back(static_cast<std::uint32_t>(c));
-    }
 }
 
 Vec3 face_normal(const SvgScene& scene, std::size_t face) {
@@ -97,8 +78,6 @@ SvgScene svg_scene(const Snapshot& snapshot, const std::optional<Colouring>& col
     scene.xi = mesh.nodes;
     if (cell_dimension(mesh.kind) > 1)
         scene.faces = shown_faces(mesh);
-    else if (mesh.space_dimension == 1)
-        make_band(scene, mesh);
     else
         scene.lines = lines_of(mesh);
     const auto [low, high] = std::minmax_element(scene.x.z.begin(), scene.x.z.end());

@@ -14,7 +14,7 @@
 namespace gaspard {
 
 struct SvgScene {
-    Facets faces; ///< cells of a surface, border of a solid, or the band that an interval is drawn as
+    Facets faces; ///< cells of a surface, border of a solid
     std::vector<Side> lines;    ///< the cells of a curve in the plane or in space, which has no faces
     Points x, xi;               ///< where the nodes of both stand; xi tells which edges go straight on
     std::vector<double> values; ///< of the colouring, per face or line; empty without one

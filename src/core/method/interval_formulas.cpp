@@ -62,6 +62,7 @@ MethodType formula_method(std::string name, std::string label, std::string help,
                          .scale = ParameterScale::logarithmic,
                          .help = "largest distance of a node from its place in the result, over b - a"},
             .fields = layer_fields(),
+            .colour = "solution",
             .make = [make = std::move(make)](const MethodContext& context,
                                              const Values& values) -> std::unique_ptr<Method> {
                 auto domain = std::dynamic_pointer_cast<const IntervalDomain>(context.discretisation);

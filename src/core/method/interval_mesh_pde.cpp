@@ -117,8 +117,8 @@ static std::vector<ParameterRow> mesh_pde_rows() {
          .default_value = std::string("converged"),
          .choices = {"converged", "fixed-point"},
          .help = "converged: to the solution of the discrete equations, by shooting on an interval, by "
-                 "Newton's method on a quadrilateral; fixed-point: solves as in the paper, which need "
-                 "not converge"});
+                 "Newton's method on a quadrilateral; fixed-point: final_solves solves as in the paper, "
+                 "which need not converge"});
     rows.push_back(
         {.key = "normalised",
          .label = "Normalised residual",
@@ -145,6 +145,7 @@ MethodType mesh_pde_method() {
                          "on an interval the L2 norm of the residual, on a quadrilateral the largest change "
                          "that the next solve makes"},
         .fields = layer_fields(),
+        .colour = "solution",
         .make = [](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
             if (auto plane = std::dynamic_pointer_cast<const QuadrilateralDomain>(context.discretisation))
                 return quadrilateral_mesh_pde(std::move(plane), values);

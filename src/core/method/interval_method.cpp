@@ -143,12 +143,12 @@ std::vector<FieldInfo> layer_fields() {
     const auto node = [](const char* name, const char* label, const char* symbol, const char* help) {
         return FieldInfo{.name = name, .label = label, .symbol = symbol, .centre = 0, .help = help};
     };
-    return {node("solution", "Solution", "uₕ", "of the problem, in P1 on the adapted mesh"),
-            node("solution_2", "Solution, second component", "u₂ₕ", "in P1 on the adapted mesh"),
-            node("solution_uniform", "Solution, uniform mesh", "uₕ", "in P1 on the uniform mesh"),
-            node("solution_2_uniform", "Second component, uniform mesh", "u₂ₕ", "in P1 on the uniform mesh"),
+    return {node("solution", "solution", "uₕ", "of the problem, in P1 on the adapted mesh"),
+            node("solution_2", "solution, second component", "u₂ₕ", "in P1 on the adapted mesh"),
+            node("solution_uniform", "solution, uniform mesh", "uₕ", "in P1 on the uniform mesh"),
+            node("solution_2_uniform", "second component, uniform mesh", "u₂ₕ", "in P1 on the uniform mesh"),
             {.name = "width",
-             .label = "Cell width",
+             .label = "cell width",
              .symbol = "hᵢ",
              .unit = "length",
              .place = FieldPlace::cell,

@@ -116,6 +116,7 @@ struct MethodType {
     /// that every iterate has.
     std::string criterion = "residual";
     std::vector<FieldInfo> fields{}; ///< of nodes and cells: colours and files offer them
+    std::string colour = "monitor";  ///< what its meshes are coloured by, unless the view says otherwise
     /// May take as long as a factorisation, and be stopped on the way (Interrupted).
     std::function<std::unique_ptr<Method>(const MethodContext&, const Values&)> make;
 };

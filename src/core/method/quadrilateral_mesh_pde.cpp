@@ -87,6 +87,7 @@ class QuadrilateralMeshPde final : public Method {
         state = state_of(nodes_);
         evaluation.step_size = factor;
         evaluation.ending = levels_.ending(level);
+        if (converges_ && level == 0) evaluation.ending = Ending::by_criterion;
         return evaluation;
     }
 

@@ -165,7 +165,7 @@ Values view_section(const Catalogue& catalogue, std::string_view method, std::st
     std::vector<FieldInfo> fields = catalogue.method(method).fields;
     if (monitor != own_monitor)
         for (const FieldInfo& field : catalogue.monitor(monitor).fields) fields.push_back(field);
-    return {"view", view_rows(fields)};
+    return {"view", view_rows(fields, catalogue.method(method).colour)};
 }
 
 Scenario default_scenario(const Catalogue& catalogue) {

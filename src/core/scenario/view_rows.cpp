@@ -75,9 +75,10 @@ ParameterRow background_row() {
     return row;
 }
 
-ParameterRow colour_row(std::span<const FieldInfo> further) {
+ParameterRow colour_row(std::span<const FieldInfo> further, std::string_view usual) {
     ParameterRow row = choice("color", "Colour by", {"monitor"},
-                              "what the cells are filled with; equidistribution is Mᵢ / mean − 1");
+                              "what the cells are filled with, or for an interval what is plotted (without "
+                              "it, or with none, the map x(ξ)); equidistribution is Mᵢ / mean − 1");
     row.choices.clear();
     for (const FieldInfo& field : mesh_colours()) row.choices.push_back(field.name);
     for (const FieldInfo& field : further) {
@@ -86,6 +87,7 @@ ParameterRow colour_row(std::span<const FieldInfo> further) {
         if (!field.help.empty()) row.help += "; " + field.name + ": " + field.help;
     }
     row.choices.emplace_back("none");
+    row.default_value = std::string(usual);
     return row;
 }
 
@@ -141,9 +143,9 @@ const FieldInfo& mesh_colour(std::string_view name) {
     check_failed("the field is one of mesh_colours()");
 }
 
-std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further) {
+std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further, std::string_view usual_colour) {
     return {
-        colour_row(further),
+        colour_row(further, usual_colour),
         {.key = "blend",
          .label = "Blend",
          .symbol = "t",
@@ -155,13 +157,19 @@ std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further) {
                                {"automatic", "viridis", "plasma", "ember", "grey", "blue-yellow", "blue-red"},
                                "automatic: viridis, or blue-red around zero; blue-yellow is safe for "
                                "colour-blind people")),
-        boolean("log", "Log scale", false, "logarithmic colour scale, for values that are not negative"),
-        choice("range", "Range", {"automatic", "fixed"},
-               "the values that the colours span: all values of the mesh, or low to high"),
+        choice("x_axis", "x axis", {"linear", "log-left", "log-right"},
+               "for an interval: log-left and log-right show the logarithm of the distance from its left or "
+               "right end"),
+        boolean("log", "Log scale", false,
+                "logarithmic colour scale, or vertical axis of a plot, for values that are not negative"),
+        choice(
+            "range", "Range", {"automatic", "fixed"},
+            "the values that the colours, or the vertical axis of a plot, span: all values of the mesh, or "
+            "low to high"),
         real("low", "Low", 0, "the lowest colour's value, where the range is fixed"),
         real("high", "High", 1, "the highest colour's value, where the range is fixed"),
         boolean("histogram", "Histogram", true, "histogram of the values, beside the legend"),
-        boolean("lines", "Lines", true, "the cells' edges"),
+        boolean("lines", "Lines", true, "the cells' edges; of an interval, the nodes below the plot"),
         boolean("arrows", "Arrows", false, "from ξ to x, as many as fit"),
         layout_row(),
         {.key = "projection_longitude",

@@ -1,6 +1,7 @@
 // A plot as plain data: curves over axes. The window and the papers' figures draw it.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,12 +13,18 @@ struct Curve {
     std::vector<double> x, y;            ///< of equal length; a NaN in y is a gap
     bool markers = false;                ///< a disc at every point
     std::optional<std::size_t> colour{}; ///< index of a theme colour; default: the curve's
+    bool behind = false;                 ///< thinner, and below those that are not
+    /// Between its points y is linear in x, and drawn so on logarithmic axes, too; from a point at x = 0 on.
+    /// Else points are connected by straight lines on the page.
+    bool linear = false;
 };
 
 struct Axis {
     std::string label;
     bool logarithmic = false;
     std::optional<double> low{}, high{}; ///< visible range, low < high; default: all values
+    bool reversed = false;               ///< small values are at the right or at the top
+    std::string before{};                ///< what labels begin with: "1 − " before a distance from 1
 };
 
 /// A thin vertical line that marks an event.
@@ -26,11 +33,18 @@ struct PlotMark {
     std::string label; ///< the event
 };
 
+/// Places on the x axis, each a short stroke in a row below the curves.
+struct PlotRow {
+    std::vector<double> x;
+    std::size_t colour = 0; ///< index of a theme colour
+};
+
 struct Plot {
     std::string title;
     Axis x, y;
     std::vector<Curve> curves;
     std::vector<PlotMark> marks{};
+    std::vector<PlotRow> rows{};
 };
 
 } // namespace gaspard

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace gaspard {
 
@@ -29,6 +32,12 @@ AxisRange range_around(double low, double high, bool logarithmic, bool padding) 
     return {low - more, high + more};
 }
 
+AxisRange asked_range(const Axis& axis, AxisRange otherwise) {
+    const double low = axis.low ? to_axis(axis, *axis.low) : otherwise.low;
+    const double high = axis.high ? to_axis(axis, *axis.high) : otherwise.high;
+    return low < high ? AxisRange{low, high} : otherwise;
+}
+
 AxisRange shown_range(const Plot& plot, bool vertical) {
     const Axis& axis = vertical ? plot.y : plot.x;
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -42,15 +51,71 @@ AxisRange shown_range(const Plot& plot, bool vertical) {
             low = std::min(low, vertical ? y : x), high = std::max(high, vertical ? y : x);
         }
     }
-    AxisRange range = range_around(low, high, axis.logarithmic, vertical || markers);
-    const double asked_low = axis.low ? to_axis(axis, *axis.low) : range.low;
-    const double asked_high = axis.high ? to_axis(axis, *axis.high) : range.high;
-    return asked_low < asked_high ? AxisRange{asked_low, asked_high} : range;
+    return asked_range(axis, range_around(low, high, axis.logarithmic, vertical || markers));
+}
+
+double fraction_of(const Axis& axis, AxisRange range, double position) {
+    return (axis.reversed ? range.high - position : position - range.low) / range.span();
+}
+
+double position_at(const Axis& axis, AxisRange range, double fraction) {
+    return axis.reversed ? range.high - fraction * range.span() : range.low + fraction * range.span();
+}
+
+/// A label of a distance as one of a place. Differences between distances ("+2×10⁻¹³") stay differences, of
+/// the other sign where the place is that much before an end.
+static std::string behind(const std::string& before, std::string label) {
+    static constexpr std::string_view minus = "−";
+    if (before.empty() || label.empty()) return label;
+    const bool more = label.front() == '+', less = label.starts_with(minus);
+    if (!more && !less) return before + label;
+    if (!before.ends_with(minus) && !before.ends_with("− ")) return label;
+    return more ? std::string(minus).append(label, 1) : "+" + label.substr(minus.size());
 }
 
 std::vector<Tick> axis_ticks(const Axis& axis, AxisRange range, int count) {
-    if (axis.logarithmic) return log_ticks(from_axis(axis, range.low), from_axis(axis, range.high), count);
-    return linear_ticks(range.low, range.high, count);
+    std::vector<Tick> ticks = axis.logarithmic
+                                  ? log_ticks(from_axis(axis, range.low), from_axis(axis, range.high), count)
+                                  : linear_ticks(range.low, range.high, count);
+    for (Tick& tick : ticks) tick.label = behind(axis.before, std::move(tick.label));
+    return ticks;
+}
+
+std::vector<Tick> fitting_ticks(const Axis& axis, AxisRange range, int count, double length,
+                                const std::function<double(const std::string&)>& width) {
+    const auto touch = [&](const std::vector<Tick>& ticks) {
+        double end = -std::numeric_limits<double>::infinity(); // of the label before, in units of the length
+        for (std::size_t i = 0; i < ticks.size(); ++i) {
+            const Tick& tick = ticks[axis.reversed ? ticks.size() - 1 - i : i];
+            if (tick.label.empty()) continue;
+            const double at = fraction_of(axis, range, to_axis(axis, tick.value)) * length;
+            const double half = width(tick.label) / 2;
+            if (at - half < end) return true;
+            end = at + half;
+        }
+        return false;
+    };
+    std::vector<Tick> ticks = axis_ticks(axis, range, count);
+    while (count > 1 && touch(ticks)) ticks = axis_ticks(axis, range, --count);
+    return ticks;
+}
+
+std::vector<double> bends_between(const Axis& x, AxisRange range, double from, double to, double step) {
+    if (!(from < to) || !(to > 0 || !x.logarithmic)) return {};
+    const double first = x.logarithmic && from <= 0 ? range.low : to_axis(x, from), last = to_axis(x, to);
+    const double low = std::max(first, range.low), high = std::min(last, range.high);
+    if (!(low < high) || !(step > 0)) return {};
+    const auto pieces = static_cast<std::size_t>(std::ceil(std::min((high - low) / step, 1e5)));
+    std::vector<double> places;
+    for (std::size_t i = 0; i <= pieces; ++i) {
+        const double at = low + (high - low) * static_cast<double>(i) / static_cast<double>(pieces);
+        if ((at > first || from <= 0) && at < last) places.push_back(at);
+    }
+    return places;
+}
+
+double value_between(double x, double x0, double y0, double x1, double y1) {
+    return y0 + (y1 - y0) * ((x - x0) / (x1 - x0));
 }
 
 } // namespace gaspard

@@ -7,6 +7,8 @@
 #include "core/tessellate/plot.hpp"
 #include "core/tessellate/ticks.hpp"
 
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace gaspard {
@@ -30,10 +32,28 @@ double from_axis(const Axis& axis, double position);
 /// values): [0, 1], or one decade.
 AxisRange range_around(double low, double high, bool logarithmic, bool padding);
 
+/// The range that the axis requests, as far as it does.
+AxisRange asked_range(const Axis& axis, AxisRange otherwise);
 /// The range that the plot requests or, by default, that shows every value.
 AxisRange shown_range(const Plot& plot, bool vertical);
 
+/// Where a position lies in a range: 0 at its left or lower end, 1 at the other.
+double fraction_of(const Axis& axis, AxisRange range, double position);
+/// The inverse.
+double position_at(const Axis& axis, AxisRange range, double fraction);
+
 /// About `count` ticks at most; their values are values, not positions.
 std::vector<Tick> axis_ticks(const Axis& axis, AxisRange range, int count);
+/// Those, or fewer, so that labels beside each other on an axis of this length do not touch. `width`: of a
+/// label.
+std::vector<Tick> fitting_ticks(const Axis& axis, AxisRange range, int count, double length,
+                                const std::function<double(const std::string&)>& width);
+
+/// The places between two points of a curve where a line that is straight in values must be bent to be drawn
+/// on axes of which one is logarithmic: positions of x within the range, `step` apart at most, none at the
+/// points themselves. Also from a value of 0 of a logarithmic axis, which is infinitely far away, on.
+std::vector<double> bends_between(const Axis& x, AxisRange range, double from, double to, double step);
+/// The value there of a curve that is linear between two points.
+double value_between(double x, double x0, double y0, double x1, double y1);
 
 } // namespace gaspard

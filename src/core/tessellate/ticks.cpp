@@ -79,6 +79,28 @@ std::string short_number(double value, int digits) {
     return text;
 }
 
+/// Where labels would have many digits, of which only the last differ: the roundest is written in full, the
+/// others by what they are more or less.
+static void label_by_difference(std::vector<Tick>& ticks, double first, double step, int digits) {
+    const auto zeros = [first](std::size_t i) {
+        int count = 0;
+        double k = first + static_cast<double>(i);
+        if (k == 0) return 400;
+        for (; std::fmod(k, 10) == 0; k /= 10) ++count;
+        return count;
+    };
+    std::size_t roundest = 0;
+    for (std::size_t i = 1; i < ticks.size(); ++i)
+        if (zeros(i) > zeros(roundest)) roundest = i;
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        const double more = (static_cast<double>(i) - static_cast<double>(roundest)) * step;
+        if (i == roundest)
+            ticks[i].label = short_number(ticks[i].value, std::clamp(digits, 1, 17));
+        else
+            ticks[i].label = (more > 0 ? "+" : "") + short_number(more, 2);
+    }
+}
+
 std::vector<Tick> linear_ticks(double low, double high, int count) {
     GASPARD_CHECK(low <= high && std::isfinite(low) && std::isfinite(high));
     const double span = high - low;
@@ -94,10 +116,15 @@ std::vector<Tick> linear_ticks(double low, double high, int count) {
         }
     const double largest = std::max(std::abs(low), std::abs(high));
     std::vector<Tick> ticks;
-    for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
+    const double first = std::ceil(low / step - 1e-9);
+    for (double k = first; k * step <= high + 1e-9 * step; ++k) {
         const double value = k * step;
         ticks.push_back({value, tick_label(value, step, largest), true});
     }
+    constexpr int many = 8;
+    const int digits =
+        static_cast<int>(std::floor(std::log10(largest) + 1e-9) - std::floor(std::log10(step) + 1e-9)) + 1;
+    if (digits > many && !ticks.empty()) label_by_difference(ticks, first, step, digits);
     return ticks;
 }
 

@@ -7,6 +7,7 @@
 #include "core/scenario/data_files.hpp"
 #include "core/scenario/own_names.hpp"
 #include "core/scenario/toml.hpp"
+#include "core/tessellate/interval_plots.hpp"
 #include "gui/document/runs_csv.hpp"
 #include "gui/panels/status_bar.hpp"
 
@@ -179,12 +180,13 @@ void Application::follow(const MenuChoice& choice) {
     }
 }
 
+bool Application::on_interval() { return run().snapshot && is_interval(*run().snapshot->mesh); }
+
 bool Application::in_space() { return run().snapshot && run().snapshot->mesh->space_dimension == 3; }
 
 bool Application::available(const std::string& choice) const {
     const auto missing = viewport_pane_.unavailable();
-    return !viewport_pane_.views().empty() &&
-           std::find(missing.begin(), missing.end(), choice) == missing.end();
+    return viewport_pane_.shows() && std::find(missing.begin(), missing.end(), choice) == missing.end();
 }
 
 /// Restarts, because the map that linear cells have failed with is rarely a usable start.

@@ -19,8 +19,8 @@
 #include "gui/panels/parameter_panel.hpp"
 #include "gui/panels/plot_pane.hpp"
 #include "gui/panels/run_list.hpp"
-#include "gui/panels/viewport_pane.hpp"
 #include "gui/panels/study_panel.hpp"
+#include "gui/panels/viewport_pane.hpp"
 #include "gui/panels/why_panel.hpp"
 
 #include <filesystem>
@@ -89,6 +89,8 @@ class Application {
     Document& document() { return document_; }
     /// The views of meshes that belong to the last frame.
     const std::vector<ShownView>& views() const { return viewport_pane_.views(); }
+    /// The plots of an interval, which are drawn already.
+    std::vector<PlannedPlot> interval_plots() const { return viewport_pane_.plots(); }
     const ItemRectangle& viewport_rectangle() const { return layout_.viewport; }
     const ItemRectangles& items() const { return items_; }
     const Messages& messages() const { return messages_; }
@@ -112,6 +114,7 @@ class Application {
     Action part_toggle(std::string_view setting, std::string_view label, std::string_view key,
                        std::string_view help);
     const Action& action(std::string_view name) const { return find_action(actions_, name); }
+    bool on_interval(); ///< the active run has a mesh of an interval, shown as plots
     bool in_space();
     /// The other runs whose meshes can be shown beside that of the active run.
     std::vector<const DocumentRun*> runs_beside();
@@ -130,6 +133,7 @@ class Application {
     void follow(const MenuChoice& choice);
     void arrange();
     void draw_sidebar();
+    std::vector<std::string> view_keys();
     void draw_view(const PanelContext& context);
     void draw_plots(const FrameContext& context);
     void draw_status();
@@ -198,7 +202,7 @@ class Application {
     bool screenshot_ = false;        ///< asked for
     bool taking_screenshot_ = false; ///< this frame is the screenshot: it shows no tooltip
     FileTasks files_;
-    CellStudy study_; ///< of the active run
+    CellStudy study_;   ///< of the active run
     Document document_; ///< last, so that its threads end before what they use
 };
 

@@ -19,6 +19,11 @@ std::string only_in_space(std::string_view label) {
     return std::string(label) + ": only for meshes in space; this mesh is planar.";
 }
 
+/// Why an action does nothing with an interval.
+std::string not_for_plots(std::string_view label) {
+    return std::string(label) + ": an interval is shown as plots.";
+}
+
 void append(std::vector<Action>& rows, std::vector<Action> more) {
     std::move(more.begin(), more.end(), std::back_inserter(rows));
 }
@@ -234,6 +239,9 @@ Action Application::view_toggle(std::string_view key, std::string_view label, st
 }
 
 std::vector<Action> Application::show_actions() {
+    Action arrows = view_toggle("arrows", "Arrows", "A", "Show or hide arrows from ξ to x.");
+    arrows.enabled = [this] { return !on_interval(); };
+    arrows.reason = [] { return not_for_plots("Arrows"); };
     return {
         {.name = "spin",
          .label = "Spin",
@@ -264,21 +272,28 @@ std::vector<Action> Application::show_actions() {
          .checked = [this] { return viewport().view.text("overlay") == "exact"; },
          .reason =
              [] { return "Exact mesh: known only on a sphere, for monitors symmetric about an axis."; }},
-        view_toggle("lines", "Lines", "L", "Show or hide the cell edges."),
-        view_toggle("arrows", "Arrows", "A", "Show or hide arrows from ξ to x."),
+        view_toggle("lines", "Lines", "L", "Show or hide the cell edges, or the nodes of an interval."),
+        std::move(arrows),
         {.name = "copy-camera",
          .label = "Copy camera",
          .menu = "View",
          .keys = {"Ctrl+C"},
          .help = "Copy the camera to the clipboard, as text for view.camera.",
          .run = [this] { copy_camera(); },
-         .enabled = [this] { return !views().empty(); }},
+         .enabled = [this] { return !views().empty(); },
+         .reason =
+             [this] {
+                 return on_interval() ? not_for_plots("Copy camera")
+                                      : std::string("Copy camera: there is no mesh yet.");
+             }},
         {.name = "paste-camera",
          .label = "Paste camera",
          .menu = "View",
          .keys = {"Ctrl+V"},
          .help = "Apply the camera from the clipboard.",
-         .run = [this] { paste_camera(); }},
+         .run = [this] { paste_camera(); },
+         .enabled = [this] { return !on_interval(); },
+         .reason = [] { return not_for_plots("Paste camera"); }},
     };
 }
 

@@ -18,6 +18,9 @@ constexpr const char* hint =
 constexpr const char* hint_in_space =
     "Drag to rotate, turn the wheel to zoom, click a cell to inspect it, press F for the "
     "rear, H to see all. F1 shows all keys.";
+constexpr const char* hint_of_plots =
+    "Drag to move, turn the wheel to zoom, double-click to see all, press B for the computational "
+    "interval. F1 shows all keys.";
 
 /// Whether one camera suits both meshes.
 bool look_alike(const DocumentRun& one, const DocumentRun& other) {
@@ -191,8 +194,23 @@ void Application::draw_formula_button() {
 void Application::draw_view(const PanelContext& context) {
     Values& view = viewport().view;
     const bool was_fixed = view.text("range") == "fixed";
-    std::vector<std::string> keys = {"blend", "color", "color_map", "log", "range"};
-    if (was_fixed) keys.insert(keys.end(), {"low", "high"});
+    const std::vector<std::string> keys = view_keys();
+    panel_.draw_rows(context, run().opened.view, view, keys);
+    if (!was_fixed && view.text("range") == "fixed") viewport_pane_.fix_range(viewport());
+}
+
+/// The settings of the view that change something for this mesh.
+std::vector<std::string> Application::view_keys() {
+    const Values& view = viewport().view;
+    const bool fixed = view.text("range") == "fixed";
+    std::vector<std::string> keys = {"blend", "color"};
+    if (!on_interval()) keys.emplace_back("color_map");
+    keys.insert(keys.end(), {"log", "range"});
+    if (fixed) keys.insert(keys.end(), {"low", "high"});
+    if (on_interval()) {
+        keys.insert(keys.end(), {"x_axis", "lines", "layout"});
+        return keys;
+    }
     for (const char* key : {"histogram", "lines", "arrows", "layout"}) keys.emplace_back(key);
     const bool projection = view.text("layout") == "projection" && available("layout=projection");
     if (projection) keys.insert(keys.end(), {"projection_longitude", "projection_camera"});
@@ -200,8 +218,7 @@ void Application::draw_view(const PanelContext& context) {
     if (run().snapshot && run().snapshot->mesh->space_dimension == 3 && !projection)
         keys.insert(keys.end(), {"direction", "spin"});
     if (run().snapshot && run().snapshot->mesh->space_dimension == 3) keys.emplace_back("overlay");
-    panel_.draw_rows(context, run().opened.view, view, keys);
-    if (!was_fixed && view.text("range") == "fixed") viewport_pane_.fix_range(viewport());
+    return keys;
 }
 
 void Application::draw_plots(const FrameContext& context) {
@@ -217,7 +234,9 @@ void Application::draw_status() {
     const bool in_space = !views().empty() && !views().front().scene.planar();
     draw_status_bar(run(), messages_.last(),
                     {closing_note(run(), action("reset")), method_note(run(), *catalogue_),
-                     in_space ? hint_in_space : hint},
+                     on_interval() ? hint_of_plots
+                     : in_space    ? hint_in_space
+                                   : hint},
                     theme_, items_);
     ImGui::End();
 }

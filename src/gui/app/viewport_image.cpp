@@ -88,6 +88,7 @@ class Canvas {
         go_on();
         ViewportPlanner planner;
         ViewportPlan plan = planner.plan(snapshot, view, text, on_screen(area), scale_);
+        draw_viewport_plots(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
         draw_viewport_overlay(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
         std::move(plan.views.begin(), plan.views.end(), std::back_inserter(views_));
     }

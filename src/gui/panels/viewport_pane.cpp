@@ -1,12 +1,14 @@
 #include "gui/panels/viewport_pane.hpp"
 
 #include "gui/base/part_window.hpp"
+#include "gui/plot/plot_widget.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <imgui.h>
 #include <numbers>
+#include <string>
 
 namespace gaspard {
 
@@ -76,14 +78,12 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                    ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    ImGui::InvisibleButton("##viewport", {std::max(1.0F, area.width()), std::max(1.0F, area.height())},
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
-                               ImGuiButtonFlags_MouseButtonRight);
-    remember_item(context.items, "viewport");
-    if (plan_) {
-        if (!drag_handle(context.scale)) steer(viewport.view, context.scale);
-        turn(viewport.view);
-    }
+    context.items["viewport"] = area;
+    const bool plots = run.snapshot && is_interval(*run.snapshot->mesh);
+    if (plots)
+        forget_zooms(viewport.view);
+    else
+        interact(viewport.view, area, context);
     if (run.snapshot) {
         const bool among_others = viewport.view.text("layout") == "runs";
         std::vector<NamedSnapshot> beside;
@@ -97,10 +97,12 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
             beside.erase(beside.begin());
         }
         const ViewportText text{.subject = first.title, .caption = false};
-        plan_ = planner_.plan(*first.snapshot, viewport.view, text,
-                              {{area.left, area.top}, {area.right, area.bottom}}, context.scale, beside);
+        plan_ =
+            planner_.plan(*first.snapshot, viewport.view, text,
+                          {{area.left, area.top}, {area.right, area.bottom}}, context.scale, beside, zooms_);
+        if (plots) draw_plots(context);
         draw_viewport_overlay(*ImGui::GetWindowDrawList(), *plan_, context.theme, context.scale);
-        draw_handles(context);
+        if (!plots) draw_handles(context);
         views_.clear();
         for (const PlannedView& shown : plan_->views)
             views_.push_back({shown.scene,
@@ -108,6 +110,45 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
                               {shown.rect.min.x, shown.rect.min.y, shown.rect.max.x, shown.rect.max.y}});
     }
     ImGui::End();
+}
+
+/// The mouse on the meshes of the last frame.
+void ViewportPane::interact(Values& view, const ItemRectangle& area, const FrameContext& context) {
+    ImGui::InvisibleButton("##viewport", {std::max(1.0F, area.width()), std::max(1.0F, area.height())},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                               ImGuiButtonFlags_MouseButtonRight);
+    if (!plan_ || plan_->views.empty()) return;
+    if (!drag_handle(context.scale)) steer(view, context.scale);
+    turn(view);
+}
+
+/// Other axes begin with all there is to see.
+void ViewportPane::forget_zooms(const Values& view) {
+    std::string x = view.text("x_axis") + view.text("layout"), y = view.text("color") + view.text("range");
+    for (const char* key : {"log", "low", "high"}) y += " " + format_value(view.at(key));
+    if (x != x_axis_) zooms_.clear();
+    if (y != y_axis_)
+        for (ColumnZoom& zoom : zooms_) zoom.values.reset();
+    x_axis_ = std::move(x), y_axis_ = std::move(y);
+}
+
+/// As widgets, which the mouse zooms: those of a column together.
+void ViewportPane::draw_plots(const FrameContext& context) {
+    spinning_ = false;
+    for (std::size_t i = 0; i < plan_->plots.size(); ++i) {
+        PlannedPlot& plot = plan_->plots[i];
+        ImGui::SetCursorScreenPos(plot.rect.min);
+        const PlotZoom before = plot.zoom;
+        plot_widget(("##plot" + std::to_string(i)).c_str(), plot.view,
+                    {plot.rect.width(), plot.rect.height()}, plot.zoom, context.theme, context.scale);
+        remember_item(context.items, "viewport.plot." + std::to_string(i));
+        if (plot.zoom == before) continue;
+        if (zooms_.size() <= plot.column) zooms_.resize(plot.column + 1);
+        zooms_[plot.column].x = plot.zoom.x;
+        (plot.spacing ? zooms_[plot.column].spacing : zooms_[plot.column].values) = plot.zoom.y;
+        for (std::size_t k = i + 1; k < plan_->plots.size(); ++k) // in this frame already
+            if (plan_->plots[k].column == plot.column) plan_->plots[k].zoom.x = plot.zoom.x;
+    }
 }
 
 /// Where a view shows a handle; nothing in the views of other runs, which have their own monitors.
@@ -169,13 +210,16 @@ void ViewportPane::draw_handles(const FrameContext& context) {
 }
 
 void ViewportPane::go_home(DocumentViewport& viewport) {
-    if (plan_) viewport.view.set(camera_key(plan_->views.front().scene), std::string());
+    zooms_.clear();
+    if (plan_ && !plan_->views.empty())
+        viewport.view.set(camera_key(plan_->views.front().scene), std::string());
     spun_ = 0;
     planner_.forget_home();
 }
 
 void ViewportPane::look_as(DocumentViewport& viewport, const std::string& camera) {
-    viewport.view.set(plan_ ? camera_key(plan_->views.front().scene) : "camera", camera);
+    viewport.view.set(plan_ && !plan_->views.empty() ? camera_key(plan_->views.front().scene) : "camera",
+                      camera);
     spun_ = 0;
 }
 
@@ -197,13 +241,22 @@ void ViewportPane::turn(Values& view) {
 }
 
 std::string ViewportPane::camera_text() const {
-    if (!plan_) return {};
+    if (!plan_ || plan_->views.empty()) return {};
     return format_camera(plan_->views.front().camera, plan_->views.front().size());
 }
 
 void ViewportPane::fix_range(DocumentViewport& viewport) const {
-    if (!plan_ || plan_->colouring == nullptr) return;
-    const ColourRange& range = plan_->colouring->range;
+    if (!plan_) return;
+    ColourRange range;
+    if (!plan_->plots.empty()) {
+        const PlannedPlot& plot = plan_->plots.front();
+        const AxisRange shown = plot.zoom.y ? *plot.zoom.y : home_range(plot.view, true);
+        range.low = from_axis(plot.view.y, shown.low), range.high = from_axis(plot.view.y, shown.high);
+    } else if (const auto& colouring = plan_->colouring) {
+        range = colouring->range;
+    } else {
+        return;
+    }
     if (!(range.low < range.high)) return;
     viewport.view.set("range", std::string("fixed"));
     viewport.view.set("low", range.low);

@@ -38,7 +38,12 @@ class ViewportPane {
     void go_home(DocumentViewport& viewport);
     /// The next mesh shown determines the home camera.
     void forget_home() { planner_.forget_home(); }
-    /// The present camera as text, also if the view's is empty; empty before the first snapshot.
+    /// Whether there was a snapshot to show.
+    bool shows() const { return plan_.has_value(); }
+    /// The plots of the last frame, of an interval; else empty.
+    std::vector<PlannedPlot> plots() const { return plan_ ? plan_->plots : std::vector<PlannedPlot>(); }
+    /// The present camera as text, also if the view's is empty; empty before the first snapshot, and of
+    /// plots.
     std::string camera_text() const;
     /// Shows a mesh that has rotated by itself as the view says.
     void stop_turning() { spun_ = 0; }
@@ -58,12 +63,15 @@ class ViewportPane {
     std::vector<std::string> unavailable() const {
         return plan_ ? plan_->unavailable : std::vector<std::string>();
     }
-    /// Fixes the range of the colours to the present one.
+    /// Fixes the range of the colours, or of a plot's vertical axis, to the present one.
     void fix_range(DocumentViewport& viewport) const;
     /// The meshes of the last frame; empty before the first snapshot.
     const std::vector<ShownView>& views() const { return views_; }
 
   private:
+    void interact(Values& view, const ItemRectangle& area, const FrameContext& context);
+    void draw_plots(const FrameContext& context);
+    void forget_zooms(const Values& view);
     void steer(Values& view, float scale);
     void turn(Values& view);
     void drag(Values& view, const PlannedView& shown, int button, ImVec2 step);
@@ -76,6 +84,8 @@ class ViewportPane {
 
     ViewportPlanner planner_;
     std::optional<ViewportPlan> plan_; ///< of the last frame
+    std::vector<ColumnZoom> zooms_;    ///< of the plots, by column
+    std::string x_axis_, y_axis_;      ///< what the view says of the axes that were zoomed
     std::vector<ShownView> views_;
     bool hides_active_ = false; ///< the meshes of all runs are shown, but the active run is hidden
     std::vector<Handle> handles_;

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace gaspard {
 
 namespace {
+
+constexpr float row_height = 9; // at scale 1
 
 struct Hull {
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -55,6 +58,18 @@ ImVec2 text_size(std::string_view text) {
     return ImGui::CalcTextSize(text.data(), text.data() + text.size());
 }
 
+/// A stroke in every column of pixels that has a place.
+void draw_rows(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, const Theme& theme,
+               float scale) {
+    const float thin = std::max(1.0F, std::round(scale));
+    for (std::size_t i = 0; i < plot.rows.size(); ++i) {
+        const float top = frame.area.max.y + (row_height * static_cast<float>(i) + 2) * scale;
+        const ImU32 colour = packed(theme.curves[plot.rows[i].colour % theme.curves.size()]);
+        for (const float x : columns_of(plot.rows[i].x, frame))
+            list.AddRectFilled({x, top}, {x + thin, top + (row_height - 2) * scale}, colour);
+    }
+}
+
 void draw_labels(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, ScreenRect rect,
                  const Theme& theme, float scale) {
     const float line = ImGui::GetFontSize(), gap = 5 * scale;
@@ -67,12 +82,38 @@ void draw_labels(ImDrawList& list, const PlotView& plot, const PlotFrame& frame,
         write({middle - text_size(plot.title).x / 2, top}, theme.text, plot.title);
         top += line + gap;
     }
-    const float left = std::max(rect.min.x, frame.area.min.x - label_width(frame.y_ticks) - gap);
+    const float ticks = plot.left > 0 ? plot.left : label_width(frame.y_ticks) + gap;
+    const float left = std::max(rect.min.x, frame.area.min.x - ticks);
     write({left, top}, theme.faint_text, plot.y.label);
     write({middle - text_size(plot.x.label).x / 2, rect.max.y - line}, theme.faint_text, plot.x.label);
 }
 
 } // namespace
+
+std::vector<float> columns_of(std::span<const double> x, const PlotFrame& frame) {
+    std::vector<float> columns;
+    const auto add = [&](double value) {
+        const auto at = static_cast<float>(std::round(frame.pixel_x(value)));
+        if (at >= frame.area.min.x - 1 && at <= frame.area.max.x + 1 &&
+            (columns.empty() || columns.back() != at))
+            columns.push_back(at);
+    };
+    if (!std::is_sorted(x.begin(), x.end())) {
+        for (const double value : x) add(value);
+        return columns;
+    }
+    // From the first one of a column of pixels to the first one beyond it.
+    const auto pixels = static_cast<double>(std::max(1.0F, frame.area.width()));
+    const double low = from_axis(frame.x, frame.x_range.low);
+    for (auto at = std::lower_bound(x.begin(), x.end(), low); at != x.end();) {
+        add(*at);
+        const double position = to_axis(frame.x, *at);
+        if (position > frame.x_range.high) break;
+        const double step = std::isnan(position) ? 0 : 0.5 * frame.x_range.span() / pixels;
+        at = step > 0 ? std::upper_bound(at + 1, x.end(), from_axis(frame.x, position + step)) : at + 1;
+    }
+    return columns;
+}
 
 AxisRange home_range(const PlotView& plot, bool vertical) {
     const Axis& axis = vertical ? plot.y : plot.x;
@@ -82,13 +123,13 @@ AxisRange home_range(const PlotView& plot, bool vertical) {
         markers = markers || curve.markers;
         (curve.extremes ? add_indexed : add_points)(curve, plot, vertical, hull);
     }
-    return range_around(hull.low, hull.high, axis.logarithmic, vertical || markers);
+    return asked_range(axis, range_around(hull.low, hull.high, axis.logarithmic, vertical || markers));
 }
 
 AxisRange limited(AxisRange range, AxisRange home, bool logarithmic) {
     const double low = logarithmic ? lowest_decade : -1e300, high = logarithmic ? highest_decade : 1e300;
     const double size = std::max({std::abs(range.low), std::abs(range.high), 1e-290});
-    const double narrowest = std::max(1e-9 * size, 1e-9 * home.span());
+    const double narrowest = std::max(5e-13 * size, 1e-15 * home.span()); // rounding is far below
     const double widest = std::max(20 * home.span(), narrowest);
     const double middle = std::clamp(range.low / 2 + range.high / 2, low, high);
     const double span = std::clamp(range.span(), narrowest, widest);
@@ -104,22 +145,22 @@ AxisRange scaled(AxisRange range, double about, double factor) {
 
 double PlotFrame::pixel_of_x(double position) const {
     return static_cast<double>(area.min.x) +
-           (position - x_range.low) / x_range.span() * static_cast<double>(area.width());
+           fraction_of(x, x_range, position) * static_cast<double>(area.width());
 }
 
 double PlotFrame::pixel_of_y(double position) const {
     return static_cast<double>(area.max.y) -
-           (position - y_range.low) / y_range.span() * static_cast<double>(area.height());
+           fraction_of(y, y_range, position) * static_cast<double>(area.height());
 }
 
 double PlotFrame::position_x(double pixel) const {
-    return x_range.low +
-           (pixel - static_cast<double>(area.min.x)) / static_cast<double>(area.width()) * x_range.span();
+    return position_at(x, x_range,
+                       (pixel - static_cast<double>(area.min.x)) / static_cast<double>(area.width()));
 }
 
 double PlotFrame::position_y(double pixel) const {
-    return y_range.low +
-           (static_cast<double>(area.max.y) - pixel) / static_cast<double>(area.height()) * y_range.span();
+    return position_at(y, y_range,
+                       (static_cast<double>(area.max.y) - pixel) / static_cast<double>(area.height()));
 }
 
 PlotFrame make_frame(const PlotView& plot, ScreenRect rect, const PlotZoom& zoom, float scale) {
@@ -132,17 +173,25 @@ PlotFrame make_frame(const PlotView& plot, ScreenRect rect, const PlotZoom& zoom
     frame.area.min.y += line / 2; // half of the uppermost label
     frame.area.max.y -= line + gap;
     if (!plot.x.label.empty()) frame.area.max.y -= line + gap / 2;
+    if (!plot.rows.empty()) frame.strip = (row_height * static_cast<float>(plot.rows.size()) + 2) * scale;
+    frame.area.max.y -= frame.strip;
     frame.x_range = zoom.x ? *zoom.x : home_range(plot, false);
     frame.y_range = zoom.y ? *zoom.y : home_range(plot, true);
     if (!frame.drawable()) return frame;
     const float spacing = plot.y.logarithmic ? 2.0F : 2.6F; // in lines of text
     frame.y_ticks =
         axis_ticks(plot.y, frame.y_range, static_cast<int>(frame.area.height() / (spacing * line)));
-    frame.area.min.x += label_width(frame.y_ticks) + gap;
-    frame.x_ticks = axis_ticks(plot.x, frame.x_range, static_cast<int>(frame.area.width() / (5 * line)));
-    const float last_label =
-        frame.x_ticks.empty() ? 0 : ImGui::CalcTextSize(frame.x_ticks.back().label.c_str()).x;
-    frame.area.max.x -= std::max(last_label / 2, gap);
+    frame.area.min.x += std::max(label_width(frame.y_ticks) + gap, plot.left);
+    frame.area.max.x -= plot.right;
+    const auto width = [gap](const std::string& label) {
+        return static_cast<double>(ImGui::CalcTextSize(label.c_str()).x + gap);
+    };
+    frame.x_ticks = fitting_ticks(plot.x, frame.x_range, static_cast<int>(frame.area.width() / (5 * line)),
+                                  static_cast<double>(frame.area.width()), width);
+    const std::vector<Tick>& ticks = frame.x_ticks;
+    const float last =
+        ticks.empty() ? 0 : text_size((plot.x.reversed ? ticks.front() : ticks.back()).label).x;
+    frame.area.max.x += plot.right - std::max({last / 2, gap, plot.right});
     return frame;
 }
 
@@ -158,7 +207,8 @@ void draw_frame(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, 
         if (!is_shown(tick, frame.x_range, area.width(), scale)) continue;
         list.AddRectFilled({x, area.min.y}, {x + thin, area.max.y}, grid(tick.major));
         const float width = ImGui::CalcTextSize(tick.label.c_str()).x;
-        list.AddText({x - width / 2, area.max.y + gap}, packed(theme.faint_text), tick.label.c_str());
+        list.AddText({x - width / 2, area.max.y + frame.strip + gap}, packed(theme.faint_text),
+                     tick.label.c_str());
     }
     for (const Tick& tick : frame.y_ticks) {
         const float y = std::round(static_cast<float>(frame.pixel_y(tick.value)));
@@ -169,6 +219,7 @@ void draw_frame(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, 
         list.AddText({area.min.x - gap - size.x, y - size.y / 2}, packed(theme.faint_text),
                      tick.label.c_str());
     }
+    draw_rows(list, plot, frame, theme, scale);
     draw_labels(list, plot, frame, rect, theme, scale);
 }
 

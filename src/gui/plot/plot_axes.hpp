@@ -10,12 +10,13 @@
 
 #include <imgui.h>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace gaspard {
 
-/// The range that shows all values that an axis can show, with a small margin; [0, 1] (or one decade) if
-/// there are none.
+/// The range that the axis asks for, or else that shows all values that it can show, with a small margin;
+/// [0, 1] (or one decade) if there are none.
 AxisRange home_range(const PlotView& plot, bool vertical);
 
 /// The ranges a user has zoomed to; an axis without a range shows all values, also later ones.
@@ -35,6 +36,7 @@ struct PlotFrame {
     AxisRange x_range, y_range;
     std::vector<Tick> x_ticks, y_ticks;
     ScreenRect area; ///< of the curves
+    float strip = 0; ///< height of the rows of nodes below it
 
     bool drawable() const { return area.width() >= 8 && area.height() >= 8; }
     double pixel_x(double value) const { return pixel_of_x(to_axis(x, value)); }
@@ -44,6 +46,9 @@ struct PlotFrame {
     double position_x(double pixel) const; ///< in axis units
     double position_y(double pixel) const;
 };
+
+/// The columns of pixels, left to right or right to left, in which there are such places.
+std::vector<float> columns_of(std::span<const double> x, const PlotFrame& frame);
 
 PlotFrame make_frame(const PlotView& plot, ScreenRect rect, const PlotZoom& zoom, float scale);
 /// Background, grid, ticks and what is written beside them.

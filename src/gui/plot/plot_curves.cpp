@@ -26,9 +26,13 @@ std::size_t first_above(std::span<const double> x, std::size_t begin, std::size_
 /// What is drawn of a curve, gathered from left to right.
 class PathMaker {
   public:
-    PathMaker(const CurveView& curve, const PlotFrame& frame) : curve_(curve), frame_(frame) {}
+    PathMaker(const CurveView& curve, const PlotFrame& frame)
+        : curve_(curve), frame_(frame), bent_(curve.linear && (frame.x.logarithmic || frame.y.logarithmic)) {}
 
-    void point(std::size_t i) { add(frame_.pixel_x(curve_.x[i]), frame_.pixel_y(curve_.y[i])); }
+    void point(std::size_t i) {
+        if (bent_ && i > 0) bends_before(i);
+        add(frame_.pixel_x(curve_.x[i]), frame_.pixel_y(curve_.y[i]));
+    }
     void points(std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) point(i);
     }
@@ -47,12 +51,24 @@ class PathMaker {
     PixelPath take() { return std::move(path_); }
 
   private:
+    void bends_before(std::size_t i) {
+        constexpr double step = 4; // pixels
+        const double x0 = curve_.x[i - 1], x1 = curve_.x[i], y0 = curve_.y[i - 1], y1 = curve_.y[i];
+        const double per_pixel = frame_.x_range.span() / static_cast<double>(frame_.area.width());
+        for (const double at : bends_between(frame_.x, frame_.x_range, x0, x1, step * per_pixel)) {
+            path_.between.resize(path_.x.size());
+            path_.between.push_back(1);
+            add(frame_.pixel_of_x(at),
+                frame_.pixel_y(value_between(from_axis(frame_.x, at), x0, y0, x1, y1)));
+        }
+    }
     void add(double x, double y) {
         path_.x.push_back(x);
         path_.y.push_back(std::isnan(x) ? nothing : y);
     }
     const CurveView& curve_;
     const PlotFrame& frame_;
+    bool bent_; ///< a line between points is none on these axes
     PixelPath path_;
 };
 
@@ -127,14 +143,29 @@ class Stroke {
     std::vector<ImVec2> points_;
 };
 
+/// Smaller ones where many are in sight, and none where they would run into a thick line.
+float marker_radius(const PixelPath& path, ScreenRect area, float scale) {
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < path.x.size(); ++i) {
+        const bool between = i < path.between.size() && path.between[i] != 0;
+        const auto x = static_cast<float>(path.x[i]), y = static_cast<float>(path.y[i]);
+        seen += !between && area.contains({x, y}) ? 1 : 0;
+    }
+    const float each = area.width() / (scale * static_cast<float>(std::max<std::size_t>(seen, 1)));
+    if (each < 3) return 0;
+    return std::clamp(0.35F * each, 1.8F, 3.5F) * scale;
+}
+
 void draw_curve(ImDrawList& list, const CurveView& curve, const PixelPath& path, ScreenRect area,
                 ImU32 colour, float scale) {
     Stroke stroke(list, area, colour, (curve.behind ? 1.25F : 1.75F) * scale);
+    const float radius = curve.markers ? marker_radius(path, area, scale) : 0;
     for (std::size_t i = 0; i < path.x.size(); ++i) {
         stroke.add({path.x[i], path.y[i]});
-        if (!curve.markers || std::isnan(path.y[i])) continue;
-        const DPoint at{path.x[i], path.y[i]};
-        list.AddCircleFilled({static_cast<float>(at.x), static_cast<float>(at.y)}, 3.5F * scale, colour, 24);
+        const bool between = i < path.between.size() && path.between[i] != 0;
+        if (radius == 0 || between || std::isnan(path.y[i])) continue;
+        list.AddCircleFilled({static_cast<float>(path.x[i]), static_cast<float>(path.y[i])}, radius, colour,
+                             24);
     }
     stroke.end();
 }

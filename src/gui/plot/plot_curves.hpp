@@ -9,6 +9,7 @@ namespace gaspard {
 /// The points that are drawn of a curve, as pixels; a NaN in y is a gap.
 struct PixelPath {
     std::vector<double> x, y;
+    std::vector<char> between{}; ///< of those that are no points of the curve: lines bend there; may be short
 };
 PixelPath pixel_path(const CurveView& curve, const PlotFrame& frame);
 /// Of all curves, in their order.

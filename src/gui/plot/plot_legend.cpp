@@ -38,8 +38,9 @@ ScreenRect legend_place(const std::vector<PixelPath>& paths, ScreenRect area, Im
     const float top = area.min.y + margin, bottom = area.max.y - margin - size.y;
     ScreenRect best;
     double least = std::numeric_limits<double>::infinity();
-    for (const ImVec2 corner :
-         {ImVec2{right, top}, ImVec2{left, bottom}, ImVec2{left, top}, ImVec2{right, bottom}}) {
+    const float middle = (left + right) / 2;
+    for (const ImVec2 corner : {ImVec2{right, top}, ImVec2{left, bottom}, ImVec2{left, top},
+                                ImVec2{right, bottom}, ImVec2{middle, bottom}, ImVec2{middle, top}}) {
         const ScreenRect place{corner, {corner.x + size.x, corner.y + size.y}};
         double hidden = 0;
         for (const PixelPath& path : paths) hidden += length_within(path, place);

@@ -9,8 +9,8 @@ namespace gaspard {
 void draw_legend(ImDrawList& list, const PlotView& plot, const std::vector<PixelPath>& paths,
                  const PlotFrame& frame, const Theme& theme, float scale);
 
-/// The first of the corners (upper right, lower left, upper left, lower right) that is free for a box of this
-/// size, or else the one in which least is hidden.
+/// The first of the corners (upper right, lower left, upper left, lower right) and of the middles below and
+/// above that is free for a box of this size, or else the one in which least is hidden.
 ScreenRect legend_place(const std::vector<PixelPath>& paths, ScreenRect area, ImVec2 size, float margin);
 
 } // namespace gaspard

@@ -38,16 +38,24 @@ struct ReadOutLine {
     std::optional<std::size_t> colour;
 };
 
-std::string abscissa_text(const PlotView& plot, double value) {
+/// With as many digits as tell the pixels apart.
+std::string abscissa_number(const PlotView& plot, const PlotFrame& frame, double value) {
+    const AxisRange& range = frame.x_range;
+    const double size = std::max(std::abs(range.low), std::abs(range.high)), ratio = size / range.span();
+    const int digits = plot.x.logarithmic ? 6 : 6 + static_cast<int>(std::log10(std::max(ratio, 1.0)));
+    return plot.x.before + short_number(value, std::min(digits, 17));
+}
+
+std::string abscissa_text(const PlotView& plot, const PlotFrame& frame, double value) {
     std::string text = plot.x.label.empty() ? "x" : plot.x.label;
-    return text.append(" ").append(short_number(value, 6));
+    return text.append(" ").append(abscissa_number(plot, frame, value));
 }
 
 std::vector<ReadOutLine> read_out(const PlotView& plot, const PlotFrame& frame,
                                   const std::vector<PointedAt>& points, double x, float pixel_x, float scale,
                                   float available) {
     constexpr std::size_t most = 12;
-    std::vector<ReadOutLine> lines = {{abscissa_text(plot, x), {}, {}}};
+    std::vector<ReadOutLine> lines = {{abscissa_text(plot, frame, x), {}, {}}};
     for (const PointedAt& point : points) {
         if (lines.size() > most) break;
         const CurveView& curve = plot.curves[point.curve];
@@ -55,7 +63,7 @@ std::vector<ReadOutLine> read_out(const PlotView& plot, const PlotFrame& frame,
         if (!curve.part.empty()) name.append(" ").append(curve.part);
         std::string value = short_number(curve.y[point.index], 5);
         if (std::abs(frame.pixel_x(curve.x[point.index]) - static_cast<double>(pixel_x)) > 2)
-            value.append(" at ").append(short_number(curve.x[point.index], 6));
+            value.append(" at ").append(abscissa_number(plot, frame, curve.x[point.index]));
         lines.push_back({std::move(name), std::move(value), curve.colour});
     }
     for (const MarkView& mark : plot.marks)
@@ -110,8 +118,9 @@ std::vector<PointedAt> points_at(const PlotView& plot, const PlotFrame& frame, f
         if (i == curve.x.size()) continue;
         // Between the curve's points any distance is fine, beyond its ends only a short one.
         const double there = frame.pixel_x(curve.x[i]);
-        const bool before = curve.x[i] <= curve.x.front() && pointer < there - reach;
-        const bool beyond = curve.x[i] >= curve.x.back() && pointer > there + reach;
+        const double to_higher = (pointer - there) * (plot.x.reversed ? -1 : 1);
+        const bool before = curve.x[i] <= curve.x.front() && to_higher < -reach;
+        const bool beyond = curve.x[i] >= curve.x.back() && to_higher > reach;
         if (!before && !beyond) found.push_back({c, i});
     }
     return found;

@@ -20,6 +20,12 @@ struct CurveView {
     std::size_t colour = 0;             ///< which of the theme's
     bool markers = false;               ///< a disc on every point
     bool behind = false;                ///< thinner, and below those that are not
+    bool linear = false;                ///< as in Curve
+};
+
+struct RowView {
+    std::span<const double> x;
+    std::size_t colour = 0;
 };
 
 struct MarkView {
@@ -33,6 +39,8 @@ struct PlotView {
     Axis x, y;
     std::vector<CurveView> curves;
     std::vector<MarkView> marks;
+    std::vector<RowView> rows{};
+    float left = 0, right = 0; ///< pixels beside the curves, at least; to align plots with each other
 };
 
 /// Valid as long as the plot is.
@@ -45,8 +53,11 @@ inline PlotView view_of(const Plot& plot) {
                                .x = curve.x,
                                .y = curve.y,
                                .colour = curve.colour.value_or(i),
-                               .markers = curve.markers});
+                               .markers = curve.markers,
+                               .behind = curve.behind,
+                               .linear = curve.linear});
     }
+    for (const PlotRow& row : plot.rows) view.rows.push_back({row.x, row.colour});
     for (const PlotMark& mark : plot.marks) view.marks.push_back({.x = mark.x, .label = mark.label});
     return view;
 }

@@ -61,14 +61,18 @@ class Steering {
         const auto moved = [](AxisRange range, double fraction) {
             return AxisRange{range.low - fraction * range.span(), range.high - fraction * range.span()};
         };
-        if (which.x) set_x(moved(frame_.x_range, static_cast<double>(by.x / frame_.area.width())));
-        if (which.y) set_y(moved(frame_.y_range, static_cast<double>(-by.y / frame_.area.height())));
+        const double right = frame_.x.reversed ? -1 : 1, up = frame_.y.reversed ? -1 : 1;
+        if (which.x) set_x(moved(frame_.x_range, right * static_cast<double>(by.x / frame_.area.width())));
+        if (which.y) set_y(moved(frame_.y_range, -up * static_cast<double>(by.y / frame_.area.height())));
     }
     void show(ScreenRect rect) {
-        set_x({frame_.position_x(static_cast<double>(rect.min.x)),
-               frame_.position_x(static_cast<double>(rect.max.x))});
-        set_y({frame_.position_y(static_cast<double>(rect.max.y)),
-               frame_.position_y(static_cast<double>(rect.min.y))});
+        const auto range = [](double one, double other) {
+            return AxisRange{std::min(one, other), std::max(one, other)};
+        };
+        set_x(range(frame_.position_x(static_cast<double>(rect.min.x)),
+                    frame_.position_x(static_cast<double>(rect.max.x))));
+        set_y(range(frame_.position_y(static_cast<double>(rect.max.y)),
+                    frame_.position_y(static_cast<double>(rect.min.y))));
     }
     void reset(Steered which) {
         if (which.x) zoom_.x.reset();
@@ -137,10 +141,13 @@ void draw(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, Screen
 } // namespace
 
 void draw_plot(ImDrawList& list, const Plot& plot, ScreenRect rect, const Theme& theme, float scale) {
-    const PlotView view = view_of(plot);
-    const PlotFrame frame =
-        make_frame(view, rect, {shown_range(plot, false), shown_range(plot, true)}, scale);
-    if (frame.drawable()) draw(list, view, frame, rect, theme, scale);
+    draw_plot(list, view_of(plot), rect, {}, theme, scale);
+}
+
+void draw_plot(ImDrawList& list, const PlotView& plot, ScreenRect rect, const PlotZoom& zoom,
+               const Theme& theme, float scale) {
+    const PlotFrame frame = make_frame(plot, rect, zoom, scale);
+    if (frame.drawable()) draw(list, plot, frame, rect, theme, scale);
 }
 
 bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zoom, const Theme& theme,

@@ -12,6 +12,10 @@ namespace gaspard {
 /// Without a pointer and without zoom, as for a file.
 void draw_plot(ImDrawList& list, const Plot& plot, ScreenRect rect, const Theme& theme, float scale);
 
+/// The same of a view, which may be zoomed.
+void draw_plot(ImDrawList& list, const PlotView& plot, ScreenRect rect, const PlotZoom& zoom,
+               const Theme& theme, float scale);
+
 /// A plot in the current window, with the values at the pointer beside it, and steered with the mouse: the
 /// wheel zooms at the pointer (with Shift, or over the axis below, only x; with Ctrl, or over the axis at the
 /// left, only y), the left button drags, the right one zooms to a rectangle, a double click shows everything

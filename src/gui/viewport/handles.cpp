@@ -43,9 +43,10 @@ std::vector<Handle> monitor_handles(const Scenario& scenario) {
     std::vector<Handle> handles;
     // The other coordinate of its point.
     const auto with = [&](const ParameterRow& first, ParameterRole role) {
-        const auto row = std::find_if(values.rows().begin(), values.rows().end(), [&](const ParameterRow& one) {
-            return one.role == role && one.point == first.point;
-        });
+        const auto row =
+            std::find_if(values.rows().begin(), values.rows().end(), [&](const ParameterRow& one) {
+                return one.role == role && one.point == first.point;
+            });
         return row == values.rows().end() ? std::string() : row->key;
     };
     for (const ParameterRow& row : values.rows()) {

@@ -2,6 +2,7 @@
 
 #include "core/session/report_columns.hpp"
 #include "core/tessellate/ticks.hpp"
+#include "gui/plot/plot_widget.hpp"
 #include "gui/viewport/legend.hpp"
 #include "gui/viewport/viewport_text.hpp"
 
@@ -299,6 +300,10 @@ static void draw_graticule(ImDrawList& list, const PlannedView& shown, const The
     list.PopClipRect();
 }
 
+void draw_viewport_plots(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale) {
+    for (const PlannedPlot& plot : plan.plots) draw_plot(list, plot.view, plot.rect, plot.zoom, theme, scale);
+}
+
 void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale) {
     list.PushClipRect(plan.rect.min, plan.rect.max, true);
     ScreenRect available = above_caption(plan, scale);
@@ -316,12 +321,14 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
         if (r.min.y > plan.views[0].rect.min.y)
             list.AddRectFilled(r.min, {r.max.x, r.min.y + 1}, packed(theme.border));
     }
-    if (plan.colouring) {
-        ScreenRect legend = available;
-        legend.min.y += title_height(plan.text.title, scale);
-        draw_legend(list, *plan.colouring, plan.histogram, legend, theme, scale);
+    if (!plan.views.empty()) {
+        if (plan.colouring) {
+            ScreenRect legend = available;
+            legend.min.y += title_height(plan.text.title, scale);
+            draw_legend(list, *plan.colouring, plan.histogram, legend, theme, scale);
+        }
+        draw_notes(list, plan, available, theme, scale);
     }
-    draw_notes(list, plan, available, theme, scale);
     if (plan.text.caption) draw_caption(list, plan, theme, scale);
     if (!plan.facts.empty()) {
         ScreenRect below_title = available;

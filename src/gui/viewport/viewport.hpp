@@ -1,5 +1,5 @@
 // How a viewport looks, in the window and in images: one mesh or two side by side, the legend of
-// their colours, a caption, a card about what is picked.
+// their colours, a caption, a card about what is picked; of an interval, plots instead of the mesh.
 //
 // A ViewportPlanner says what goes where; MeshRenderer draws the meshes; draw_viewport_overlay() draws the
 // rest with an ImDrawList. Everything is in pixels of the current ImGui frame, and everything a user can
@@ -12,6 +12,7 @@
 #include "gui/base/theme.hpp"
 #include "gui/scene/picking.hpp"
 #include "gui/scene/projection_scene.hpp"
+#include "gui/viewport/interval_planner.hpp"
 
 #include <imgui.h>
 #include <memory>
@@ -55,6 +56,7 @@ struct ViewportPlan {
     ScreenRect rect;
     /// One, or more of one size, whose cameras are one, or look from both sides.
     std::vector<PlannedView> views;
+    std::vector<PlannedPlot> plots; ///< of a mesh of an interval, which then has no views
     ViewportText text;
     std::shared_ptr<const Colouring> colouring; ///< of the legend; null: none
     std::optional<Pick> pick;
@@ -80,9 +82,10 @@ class ViewportPlanner {
     /// Needs a current ImGui frame, for the sizes of texts. `view`: values of view_rows(). Texts that cannot
     /// be read are as good as empty, but for a complaint.
     ///
-    /// `others` come beside it where view.layout is "runs", in the colours of the first.
+    /// `others` come beside it where view.layout is "runs", in the colours of the first. `zooms`: of plots.
     ViewportPlan plan(const Snapshot& snapshot, const Values& view, const ViewportText& text, ScreenRect rect,
-                      float scale, std::span<const NamedSnapshot> others = {});
+                      float scale, std::span<const NamedSnapshot> others = {},
+                      const std::vector<ColumnZoom>& zooms = {});
     /// Home is what showed the whole mesh when it was first seen, so that the view does not shake while it
     /// moves; from now on it is for the mesh of the next plan.
     void forget_home() { home_ = {}; }
@@ -98,6 +101,9 @@ class ViewportPlanner {
                      float scale);
     void place_runs(const MeshScene& scene, const Values& view, ViewportPlan& plan,
                     std::span<const NamedSnapshot> others, float scale);
+    void place_plots(const Snapshot& snapshot, const Values& view, ViewportPlan& plan,
+                     std::span<const NamedSnapshot> others, const std::vector<ColumnZoom>& zooms,
+                     float scale);
     void add_arrows(ViewportPlan& plan, float scale);
     void add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan);
 
@@ -105,6 +111,7 @@ class ViewportPlanner {
     SceneBuilder uniform_maker_{maker_.cache()}; ///< of the uniform mesh, where it has other colours
     std::vector<SceneBuilder> other_makers_;     ///< of the meshes beside it, in their order
     ProjectionSceneBuilder projection_maker_;
+    std::vector<IntervalPlanner> interval_planners_; ///< of intervals beside each other
     double spun_ = 0;
     struct Home {
         std::shared_ptr<const Mesh> of;
@@ -129,7 +136,9 @@ class ViewportPlanner {
     } facts_;
 };
 
-/// Everything but the meshes, over them.
+/// The plots, as for a file; the window draws them as widgets.
+void draw_viewport_plots(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale);
+/// Everything but the meshes and the plots, over them.
 void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale);
 
 /// A sentence about what the view asks for and this mesh has not, where that is no error; else empty.

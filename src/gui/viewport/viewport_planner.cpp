@@ -1,4 +1,5 @@
 #include "core/base/error.hpp"
+#include "core/tessellate/blend.hpp"
 #include "core/tessellate/ticks.hpp"
 #include "gui/scene/arrows.hpp"
 #include "gui/viewport/legend.hpp"
@@ -32,11 +33,6 @@ Insets insets_of(const ViewportPlan& plan, const MeshScene& scene, float scale) 
         (static_cast<double>(rect.width() - rect.height()) + insets.top + insets.bottom) / 2;
     if (free_side > insets.right && !scene.projection) insets.left = insets.right;
     return insets;
-}
-
-std::string blend_title(double blend) {
-    if (blend == 1) return "physical";
-    return "t = " + short_number(blend, 3);
 }
 
 Size size_of(ScreenRect rect) {
@@ -228,6 +224,33 @@ void ViewportPlanner::place_runs(const MeshScene& scene, const Values& view, Vie
     for (PlannedView& shown : plan.views) shown.camera = first.camera;
 }
 
+/// Of an interval; in the layout "runs" those of all runs, which are zoomed together.
+void ViewportPlanner::place_plots(const Snapshot& snapshot, const Values& view, ViewportPlan& plan,
+                                  std::span<const NamedSnapshot> others, const std::vector<ColumnZoom>& zooms,
+                                  float scale) {
+    for (const char* choice : {"layout=front-and-rear", "layout=projection", "overlay=exact"})
+        plan.unavailable.emplace_back(choice);
+    const bool among_others = view.text("layout") == "runs" && !others.empty();
+    const std::size_t count = among_others ? others.size() + 1 : 1;
+    if (interval_planners_.size() < count) interval_planners_.resize(count);
+    const ScreenRect available = above_caption(plan, scale);
+    const int columns = columns_for(count, available);
+    const int rows = (static_cast<int>(count) + columns - 1) / columns;
+    const float width = std::floor(available.width() / static_cast<float>(columns)),
+                height = std::floor(available.height() / static_cast<float>(rows));
+    for (std::size_t i = 0; i < count; ++i) {
+        const ImVec2 corner{available.min.x + width * static_cast<float>(static_cast<int>(i) % columns),
+                            available.min.y + height * static_cast<float>(static_cast<int>(i) / columns)};
+        const std::string& title = !among_others ? plan.text.title
+                                   : i == 0      ? plan.text.subject
+                                                 : others[i - 1].title;
+        for (PlannedPlot& plot :
+             interval_planners_[i].plan(i == 0 ? snapshot : *others[i - 1].snapshot, view, title,
+                                        {corner, {corner.x + width, corner.y + height}}, zooms, scale))
+            plan.plots.push_back(std::move(plot));
+    }
+}
+
 void ViewportPlanner::add_arrows(ViewportPlan& plan, float scale) {
     arrows_.resize(std::max(arrows_.size(), plan.views.size()));
     for (std::size_t i = 0; i < plan.views.size(); ++i) {
@@ -266,11 +289,16 @@ void ViewportPlanner::add_pick(const Snapshot& snapshot, const Values& view, Vie
 }
 
 ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view, const ViewportText& text,
-                                   ScreenRect rect, float scale, std::span<const NamedSnapshot> others) {
-    const MeshScene scene = maker_.make(snapshot, view);
+                                   ScreenRect rect, float scale, std::span<const NamedSnapshot> others,
+                                   const std::vector<ColumnZoom>& zooms) {
     ViewportPlan plan;
     plan.rect = rect;
     plan.text = text;
+    if (is_interval(*snapshot.mesh)) {
+        place_plots(snapshot, view, plan, others, zooms, scale);
+        return plan;
+    }
+    const MeshScene scene = maker_.make(snapshot, view);
     plan.colouring = scene.colouring;
     plan.histogram = view.boolean("histogram");
     if (scene.planar()) plan.unavailable.emplace_back("layout=front-and-rear");
@@ -286,6 +314,10 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
 }
 
 std::string missing_note(const Values& view, const Snapshot& snapshot) {
+    if (is_interval(*snapshot.mesh))
+        for (const char* key : {"camera", "arrows", "pick"})
+            if (!is_default(view, key))
+                return "view." + std::string(key) + " shows nothing: an interval is shown as plots";
     if (view.text("overlay") != "exact" || snapshot.exact) return {};
     return "view.overlay = exact shows nothing: the exact mesh is known on a sphere only, for monitors that "
            "have an axis";

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/io/formats.hpp"
+#include "core/scenario/view_rows.hpp"
 #include "core/tessellate/fine_tessellation.hpp"
 #include "fixtures/fixture_meshes.hpp"
 #include "support/comma_locale.hpp"
@@ -221,10 +222,11 @@ TEST(Formats, TheTableListsTheFilesOfEachFormat) {
     Snapshot snapshot{.mesh = mesh, .x = moved(*mesh), .fields = {}, .report = {}, .version = 1};
     snapshot.fields.push_back({{.name = "monitor"}, mesh->nodes.x});
     const std::vector<StepReport> history(3);
+    const Values view("view", view_rows());
     std::vector<std::string> expected;
     for (const auto& format : formats()) {
         if (format.splines_only) continue; // for other meshes; rejected before a run (formats_of)
-        format.write(folder.path(), {snapshot, history, {}});
+        format.write(folder.path(), {snapshot, history, {}, view});
         expected.insert(expected.end(), format.files.begin(), format.files.end());
         std::sort(expected.begin(), expected.end());
         EXPECT_EQ(folder.content(), expected) << format.name;

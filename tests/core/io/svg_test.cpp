@@ -6,6 +6,7 @@
 #include "core/io/svg_document.hpp"
 #include "core/io/svg_path.hpp"
 #include "core/io/xml.hpp"
+#include "core/scenario/view_rows.hpp"
 #include "support/comma_locale.hpp"
 #include "support/sample_snapshot.hpp"
 #include "support/svg_reader.hpp"
@@ -178,6 +179,55 @@ TEST(PlotSvg, AnAskedRangeCutsTheCurveOff) {
     EXPECT_NEAR(strokes[0].corners[0].y, y + height / 3, 0.02);
     EXPECT_NEAR(strokes[0].corners[1].x, x + width / 2, 0.02);
     EXPECT_NEAR(strokes[0].corners[1].y, y, 0.02);
+}
+
+TEST(PlotSvg, AReversedAxisShowsDistancesFromTheRightEnd) {
+    Plot plot{"", {"x", true}, {"y", false}, {{.label = "", .x = {0, 1e-12, 1}, .y = {0, 1, 1}}}};
+    plot.x.reversed = true, plot.x.before = "1 − ";
+    plot.curves[0].linear = true;
+    plot.rows = {{{0, 1e-12, 1}, 0}};
+    const SvgReader svg(svg_of_plot(plot));
+    const auto strokes = curve_of(svg);
+    ASSERT_EQ(strokes.size(), 1u);
+    EXPECT_GT(strokes[0].corners.front().x, strokes[0].corners.back().x);
+    const auto texts = svg.texts();
+    const auto label = [&](const char* text) {
+        return std::find(texts.begin(), texts.end(), text) != texts.end();
+    };
+    EXPECT_TRUE(label("1 − 10−12") && label("1 − 100"));
+}
+
+TEST(PlotSvg, TheLegendLeavesACornerThatHasCurves) {
+    const auto box_of = [](const Plot& plot) {
+        const SvgReader svg(svg_of_plot(plot));
+        return svg.all("rect").back()->DoubleAttribute("y");
+    };
+    Plot falling_ones{"",
+                      {"x"},
+                      {"y"},
+                      {{.label = "a", .x = {0, 1}, .y = {1, 0}}, {.label = "b", .x = {0, 1}, .y = {1, 0.1}}}};
+    EXPECT_LT(box_of(falling_ones), 30) << "above, at the right";
+    const Plot flat{
+        "",
+        {"x"},
+        {"y"},
+        {{.label = "a", .x = {0, 1, 1}, .y = {1, 1, 0}}, {.label = "b", .x = {0, 1}, .y = {0.95, 0.95}}}};
+    EXPECT_GT(box_of(flat), 60) << "below, at the left";
+}
+
+TEST(PlotSvg, OfAnIntervalAreAllPlots) {
+    Snapshot snapshot;
+    Mesh mesh{.kind = {CellShape::line, 1}, .space_dimension = 1, .nodes = Points(3), .cells = {0, 1, 1, 2}};
+    mesh.nodes.x = {0, 0.5, 1};
+    snapshot.x = mesh.nodes;
+    snapshot.x.x[1] = 0.1;
+    snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
+    Values view("view", view_rows());
+    view.set("layout", std::string("side-by-side"));
+    const SvgReader svg(svg_of_plots(interval_plots(snapshot, view), {}));
+    const auto texts = svg.texts();
+    for (const char* text : {"physical", "computational", "cell width", "ξ", "x"})
+        EXPECT_NE(std::find(texts.begin(), texts.end(), text), texts.end()) << text;
 }
 
 TEST(PlotSvg, AMarkSaysWhatHappened) {
@@ -438,15 +488,6 @@ TEST(MeshSvg, AClosedSurfaceMayFaceInwardAsAWhole) {
                 seen.back().emplace(std::round(10 * p.x), std::round(10 * p.y));
     }
     EXPECT_EQ(seen[0], seen[1]) << "the same corners: those in front";
-}
-
-TEST(MeshSvg, AnIntervalIsABand) {
-    const SvgReader svg(svg_of(sample_snapshot(three_lines())));
-    std::size_t uprights = 0;
-    for (const auto& stroke : strokes_in(svg, "edges"))
-        for (std::size_t i = 1; i < stroke.corners.size(); ++i)
-            if (stroke.corners[i].x == stroke.corners[i - 1].x) ++uprights;
-    EXPECT_EQ(uprights, 4u);
 }
 
 TEST(MeshSvg, ACurveInThePlaneIsALine) {

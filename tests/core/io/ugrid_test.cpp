@@ -4,6 +4,7 @@
 #include "core/base/read_file.hpp"
 #include "core/base/version.hpp"
 #include "core/io/formats.hpp"
+#include "core/scenario/view_rows.hpp"
 #include "core/tessellate/cell_geometry.hpp"
 #include "fixtures/fixture_meshes.hpp"
 #include "support/comma_locale.hpp"
@@ -299,7 +300,8 @@ TEST(Ugrid, TheComputationalMeshHasTheSameFormat) {
     const TemporaryFolder folder;
     const Snapshot snapshot = sample_snapshot(unit_square_mesh(3));
     const std::vector<StepReport> history(1);
-    parse_formats("ugrid").front()->write(folder.path(), {snapshot, history, {}});
+    const Values view("view", view_rows());
+    parse_formats("ugrid").front()->write(folder.path(), {snapshot, history, {}, view});
     EXPECT_EQ(folder.content(), (std::vector<std::string>{"adapted.ugrid.nc", "computational.ugrid.nc"}));
     const ReadNetcdf before(folder / "computational.ugrid.nc"), after(folder / "adapted.ugrid.nc");
     EXPECT_EQ(before.text("", "title"), "computational mesh");

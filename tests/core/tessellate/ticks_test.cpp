@@ -34,6 +34,13 @@ TEST(Ticks, LinearTicksLieInTheRangeAndAreFew) {
     }
 }
 
+TEST(Ticks, LabelsThatDifferOnlyInTheirLastDigitsSayByHowMuch) {
+    EXPECT_EQ(labels(linear_ticks(1 - 1e-12, 1, 4)),
+              (Labels{"−10⁻¹²", "−8×10⁻¹³", "−6×10⁻¹³", "−4×10⁻¹³", "−2×10⁻¹³", "1"}));
+    EXPECT_EQ(labels(linear_ticks(0.25, 0.25 + 2e-10, 2)), (Labels{"0.25", "+10⁻¹⁰", "+2×10⁻¹⁰"}));
+    EXPECT_EQ(labels(linear_ticks(0, 1e-12, 2)), (Labels{"0", "5×10⁻¹³", "10⁻¹²"}));
+}
+
 TEST(Ticks, EqualEndsGiveOneTick) {
     EXPECT_EQ(labels(linear_ticks(2.5, 2.5, 5)), Labels{"2.5"});
     EXPECT_EQ(linear_ticks(1e8, 1e8 + 1e-8, 5).size(), 1U) << "they differ by rounding only";

@@ -311,6 +311,10 @@ INSTANTIATE_TEST_SUITE_P(
                     InputCase{"sphere-x4", {"domain.cells=4", "view.layout=front-and-rear"}, 5000},
                     InputCase{"sphere-cross", {"domain.refinements=1", "view.layout=projection"}, 5000},
                     InputCase{"spline-patch", {"domain.cells=8"}, 5000},
+                    InputCase{
+                        "layer-1d",
+                        {"method.interpolation=false", "view.layout=side-by-side", "view.x_axis=log-right"},
+                        5000},
                     InputCase{"spline-moebius", {"domain.cells=8", "view.arrows=true"}, 5000}),
     [](const auto& of) {
         std::string name = of.param.name;

@@ -55,6 +55,19 @@ TEST(WrongPicture, IsFoundDifferent) {
     EXPECT_NE(difference(Image{400, 300, std::vector<std::uint8_t>(400 * 300 * 4, 0)}, right), "") << "black";
 }
 
+TEST(WrongPicture, OfAnIntervalIsFoundDifferent) {
+    Snapshot snapshot = layer_snapshot(32, 0.01);
+    const Values view("view", view_rows(std::vector<FieldInfo>{{.name = "solution"}}, "solution"));
+    const auto drawn = [&] { return render_view(snapshot, view, 600, 450, "interval, layer"); };
+    const Image right = golden("layers");
+    EXPECT_EQ(difference(drawn(), right), "");
+    snapshot.fields[0].values[16] -= 0.3;
+    EXPECT_NE(difference(drawn(), right), "") << "the solution is wrong at one node";
+    snapshot = layer_snapshot(32, 0.01);
+    snapshot.x = snapshot.mesh->nodes;
+    EXPECT_NE(difference(drawn(), right), "") << "nodes not moved";
+}
+
 /// What a view with other settings shows of the same mesh.
 Image drawn(const Snapshot& snapshot, const std::vector<std::pair<std::string, std::string>>& settings) {
     Values values("view", view_rows());

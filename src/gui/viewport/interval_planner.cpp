@@ -1,0 +1,99 @@
+#include "gui/viewport/interval_planner.hpp"
+
+#include "gui/viewport/viewport_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+/// Those of the curves whose x are in order, which drawing needs.
+std::vector<std::optional<Extremes>> extremes_of(const Plot& plot) {
+    std::vector<std::optional<Extremes>> all;
+    for (const Curve& curve : plot.curves) {
+        all.emplace_back();
+        bool in_order = true;
+        for (std::size_t i = 1; i < curve.x.size(); ++i) in_order = in_order && curve.x[i - 1] <= curve.x[i];
+        if (!in_order) continue;
+        all.back().emplace();
+        for (const double y : curve.y) all.back()->append(y);
+    }
+    return all;
+}
+
+PlotView view_of(const Plot& plot, const std::vector<std::optional<Extremes>>& extremes) {
+    PlotView view = view_of(plot);
+    for (std::size_t i = 0; i < view.curves.size(); ++i)
+        if (extremes[i]) view.curves[i].extremes = &*extremes[i];
+    return view;
+}
+
+/// Makes curves of plots above each other begin and end at the same pixel.
+void align(PlannedPlot& above, PlannedPlot& below, float scale) {
+    float left = 0, right = 0;
+    for (const PlannedPlot* plot : {&above, &below}) {
+        const PlotFrame frame = make_frame(plot->view, plot->rect, plot->zoom, scale);
+        left = std::max(left, frame.area.min.x - plot->rect.min.x);
+        right = std::max(right, plot->rect.max.x - frame.area.max.x);
+    }
+    for (PlannedPlot* plot : {&above, &below}) plot->view.left = left, plot->view.right = right;
+}
+
+} // namespace
+
+struct IntervalPlanner::Picture {
+    std::vector<IntervalColumn> columns;
+    std::vector<std::vector<std::optional<Extremes>>> values, spacing; ///< of each column
+};
+
+void IntervalPlanner::make(const Snapshot& snapshot, const Values& view, const std::string& title) {
+    if (picture_ && mesh_ == snapshot.mesh && version_ == snapshot.version && view_ == view &&
+        title_ == title)
+        return;
+    auto picture = std::make_shared<Picture>();
+    picture->columns = interval_plots(snapshot, view, cells_);
+    for (IntervalColumn& column : picture->columns) {
+        if (column.values.title.empty()) column.values.title = title;
+        picture->values.push_back(extremes_of(column.values));
+        picture->spacing.push_back(extremes_of(column.spacing));
+    }
+    mesh_ = snapshot.mesh, version_ = snapshot.version;
+    view_ = view, title_ = title;
+    picture_ = std::move(picture);
+}
+
+std::vector<PlannedPlot> IntervalPlanner::plan(const Snapshot& snapshot, const Values& view,
+                                               const std::string& title, ScreenRect available,
+                                               const std::vector<ColumnZoom>& zooms, float scale) {
+    make(snapshot, view, title);
+    const float margin = viewport_margin * scale, gap = viewport_gap * scale;
+    const std::size_t count = picture_->columns.size();
+    const float width = std::floor(available.width() / static_cast<float>(count));
+    const float middle = std::round(available.min.y + static_cast<float>(values_share) * available.height());
+    std::vector<PlannedPlot> plots;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float left = available.min.x + width * static_cast<float>(i) + margin;
+        const float right = left + width - 2 * margin;
+        const ColumnZoom zoom = i < zooms.size() ? zooms[i] : ColumnZoom{};
+        PlannedPlot above{.view = view_of(picture_->columns[i].values, picture_->values[i]),
+                          .rect = {{left, available.min.y + gap}, {right, middle - gap / 2}},
+                          .column = i,
+                          .zoom = {zoom.x, zoom.values},
+                          .of = picture_};
+        PlannedPlot below{.view = view_of(picture_->columns[i].spacing, picture_->spacing[i]),
+                          .rect = {{left, middle + gap / 2}, {right, available.max.y - gap}},
+                          .column = i,
+                          .spacing = true,
+                          .zoom = {zoom.x, zoom.spacing},
+                          .of = picture_};
+        align(above, below, scale);
+        plots.push_back(std::move(above));
+        plots.push_back(std::move(below));
+    }
+    return plots;
+}
+
+} // namespace gaspard

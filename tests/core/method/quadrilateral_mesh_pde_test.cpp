@@ -1,0 +1,126 @@
+// The mesh PDE on quadrilaterals, from the scenario to energy errors that an independent implementation
+// (FEniCS) has.
+#include "core/scenario/toml.hpp"
+#include "core/session/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+class QuadrilateralMeshPde : public testing::Test {
+  protected:
+    gaspard::Run run(const std::string& name, const std::vector<std::string>& settings) const {
+        Scenario scenario = find_scenario(*catalogue, name);
+        apply_settings(*catalogue, scenario, settings);
+        return {catalogue, scenario};
+    }
+    std::string complaint(const std::string& name, const std::vector<std::string>& settings) const {
+        try {
+            run(name, settings);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return {};
+    }
+
+    std::shared_ptr<const Catalogue> catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+};
+
+TEST_F(QuadrilateralMeshPde, HasTheErrorsOfTheIndependentImplementation) {
+    const struct {
+        const char *scenario, *eps;
+        double error; ///< N = 32
+    } cases[] = {{"layer-2d", "1e-2", 1.87e-2},
+                 {"layer-2d", "1e-4", 3.09e-3},
+                 {"layer-2d", "1e-8", 1.04e-3},
+                 {"layer-quadrilateral", "1e-2", 4.73e-3},
+                 {"layer-quadrilateral", "1e-4", 5.17e-4}};
+    for (const auto& one : cases) {
+        gaspard::Run made = run(one.scenario, {std::string("pde.eps=") + one.eps});
+        made.solve();
+        EXPECT_EQ(made.status(), RunStatus::converged);
+        EXPECT_EQ(made.history().back().iteration, 3 * 4 + 5);
+        EXPECT_NEAR(*made.history().back().value("energy_error"), one.error, 3e-3 * one.error)
+            << one.scenario << ' ' << one.eps;
+    }
+}
+
+TEST_F(QuadrilateralMeshPde, ConvergesByNewtonsMethod) {
+    gaspard::Run made = run("layer-2d", {"method.finish=converged", "domain.cells=16", "pde.eps=1e-4"});
+    made.solve();
+    EXPECT_EQ(made.status(), RunStatus::converged);
+    EXPECT_LT(made.history().back().residual, 1e-8);
+    EXPECT_LT(made.history().back().iteration, 40);
+    EXPECT_EQ(*made.history().back().tangled_cells, 0U);
+}
+
+// Of a rotated and stretched square: nodes of a side stay on it, corners stay.
+TEST_F(QuadrilateralMeshPde, NodesSlideAlongSidesOfAnyDirection) {
+    gaspard::Run made = run("layer-2d", {"domain.cells=16", "domain.corners=0 0, 2 1, 1.5 3, -1 2",
+                                         "pde.eps=1e-2", "monitor.width_x=eps", "monitor.width_y=eps",
+                                         "pde.diffusion_x=1", "pde.diffusion_y=1"});
+    made.solve();
+    const auto snapshot = made.snapshot();
+    const Points& x = snapshot->x;
+    const Vec3 corners[] = {{0, 0, 0}, {2, 1, 0}, {1.5, 3, 0}, {-1, 2, 0}};
+    const auto node = [&](std::size_t i, std::size_t j) { return x[j * 17 + i]; };
+    double moved = 0;
+    for (std::size_t k = 0; k <= 16; ++k) {
+        const Vec3 on_sides[] = {node(k, 0), node(16, k), node(k, 16), node(0, k)};
+        const std::pair<int, int> ends[] = {{0, 1}, {1, 2}, {3, 2}, {0, 3}};
+        for (std::size_t side = 0; side < 4; ++side) {
+            const Vec3 from = corners[ends[side].first], along = corners[ends[side].second] - from;
+            EXPECT_NEAR(cross(along, on_sides[side] - from).z, 0, 1e-13);
+            const double place = dot(along, on_sides[side] - from) / dot(along, along);
+            moved = std::max(moved, std::abs(place - static_cast<double>(k) / 16));
+        }
+    }
+    EXPECT_GT(moved, 0.1);
+    EXPECT_EQ(*made.history().back().tangled_cells, 0U);
+}
+
+TEST_F(QuadrilateralMeshPde, AConstantMonitorMovesNothing) {
+    for (const char* finish : {"converged", "fixed-point"}) {
+        gaspard::Run made =
+            run("layer-2d", {"monitor.type=constant", "domain.cells=12", "domain.corners=0 0, 2 0, 1 1, 0 2",
+                             std::string("method.finish=") + finish});
+        made.solve();
+        EXPECT_EQ(made.status(), RunStatus::converged);
+        const auto snapshot = made.snapshot();
+        for (std::size_t i = 0; i < snapshot->x.size(); ++i)
+            EXPECT_LT(norm(snapshot->x[i] - snapshot->mesh->nodes[i]), 1e-12);
+    }
+}
+
+TEST_F(QuadrilateralMeshPde, TransfersToOtherResolutionsAndCorners) {
+    gaspard::Run made = run("layer-2d", {"domain.cells=16"});
+    made.solve();
+    Scenario changed = made.scenario();
+    apply_settings(*catalogue, changed, {"domain.cells=24", "domain.corners=0 0, 1 0.2, 1 1, 0 1"});
+    EXPECT_EQ(made.change(changed), "");
+    made.solve();
+    EXPECT_EQ(made.status(), RunStatus::converged);
+}
+
+TEST_F(QuadrilateralMeshPde, InvalidInputIsOneSentence) {
+    EXPECT_EQ(complaint("layer-2d", {"domain.corners=0 0, 1 0, 0.2 0.2, 0 1"}),
+              "domain.corners are not those of a convex quadrilateral, anticlockwise from the lower left");
+    EXPECT_EQ(complaint("layer-2d", {"domain.corners=0 0, 0 1, 1 1, 1 0"}),
+              "domain.corners are clockwise; write them anticlockwise from the lower left");
+    EXPECT_EQ(complaint("layer-2d", {"domain.corners=0 0, 1 0, 1 1"}),
+              "domain.corners lists 3 points, but a quadrilateral has 4");
+    EXPECT_EQ(complaint("layer-2d", {"domain.cells=3"}),
+              "method.start_cells (4) must not be greater than domain.cells (3)");
+    EXPECT_EQ(complaint("layer-quadrilateral", {"domain.corners=0 0, 1 0, 1.5 1, 0 1"}),
+              "method.form = vertical needs a left and a right side that are vertical; see domain.corners");
+    EXPECT_EQ(complaint("layer-2d", {"monitor.width_x=x - 0.5"}).substr(0, 32),
+              "monitor.width_x must be positive");
+    EXPECT_EQ(complaint("layer-2d", {"pde.source=1/0"}).substr(0, 27), "pde.source is not finite at");
+    EXPECT_NE(complaint("layer-2d", {"monitor.type=formula", "monitor.expression=x - 0.5"}), "");
+}
+
+} // namespace
+} // namespace gaspard
