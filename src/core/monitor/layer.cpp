@@ -97,6 +97,20 @@ class LayerDensity final : public Monitor {
             values[i] = std::max(1.0, rho);
         }
     }
+    void gradients(const Points& x, Points& gradients) const override {
+        gradients = Points(x.size());
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            double rho = base_;
+            Vec3 slope;
+            for (const Side& side : sides_)
+                for (const double eps : eps_) {
+                    const double term = shape_.term(eps, side.distance(x[i]));
+                    rho += term;
+                    slope = slope - (shape_.beta / (shape_.sigma * eps) * term) * side.normal;
+                }
+            if (rho > 1) gradients.set(i, slope);
+        }
+    }
 
   private:
     Shape shape_;

@@ -57,6 +57,17 @@ void thin_labels(std::vector<Tick>& ticks, double distance) {
     }
 }
 
+/// 1, 2 and 5 times powers of ten.
+std::vector<Tick> round_ticks(double low, double high) {
+    std::vector<Tick> ticks;
+    for (int exponent = static_cast<int>(std::floor(std::log10(low))); std::pow(10.0, exponent) <= high;
+         ++exponent)
+        for (const double multiple : {1.0, 2.0, 5.0})
+            if (const double value = multiple * std::pow(10.0, exponent); low <= value && value <= high)
+                ticks.push_back({value, short_number(value), true});
+    return ticks;
+}
+
 } // namespace
 
 std::string power_of_ten(int exponent) { return "10" + superscript(exponent); }
@@ -133,7 +144,7 @@ std::vector<Tick> log_ticks(double low, double high, int count) {
     const int first = static_cast<int>(std::ceil(std::log10(low) - 1e-9));
     const int last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
     if (last <= first) {
-        std::vector<Tick> ticks = linear_ticks(low, high, count);
+        std::vector<Tick> ticks = high / low > 10 ? round_ticks(low, high) : linear_ticks(low, high, count);
         std::erase_if(ticks, [](const Tick& tick) { return tick.value <= 0; });
         thin_labels(ticks, 0.6 * std::log10(high / low) / std::max(count, 1));
         return ticks;

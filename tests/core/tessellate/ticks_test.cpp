@@ -62,6 +62,10 @@ TEST(Ticks, LessThanADecadeIsLabelledLinearly) {
     EXPECT_EQ(labels(log_ticks(0.03, 0.05, 2)), (Labels{"0.03", "0.04", "0.05"}));
 }
 
+TEST(Ticks, ADecadeAroundOnePowerOfTenHasRoundValues) {
+    EXPECT_EQ(labels(log_ticks(0.0035, 0.06, 4)), (Labels{"0.005", "0.01", "0.02", "0.05"}));
+}
+
 TEST(Ticks, LabelsOfLogarithmicTicksKeepTheirDistance) {
     EXPECT_EQ(labels(log_ticks(1, 9.5, 7)), (Labels{"1", "2", "3", "4", "5", "7", "9"}));
     EXPECT_EQ(log_ticks(1, 9.5, 7).size(), 9U) << "ticks without a label stay";

@@ -25,7 +25,7 @@ class SpringsApplicationTest : public ApplicationFixture {
     static Scenario springs(const Catalogue& catalogue) {
         Scenario scenario = default_scenario(catalogue);
         apply_settings(catalogue, scenario,
-                       {"domain.type=disk", "domain.cells=4", "monitor.type=layer", "method.type=springs",
+                       {"domain.type=disk", "domain.cells=4", "monitor.type=band", "method.type=springs",
                         "method.max_iterations=40", "view.color=force"});
         return scenario;
     }

@@ -101,7 +101,7 @@ TEST(FixturePicture, IsColouredByFieldsOfTheMethod) {
     const auto catalogue = std::make_shared<const Catalogue>(fixture_catalogue());
     Scenario scenario = default_scenario(*catalogue);
     apply_settings(*catalogue, scenario,
-                   {"domain.type=disk", "domain.cells=4", "monitor.type=layer", "method.type=springs",
+                   {"domain.type=disk", "domain.cells=4", "monitor.type=band", "method.type=springs",
                     "method.max_iterations=20", "view.lines=false"});
     gaspard::Run run(catalogue, scenario);
     run.solve();
