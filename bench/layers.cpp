@@ -3,8 +3,8 @@
 //
 // usage: bench_layers interval|corners|degree-4 EPS N REPEATS
 //
-// interval: algorithm 2 for one layer; corners, degree-4: algorithm 3 for varying diffusion, with the densities
-// sampled there. Prints the seconds of every repetition.
+// interval: algorithm 2 for one layer; corners, degree-4: algorithm 3 for varying diffusion, with the
+// densities sampled there. Prints the seconds of every repetition.
 #include "core/base/check.hpp"
 #include "core/published/hill_problems.hpp"
 

@@ -1,5 +1,5 @@
-// A coefficient of a PDE, or a width of a layer, as a formula in the coordinates and the problem's parameters, such as
-// "(1 + 2*y)^2" or "1 - x".
+// A coefficient of a PDE, or a width of a layer, as a formula in the coordinates and the problem's
+// parameters, such as "(1 + 2*y)^2" or "1 - x".
 #pragma once
 
 #include "core/base/parameter.hpp"

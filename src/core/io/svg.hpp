@@ -42,9 +42,9 @@ void check_svg_camera(const Points& nodes, const std::string& camera, double asp
 
 /// The mesh at x: cells filled in classes of the colouring (white without one), edges as long lines (curved
 /// ones as exact parabolas), tangled cells in magenta above all others, a legend. Of a mesh in space hidden
-/// faces are left out. A curve is drawn as a line; of an interval, see svg_of_plots(). The camera says from where and
-/// which part; the height of the drawing follows from the mesh or, for a part, from `aspect`. Throws
-/// InputError if the camera cannot be read.
+/// faces are left out. A curve is drawn as a line; of an interval, see svg_of_plots(). The camera says from
+/// where and which part; the height of the drawing follows from the mesh or, for a part, from `aspect`.
+/// Throws InputError if the camera cannot be read.
 std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>& colouring,
                         const MeshSvgOptions& options = {});
 

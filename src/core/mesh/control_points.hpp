@@ -10,7 +10,8 @@
 
 namespace gaspard {
 
-/// Throws InputError, with the key and what it belongs to, unless the text lists exactly `count` points of two finite numbers.
+/// Throws InputError, with the key and what it belongs to, unless the text lists exactly `count` points of
+/// two finite numbers.
 Points parse_control_points(std::string_view text, std::size_t count,
                             const std::string& key = "domain.control_points",
                             const std::string& owner = "the patch");

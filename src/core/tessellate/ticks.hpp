@@ -13,8 +13,8 @@ struct Tick {
 };
 
 /// Multiples of 1, 2 or 5 times a power of ten in [low, high], at most about `count` of them. Requires finite
-/// low <= high; if equal, returns that one tick. Where labels would have more than 8 digits, one is written in
-/// full and the others as differences from it: "−2×10⁻¹³", "1", "+2×10⁻¹³".
+/// low <= high; if equal, returns that one tick. Where labels would have more than 8 digits, one is written
+/// in full and the others as differences from it: "−2×10⁻¹³", "1", "+2×10⁻¹³".
 std::vector<Tick> linear_ticks(double low, double high, int count);
 
 /// Powers of ten in [low, high] as major ticks, at most about `count`, and 2 to 9 times each as minor ticks
