@@ -13,13 +13,12 @@
 // a sum instead of a linear system.
 #pragma once
 
-#include "core/base/export.hpp"
 #include "core/monitor/monitor.hpp"
 
 #include <span>
 #include <vector>
 
-namespace gaspard GASPARD_API {
+namespace gaspard {
 
 struct Interval {
     double a = 0, b = 1;
@@ -89,4 +88,4 @@ std::vector<double> shishkin_mesh(const LayerShape& layer, Interval interval, in
 /// adaptive (relative error below 1e-12 unless rho is not smooth), its inversion exact to rounding.
 std::vector<double> equidistributed_interval(const Monitor& rho, Interval interval, int cells);
 
-} // namespace GASPARD_API
+} // namespace gaspard

@@ -9,13 +9,12 @@
 //   ||v||_E^2 = sum_k ( e_k ||v_k'||^2 + ||v_k||^2 ).
 #pragma once
 
-#include "core/base/export.hpp"
 
 #include <functional>
 #include <span>
 #include <vector>
 
-namespace gaspard GASPARD_API {
+namespace gaspard {
 
 /// The coefficients at points, one after the other: of each c (m), r (m x m, by rows), f (m).
 struct IntervalCoefficients {
@@ -58,4 +57,4 @@ struct IntervalExact {
 double exact_error(const IntervalProblem& problem, std::span<const double> x, const IntervalSolution& p1,
                    const IntervalExact& exact);
 
-} // namespace GASPARD_API
+} // namespace gaspard

@@ -15,14 +15,13 @@
 // (widths to 1e-8) take as few, if nodes of the start are on them: others are not looked for.
 #pragma once
 
-#include "core/base/export.hpp"
 #include "core/monitor/monitor.hpp"
 
 #include <optional>
 #include <span>
 #include <vector>
 
-namespace gaspard GASPARD_API {
+namespace gaspard {
 
 /// How far the shares r_i d_i are from equal: max |r_i d_i / C - 1| with C their mean.
 double share_deviation(std::span<const double> densities, std::span<const double> x);
@@ -81,4 +80,4 @@ struct ShootingResult {
 ShootingResult shoot_interval(const Monitor& rho, std::span<const double> x, double tolerance = 1e-12,
                               int max_shots = 60);
 
-} // namespace GASPARD_API
+} // namespace gaspard

@@ -11,7 +11,6 @@
 // each with its own scale.
 #pragma once
 
-#include "core/base/export.hpp"
 #include "core/layer/interval_mesh.hpp"
 #include "core/layer/interval_problem.hpp"
 
@@ -19,7 +18,7 @@
 #include <span>
 #include <vector>
 
-namespace gaspard GASPARD_API {
+namespace gaspard {
 
 /// Densities of cells. Throw InputError if the solution has not a value per node of a mesh of three nodes or
 /// more; 1 for a solution that does not change.
@@ -67,4 +66,4 @@ std::vector<double> solution_densities(const SolutionMeshOptions& options, const
 std::vector<double> mesh_from_solution(const IntervalProblem& problem, Interval interval, int cells,
                                        const SolutionMeshOptions& options);
 
-} // namespace GASPARD_API
+} // namespace gaspard

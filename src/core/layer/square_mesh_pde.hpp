@@ -16,7 +16,6 @@
 // left and right sides are vertical.
 #pragma once
 
-#include "core/base/export.hpp"
 #include "core/base/points.hpp"
 
 #include <array>
@@ -25,7 +24,7 @@
 #include <span>
 #include <vector>
 
-namespace gaspard GASPARD_API {
+namespace gaspard {
 
 /// Densities M_11 and M_22 at points; each positive and finite.
 using LayerDensities = std::function<void(const Points& x, std::span<double> m11, std::span<double> m22)>;
@@ -122,4 +121,4 @@ SquareConvergence converge_square(SquareMeshPde& pde, const LayerDensities& dens
 /// Triangles of a grid with right diagonals (from (0,0) to (1,1)) whose area is not positive.
 std::size_t inverted_triangles(const Points& x, int cells);
 
-} // namespace GASPARD_API
+} // namespace gaspard

@@ -9,7 +9,6 @@
 //   ||v||_E^2 = (k1 v_x, v_x) + (k2 v_y, v_y) + (v, v).
 #pragma once
 
-#include "core/base/export.hpp"
 #include "core/base/points.hpp"
 
 #include <array>
@@ -17,7 +16,7 @@
 #include <span>
 #include <vector>
 
-namespace gaspard GASPARD_API {
+namespace gaspard {
 
 struct TriangleCoefficients {
     double k1 = 1, k2 = 1, c1 = 0, c2 = 0, r = 1, f = 0;
@@ -47,4 +46,4 @@ TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x
 double reference_error(const TriangleProblem& problem, const Points& x, int cells, const TriangleSolution& p1,
                        const TriangleSolution& p2);
 
-} // namespace GASPARD_API
+} // namespace gaspard

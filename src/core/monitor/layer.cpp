@@ -296,8 +296,8 @@ MonitorType layer_tensor_monitor_type() {
                 [](const Space& space) {
                     const char* help = "width of the layers, a formula in x, y and eps";
                     return rows({eps_row("eps", "ε"),
-                                 coefficient_row("width_x", "Width, left and right", "ε₁", "eps", help),
-                                 coefficient_row("width_y", "Width, lower and upper", "ε₂", "eps", help)},
+                                 coefficient_row("width_x", "Width in x", "ε₁", "eps", help),
+                                 coefficient_row("width_y", "Width in y", "ε₂", "eps", help)},
                                 std::string("auto"), side_rows(space, {"right", "top"}));
                 },
             .make_tensor = [](const Values& values,

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/base/user_path.hpp"
+#include "core/base/utf8.hpp"
 #include "core_assets.hpp"
 
 #include <algorithm>
@@ -81,7 +82,11 @@ void read_section(const Catalogue& catalogue, Scenario& scenario, const toml::ta
     }
 }
 
+/// Throws InputError if TOML cannot hold the text, such as a path in another encoding.
 std::string quoted(const std::string& text) {
+    if (!is_utf8(text))
+        throw InputError("'" + text +
+                         "' is not text in UTF-8, as scenarios must be; rename the file if it is one");
     std::ostringstream out;
     out << toml::value<std::string>(text);
     return out.str();

@@ -33,7 +33,8 @@ Scenario load_scenario(const Catalogue& catalogue, const std::filesystem::path& 
                        ScenarioSource* source = nullptr);
 /// Whether a text is the path of a scenario file, .toml in any case, and not a name.
 bool is_scenario_file(std::string_view name_or_file);
-/// The complete scenario including default values; parse_scenario returns the same scenario.
+/// The complete scenario including default values; parse_scenario returns the same scenario. Throws
+/// InputError if a text is not UTF-8.
 std::string to_toml(const Scenario& scenario);
 
 struct BuiltinScenario {

@@ -85,7 +85,7 @@ TEST_F(QuadrilateralMeshPde, NodesSlideAlongSidesOfAnyDirection) {
 TEST_F(QuadrilateralMeshPde, AConstantMonitorMovesNothing) {
     for (const char* finish : {"converged", "fixed-point"}) {
         gaspard::Run made =
-            run("layer-2d", {"monitor.type=constant", "domain.cells=12", "domain.corners=0 0, 2 0, 1 1, 0 2",
+            run("layer-2d", {"monitor.type=constant", "domain.cells=12", "domain.corners=0 0, 2 0, 1.5 1, 0 2",
                              std::string("method.finish=") + finish});
         made.solve();
         EXPECT_EQ(made.status(), RunStatus::converged);

@@ -286,5 +286,14 @@ TEST_F(ScenarioTest, NumbersThatNoDoubleHoldsAreNamedAsTheyAreTyped) {
     expect_in("'1e400' could not be interpreted", parse_message("[monitor]\namplitude = 1e400\n"));
 }
 
+TEST(ScenarioText, RefusesTextThatIsNotUtf8) {
+    const Catalogue catalogue = builtin_catalogue();
+    Scenario scenario = default_scenario(catalogue);
+    scenario.output.set("formats", std::string("\x8a,svg"));
+    EXPECT_THROW(to_toml(scenario), InputError);
+    scenario.output.set("formats", std::string("\u00e4,svg"));
+    EXPECT_NE(to_toml(scenario).find("\u00e4"), std::string::npos);
+}
+
 } // namespace
 } // namespace gaspard

@@ -78,7 +78,7 @@ TEST(FixturePicture, TheCubeIsTheHexagonThatTheCameraSees) {
 }
 
 TEST(FixturePicture, TheIntervalIsPlotted) {
-    const Silhouette seen = silhouette("interval", 12);
+    const Silhouette seen = silhouette("line", 12);
     EXPECT_GT(seen.width(), 350);
     EXPECT_GT(seen.height(), 350);
 }
