@@ -147,6 +147,12 @@ TEST_F(IntervalMethods, FormulasNeedOneStep) {
         EXPECT_LT(*one.history().back().value("energy_error"), 7e-5) << method; // Bakhvalov 3.3e-5
         EXPECT_GT(*one.history().back().value("uniform_exact_energy_error"), 1e-2) << method;
     }
+    gaspard::Run two = run({"method.type=bakhvalov", "pde.type=coupled-reaction-diffusion", "pde.eps1=1e-3",
+                            "pde.eps2=1e-6", "monitor.type=two-layers"});
+    two.solve();
+    EXPECT_EQ(two.snapshot()->x.x, bakhvalov_mesh({.eps = 1e-6}, {}, 32).x);
+    EXPECT_EQ(complaint({"method.type=bakhvalov", "pde.type=none", "monitor.type=constant"}),
+              "method.eps = auto: the problem has no eps; set it to a number");
     gaspard::Run bakhvalov = run({"method.type=bakhvalov", "domain.cells=64", "pde.eps=1e-6"});
     bakhvalov.solve();
     EXPECT_EQ(bakhvalov.snapshot()->x.x, bakhvalov_mesh({.eps = 1e-6}, {}, 64).x);
