@@ -31,9 +31,7 @@ class QuadrilateralMeshPde final : public Method {
 
     void configure(const Values& values) override {
         const bool vertical = values.text("form") == "vertical";
-        if (vertical && !domain_->has_vertical_sides())
-            throw InputError("method.form = vertical needs a left and a right side that are vertical; see "
-                             "domain.corners");
+        parametric_ = !vertical || !domain_->has_vertical_sides();
         levels_.configure(values, domain_->cells(), true);
         form_ = vertical ? MeshPdeForm::one_direction : MeshPdeForm::componentwise;
         samples_ = values.text("samples") == "corners" ? DensitySamples::corners : DensitySamples::degree_4;
@@ -49,7 +47,7 @@ class QuadrilateralMeshPde final : public Method {
         if (other.layout == layout()) return other;
         const std::string_view text = other.layout;
         const std::string kind(layout_prefix_of_form());
-        if (form_ != MeshPdeForm::componentwise || !text.starts_with(kind)) return std::nullopt;
+        if (!parametric_ || !text.starts_with(kind)) return std::nullopt;
         const Points nodes = nodes_of(other);
         return state_of(resampled_grid(nodes, cells_of(nodes), domain_->cells()));
     }
@@ -95,7 +93,7 @@ class QuadrilateralMeshPde final : public Method {
         if (positions_.size() == 0) {
             const int n = domain_->cells(), own = cells_of(nodes_);
             const Points grid = own == n ? nodes_ : resampled_grid(nodes_, own, n);
-            positions_ = form_ == MeshPdeForm::componentwise ? domain_->positions(grid) : grid;
+            positions_ = parametric_ ? domain_->positions(grid) : grid;
         }
         return positions_;
     }
@@ -130,8 +128,7 @@ class QuadrilateralMeshPde final : public Method {
     };
 
     const char* layout_prefix_of_form() const {
-        return form_ == MeshPdeForm::componentwise ? "quadrilateral parameters n="
-                                                   : "quadrilateral positions n=";
+        return parametric_ ? "quadrilateral parameters n=" : "quadrilateral positions n=";
     }
     std::string layout() const { return layout_prefix_of_form() + std::to_string(domain_->cells()); }
     State state_of(const Points& nodes) const { return {layout(), {{"x", nodes.x}, {"y", nodes.y}}}; }
@@ -149,7 +146,7 @@ class QuadrilateralMeshPde final : public Method {
     /// The uniform mesh: of the parameters, or of the quadrilateral.
     SquareMeshPde uniform(int cells) const {
         std::array<Vec3, 4> corners = SquareMeshPdeOptions{}.corners;
-        if (form_ == MeshPdeForm::one_direction) {
+        if (!parametric_) {
             const Corners& c = domain_->corners();
             corners = {c[0], c[1], c[3], c[2]};
         }
@@ -158,7 +155,7 @@ class QuadrilateralMeshPde final : public Method {
 
     LayerDensities densities_of(const ProblemData& data) const {
         return [this, &data](const Points& at, std::span<double> first, std::span<double> second) {
-            const Points x = form_ == MeshPdeForm::componentwise ? domain_->positions(at) : at;
+            const Points x = parametric_ ? domain_->positions(at) : at;
             if (!data.tensor) {
                 data.monitor->values(x, first);
                 std::copy(first.begin(), first.end(), second.begin());
@@ -179,8 +176,7 @@ class QuadrilateralMeshPde final : public Method {
         solved_.reset();
         const SquareMeshSolve solve = at.solve(densities_of(data));
         next_ = std::move(at);
-        const double size =
-            form_ == MeshPdeForm::componentwise ? 1 : longest_side(bounding_box(*domain_->control_points()));
+        const double size = parametric_ ? 1 : longest_side(bounding_box(*domain_->control_points()));
         return {.residual = solve.update / size,
                 .series = {static_cast<double>(level())},
                 .inner_iterations = solve.inner_iterations};
@@ -222,6 +218,7 @@ class QuadrilateralMeshPde final : public Method {
     std::shared_ptr<const QuadrilateralDomain> domain_;
     MeshLevels levels_;
     MeshPdeForm form_ = MeshPdeForm::componentwise;
+    bool parametric_ = true; ///< the unknowns are (s, t), not positions
     DensitySamples samples_ = DensitySamples::degree_4;
     bool reference_ = true, converges_ = true;
     // The iterate last evaluated, and the next one:
@@ -236,24 +233,26 @@ class QuadrilateralMeshPde final : public Method {
 } // namespace
 
 std::vector<ParameterRow> quadrilateral_rows() {
-    return {{.key = "form",
-             .label = "Form",
-             .kind = ParameterKind::choice,
-             .default_value = std::string("both"),
-             .choices = {"both", "vertical"},
-             .help = "on a quadrilateral: in both directions (29), or nodes move vertically only (28)"},
-            {.key = "samples",
-             .label = "Samples",
-             .kind = ParameterKind::choice,
-             .default_value = std::string("degree-4"),
-             .choices = {"degree-4", "corners"},
-             .help = "on a quadrilateral: where triangles sample M, as a polynomial of degree 4 or at their "
-                     "corners, which is faster"},
-            {.key = "reference",
-             .label = "Measure errors",
-             .kind = ParameterKind::boolean,
-             .default_value = true,
-             .help = "on a quadrilateral: the energy error of the solution, against one of order 2"}};
+    return {
+        {.key = "form",
+         .label = "Form",
+         .kind = ParameterKind::choice,
+         .default_value = std::string("both"),
+         .choices = {"both", "vertical"},
+         .help =
+             "on a quadrilateral: in both directions (29), or only from the lower to the upper side (28)"},
+        {.key = "samples",
+         .label = "Samples",
+         .kind = ParameterKind::choice,
+         .default_value = std::string("degree-4"),
+         .choices = {"degree-4", "corners"},
+         .help = "on a quadrilateral: where triangles sample M, as a polynomial of degree 4 or at their "
+                 "corners, which is faster"},
+        {.key = "reference",
+         .label = "Measure errors",
+         .kind = ParameterKind::boolean,
+         .default_value = true,
+         .help = "on a quadrilateral: the energy error of the solution, against one of order 2"}};
 }
 
 std::unique_ptr<Method> quadrilateral_mesh_pde(std::shared_ptr<const QuadrilateralDomain> domain,
