@@ -1,14 +1,14 @@
 // Mesh PDEs on a quadrilateral (layer/square_mesh_pde.hpp), as the method "mesh-pde": Algorithm 3 of Hill,
 // Madden (2021). The form (29) is solved for the parameters (s, t) of the quadrilateral, with M at x(s, t),
 // so that nodes slide along sides of any direction; on the unit square that is (29) itself. The form (28)
-// moves nodes from the lower to the upper side only: in Cartesian coordinates where the left and the right side
-// are vertical, as in the paper, otherwise in the parameters.
+// moves nodes from the lower to the upper side only: in Cartesian coordinates where the left and the right
+// side are vertical, as in the paper, otherwise in the parameters.
 //
 // On the last mesh the solves of Algorithm 3, or steps of Newton's method for the same equations.
 //
 // The residual of an iterate is the largest change of a coordinate that the next solve makes; in
-// Cartesian coordinates divided by the longest side. A State is the grid of nodes, of the domain's number of cells or of a
-// coarser one.
+// Cartesian coordinates divided by the longest side. A State is the grid of nodes, of the domain's number of
+// cells or of a coarser one.
 #pragma once
 
 #include "core/layer/quadrilateral_domain.hpp"
