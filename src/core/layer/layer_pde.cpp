@@ -12,17 +12,6 @@ namespace gaspard {
 
 namespace {
 
-ParameterRow eps_row(const char* key, const char* symbol, double value) {
-    return {.key = key,
-            .label = "Perturbation",
-            .symbol = symbol,
-            .minimum = 1e-12,
-            .maximum = 1,
-            .scale = ParameterScale::logarithmic,
-            .default_value = value,
-            .help = "the smaller, the thinner the layers of the solution"};
-}
-
 constexpr const char* in_x = "a formula in x and eps";
 constexpr const char* in_x_2 = "a formula in x, eps1 and eps2";
 
@@ -114,6 +103,17 @@ IntervalPde coupled(const Values& values) {
 
 } // namespace
 
+ParameterRow perturbation_row(const char* key, const char* symbol, double value) {
+    return {.key = key,
+            .label = "Perturbation",
+            .symbol = symbol,
+            .minimum = 1e-12,
+            .maximum = 1,
+            .scale = ParameterScale::logarithmic,
+            .default_value = value,
+            .help = "the smaller, the thinner the layers of the solution"};
+}
+
 PdeType no_pde() {
     return {.name = "none", .label = "None", .help = "only the mesh is computed", .equation = {}, .rows = {}};
 }
@@ -123,7 +123,8 @@ PdeType reaction_diffusion_pde() {
             .label = "Reaction and diffusion",
             .help = "layers at the ends, where f/r is not zero",
             .equation = "-ε² u'' + r u = f, u = 0 at the ends",
-            .rows = {eps_row("eps", "ε", 1e-4), coefficient_row("reaction", "Reaction", "r", "1", in_x),
+            .rows = {perturbation_row("eps", "ε", 1e-4),
+                     coefficient_row("reaction", "Reaction", "r", "1", in_x),
                      coefficient_row("source", "Source", "f", "1 - x", in_x)}};
 }
 
@@ -132,7 +133,7 @@ PdeType coupled_pde() {
             .label = "Two coupled equations",
             .help = "layers of two widths at both ends",
             .equation = "-εₖ² uₖ'' + rₖ₁ u₁ + rₖ₂ u₂ = fₖ, k = 1, 2, uₖ = 0 at the ends",
-            .rows = {eps_row("eps1", "ε₁", 1e-8), eps_row("eps2", "ε₂", 1e-4),
+            .rows = {perturbation_row("eps1", "ε₁", 1e-8), perturbation_row("eps2", "ε₂", 1e-4),
                      coefficient_row("reaction_11", "Reaction 11", "r₁₁", "2*(x + 1)^2", in_x_2),
                      coefficient_row("reaction_12", "Reaction 12", "r₁₂", "-(1 + x^3)", in_x_2),
                      coefficient_row("reaction_21", "Reaction 21", "r₂₁", "-2*cos(pi*x/4)", in_x_2),
@@ -146,7 +147,8 @@ PdeType convection_diffusion_pde() {
             .label = "Convection and diffusion",
             .help = "an exponential layer where the flow leaves",
             .equation = "-ε u'' + c u' + r u = f, u = 0 at the ends",
-            .rows = {eps_row("eps", "ε", 1e-4), coefficient_row("convection", "Convection", "c", "1", in_x),
+            .rows = {perturbation_row("eps", "ε", 1e-4),
+                     coefficient_row("convection", "Convection", "c", "1", in_x),
                      coefficient_row("reaction", "Reaction", "r", "0", in_x),
                      coefficient_row("source", "Source", "f", "1", in_x)}};
 }

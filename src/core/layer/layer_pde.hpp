@@ -33,6 +33,9 @@ PdeType convection_diffusion_pde();
 PdeType plane_reaction_diffusion_pde();
 PdeType plane_convection_diffusion_pde();
 
+/// The row of an eps.
+ParameterRow perturbation_row(const char* key, const char* symbol, double value);
+
 /// A problem on an interval, and its solution where that is known in closed form.
 struct IntervalPde {
     IntervalProblem problem;

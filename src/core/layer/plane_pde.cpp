@@ -12,23 +12,11 @@ namespace {
 
 constexpr const char* in_x_y = "a formula in x, y and eps";
 
-ParameterRow eps_row() {
-    return {.key = "eps",
-            .label = "Perturbation",
-            .symbol = "ε",
-            .minimum = 1e-12,
-            .maximum = 1,
-            .scale = ParameterScale::logarithmic,
-            .default_value = 1e-3,
-            .help = "the smaller, the thinner the layers of the solution"};
-}
-
 /// Which sides are held, in the order of TriangleProblem::held.
-constexpr std::array<std::pair<const char*, const char*>, 4> sides = {
-    {{"hold_left", "Hold left side"},
-     {"hold_right", "Hold right side"},
-     {"hold_bottom", "Hold lower side"},
-     {"hold_top", "Hold upper side"}}};
+constexpr std::array<std::pair<const char*, const char*>, 4> sides = {{{"hold_left", "Hold left side"},
+                                                                       {"hold_right", "Hold right side"},
+                                                                       {"hold_bottom", "Hold lower side"},
+                                                                       {"hold_top", "Hold upper side"}}};
 
 void add_side_rows(std::vector<ParameterRow>& rows) {
     for (const auto& [key, label] : sides)
@@ -100,7 +88,8 @@ PdeType plane_reaction_diffusion_pde() {
                  .label = "Reaction and diffusion",
                  .help = "layers at sides, whose width varies with the diffusion",
                  .equation = "-((ε k₁)² uₓ)ₓ - ((ε k₂)² u_y)_y + r u = f",
-                 .rows = {eps_row(), coefficient_row("diffusion_x", "Diffusion in x", "k₁", "1", in_x_y),
+                 .rows = {perturbation_row("eps", "ε", 1e-3),
+                          coefficient_row("diffusion_x", "Diffusion in x", "k₁", "1", in_x_y),
                           coefficient_row("diffusion_y", "Diffusion in y", "k₂", "1", in_x_y),
                           {.key = "squared",
                            .label = "Squared diffusion",
@@ -118,7 +107,8 @@ PdeType plane_convection_diffusion_pde() {
                  .label = "Convection and diffusion",
                  .help = "exponential layers where the flow leaves, parabolic ones along it",
                  .equation = "-ε Δu + c₁ uₓ + c₂ u_y + r u = f",
-                 .rows = {eps_row(), coefficient_row("convection_x", "Convection in x", "c₁", "1", in_x_y),
+                 .rows = {perturbation_row("eps", "ε", 1e-3),
+                          coefficient_row("convection_x", "Convection in x", "c₁", "1", in_x_y),
                           coefficient_row("convection_y", "Convection in y", "c₂", "0", in_x_y),
                           coefficient_row("reaction", "Reaction", "r", "0", in_x_y),
                           coefficient_row("source", "Source", "f", "1", in_x_y)}};

@@ -3,11 +3,11 @@
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/method/interval_method.hpp"
+#include "core/monitor/layer_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
 #include <utility>
 
 namespace gaspard {
@@ -73,63 +73,22 @@ MethodType formula_method(std::string name, std::string label, std::string help,
 }
 
 std::vector<ParameterRow> layer_rows() {
-    return {
-        {.key = "eps",
-         .label = "Layer width",
-         .symbol = "ε",
-         .kind = ParameterKind::real_or_auto,
-         .minimum = 1e-12,
-         .maximum = 1,
-         .scale = ParameterScale::logarithmic,
-         .default_value = std::string("auto"),
-         .help =
-             "the layer decays as exp(-β d/ε); auto: that of the problem, the smallest if it has several"},
-        {.key = "layers",
-         .label = "Layers",
-         .kind = ParameterKind::choice,
-         .default_value = std::string("left"),
-         .choices = {"left", "right", "both"},
-         .help = "the ends with a layer; both: an even number of cells"},
-        {.key = "q",
-         .label = "Share in the layers",
-         .symbol = "q",
-         .minimum = 0.01,
-         .maximum = 0.99,
-         .default_value = 0.5,
-         .help = "share of the cells in the layers"},
-        {.key = "sigma",
-         .label = "Order",
-         .symbol = "σ",
-         .minimum = 0.1,
-         .maximum = 20,
-         .scale = ParameterScale::logarithmic,
-         .default_value = 2.5,
-         .help = "usually the order of the method or a little more"},
-        {.key = "beta",
-         .label = "Decay",
-         .symbol = "β",
-         .minimum = 0.01,
-         .maximum = 100,
-         .scale = ParameterScale::logarithmic,
-         .default_value = 0.99,
-         .help = "the layer decays as exp(-β d/ε)"}};
-}
-
-/// The smallest eps of the problem.
-double eps_of_problem(const ProblemData& data) {
-    std::optional<double> smallest;
-    for (const char* key : {"eps", "eps1", "eps2"})
-        if (data.pde && data.pde->has(key)) smallest = std::min(data.pde->real(key), smallest.value_or(1));
-    if (!smallest) throw InputError("method.eps = auto: the problem has no eps; set it to a number");
-    return *smallest;
+    std::vector<ParameterRow> rows = {layer_width_row("eps", "ε"),
+                                      {.key = "layers",
+                                       .label = "Layers",
+                                       .kind = ParameterKind::choice,
+                                       .default_value = std::string("left"),
+                                       .choices = {"left", "right", "both"},
+                                       .help = "the ends with a layer; both: an even number of cells"}};
+    for (ParameterRow& row : layer_shape_rows()) rows.push_back(std::move(row));
+    return rows;
 }
 
 LayerShape shape_of(const ProblemData& data, const Values& values) {
-    const auto own = values.real_or_auto("eps");
-    return {.eps = own ? *own : eps_of_problem(data),
-            .beta = values.real("beta"),
-            .sigma = values.real("sigma"),
-            .q = values.real("q")};
+    auto eps = values.real_or_auto("eps");
+    if (!eps) eps = layer_width_of(data.pde.get(), "eps");
+    if (!eps) throw InputError("method.eps = auto: the problem has no eps; set it to a number");
+    return {.eps = *eps, .beta = values.real("beta"), .sigma = values.real("sigma"), .q = values.real("q")};
 }
 
 /// A mesh with its layer at the other end: x -> a + b - x.

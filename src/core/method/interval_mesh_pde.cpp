@@ -7,8 +7,7 @@
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/layer/interval_shooting.hpp"
-#include "core/method/interval_method.hpp"
-#include "core/method/mesh_levels.hpp"
+#include "core/method/interval_iteration.hpp"
 #include "core/method/quadrilateral_mesh_pde.hpp"
 
 #include <algorithm>
@@ -21,55 +20,40 @@ namespace {
 
 constexpr double equal_shares = 1e-12; ///< relative difference of the shares of a mesh that has converged
 
-class IntervalMeshPde final : public IntervalMethod {
+class IntervalMeshPde final : public IntervalIteration {
   public:
     IntervalMeshPde(std::shared_ptr<const IntervalDomain> domain, const Values& values)
-        : IntervalMethod(std::move(domain)) {
+        : IntervalIteration(std::move(domain)) {
         configure(values);
     }
 
     void configure(const Values& values) override {
-        levels_.configure(values, domain().cells(), false);
+        levels().configure(values, domain().cells(), false);
         normalised_ = values.boolean("normalised");
         converges_ = values.text("finish") == "converged";
         shooting_.reset();
     }
 
-    std::vector<SeriesInfo> series() const override {
-        std::vector<SeriesInfo> all = IntervalMethod::series();
-        all.push_back(level_series());
-        return all;
-    }
-
-    Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token) override {
-        levels_.begin();
+    Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token stop) override {
         shooting_.reset();
-        Evaluation evaluation = look(data, mesh_of(state));
-        if (level() > 0) evaluation.ending = Ending::not_yet;
-        return evaluation;
+        return IntervalIteration::evaluate(data, state, stop);
     }
 
-    Evaluation step(const ProblemData& data, State& state, std::stop_token) override {
-        const std::size_t level = levels_.next(this->level());
-        if (level != this->level())
-            look(data, level > this->level()
-                           ? uniform_interval(domain().interval(), levels_.cells(level))
-                           : resampled_interval(x(), static_cast<std::size_t>(levels_.cells(level))));
-        const bool shoots = converges_ && level == 0;
-        if (shoots && !shooting_) shooting_.emplace(x());
-        if (shoots && !shooting_->stuck()) return shot(data, state);
-        mesh_of(state) = next_interval_mesh(densities_, domain().interval());
-        Evaluation evaluation = look(data, mesh_of(state));
-        evaluation.step_size = 1;
-        evaluation.ending = levels_.ending(level);
-        return evaluation;
+  protected:
+    std::vector<double> densities(const ProblemData& data, const std::vector<double>& mesh) override {
+        std::vector<double> found = cell_densities(*data.monitor, mesh);
+        look_at(data, mesh);
+        return found;
+    }
+    double residual_unit(const ProblemData& data, double mass) const override {
+        return normalised_ ? 1 / mass : data.unit;
     }
 
-  private:
-    std::size_t level() const { return levels_.level_of(static_cast<int>(x().size()) - 1); }
-
-    /// On the last mesh: towards the solution of the discrete equations, to rounding.
-    Evaluation shot(const ProblemData& data, State& state) {
+    /// A shot towards the solution of the discrete equations, to rounding.
+    std::optional<Evaluation> finish(const ProblemData& data, State& state) override {
+        if (!converges_) return std::nullopt;
+        if (!shooting_) shooting_.emplace(x());
+        if (shooting_->stuck()) return std::nullopt;
         shooting_->step(*data.monitor);
         mesh_of(state) = shooting_->mesh();
         Evaluation evaluation = look(data, mesh_of(state));
@@ -89,19 +73,8 @@ class IntervalMeshPde final : public IntervalMethod {
         return evaluation;
     }
 
-    Evaluation look(const ProblemData& data, const std::vector<double>& x) {
-        densities_ = cell_densities(*data.monitor, x);
-        look_at(data, x);
-        double mass = 0;
-        for (std::size_t i = 0; i < densities_.size(); ++i) mass += densities_[i] * (x[i + 1] - x[i]);
-        const double unit = normalised_ ? 1 / mass : data.unit;
-        return {.residual = unit * interval_residual(densities_, x),
-                .series = {static_cast<double>(level())}};
-    }
-
-    MeshLevels levels_;
+  private:
     bool normalised_ = true, converges_ = true;
-    std::vector<double> densities_;
     std::optional<IntervalShooting> shooting_;
 };
 

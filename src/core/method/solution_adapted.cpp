@@ -5,8 +5,7 @@
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/layer/solution_density.hpp"
-#include "core/method/interval_method.hpp"
-#include "core/method/mesh_levels.hpp"
+#include "core/method/interval_iteration.hpp"
 
 #include <utility>
 
@@ -14,16 +13,16 @@ namespace gaspard {
 
 namespace {
 
-class SolutionAdapted final : public IntervalMethod {
+class SolutionAdapted final : public IntervalIteration {
   public:
     SolutionAdapted(std::shared_ptr<const IntervalDomain> domain, const Values& values)
-        : IntervalMethod(std::move(domain)) {
+        : IntervalIteration(std::move(domain)) {
         configure(values);
     }
 
     void configure(const Values& values) override {
-        levels_.configure(values, domain().cells(), false);
-        if (levels_.cells(levels_.coarsest()) < 4)
+        levels().configure(values, domain().cells(), false);
+        if (levels().cells(levels().coarsest()) < 4)
             throw InputError("method.start_cells must be at least 4, so that there are second derivatives");
         const std::string& density = values.text("density");
         options_.density = density == "curvature"  ? SolutionDensity::curvature
@@ -32,48 +31,22 @@ class SolutionAdapted final : public IntervalMethod {
         options_.smoothing = static_cast<int>(values.integer("smoothing"));
     }
 
-    std::vector<SeriesInfo> series() const override {
-        std::vector<SeriesInfo> all = IntervalMethod::series();
-        all.push_back(level_series());
-        return all;
-    }
-
-    Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token) override {
-        levels_.begin();
-        Evaluation evaluation = look(data, mesh_of(state));
+    /// The densities are those of the mesh of the run only after the steps on coarser ones.
+    Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token stop) override {
+        Evaluation evaluation = IntervalIteration::evaluate(data, state, stop);
         evaluation.ending = Ending::not_yet;
         return evaluation;
     }
 
-    Evaluation step(const ProblemData& data, State& state, std::stop_token) override {
-        const std::size_t level = levels_.next(this->level());
-        if (level != this->level())
-            look(data, level > this->level()
-                           ? uniform_interval(domain().interval(), levels_.cells(level))
-                           : resampled_interval(x(), static_cast<std::size_t>(levels_.cells(level))));
-        mesh_of(state) = next_interval_mesh(densities_, domain().interval());
-        Evaluation evaluation = look(data, mesh_of(state));
-        evaluation.step_size = 1;
-        evaluation.ending = levels_.ending(level);
-        return evaluation;
+  protected:
+    std::vector<double> densities(const ProblemData& data, const std::vector<double>& mesh) override {
+        look_at(data, mesh);
+        if (!problem()) throw InputError("method solution-adapted needs a problem to solve; set pde.type");
+        return solution_densities(options_, *problem(), mesh, solve_interval(*problem(), mesh, 1));
     }
 
   private:
-    std::size_t level() const { return levels_.level_of(static_cast<int>(x().size()) - 1); }
-
-    Evaluation look(const ProblemData& data, const std::vector<double>& mesh) {
-        look_at(data, mesh);
-        if (!problem()) throw InputError("method solution-adapted needs a problem to solve; set pde.type");
-        densities_ = solution_densities(options_, *problem(), x(), solve_interval(*problem(), x(), 1));
-        double mass = 0;
-        for (std::size_t i = 0; i < densities_.size(); ++i) mass += densities_[i] * (x()[i + 1] - x()[i]);
-        return {.residual = interval_residual(densities_, x()) / mass,
-                .series = {static_cast<double>(level())}};
-    }
-
-    MeshLevels levels_;
     SolutionMeshOptions options_;
-    std::vector<double> densities_;
 };
 
 std::vector<ParameterRow> rows() {

@@ -10,6 +10,7 @@
 // about q of the cells into a layer (21).
 #include "core/base/error.hpp"
 #include "core/function/coefficient.hpp"
+#include "core/monitor/layer_rows.hpp"
 #include "core/monitor/tensor.hpp"
 
 #include <algorithm>
@@ -163,25 +164,14 @@ std::vector<double> eps_of(const Values& values, const std::vector<std::string>&
                            const MonitorContext& context) {
     std::vector<double> found;
     for (const std::string& key : keys) {
-        const auto own = values.real_or_auto(key);
-        if (!own && (!context.pde || !context.pde->has(key)))
+        auto width = values.real_or_auto(key);
+        if (!width) width = layer_width_of(context.pde, key);
+        if (!width)
             throw InputError(values.section() + "." + key + " = auto: the problem has no " + key +
                              "; set it to a number");
-        found.push_back(own ? *own : context.pde->real(key));
+        found.push_back(*width);
     }
     return found;
-}
-
-ParameterRow eps_row(const std::string& key, const char* symbol) {
-    return {.key = key,
-            .label = "Layer width",
-            .symbol = symbol,
-            .kind = ParameterKind::real_or_auto,
-            .minimum = 1e-12,
-            .maximum = 1,
-            .scale = ParameterScale::logarithmic,
-            .default_value = std::string("auto"),
-            .help = "the layer decays as exp(-β d/ε); auto: that of the problem"};
 }
 
 /// `on`: the sides with a layer by default.
@@ -209,43 +199,18 @@ std::vector<ParameterRow> side_rows(const Space& space, const std::vector<std::s
     return rows;
 }
 
-std::vector<ParameterRow> rows(std::vector<ParameterRow> first, Value k, std::vector<ParameterRow> sides) {
-    std::vector<ParameterRow> all = std::move(first);
-    const std::vector<ParameterRow> others = {
-        {.key = "q",
-         .label = "Share in a layer",
-         .symbol = "q",
-         .minimum = 0.01,
-         .maximum = 0.99,
-         .default_value = 0.5,
-         .help = "share of the cells in a layer, where K is automatic"},
-        {.key = "sigma",
-         .label = "Order",
-         .symbol = "σ",
-         .minimum = 0.1,
-         .maximum = 20,
-         .scale = ParameterScale::logarithmic,
-         .default_value = 2.5,
-         .help = "the cells grow from the side as the layer to the power 1/σ; usually the order of the "
-                 "method or a little more"},
-        {.key = "beta",
-         .label = "Decay",
-         .symbol = "β",
-         .minimum = 0.01,
-         .maximum = 100,
-         .scale = ParameterScale::logarithmic,
-         .default_value = 0.99,
-         .help = "the layer decays as exp(-β d/ε)"},
-        {.key = "K",
-         .label = "Weight",
-         .symbol = "K",
-         .kind = ParameterKind::real_or_auto,
-         .minimum = 1e-3,
-         .maximum = 100,
-         .scale = ParameterScale::logarithmic,
-         .default_value = std::move(k),
-         .help = "weight of a layer against the rest; auto: q/(σ(1 - q))"}};
-    all.insert(all.end(), others.begin(), others.end());
+std::vector<ParameterRow> rows(std::vector<ParameterRow> all, Value k,
+                               const std::vector<ParameterRow>& sides) {
+    for (ParameterRow& row : layer_shape_rows()) all.push_back(std::move(row));
+    all.push_back({.key = "K",
+                   .label = "Weight",
+                   .symbol = "K",
+                   .kind = ParameterKind::real_or_auto,
+                   .minimum = 1e-3,
+                   .maximum = 100,
+                   .scale = ParameterScale::logarithmic,
+                   .default_value = std::move(k),
+                   .help = "weight of a layer against the rest; auto: q/(σ(1 - q))"});
     all.insert(all.end(), sides.begin(), sides.end());
     return all;
 }
@@ -261,7 +226,7 @@ MonitorType layer_monitor_type() {
         .spaces = {SpaceKind::euclidean},
         .rows =
             [](const Space& space) {
-                return rows({eps_row("eps", "ε")}, std::string("auto"), side_rows(space, {"left"}));
+                return rows({layer_width_row("eps", "ε")}, std::string("auto"), side_rows(space, {"left"}));
             },
         .make = [](const Values& values, const MonitorContext& context) -> std::shared_ptr<const Monitor> {
             return std::make_shared<LayerDensity>(values, context.space, eps_of(values, {"eps"}, context),
@@ -278,7 +243,7 @@ MonitorType two_layers_monitor_type() {
         .spaces = {SpaceKind::euclidean},
         .rows =
             [](const Space& space) {
-                return rows({eps_row("eps1", "ε₁"), eps_row("eps2", "ε₂")}, 0.1,
+                return rows({layer_width_row("eps1", "ε₁"), layer_width_row("eps2", "ε₂")}, 0.1,
                             side_rows(space, {"left", "right"}));
             },
         .make = [](const Values& values, const MonitorContext& context) -> std::shared_ptr<const Monitor> {
@@ -295,7 +260,7 @@ MonitorType layer_tensor_monitor_type() {
             .rows =
                 [](const Space& space) {
                     const char* help = "width of the layers, a formula in x, y and eps";
-                    return rows({eps_row("eps", "ε"),
+                    return rows({layer_width_row("eps", "ε"),
                                  coefficient_row("width_x", "Width in x", "ε₁", "eps", help),
                                  coefficient_row("width_y", "Width in y", "ε₂", "eps", help)},
                                 std::string("auto"), side_rows(space, {"right", "top"}));

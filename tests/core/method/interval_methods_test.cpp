@@ -219,9 +219,8 @@ TEST_F(IntervalMethods, InvalidInputIsOneSentence) {
     EXPECT_EQ(
         complaint({"pde.eps=0"}),
         "pde.eps = 0 is out of range: 1e-12 to 1 (the smaller, the thinner the layers of the solution)");
-    EXPECT_EQ(
-        complaint({"monitor.q=1"}),
-        "monitor.q = 1 is out of range: 0.01 to 0.99 (share of the cells in a layer, where K is automatic)");
+    EXPECT_EQ(complaint({"monitor.q=1"}),
+              "monitor.q = 1 is out of range: 0.01 to 0.99 (share of the cells in layers)");
     EXPECT_NE(complaint({"pde.source=1 + sine(x)"}).find("unknown function 'sine' at character 5"),
               std::string::npos);
     EXPECT_EQ(complaint({"pde.reaction=k*x"}),
