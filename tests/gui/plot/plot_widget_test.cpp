@@ -68,7 +68,9 @@ TEST(PlotFrame, LabelsOfTheVerticalAxisDoNotOverlap) {
                                                        << ", " << height << " high";
                         above = pixel, ++labels;
                     }
-                    if (height >= 150) EXPECT_GE(labels, 1) << lowest << " times " << factor;
+                    if (height >= 150) {
+                        EXPECT_GE(labels, 1) << lowest << " times " << factor;
+                    }
                 }
     });
 }
