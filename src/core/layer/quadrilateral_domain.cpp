@@ -1,5 +1,6 @@
 #include "core/layer/quadrilateral_domain.hpp"
 
+#include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/mesh/control_points.hpp"
 
@@ -82,8 +83,15 @@ Points QuadrilateralDomain::positions(const Points& parameters) const {
     return x;
 }
 
-bool QuadrilateralDomain::is_unit_square() const {
-    return corners_ == Corners{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}};
+Points QuadrilateralDomain::parameters_at(const Points& positions) const {
+    GASPARD_CHECK(has_vertical_sides());
+    Points found(positions.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const double s = (positions.x[i] - corners_[0].x) / (corners_[1].x - corners_[0].x);
+        const double low = at(corners_, s, 0).y, high = at(corners_, s, 1).y;
+        found.set(i, {s, (positions.y[i] - low) / (high - low), 0});
+    }
+    return found;
 }
 
 bool QuadrilateralDomain::has_vertical_sides() const {

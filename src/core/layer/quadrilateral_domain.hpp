@@ -27,8 +27,8 @@ class QuadrilateralDomain final : public Discretisation {
     int cells() const { return cells_; } ///< N
     /// The positions of points (s, t) of the unit square.
     Points positions(const Points& parameters) const;
-    /// Whether it is the unit square.
-    bool is_unit_square() const;
+    /// The inverse of positions(). Requires has_vertical_sides().
+    Points parameters_at(const Points& positions) const;
     /// Whether the left and the right side are vertical.
     bool has_vertical_sides() const;
 

@@ -19,7 +19,9 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::string_view layout_prefix = "quadrilateral ";
+constexpr std::string_view layout_prefix = "quadrilateral n=";
+constexpr int cells_with_errors = 64;    ///< most for which method.reference = auto measures the errors
+constexpr int cells_with_solution = 256; ///< most for which it solves the problem
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 class QuadrilateralMeshPde final : public Method {
@@ -35,7 +37,12 @@ class QuadrilateralMeshPde final : public Method {
         levels_.configure(values, domain_->cells(), true);
         form_ = vertical ? MeshPdeForm::one_direction : MeshPdeForm::componentwise;
         samples_ = values.text("samples") == "corners" ? DensitySamples::corners : DensitySamples::degree_4;
-        reference_ = values.boolean("reference");
+        const std::string& reference = values.text("reference");
+        const auto up_to = [&](int cells) {
+            return reference == "on" || (reference == "auto" && domain_->cells() <= cells);
+        };
+        measures_errors_ = up_to(cells_with_errors);
+        solves_ = reference == "off" || up_to(cells_with_solution);
         converges_ = values.text("finish") == "converged";
         next_.reset();
     }
@@ -43,26 +50,26 @@ class QuadrilateralMeshPde final : public Method {
     State initial_state() const override { return state_of(uniform(domain_->cells()).nodes()); }
 
     std::optional<State> adopt(const State& other, const Discretisation*) override {
-        // In the same coordinates, of any number of cells: of another quadrilateral with the form (29).
-        if (other.layout == layout()) return other;
-        const std::string_view text = other.layout;
-        const std::string kind(layout_prefix_of_form());
-        if (!parametric_ || !text.starts_with(kind)) return std::nullopt;
-        const Points nodes = nodes_of(other);
-        return state_of(resampled_grid(nodes, cells_of(nodes), domain_->cells()));
+        if (other.layout == layout()) return other; // also of a coarser mesh
+        if (!other.layout.starts_with(layout_prefix)) return std::nullopt;
+        const Points parameters = parameters_of(other);
+        State state = other;
+        set(state, resampled_grid(parameters, cells_of(parameters), domain_->cells()));
+        state.layout = layout();
+        return state;
     }
 
     Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token) override {
         levels_.begin();
-        Points nodes = nodes_of(state);
-        SquareMeshPde at = uniform(cells_of(nodes));
-        at.set_positions(nodes);
+        const Points parameters = parameters_of(state);
+        SquareMeshPde at = uniform(cells_of(parameters));
+        at.set_positions(parametric_ ? parameters : domain_->positions(parameters));
         Evaluation evaluation = look(data, std::move(at));
         if (level() > 0) evaluation.ending = Ending::not_yet;
         return evaluation;
     }
 
-    Evaluation step(const ProblemData& data, State& state, std::stop_token stop) override {
+    Evaluation step(const ProblemData& data, State& state, std::stop_token) override {
         const std::size_t level = levels_.next(this->level());
         std::optional<SquareMeshPde> at = std::exchange(next_, std::nullopt);
         GASPARD_CHECK(at.has_value());
@@ -75,7 +82,6 @@ class QuadrilateralMeshPde final : public Method {
             }
             at->solve(densities_of(data));
         }
-        if (stop.stop_requested()) throw Interrupted();
         double factor = 1;
         if (converges_ && level == 0 && level == this->level()) {
             at->set_positions(nodes_, centres_); // Newton's step replaces the solve
@@ -106,7 +112,7 @@ class QuadrilateralMeshPde final : public Method {
 
     std::vector<double> measures(const ProblemData& data) override {
         take_problem(data);
-        if (!problem_ || !reference_ || !is_solvable()) return {unknown, unknown, unknown, unknown};
+        if (!problem_ || !measures_errors_ || !is_solvable()) return {unknown, unknown, unknown, unknown};
         return {solved().error.value_or(unknown), unknown, solved_on_uniform().error.value_or(unknown),
                 unknown};
     }
@@ -114,7 +120,7 @@ class QuadrilateralMeshPde final : public Method {
     std::vector<std::vector<double>> fields(const ProblemData& data) override {
         take_problem(data);
         std::vector<std::vector<double>> all(layer_fields().size());
-        if (problem_ && is_solvable()) {
+        if (problem_ && solves_ && is_solvable()) {
             all[0] = solved().solution.values;
             all[2] = solved_on_uniform().solution.values;
         }
@@ -127,16 +133,22 @@ class QuadrilateralMeshPde final : public Method {
         std::optional<double> error{};
     };
 
-    const char* layout_prefix_of_form() const {
-        return parametric_ ? "quadrilateral parameters n=" : "quadrilateral positions n=";
+    std::string layout() const { return std::string(layout_prefix) + std::to_string(domain_->cells()); }
+    /// States hold (s, t), whatever the form, which may change while a state stays.
+    State state_of(const Points& nodes) const {
+        State state{layout(), {{"s", {}}, {"t", {}}}};
+        set(state, parametric_ ? nodes : domain_->parameters_at(nodes));
+        return state;
     }
-    std::string layout() const { return layout_prefix_of_form() + std::to_string(domain_->cells()); }
-    State state_of(const Points& nodes) const { return {layout(), {{"x", nodes.x}, {"y", nodes.y}}}; }
-    static Points nodes_of(const State& state) {
+    static void set(State& state, const Points& parameters) {
+        state.arrays[0].values = parameters.x;
+        state.arrays[1].values = parameters.y;
+    }
+    static Points parameters_of(const State& state) {
         GASPARD_CHECK(state.layout.starts_with(layout_prefix) && state.arrays.size() == 2);
-        Points nodes(state.arrays[0].values.size());
-        nodes.x = state.arrays[0].values, nodes.y = state.arrays[1].values;
-        return nodes;
+        Points parameters(state.arrays[0].values.size());
+        parameters.x = state.arrays[0].values, parameters.y = state.arrays[1].values;
+        return parameters;
     }
     static int cells_of(const Points& nodes) {
         return static_cast<int>(std::lround(std::sqrt(static_cast<double>(nodes.size())))) - 1;
@@ -195,12 +207,9 @@ class QuadrilateralMeshPde final : public Method {
 
     /// Finite elements need triangles that are not inverted.
     bool is_solvable() { return inverted_triangles(positions(), domain_->cells()) == 0; }
-    Solved solved_on(const Points& x) const {
-        Solved made{solve_triangles(*problem_, x, domain_->cells(), 1)};
-        return made;
-    }
+    Solved solved_on(const Points& x) const { return {solve_triangles(*problem_, x, domain_->cells(), 1)}; }
     void add_error(Solved& solved, const Points& x) const {
-        if (!reference_ || solved.error) return;
+        if (!measures_errors_ || solved.error) return;
         solved.error = reference_error(*problem_, x, domain_->cells(), solved.solution,
                                        solve_triangles(*problem_, x, domain_->cells(), 2));
     }
@@ -220,7 +229,7 @@ class QuadrilateralMeshPde final : public Method {
     MeshPdeForm form_ = MeshPdeForm::componentwise;
     bool parametric_ = true; ///< the unknowns are (s, t), not positions
     DensitySamples samples_ = DensitySamples::degree_4;
-    bool reference_ = true, converges_ = true;
+    bool measures_errors_ = true, solves_ = true, converges_ = true;
     // The iterate last evaluated, and the next one:
     Points nodes_, centres_, positions_;
     std::optional<SquareMeshPde> next_;
@@ -250,9 +259,11 @@ std::vector<ParameterRow> quadrilateral_rows() {
                  "corners, which is faster"},
         {.key = "reference",
          .label = "Measure errors",
-         .kind = ParameterKind::boolean,
-         .default_value = true,
-         .help = "on a quadrilateral: the energy error of the solution, against one of order 2"}};
+         .kind = ParameterKind::choice,
+         .default_value = std::string("auto"),
+         .choices = {"auto", "on", "off"},
+         .help = "on a quadrilateral: the energy error of the solution, against one of order 2, which takes "
+                 "long on fine meshes; auto: up to 64 cells per side, and no solution beyond 256"}};
 }
 
 std::unique_ptr<Method> quadrilateral_mesh_pde(std::shared_ptr<const QuadrilateralDomain> domain,

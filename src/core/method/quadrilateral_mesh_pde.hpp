@@ -7,8 +7,8 @@
 // On the last mesh the solves of Algorithm 3, or steps of Newton's method for the same equations.
 //
 // The residual of an iterate is the largest change of a coordinate that the next solve makes; in
-// Cartesian coordinates divided by the longest side. A State is the grid of nodes, of the domain's number of
-// cells or of a coarser one.
+// Cartesian coordinates divided by the longest side. A State holds (s, t) of the nodes, for either form, of
+// the domain's number of cells or of a coarser mesh.
 #pragma once
 
 #include "core/layer/quadrilateral_domain.hpp"

@@ -211,6 +211,34 @@ TEST_F(IntervalMethods, SolutionsAreFields) {
     EXPECT_FALSE(without.history().back().value("energy_error").has_value());
 }
 
+TEST_F(IntervalMethods, DensitiesOfLayersHaveTheirGradients) {
+    for (const char* type : {"layer", "two-layers"}) {
+        const MonitorType& monitor = catalogue->monitor(type);
+        for (const int dimension : {1, 2}) {
+            const Space space{.dimension = dimension};
+            Section section = monitor_section(*catalogue, type, space);
+            for (const char* key : {"eps", "eps1", "eps2", "right"})
+                if (section.values.has(key)) section.values.parse(key, key[0] == 'r' ? "true" : "0.1");
+            if (dimension > 1) section.values.parse("top", "true");
+            const auto rho = monitor.make(section.values, {.space = space});
+            Points x(3), gradients;
+            for (std::size_t i = 0; i < 3; ++i)
+                x.set(i, {0.02 + 0.4 * static_cast<double>(i), dimension > 1 ? 0.97 : 0.0, 0});
+            rho->gradients(x, gradients);
+            const double h = 1e-5;
+            for (std::size_t i = 0; i < 3; ++i)
+                for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
+                    Points both(2);
+                    both.set(0, x[i] - h * axis), both.set(1, x[i] + h * axis);
+                    std::vector<double> values(2);
+                    rho->values(both, values);
+                    EXPECT_NEAR(dot(gradients[i], axis), (values[1] - values[0]) / (2 * h), 1e-5)
+                        << type << ' ' << dimension << ' ' << i;
+                }
+        }
+    }
+}
+
 TEST_F(IntervalMethods, InvalidInputIsOneSentence) {
     EXPECT_EQ(complaint({"pde.type=none"}), "monitor.eps = auto: the problem has no eps; set it to a number");
     EXPECT_EQ(complaint({"domain.cells=3"}),

@@ -108,6 +108,33 @@ TEST_F(QuadrilateralMeshPde, TransfersToOtherResolutionsAndCorners) {
     EXPECT_EQ(made.status(), RunStatus::converged);
 }
 
+// The unknowns of the two forms are in different coordinates.
+TEST_F(QuadrilateralMeshPde, TheFormMayChangeDuringARun) {
+    gaspard::Run made = run("layer-quadrilateral", {"domain.cells=16"});
+    made.solve();
+    const auto before = made.snapshot();
+    Scenario changed = made.scenario();
+    apply_settings(*catalogue, changed, {"method.form=both"});
+    EXPECT_EQ(made.change(changed), "");
+    const auto same = made.snapshot();
+    for (std::size_t i = 0; i < before->x.size(); ++i) EXPECT_LT(norm(same->x[i] - before->x[i]), 1e-14);
+    made.solve();
+    gaspard::Run fresh = run("layer-quadrilateral", {"domain.cells=16", "method.form=both"});
+    fresh.solve();
+    EXPECT_EQ(made.snapshot()->x.y, fresh.snapshot()->x.y);
+}
+
+TEST_F(QuadrilateralMeshPde, ErrorsOfFineMeshesAreMeasuredOnRequest) {
+    gaspard::Run made = run("layer-2d", {"domain.cells=68", "method.final_solves=1"});
+    made.solve();
+    EXPECT_FALSE(made.history().back().value("energy_error").has_value());
+    EXPECT_NE(made.snapshot()->field("solution"), nullptr);
+    gaspard::Run measured =
+        run("layer-2d", {"domain.cells=68", "method.final_solves=1", "method.reference=on"});
+    measured.solve();
+    EXPECT_TRUE(measured.history().back().value("energy_error").has_value());
+}
+
 TEST_F(QuadrilateralMeshPde, InvalidInputIsOneSentence) {
     EXPECT_EQ(complaint("layer-2d", {"domain.corners=0 0, 1 0, 0.2 0.2, 0 1"}),
               "domain.corners are not those of a convex quadrilateral, anticlockwise from the lower left");
