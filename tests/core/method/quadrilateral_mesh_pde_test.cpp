@@ -48,6 +48,14 @@ TEST_F(QuadrilateralMeshPde, HasTheErrorsOfTheIndependentImplementation) {
     }
 }
 
+// As the triangles on which the problem is solved.
+TEST_F(QuadrilateralMeshPde, MeshesHaveRightDiagonals) {
+    gaspard::Run made = run("layer-2d", {"domain.cells=4"});
+    const std::vector<std::int32_t> cells = made.snapshot()->mesh->cells;
+    const std::vector<std::int32_t> first = {0, 1, 6, 0, 6, 5};
+    EXPECT_TRUE(std::equal(first.begin(), first.end(), cells.begin()));
+}
+
 TEST_F(QuadrilateralMeshPde, ConvergesByNewtonsMethod) {
     gaspard::Run made = run("layer-2d", {"method.finish=converged", "domain.cells=16", "pde.eps=1e-4"});
     made.solve();
