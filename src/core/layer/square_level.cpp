@@ -10,8 +10,8 @@
 namespace gaspard {
 
 SquareLevel::SquareLevel(int n, MeshPdeForm form, DensitySamples samples, const std::array<Vec3, 4>& corners)
-    : n_(n), form_(form), samples_(samples), domain_(corners), nodes_(node_count()),
-      centres_(quad_count()), solvers_{solver(0), solver(1)} {
+    : n_(n), form_(form), samples_(samples), domain_(corners), nodes_(node_count()), centres_(quad_count()),
+      sampler_(n, samples), solvers_{solver(0), solver(1)} {
     for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i)
             nodes_.set(node(i, j), computational(static_cast<double>(i) / n, static_cast<double>(j) / n));
@@ -80,7 +80,7 @@ Vec3 SquareLevel::at(int i, int j, Vec3 xi) const {
 }
 
 SquareMeshSolve SquareLevel::solve(const LayerDensities& densities) {
-    sample(densities);
+    sampler_.means(densities, nodes_, centres_, means_);
     SquareMeshSolve result;
     const bool both = form_ == MeshPdeForm::componentwise;
     for (const Index axis : {Index{0}, Index{1}}) {
@@ -128,88 +128,44 @@ NinePointSolver SquareLevel::solver(int axis) const {
     return {n_, std::move(fixed)};
 }
 
-/// Mean densities of all triangles, by quadrilaterals.
-void SquareLevel::sample(const LayerDensities& densities) {
-    const bool corners = samples_ == DensitySamples::corners;
-    const Index count = corners ? node_count() + quad_count() : 48 * quad_count();
-    if (at_.size() != count) {
-        at_.resize(count), m11_.resize(count), m22_.resize(count);
-        for (auto& mean : means_) mean.resize(4 * quad_count());
-    }
-    if (corners) {
-        for (Index i = 0; i < node_count(); ++i) at_.set(i, nodes_[i]);
-        for (Index i = 0; i < quad_count(); ++i) at_.set(node_count() + i, centres_[i]);
-    } else {
-        Index next = 0;
-        for (int j = 0; j < n_; ++j)
-            for (int i = 0; i < n_; ++i) {
-                const auto corner = corners_of(i, j);
-                for (const auto& t : crossed_triangles)
-                    for (const SquareSample& p : degree_4_points)
-                        at_.set(next++,
-                                0.25 * (p.a * corner[t[0]] + p.b * corner[t[1]] + p.c * corner[t[2]]));
-            }
-    }
-    densities(at_, m11_, m22_);
-    check_values();
-    for (const Index axis : {Index{0}, Index{1}}) average(axis);
-}
-
-void SquareLevel::average(Index axis) {
-    const auto& m = axis == 0 ? m11_ : m22_;
-    for (int j = 0; j < n_; ++j)
-        for (int i = 0; i < n_; ++i) {
-            const Index q = quad(i, j);
-            const std::array<Index, 5> at = {node(i, j), node(i + 1, j), node(i, j + 1), node(i + 1, j + 1),
-                                             node_count() + q};
-            for (Index t = 0; t < 4; ++t) {
-                double mean = 0;
-                if (samples_ == DensitySamples::corners)
-                    for (const Index c : crossed_triangles[t]) mean += m[at[c]] / 3;
-                else
-                    for (Index p = 0; p < 12; ++p)
-                        mean += m[12 * (4 * q + t) + p] * degree_4_points[p].weight / 45;
-                means_[axis][4 * q + t] = mean;
-            }
-        }
-}
-
-void SquareLevel::check_values() const {
-    for (const auto* m : {&m11_, &m22_})
-        for (Index i = 0; i < m->size(); ++i)
-            if (!((*m)[i] > 0) || !std::isfinite((*m)[i]))
-                throw InputError("the density of the mesh must be positive and finite, but is " +
-                                 format_number((*m)[i]) + " at (" + format_number(at_.x[i]) + ", " +
-                                 format_number(at_.y[i]) + ")");
-}
-
-/// The stiffness matrix of a quadrilateral with its centre.
-std::array<std::array<double, 5>, 5> SquareLevel::matrix(Index axis, int i, int j) const {
-    const bool one = form_ == MeshPdeForm::one_direction;
+SquareLevel::QuadStiffness SquareLevel::stiffness(int i, int j) const {
     const std::array<Vec3, 5> xi = computational_corners(i, j);
-    std::array<std::array<double, 5>, 5> k{};
+    QuadStiffness k{};
     for (Index t = 0; t < 4; ++t) {
         const auto& v = crossed_triangles[t];
-        const double area = 0.5 * ((xi[v[1]].x - xi[v[0]].x) * (xi[v[2]].y - xi[v[0]].y) -
-                                   (xi[v[2]].x - xi[v[0]].x) * (xi[v[1]].y - xi[v[0]].y));
-        const double weight = means_[axis][4 * quad(i, j) + t] / (4 * area);
+        const double area = 0.5 * cross(xi[v[1]] - xi[v[0]], xi[v[2]] - xi[v[0]]).z;
         for (Index a = 0; a < 3; ++a)
             for (Index b = 0; b < 3; ++b) {
                 const auto edge = [&](Index c) { return xi[v[(c + 2) % 3]] - xi[v[(c + 1) % 3]]; };
                 const Vec3 ea = edge(a), eb = edge(b); // 2 |T| grad = the opposite edge, turned
-                k[v[a]][v[b]] += weight * (ea.x * eb.x + (one ? 0.0 : ea.y * eb.y));
+                const double across = form_ == MeshPdeForm::one_direction ? 0.0 : ea.y * eb.y;
+                k[t][a][b] = (ea.x * eb.x + across) / (4 * area);
             }
     }
+    return k;
+}
+
+/// The matrix of a quadrilateral with its centre.
+std::array<std::array<double, 5>, 5> SquareLevel::matrix(const QuadStiffness& stiffness,
+                                                         const double* means) {
+    std::array<std::array<double, 5>, 5> k{};
+    for (Index t = 0; t < 4; ++t)
+        for (Index a = 0; a < 3; ++a)
+            for (Index b = 0; b < 3; ++b)
+                k[crossed_triangles[t][a]][crossed_triangles[t][b]] += means[t] * stiffness[t][a][b];
     return k;
 }
 
 /// The matrices of the quadrilaterals without their centres.
 std::vector<CornerMatrix> SquareLevel::eliminated(Index axis) {
     std::vector<CornerMatrix> matrices(quad_count());
+    const bool parallelogram = norm(domain_[0] + domain_[3] - (domain_[1] + domain_[2])) == 0;
+    const QuadStiffness common = stiffness(0, 0);
     centre_weights_.resize(quad_count());
     for (int j = 0; j < n_; ++j)
         for (int i = 0; i < n_; ++i) {
-            const auto k = matrix(axis, i, j);
+            const double* const means = means_[axis].data() + 4 * quad(i, j);
+            const auto k = matrix(parallelogram ? common : stiffness(i, j), means);
             auto& c = centre_weights_[quad(i, j)];
             for (Index a = 0; a < 4; ++a) c[a] = -k[4][a] / k[4][4];
             Index at = 0;

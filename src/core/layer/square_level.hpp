@@ -2,32 +2,11 @@
 // the four triangles of every quadrilateral, and the systems of the two coordinates.
 #pragma once
 
+#include "core/layer/density_samples.hpp"
 #include "core/layer/square_mesh_pde.hpp"
 #include "core/linear/nine_point.hpp"
 
 namespace gaspard {
-
-/// A rule on a triangle: barycentric coordinates (in quarters) and weights (in 45ths).
-struct SquareSample {
-    double a, b, c, weight;
-};
-/// The closed Newton-Cotes rule of degree 4; its corners have weight 0.
-constexpr std::array<SquareSample, 12> degree_4_points = {{{3, 1, 0, 4},
-                                                           {1, 3, 0, 4},
-                                                           {0, 3, 1, 4},
-                                                           {0, 1, 3, 4},
-                                                           {1, 0, 3, 4},
-                                                           {3, 0, 1, 4},
-                                                           {2, 2, 0, -1},
-                                                           {0, 2, 2, -1},
-                                                           {2, 0, 2, -1},
-                                                           {2, 1, 1, 8},
-                                                           {1, 2, 1, 8},
-                                                           {1, 1, 2, 8}}};
-
-/// Corners of the four triangles of a quadrilateral: (0,0), (1,0), (0,1), (1,1), centre = 0..4.
-constexpr std::array<std::array<std::size_t, 3>, 4> crossed_triangles = {
-    {{0, 1, 4}, {1, 3, 4}, {3, 2, 4}, {2, 0, 4}}};
 
 class SquareLevel {
   public:
@@ -52,14 +31,15 @@ class SquareLevel {
 
   private:
     struct Residual; // square_newton.cpp
-    struct Gradients;
-    Gradients gradients(const LayerDensities& densities) const;
     Residual residual() const;
     double move(const Points& nodes, const Points& centres, const std::vector<double>& step, double factor);
-    std::vector<double> newton_direction(const Residual& r, const Gradients& gradients) const;
+    std::vector<double> newton_direction(const Residual& r,
+                                         const DensitySampler::Derivatives& derivatives) const;
     Index unknown(Index axis, Index point) const;
     std::array<Index, 3> triangle_points(Index triangle) const;
-    std::array<std::array<double, 3>, 3> triangle_stiffness(Index triangle) const;
+    /// Stiffness matrices of the triangles of a quadrilateral, for a density of 1.
+    using QuadStiffness = std::array<std::array<std::array<double, 3>, 3>, 4>;
+    QuadStiffness stiffness(int i, int j) const;
     std::vector<Index> axes() const;
     double coordinate(Index axis, Index point) const;
     bool is_fixed_point(Index axis, Index point) const;
@@ -81,10 +61,7 @@ class SquareLevel {
     Vec3 at(int i, int j, Vec3 xi) const;
     NinePointSolver solver(int axis) const;
 
-    void sample(const LayerDensities& densities);
-    void check_values() const;
-    void average(Index axis);
-    std::array<std::array<double, 5>, 5> matrix(Index axis, int i, int j) const;
+    static std::array<std::array<double, 5>, 5> matrix(const QuadStiffness& stiffness, const double* means);
     std::vector<CornerMatrix> eliminated(Index axis);
     void restore_centres(const std::vector<double>& u, std::vector<double>& c) const;
 
@@ -93,8 +70,7 @@ class SquareLevel {
     DensitySamples samples_;
     std::array<Vec3, 4> domain_; ///< corners of the computational domain
     Points nodes_, centres_;
-    Points at_; ///< where the densities were sampled
-    std::vector<double> m11_, m22_;
+    DensitySampler sampler_;
     std::array<std::vector<double>, 2> means_;          ///< of triangles, by quadrilaterals
     std::vector<std::array<double, 4>> centre_weights_; ///< of the last axis
     std::array<NinePointSolver, 2> solvers_;

@@ -22,12 +22,6 @@ namespace gaspard {
 
 using Index = std::size_t;
 
-/// Derivatives of the mean densities of triangles by the positions of their corners.
-struct SquareLevel::Gradients {
-    /// [axis][triangle][corner][coordinate]
-    std::array<std::vector<std::array<std::array<double, 2>, 3>>, 2> of;
-};
-
 struct SquareLevel::Residual {
     std::vector<double> in, out; ///< by unknowns; both 1 where the unknown is fixed
     std::vector<double> values() const {
@@ -46,48 +40,6 @@ Index SquareLevel::unknown(Index axis, Index point) const {
     return (form_ == MeshPdeForm::componentwise ? axis : 0) * (node_count() + quad_count()) + point;
 }
 
-/// By differences of the densities at shifted points. The shift is small beside the thinnest layer and large
-/// beside the spacing of numbers; it goes inwards.
-SquareLevel::Gradients SquareLevel::gradients(const LayerDensities& densities) const {
-    constexpr double shift = 1e-11;
-    const Vec3 middle = 0.25 * (domain_[0] + domain_[1] + domain_[2] + domain_[3]);
-    std::array<std::array<std::vector<double>, 2>, 2> slopes; // [axis][coordinate]
-    for (const Index coordinate : {Index{0}, Index{1}}) {
-        Points moved = at_;
-        std::vector<double>& x = coordinate == 0 ? moved.x : moved.y;
-        const std::vector<double>& from = coordinate == 0 ? at_.x : at_.y;
-        for (double& value : x) value += value < (coordinate == 0 ? middle.x : middle.y) ? shift : -shift;
-        std::vector<double> m11(x.size()), m22(x.size());
-        densities(moved, m11, m22);
-        for (Index i = 0; i < x.size(); ++i) {
-            m11[i] = (m11[i] - m11_[i]) / (x[i] - from[i]);
-            m22[i] = (m22[i] - m22_[i]) / (x[i] - from[i]);
-        }
-        slopes[0][coordinate] = std::move(m11), slopes[1][coordinate] = std::move(m22);
-    }
-    Gradients gradients;
-    for (const Index axis : {Index{0}, Index{1}}) {
-        gradients.of[axis].resize(4 * quad_count());
-        for (Index triangle = 0; triangle < 4 * quad_count(); ++triangle)
-            for (const Index c : {Index{0}, Index{1}}) {
-                const auto& slope = slopes[axis][c];
-                std::array<double, 3> sum{};
-                if (samples_ == DensitySamples::corners) {
-                    const auto points = triangle_points(triangle);
-                    for (Index k = 0; k < 3; ++k) sum[k] = slope[points[k]] / 3;
-                } else {
-                    for (Index p = 0; p < 12; ++p) {
-                        const SquareSample& s = degree_4_points[p];
-                        const double value = slope[12 * triangle + p] * s.weight / 180;
-                        sum[0] += s.a * value, sum[1] += s.b * value, sum[2] += s.c * value;
-                    }
-                }
-                for (Index k = 0; k < 3; ++k) gradients.of[axis][triangle][k][c] = sum[k];
-            }
-    }
-    return gradients;
-}
-
 /// Corners as points: nodes, then centres.
 std::array<Index, 3> SquareLevel::triangle_points(Index triangle) const {
     const Index q = triangle / 4, n = static_cast<Index>(n_), i = q % n, j = q / n, p = j * (n + 1) + i;
@@ -95,22 +47,6 @@ std::array<Index, 3> SquareLevel::triangle_points(Index triangle) const {
     std::array<Index, 3> of{};
     for (Index k = 0; k < 3; ++k) of[k] = points[crossed_triangles[triangle % 4][k]];
     return of;
-}
-
-/// Stiffness of a triangle for a density of 1.
-std::array<std::array<double, 3>, 3> SquareLevel::triangle_stiffness(Index triangle) const {
-    const int q = static_cast<int>(triangle / 4);
-    const auto xi = computational_corners(q % n_, q / n_);
-    const auto& v = crossed_triangles[triangle % 4];
-    const double area = 0.5 * cross(xi[v[1]] - xi[v[0]], xi[v[2]] - xi[v[0]]).z;
-    std::array<std::array<double, 3>, 3> k{};
-    for (Index a = 0; a < 3; ++a)
-        for (Index b = 0; b < 3; ++b) {
-            const Vec3 ea = xi[v[(a + 2) % 3]] - xi[v[(a + 1) % 3]],
-                       eb = xi[v[(b + 2) % 3]] - xi[v[(b + 1) % 3]];
-            k[a][b] = (ea.x * eb.x + (form_ == MeshPdeForm::one_direction ? 0.0 : ea.y * eb.y)) / (4 * area);
-        }
-    return k;
 }
 
 std::vector<Index> SquareLevel::axes() const {
@@ -135,7 +71,8 @@ SquareLevel::Residual SquareLevel::residual() const {
     Residual r{std::vector<double>(size, 0.0), std::vector<double>(size, 0.0)};
     for (Index triangle = 0; triangle < 4 * quad_count(); ++triangle) {
         const auto points = triangle_points(triangle);
-        const auto k = triangle_stiffness(triangle);
+        const int q = static_cast<int>(triangle / 4);
+        const auto k = stiffness(q % n_, q / n_)[triangle % 4];
         for (const Index axis : axes())
             for (Index a = 0; a < 3; ++a) {
                 double flow = 0;
@@ -152,7 +89,8 @@ SquareLevel::Residual SquareLevel::residual() const {
 }
 
 /// The Newton step by unknowns.
-std::vector<double> SquareLevel::newton_direction(const Residual& r, const Gradients& gradients) const {
+std::vector<double> SquareLevel::newton_direction(const Residual& r,
+                                                  const DensitySampler::Derivatives& derivatives) const {
     const auto size = static_cast<Eigen::Index>(r.in.size());
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * quad_count() * axes().size() * axes().size() * 12);
@@ -161,7 +99,8 @@ std::vector<double> SquareLevel::newton_direction(const Residual& r, const Gradi
     };
     for (Index triangle = 0; triangle < 4 * quad_count(); ++triangle) {
         const auto points = triangle_points(triangle);
-        const auto k = triangle_stiffness(triangle);
+        const int q = static_cast<int>(triangle / 4);
+        const auto k = stiffness(q % n_, q / n_)[triangle % 4];
         for (const Index axis : axes())
             for (Index a = 0; a < 3; ++a) {
                 if (is_fixed_point(axis, points[a])) continue;
@@ -172,7 +111,7 @@ std::vector<double> SquareLevel::newton_direction(const Residual& r, const Gradi
                 for (Index b = 0; b < 3; ++b) {
                     add(row, unknown(axis, points[b]), scale * means_[axis][triangle] * k[a][b]);
                     for (const Index c : axes())
-                        add(row, unknown(c, points[b]), scale * flow * gradients.of[axis][triangle][b][c]);
+                        add(row, unknown(c, points[b]), scale * flow * derivatives[axis][c][triangle][b]);
                 }
             }
     }
@@ -217,17 +156,19 @@ double SquareLevel::move(const Points& nodes, const Points& centres, const std::
 
 SquareMeshNewton SquareLevel::newton(const LayerDensities& densities) {
     constexpr double shortest = 1e-3;
-    sample(densities);
+    sampler_.means(densities, nodes_, centres_, means_);
     const Residual r = residual();
     SquareMeshNewton result{.residual = r.norm()};
-    const std::vector<double> step = newton_direction(r, gradients(densities));
+    const Vec3 middle = 0.25 * (domain_[0] + domain_[1] + domain_[2] + domain_[3]);
+    const std::vector<double> step =
+        newton_direction(r, sampler_.derivatives(densities, nodes_, centres_, middle));
     const bool usable = !step.empty() && std::all_of(step.begin(), step.end(),
                                                      [](double value) { return std::isfinite(value); });
     const Points nodes = nodes_, centres = centres_;
     for (double factor = 1; usable && factor > shortest; factor *= 0.5) {
         result.update = move(nodes, centres, step, factor);
         if (is_inverted()) continue;
-        sample(densities);
+        sampler_.means(densities, nodes_, centres_, means_);
         if (residual().norm() < (1 - 0.1 * factor) * result.residual) {
             result.factor = factor;
             return result;

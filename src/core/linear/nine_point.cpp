@@ -4,47 +4,50 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gaspard {
 
 namespace {
 
-/// Entry (a, b) of the matrix of a quadrilateral.
-double entry(const CornerMatrix& m, int a, int b) {
-    const int row = std::max(a, b), column = std::min(a, b);
-    return m[static_cast<std::size_t>(row * (row + 1) / 2 + column)];
-}
+/// Entry (a, b) of the matrix of a quadrilateral is number packed[a][b].
+constexpr std::array<std::array<std::size_t, 4>, 4> packed = {
+    {{0, 1, 3, 6}, {1, 2, 4, 7}, {3, 4, 5, 8}, {6, 7, 8, 9}}};
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
+    std::array<double, 4> sums{}; // independent of each other, so that additions overlap
+    std::size_t i = 0;
+    for (; i + 4 <= a.size(); i += 4)
+        for (std::size_t k = 0; k < 4; ++k) sums[k] += a[i + k] * b[i + k];
+    for (; i < a.size(); ++i) sums[0] += a[i] * b[i];
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
 } // namespace
 
-NinePointSolver::NinePointSolver(int n, std::vector<std::uint8_t> fixed) {
+NinePointSolver::NinePointSolver(int n, const std::vector<std::uint8_t>& fixed) {
     GASPARD_CHECK(n >= 1 &&
                   fixed.size() == static_cast<std::size_t>(n + 1) * static_cast<std::size_t>(n + 1));
     for (;;) {
         Grid grid;
         grid.n = n;
-        const std::size_t size = fixed.size();
-        for (auto* values : {&grid.centre, &grid.east, &grid.north, &grid.north_east, &grid.north_west,
-                             &grid.row_pivot, &grid.column_pivot, &grid.u, &grid.b, &grid.r})
+        const std::size_t size = grid.stride() * grid.stride();
+        for (auto* values :
+             {&grid.centre, &grid.east, &grid.north, &grid.north_east, &grid.north_west, &grid.row_pivot,
+              &grid.column_pivot, &grid.row_next, &grid.column_next, &grid.u, &grid.b, &grid.r})
             values->assign(size, 0.0);
-        grid.along.assign(size, {});
-        grid.middle.assign(size, {});
-        grid.fixed = fixed;
+        grid.fixed.assign(size, 1);
+        for (int j = 0; j <= n; ++j)
+            for (int i = 0; i <= n; ++i)
+                grid.fixed[grid.at(i, j)] = grids_.empty()
+                                                ? fixed[static_cast<std::size_t>(j * (n + 1) + i)]
+                                                : grids_.back().fixed[grids_.back().at(2 * i, 2 * j)];
         grids_.push_back(std::move(grid));
         if (n % 2 != 0 || n <= 2) break;
-        const Grid& fine = grids_.back();
         n /= 2;
-        fixed.clear();
-        for (int j = 0; j <= n; ++j)
-            for (int i = 0; i <= n; ++i) fixed.push_back(fine.fixed[fine.at(2 * i, 2 * j)]);
+        grids_.back().interpolation.resize(static_cast<std::size_t>(n + 1) * static_cast<std::size_t>(n + 1));
     }
-    for (auto* values : {&direction_, &image_, &rest_}) values->assign(grids_.front().u.size(), 0.0);
+    for (auto* values : {&direction_, &rest_}) values->assign(grids_.front().u.size(), 0.0);
 }
 
 void NinePointSolver::set_matrices(std::vector<CornerMatrix> matrices) {
@@ -52,14 +55,17 @@ void NinePointSolver::set_matrices(std::vector<CornerMatrix> matrices) {
                   static_cast<std::size_t>(grids_.front().n) * static_cast<std::size_t>(grids_.front().n));
     grids_.front().matrices = std::move(matrices);
     for (std::size_t level = 0; level < grids_.size(); ++level) {
-        assemble(grids_[level]);
-        if (level + 1 == grids_.size()) break;
-        interpolate(grids_[level]);
-        coarsen(grids_[level], grids_[level + 1]);
+        Grid& g = grids_[level];
+        assemble(g);
+        if (level + 1 < grids_.size()) {
+            interpolate(g);
+            coarsen(g, grids_[level + 1]);
+        }
+        factorise(g);
     }
 }
 
-/// Couplings and the pivots of all lines. A fixed unknown keeps a row of its own: a unit pivot.
+/// Couplings, those with fixed points included, which interpolation needs.
 void NinePointSolver::assemble(Grid& g) {
     for (auto* values : {&g.centre, &g.east, &g.north, &g.north_east, &g.north_west})
         std::fill(values->begin(), values->end(), 0.0);
@@ -73,273 +79,256 @@ void NinePointSolver::assemble(Grid& g) {
             g.north[p] -= m[3], g.north[p + 1] -= m[7];
             g.north_west[p + 1] -= m[4], g.north_east[p] -= m[6];
         }
-    const auto stride = static_cast<std::size_t>(n + 1);
-    for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) {
+}
+
+/// Takes away the couplings of fixed points, whose values are 0 from here on, and factorises the tridiagonal
+/// systems of all lines: of rows from the left, of columns 0, 2, ... from below, of the others from above.
+void NinePointSolver::factorise(Grid& g) {
+    const std::size_t s = g.stride();
+    for (int j = 0; j <= g.n; ++j)
+        for (int i = 0; i <= g.n; ++i) {
             const std::size_t p = g.at(i, j);
-            if (g.fixed[p] != 0) {
-                g.row_pivot[p] = g.column_pivot[p] = 0; // neither takes nor gives
-                continue;
-            }
-            double row = g.centre[p], column = g.centre[p];
-            if (i > 0) row -= g.east[p - 1] * g.east[p - 1] * g.row_pivot[p - 1];
-            if (j > 0) column -= g.north[p - stride] * g.north[p - stride] * g.column_pivot[p - stride];
-            g.row_pivot[p] = 1 / row, g.column_pivot[p] = 1 / column;
+            const auto cut = [&](std::vector<double>& coupling, std::size_t q) {
+                if (g.fixed[p] != 0 || g.fixed[q] != 0) coupling[p] = 0;
+            };
+            cut(g.east, p + 1), cut(g.north, p + s), cut(g.north_east, p + s + 1),
+                cut(g.north_west, p + s - 1);
+            if (g.fixed[p] != 0) g.centre[p] = 0; // the pivots stay 0
+        }
+    for (int j = 0; j <= g.n; ++j)
+        for (int i = 0; i <= g.n; ++i) {
+            const std::size_t p = g.at(i, j);
+            if (g.fixed[p] != 0) continue;
+            g.row_pivot[p] = 1 / (g.centre[p] - g.east[p - 1] * g.row_next[p - 1]);
+            g.row_next[p] = g.east[p] * g.row_pivot[p];
+            if (i % 2 != 0) continue;
+            g.column_pivot[p] = 1 / (g.centre[p] - g.north[p - s] * g.column_next[p - s]);
+            g.column_next[p] = g.north[p] * g.column_pivot[p];
+        }
+    for (int j = g.n; j >= 0; --j)
+        for (int i = 1; i <= g.n; i += 2) {
+            const std::size_t p = g.at(i, j);
+            if (g.fixed[p] != 0) continue;
+            g.column_pivot[p] = 1 / (g.centre[p] - g.north[p] * g.column_next[p + s]);
+            g.column_next[p] = g.north[p - s] * g.column_pivot[p];
         }
 }
 
 /// A point between two coarse ones: the couplings across the line are added to those along it. One between
-/// four: from its own equation.
+/// four: from its own equation. Fixed points are not interpolated.
 void NinePointSolver::interpolate(Grid& g) {
     const int n = g.n;
-    const auto s = static_cast<std::size_t>(n + 1);
-    const auto value = [](const std::vector<double>& v, std::size_t p, bool there) {
-        return there ? v[p] : 0.0;
-    };
-    const auto weights = [](double a, double b, double denominator) -> std::array<double, 2> {
+    const std::size_t s = g.stride();
+    const auto weights = [&](std::size_t p, double a, double b, double across) -> std::array<double, 2> {
+        const double denominator = g.centre[p] - across;
+        if (g.fixed[p] != 0) return {0, 0};
         // Without a positive denominator or weights (elements of bad shape): the mean.
         if (!(denominator > 0) || a < 0 || b < 0 || a + b > 1.5 * denominator) return {0.5, 0.5};
         return {a / denominator, b / denominator};
     };
     for (int j = 0; j <= n; j += 2)
-        for (int i = 1; i < n; i += 2) {
-            const std::size_t p = g.at(i, j);
-            const bool up = j<n, down = j> 0;
-            const double north = value(g.north, p, up), south = down ? g.north[p - s] : 0.0;
-            const double west =
-                g.east[p - 1] + value(g.north_west, p, up) + (down ? g.north_east[p - s - 1] : 0.0);
-            const double east =
-                g.east[p] + value(g.north_east, p, up) + (down ? g.north_west[p - s + 1] : 0.0);
-            g.along[p] = weights(west, east, g.centre[p] - north - south);
-        }
-    for (int j = 1; j < n; j += 2)
         for (int i = 0; i <= n; i += 2) {
-            const std::size_t p = g.at(i, j);
-            const bool right = i<n, left = i> 0;
-            const double east = value(g.east, p, right), west = left ? g.east[p - 1] : 0.0;
-            const double south = g.north[p - s] + (left ? g.north_east[p - s - 1] : 0.0) +
-                                 (right ? g.north_west[p - s + 1] : 0.0);
-            const double north = g.north[p] + value(g.north_west, p, left) + value(g.north_east, p, right);
-            g.along[p] = weights(south, north, g.centre[p] - east - west);
+            auto& cell = g.interpolation[g.coarse(i / 2, j / 2)];
+            if (i < n) {
+                const std::size_t p = g.at(i + 1, j);
+                const double west = g.east[p - 1] + g.north_west[p] + g.north_east[p - s - 1];
+                const double east = g.east[p] + g.north_east[p] + g.north_west[p - s + 1];
+                cell.south = weights(p, west, east, g.north[p] + g.north[p - s]);
+            }
+            if (j < n) {
+                const std::size_t p = g.at(i, j + 1);
+                const double south = g.north[p - s] + g.north_east[p - s - 1] + g.north_west[p - s + 1];
+                const double north = g.north[p] + g.north_west[p] + g.north_east[p];
+                cell.west = weights(p, south, north, g.east[p] + g.east[p - 1]);
+            }
         }
-    for (int j = 1; j < n; j += 2)
-        for (int i = 1; i < n; i += 2) {
-            const std::size_t p = g.at(i, j), south = p - s, north = p + s, west = p - 1, east = p + 1;
-            const auto free = [&](std::size_t q) { return g.fixed[q] == 0 ? 1.0 : 0.0; };
-            const double gs = g.north[south] * free(south), gn = g.north[p] * free(north);
-            const double gw = g.east[west] * free(west), ge = g.east[p] * free(east);
+    for (int j = 0; j < n; j += 2)
+        for (int i = 0; i < n; i += 2) {
+            const std::size_t p = g.at(i + 1, j + 1);
+            if (g.fixed[p] != 0) continue;
+            auto& cell = g.interpolation[g.coarse(i / 2, j / 2)];
+            const auto &south = cell.south, &west = cell.west,
+                       &north = g.interpolation[g.coarse(i / 2, j / 2 + 1)].south,
+                       &east = g.interpolation[g.coarse(i / 2 + 1, j / 2)].west;
+            const double gs = g.north[p - s], gn = g.north[p], gw = g.east[p - 1], ge = g.east[p];
             const double inverse = 1 / g.centre[p];
-            g.middle[p] = {
-                inverse * (g.north_east[south - 1] + gs * g.along[south][0] + gw * g.along[west][0]),
-                inverse * (g.north_west[south + 1] + gs * g.along[south][1] + ge * g.along[east][0]),
-                inverse * (g.north_west[p] + gn * g.along[north][0] + gw * g.along[west][1]),
-                inverse * (g.north_east[p] + gn * g.along[north][1] + ge * g.along[east][1])};
+            cell.middle = {inverse * (g.north_east[p - s - 1] + gs * south[0] + gw * west[0]),
+                           inverse * (g.north_west[p - s + 1] + gs * south[1] + ge * east[0]),
+                           inverse * (g.north_west[p] + gn * north[0] + gw * west[1]),
+                           inverse * (g.north_east[p] + gn * north[1] + ge * east[1])};
         }
 }
 
 /// The Galerkin matrix of every coarse quadrilateral: P^T A P with the nine points of four fine ones.
 void NinePointSolver::coarsen(const Grid& fine, Grid& coarse) {
-    const int n = coarse.n;
-    coarse.matrices.resize(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-            std::array<std::array<double, 4>, 9> p{};
-            p[0] = {1, 0, 0, 0}, p[2] = {0, 1, 0, 0}, p[6] = {0, 0, 1, 0}, p[8] = {0, 0, 0, 1};
-            const auto along = [&](int a, int b) { return fine.along[fine.at(2 * i + a, 2 * j + b)]; };
-            const auto south = along(1, 0), north = along(1, 2), west = along(0, 1), east = along(2, 1);
-            p[1] = {south[0], south[1], 0, 0}, p[7] = {0, 0, north[0], north[1]};
-            p[3] = {west[0], 0, west[1], 0}, p[5] = {0, east[0], 0, east[1]};
-            p[4] = fine.middle[fine.at(2 * i + 1, 2 * j + 1)];
-            for (int b = 0; b < 3; ++b)
-                for (int a = 0; a < 3; ++a) // fixed points are not interpolated
-                    if ((a == 1 || b == 1) && fine.fixed[fine.at(2 * i + a, 2 * j + b)] != 0)
-                        p[static_cast<std::size_t>(3 * b + a)] = {};
-            CornerMatrix sum{};
-            for (int quarter = 0; quarter < 4; ++quarter) {
-                const int a = quarter % 2, b = quarter / 2;
-                const CornerMatrix& m =
-                    fine.matrices[static_cast<std::size_t>((2 * j + b) * fine.n + 2 * i + a)];
-                const std::array<int, 4> corner = {3 * b + a, 3 * b + a + 1, 3 * b + a + 3, 3 * b + a + 4};
-                std::array<std::array<double, 4>, 4> ap{};
-                for (int k = 0; k < 4; ++k)
-                    for (int l = 0; l < 4; ++l)
-                        for (std::size_t c = 0; c < 4; ++c)
-                            ap[static_cast<std::size_t>(k)][c] +=
-                                entry(m, k, l) *
-                                p[static_cast<std::size_t>(corner[static_cast<std::size_t>(l)])][c];
-                std::size_t at = 0;
-                for (std::size_t c = 0; c < 4; ++c)
-                    for (std::size_t d = 0; d <= c; ++d, ++at)
-                        for (std::size_t k = 0; k < 4; ++k)
-                            sum[at] += p[static_cast<std::size_t>(corner[k])][c] * ap[k][d];
+    using Row = std::array<double, 4>;
+    const auto n = static_cast<std::size_t>(coarse.n);
+    coarse.matrices.resize(n * n);
+    for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t at = j * (n + 1) + i; // among the interpolations
+            const auto &cell = fine.interpolation[at], &right = fine.interpolation[at + 1],
+                       &above = fine.interpolation[at + n + 1];
+            const std::array<Row, 9> p = {Row{1, 0, 0, 0}, {cell.south[0], cell.south[1], 0, 0},
+                                          {0, 1, 0, 0},    {cell.west[0], 0, cell.west[1], 0},
+                                          cell.middle,     {0, right.west[0], 0, right.west[1]},
+                                          {0, 0, 1, 0},    {0, 0, above.south[0], above.south[1]},
+                                          {0, 0, 0, 1}};
+            std::array<Row, 4> sum{};
+            for (std::size_t quarter = 0; quarter < 4; ++quarter) {
+                const std::size_t a = quarter % 2, b = quarter / 2, first = 3 * b + a;
+                const CornerMatrix& m = fine.matrices[(2 * j + b) * 2 * n + 2 * i + a];
+                const std::array<std::size_t, 4> corner = {first, first + 1, first + 3, first + 4};
+                for (std::size_t k = 0; k < 4; ++k) {
+                    Row ap{};
+                    for (std::size_t l = 0; l < 4; ++l)
+                        for (std::size_t c = 0; c < 4; ++c) ap[c] += m[packed[k][l]] * p[corner[l]][c];
+                    for (std::size_t d = 0; d < 4; ++d)
+                        for (std::size_t c = 0; c < 4; ++c) sum[d][c] += p[corner[k]][d] * ap[c];
+                }
             }
-            coarse.matrices[static_cast<std::size_t>(j * n + i)] = sum;
+            for (std::size_t c = 0; c < 4; ++c)
+                for (std::size_t d = 0; d <= c; ++d) coarse.matrices[j * n + i][packed[c][d]] = sum[c][d];
         }
 }
 
-/// r = b - A u at free points, 0 at others.
-void NinePointSolver::residual(Grid& g) {
-    const int n = g.n;
-    const auto s = static_cast<std::size_t>(n + 1);
-    for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) {
-            const std::size_t p = g.at(i, j);
-            if (g.fixed[p] != 0) {
-                g.r[p] = 0;
-                continue;
-            }
-            double sum = g.b[p] - g.centre[p] * g.u[p];
-            if (i > 0) sum += g.east[p - 1] * g.u[p - 1];
-            if (i < n) sum += g.east[p] * g.u[p + 1];
-            if (j > 0) {
-                sum += g.north[p - s] * g.u[p - s];
-                if (i > 0) sum += g.north_east[p - s - 1] * g.u[p - s - 1];
-                if (i < n) sum += g.north_west[p - s + 1] * g.u[p - s + 1];
-            }
-            if (j < n) {
-                sum += g.north[p] * g.u[p + s];
-                if (i > 0) sum += g.north_west[p] * g.u[p + s - 1];
-                if (i < n) sum += g.north_east[p] * g.u[p + s + 1];
-            }
-            g.r[p] = sum;
-        }
+/// (A v) at point p.
+inline double NinePointSolver::Grid::image(const std::vector<double>& v, std::size_t p) const {
+    const std::size_t s = stride();
+    return centre[p] * v[p] - east[p - 1] * v[p - 1] - east[p] * v[p + 1] - north[p - s] * v[p - s] -
+           north_east[p - s - 1] * v[p - s - 1] - north_west[p - s + 1] * v[p - s + 1] - north[p] * v[p + s] -
+           north_west[p] * v[p + s - 1] - north_east[p] * v[p + s + 1];
 }
 
-/// Solves every second row for the values in it, the others being given.
+/// Solves for the values in a row, the others being given.
+void NinePointSolver::relax_row(Grid& g, int j) {
+    const std::size_t s = g.stride(), west = g.at(0, j), east = g.at(g.n, j);
+    const double *const ne = g.north_east.data(), *const nw = g.north_west.data(), *const no = g.north.data(),
+                        *const next = g.row_next.data(), *const pivot = g.row_pivot.data();
+    double *const u = g.u.data(), *const r = g.r.data();
+    for (std::size_t p = west; p <= east; ++p)
+        r[p] = g.b[p] + no[p - s] * u[p - s] + ne[p - s - 1] * u[p - s - 1] + nw[p - s + 1] * u[p - s + 1] +
+               no[p] * u[p + s] + nw[p] * u[p + s - 1] + ne[p] * u[p + s + 1];
+    double last = 0;
+    for (std::size_t p = west; p <= east; ++p) r[p] = last = r[p] + next[p - 1] * last;
+    last = 0;
+    for (std::size_t p = east + 1; p-- > west;) u[p] = last = r[p] * pivot[p] + next[p] * last;
+}
+
+/// Rows first, first + 2, ..., then the others, as soon as their neighbours are done: that saves a way
+/// through memory.
 void NinePointSolver::relax_rows(Grid& g, int first) {
-    const int n = g.n;
-    const auto s = static_cast<std::size_t>(n + 1);
-    for (int j = first; j <= n; j += 2) {
-        for (int i = 0; i <= n; ++i) {
-            const std::size_t p = g.at(i, j);
-            double sum = g.b[p];
-            if (j > 0) {
-                sum += g.north[p - s] * g.u[p - s];
-                if (i > 0) sum += g.north_east[p - s - 1] * g.u[p - s - 1];
-                if (i < n) sum += g.north_west[p - s + 1] * g.u[p - s + 1];
-            }
-            if (j < n) {
-                sum += g.north[p] * g.u[p + s];
-                if (i > 0) sum += g.north_west[p] * g.u[p + s - 1];
-                if (i < n) sum += g.north_east[p] * g.u[p + s + 1];
-            }
-            // A fixed value is known: its coupling goes to the right-hand side.
-            if (i > 0)
-                sum += g.east[p - 1] * (g.fixed[p - 1] != 0 ? g.u[p - 1] : g.r[p - 1] * g.row_pivot[p - 1]);
-            if (i < n && g.fixed[p + 1] != 0) sum += g.east[p] * g.u[p + 1];
-            g.r[p] = sum;
-        }
-        double next = 0;
-        for (int i = n; i >= 0; --i) {
-            const std::size_t p = g.at(i, j);
-            if (g.fixed[p] == 0) g.u[p] = (g.r[p] + next) * g.row_pivot[p];
-            next = i > 0 && g.fixed[p] == 0 ? g.east[p - 1] * g.u[p] : 0;
-        }
+    for (int j = first; j <= g.n + 1; j += 2) {
+        if (j <= g.n) relax_row(g, j);
+        if (j > 0) relax_row(g, j - 1);
     }
 }
 
+/// Columns first, first + 2, ..., from `previous` (of row j - 1 or j + 1) on: the right-hand sides of row j.
+void NinePointSolver::eliminate(Grid& g, int first, int j) {
+    const std::size_t s = g.stride(), before = first == 0 ? 0 : 2 * s; // p - s or p + s
+    const double *const ne = g.north_east.data(), *const nw = g.north_west.data(), *const ea = g.east.data(),
+                        *const next = g.column_next.data(), *const u = g.u.data();
+    double* const r = g.r.data();
+    for (std::size_t p = g.at(first, j), east = g.at(g.n, j); p <= east; p += 2)
+        r[p] = g.b[p] + ea[p - 1] * u[p - 1] + ne[p - s - 1] * u[p - s - 1] + nw[p] * u[p + s - 1] +
+               ea[p] * u[p + 1] + nw[p - s + 1] * u[p - s + 1] + ne[p] * u[p + s + 1] +
+               next[p - s + before] * r[p - s + before];
+}
+
+void NinePointSolver::substitute(Grid& g, int first, int j) {
+    const std::size_t s = g.stride(), after = first == 0 ? 2 * s : 0;
+    for (std::size_t p = g.at(first, j), east = g.at(g.n, j); p <= east; p += 2)
+        g.u[p] = g.r[p] * g.column_pivot[p] + g.column_next[p] * g.u[p - s + after];
+}
+
+/// Columns first, first + 2, ..., then the others: three ways through memory, up and down.
 void NinePointSolver::relax_columns(Grid& g, int first) {
     const int n = g.n;
-    const auto s = static_cast<std::size_t>(n + 1);
-    for (int j = 0; j <= n; ++j)
-        for (int i = first; i <= n; i += 2) {
-            const std::size_t p = g.at(i, j);
-            double sum = g.b[p];
-            if (i > 0) {
-                sum += g.east[p - 1] * g.u[p - 1];
-                if (j > 0) sum += g.north_east[p - s - 1] * g.u[p - s - 1];
-                if (j < n) sum += g.north_west[p] * g.u[p + s - 1];
-            }
-            if (i < n) {
-                sum += g.east[p] * g.u[p + 1];
-                if (j > 0) sum += g.north_west[p - s + 1] * g.u[p - s + 1];
-                if (j < n) sum += g.north_east[p] * g.u[p + s + 1];
-            }
-            if (j > 0)
-                sum +=
-                    g.north[p - s] * (g.fixed[p - s] != 0 ? g.u[p - s] : g.r[p - s] * g.column_pivot[p - s]);
-            if (j < n && g.fixed[p + s] != 0) sum += g.north[p] * g.u[p + s];
-            g.r[p] = sum;
-        }
-    for (int j = n; j >= 0; --j)
-        for (int i = first; i <= n; i += 2) {
-            const std::size_t p = g.at(i, j);
-            if (g.fixed[p] != 0) continue;
-            const double next = j < n && g.fixed[p + s] == 0 ? g.north[p] * g.u[p + s] : 0;
-            g.u[p] = (g.r[p] + next) * g.column_pivot[p];
+    const auto row = [&](int k) { return first == 0 ? k : n - k; }; // in the direction of elimination
+    for (int k = 0; k <= n; ++k) eliminate(g, first, row(k));
+    for (int k = n; k >= 0; --k) {
+        substitute(g, first, row(k));
+        if (k < n) eliminate(g, 1 - first, row(k + 1));
+    }
+    eliminate(g, 1 - first, row(0));
+    for (int k = 0; k <= n; ++k) substitute(g, 1 - first, row(k));
+}
+
+/// The residual, after columns 1, 3, ... have been relaxed: it is 0 there.
+void NinePointSolver::restrict_residual(Grid& g, Grid& c) {
+    const std::size_t s = g.stride();
+    for (int j = 0; j <= g.n; ++j)
+        for (std::size_t p = g.at(0, j), east = g.at(g.n, j); p <= east; p += 2)
+            g.r[p] = g.b[p] - g.image(g.u, p);
+    for (int j = 0; j <= c.n; ++j)
+        for (int i = 0; i <= c.n; ++i) {
+            const std::size_t p = g.at(2 * i, 2 * j), q = c.at(i, j), cell = g.coarse(i, j);
+            double sum = g.r[p] + g.interpolation[cell].west[0] * g.r[p + s];
+            if (j > 0) sum += g.interpolation[cell - static_cast<std::size_t>(c.n + 1)].west[1] * g.r[p - s];
+            c.b[q] = c.fixed[q] != 0 ? 0.0 : sum;
         }
 }
 
-/// One V-cycle for A u = b from u = 0 (fixed values are 0), symmetric: relaxation before and after is
-/// adjoint.
+/// Adds the coarse correction, which is 0 at fixed points and around the grid.
+void NinePointSolver::prolong(const Grid& c, Grid& g) {
+    const std::size_t s = g.stride(), t = c.stride();
+    for (int j = 0; j <= c.n; ++j)
+        for (int i = 0; i <= c.n; ++i) {
+            const std::size_t p = g.at(2 * i, 2 * j), q = c.at(i, j);
+            const auto& w = g.interpolation[g.coarse(i, j)];
+            const double u00 = c.u[q], u10 = c.u[q + 1], u01 = c.u[q + t], u11 = c.u[q + t + 1];
+            g.u[p] += u00;
+            g.u[p + 1] += w.south[0] * u00 + w.south[1] * u10;
+            g.u[p + s] += w.west[0] * u00 + w.west[1] * u01;
+            g.u[p + s + 1] += w.middle[0] * u00 + w.middle[1] * u10 + w.middle[2] * u01 + w.middle[3] * u11;
+        }
+}
+
+/// One V-cycle for A u = b from u = 0, symmetric: relaxation before and after is adjoint.
 void NinePointSolver::cycle(std::size_t level) {
     Grid& g = grids_[level];
     std::fill(g.u.begin(), g.u.end(), 0.0);
     const bool coarsest = level + 1 == grids_.size();
     const int sweeps = coarsest ? 4 : 1;
-    for (int k = 0; k < sweeps; ++k)
-        relax_rows(g, 0), relax_rows(g, 1), relax_columns(g, 0), relax_columns(g, 1);
+    for (int k = 0; k < sweeps; ++k) relax_rows(g, 0), relax_columns(g, 0);
     if (!coarsest) {
-        residual(g);
-        Grid& c = grids_[level + 1];
-        const int n = c.n;
-        const auto s = static_cast<std::size_t>(g.n + 1);
-        std::fill(c.b.begin(), c.b.end(), 0.0);
-        for (int j = 0; j <= n; ++j)
-            for (int i = 0; i <= n; ++i) {
-                const std::size_t p = g.at(2 * i, 2 * j);
-                double sum = g.r[p];
-                if (i > 0) sum += g.along[p - 1][1] * g.r[p - 1];
-                if (i < n) sum += g.along[p + 1][0] * g.r[p + 1];
-                if (j > 0) {
-                    sum += g.along[p - s][1] * g.r[p - s];
-                    if (i > 0) sum += g.middle[p - s - 1][3] * g.r[p - s - 1];
-                    if (i < n) sum += g.middle[p - s + 1][2] * g.r[p - s + 1];
-                }
-                if (j < n) {
-                    sum += g.along[p + s][0] * g.r[p + s];
-                    if (i > 0) sum += g.middle[p + s - 1][1] * g.r[p + s - 1];
-                    if (i < n) sum += g.middle[p + s + 1][0] * g.r[p + s + 1];
-                }
-                c.b[c.at(i, j)] = c.fixed[c.at(i, j)] != 0 ? 0.0 : sum;
-            }
+        restrict_residual(g, grids_[level + 1]);
         cycle(level + 1);
-        for (int j = 0; j <= g.n; ++j)
-            for (int i = 0; i <= g.n; ++i) {
-                const std::size_t p = g.at(i, j);
-                if (g.fixed[p] != 0) continue;
-                const std::size_t q = c.at(i / 2, j / 2), t = static_cast<std::size_t>(n + 1);
-                if (i % 2 == 0 && j % 2 == 0)
-                    g.u[p] += c.u[q];
-                else if (j % 2 == 0)
-                    g.u[p] += g.along[p][0] * c.u[q] + g.along[p][1] * c.u[q + 1];
-                else if (i % 2 == 0)
-                    g.u[p] += g.along[p][0] * c.u[q] + g.along[p][1] * c.u[q + t];
-                else
-                    g.u[p] += g.middle[p][0] * c.u[q] + g.middle[p][1] * c.u[q + 1] +
-                              g.middle[p][2] * c.u[q + t] + g.middle[p][3] * c.u[q + t + 1];
-            }
+        prolong(grids_[level + 1], g);
     }
-    for (int k = 0; k < sweeps; ++k)
-        relax_columns(g, 1), relax_columns(g, 0), relax_rows(g, 1), relax_rows(g, 0);
+    for (int k = 0; k < sweeps; ++k) relax_columns(g, 1), relax_rows(g, 1);
+}
+
+/// rest = -A u, by quadrilaterals, since couplings with fixed values count here.
+void NinePointSolver::start(std::span<const double> u) {
+    const Grid& g = grids_.front();
+    std::fill(rest_.begin(), rest_.end(), 0.0);
+    const auto n = static_cast<std::size_t>(g.n);
+    for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i) {
+            const CornerMatrix& m = g.matrices[j * n + i];
+            const std::size_t q = j * (n + 1) + i, p = g.at(static_cast<int>(i), static_cast<int>(j));
+            const std::array<double, 4> v = {u[q], u[q + 1], u[q + n + 1], u[q + n + 2]};
+            const std::array<std::size_t, 4> to = {p, p + 1, p + g.stride(), p + g.stride() + 1};
+            for (std::size_t a = 0; a < 4; ++a)
+                for (std::size_t b = 0; b < 4; ++b) rest_[to[a]] -= m[packed[a][b]] * v[b];
+        }
+    for (std::size_t p = 0; p < rest_.size(); ++p)
+        if (g.fixed[p] != 0) rest_[p] = 0;
 }
 
 int NinePointSolver::solve(std::span<double> u, double reduction, double smallest) {
     Grid& g = grids_.front();
-    GASPARD_CHECK(u.size() == g.u.size());
-    const auto apply = [&](const auto& of, double sign) { // g.r = sign * A of
-        std::copy(of.begin(), of.end(), g.u.begin());
-        std::fill(g.b.begin(), g.b.end(), 0.0);
-        residual(g);
-        for (double& value : g.r) value *= -sign;
-    };
-    apply(u, -1);
-    rest_ = g.r;
+    const auto n = static_cast<std::size_t>(g.n);
+    GASPARD_CHECK(u.size() == (n + 1) * (n + 1));
+    start(u);
     double before = 0, first = 0;
     constexpr int most = 200;
     for (int k = 0; k < most; ++k) {
-        g.b = rest_;
+        std::swap(g.b, rest_);
         cycle(0);
+        std::swap(g.b, rest_);
         const double square = dot(rest_, g.u);
         double largest = 0;
         for (const double value : g.u) largest = std::max(largest, std::abs(value));
@@ -347,11 +336,15 @@ int NinePointSolver::solve(std::span<double> u, double reduction, double smalles
         if (!(square > 0) || largest <= smallest || (k > 0 && square <= reduction * reduction * first))
             return k;
         const double beta = k == 0 ? 0 : square / before;
-        for (std::size_t i = 0; i < direction_.size(); ++i) direction_[i] = g.u[i] + beta * direction_[i];
-        apply(direction_, 1);
+        for (std::size_t p = 0; p < direction_.size(); ++p) direction_[p] = g.u[p] + beta * direction_[p];
+        for (int j = 0; j <= g.n; ++j)
+            for (std::size_t p = g.at(0, j); p <= g.at(0, j) + n; ++p) g.r[p] = g.image(direction_, p);
         const double step = square / dot(direction_, g.r);
-        for (std::size_t i = 0; i < direction_.size(); ++i)
-            u[i] += step * direction_[i], rest_[i] -= step * g.r[i];
+        for (int j = 0; j <= g.n; ++j) {
+            const std::size_t p = g.at(0, j), q = static_cast<std::size_t>(j) * (n + 1);
+            for (std::size_t i = 0; i <= n; ++i)
+                u[q + i] += step * direction_[p + i], rest_[p + i] -= step * g.r[p + i];
+        }
         before = square;
     }
     return most;

@@ -21,7 +21,7 @@ class NinePointSolver {
   public:
     /// `n`: a power of two times an odd number; grids are halved as long as that is possible. `fixed`: 1 for
     /// the unknowns that keep their values.
-    NinePointSolver(int n, std::vector<std::uint8_t> fixed);
+    NinePointSolver(int n, const std::vector<std::uint8_t>& fixed);
 
     /// The matrices of the quadrilaterals, by rows; makes the coarser grids.
     void set_matrices(std::vector<CornerMatrix> matrices);
@@ -30,6 +30,12 @@ class NinePointSolver {
     int solve(std::span<double> u, double reduction, double smallest = 0);
 
   private:
+    /// Weights of coarse points for the points between them, to the right, above, and between.
+    struct Interpolation {
+        std::array<double, 2> south{}, west{};
+        std::array<double, 4> middle{};
+    };
+    /// Unknowns with a border of fixed ones, so that all have eight neighbours.
     struct Grid {
         int n = 0;
         std::vector<std::uint8_t> fixed;
@@ -37,24 +43,35 @@ class NinePointSolver {
         std::vector<double> centre, east, north, north_east,
             north_west;                              ///< couplings, negated; to later ones
         std::vector<double> row_pivot, column_pivot; ///< inverse pivots of the lines' tridiagonal systems
-        std::vector<std::array<double, 2>> along;    ///< interpolation of points between two coarse ones
-        std::vector<std::array<double, 4>> middle;   ///< and of those between four
+        std::vector<double> row_next, column_next;   ///< couplings to the next one times those
+        std::vector<Interpolation> interpolation;    ///< by points of the coarser grid
         std::vector<double> u, b, r;
+        std::size_t stride() const { return static_cast<std::size_t>(n + 3); }
         std::size_t at(int i, int j) const {
-            return static_cast<std::size_t>(j) * static_cast<std::size_t>(n + 1) +
+            return static_cast<std::size_t>(j + 1) * stride() + static_cast<std::size_t>(i + 1);
+        }
+        std::size_t coarse(int i, int j) const {
+            return static_cast<std::size_t>(j) * static_cast<std::size_t>(n / 2 + 1) +
                    static_cast<std::size_t>(i);
         }
+        double image(const std::vector<double>& v, std::size_t p) const;
     };
     static void assemble(Grid& grid);
+    static void factorise(Grid& grid);
     static void interpolate(Grid& grid);
     static void coarsen(const Grid& fine, Grid& coarse);
-    static void residual(Grid& grid);
+    static void relax_row(Grid& grid, int j);
     static void relax_rows(Grid& grid, int first);
+    static void eliminate(Grid& grid, int first, int j);
+    static void substitute(Grid& grid, int first, int j);
     static void relax_columns(Grid& grid, int first);
+    static void restrict_residual(Grid& fine, Grid& coarse);
+    static void prolong(const Grid& coarse, Grid& fine);
     void cycle(std::size_t level);
+    void start(std::span<const double> u);
 
     std::vector<Grid> grids_; ///< the finest first
-    std::vector<double> direction_, image_, rest_;
+    std::vector<double> direction_, rest_;
 };
 
 } // namespace gaspard
