@@ -9,6 +9,7 @@
 // d_s is the distance from side s, on an interval x - a and b - x. K = q / (sigma (1 - q)) puts a share of
 // about q of the cells into a layer (21).
 #include "core/base/error.hpp"
+#include "core/base/exponential.hpp"
 #include "core/function/coefficient.hpp"
 #include "core/monitor/layer_rows.hpp"
 #include "core/monitor/tensor.hpp"
@@ -29,8 +30,8 @@ namespace {
 /// Where a side is: d = normal . (x - point) is the distance from it.
 struct Side {
     Vec3 normal, point;
-    double distance(Vec3 x) const {
-        return std::max(0.0, normal.x * (x.x - point.x) + normal.y * (x.y - point.y));
+    double distance(double x, double y) const {
+        return std::max(0.0, normal.x * (x - point.x) + normal.y * (y - point.y));
     }
 };
 
@@ -74,7 +75,12 @@ std::vector<Side> sides_of(const Values& values, const Space& space, bool horizo
 struct Shape {
     double k, beta, sigma;
     double term(double eps, double distance) const {
-        return k * beta / eps * std::exp(-beta * distance / (sigma * eps));
+        return k * beta / eps * exponential(-beta * distance / (sigma * eps));
+    }
+    /// Adds the terms of a side, for eps at every point.
+    void add(const Side& side, const Points& x, std::span<const double> eps, std::span<double> rho) const {
+        for (std::size_t i = 0; i < rho.size(); ++i)
+            rho[i] += term(eps[i], side.distance(x.x[i], x.y[i]));
     }
 };
 
@@ -91,12 +97,12 @@ class LayerDensity final : public Monitor {
           base_(sum ? 1 : 0) {}
 
     void values(const Points& x, std::span<double> values) const override {
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            double rho = base_;
-            for (const Side& side : sides_)
-                for (const double eps : eps_) rho += shape_.term(eps, side.distance(x[i]));
-            values[i] = std::max(1.0, rho);
-        }
+        std::fill(values.begin(), values.end(), base_);
+        for (const Side& side : sides_)
+            for (const double eps : eps_)
+                for (std::size_t i = 0; i < values.size(); ++i)
+                    values[i] += shape_.term(eps, side.distance(x.x[i], x.y[i]));
+        for (double& rho : values) rho = std::max(1.0, rho);
     }
     void gradients(const Points& x, Points& gradients) const override {
         gradients = Points(x.size());
@@ -105,7 +111,7 @@ class LayerDensity final : public Monitor {
             Vec3 slope;
             for (const Side& side : sides_)
                 for (const double eps : eps_) {
-                    const double term = shape_.term(eps, side.distance(x[i]));
+                    const double term = shape_.term(eps, side.distance(x.x[i], x.y[i]));
                     rho += term;
                     slope = slope - (shape_.beta / (shape_.sigma * eps) * term) * side.normal;
                 }
@@ -135,24 +141,20 @@ class LayerTensor final : public TensorMonitor {
         std::vector<double> first(x.size()), second(x.size());
         widths_[0](x, first);
         widths_[1](x, second);
-        for (std::size_t i = 0; i < values.size(); ++i) {
+        for (std::size_t i = 0; i < values.size(); ++i)
             if (!(first[i] > 0) || !(second[i] > 0))
                 throw InputError(key_ + (first[i] > 0 ? ".width_y" : ".width_x") +
                                  " must be positive, but is " + format_number(std::min(first[i], second[i])) +
                                  " at (" + format_number(x.x[i]) + ", " + format_number(x.y[i]) + ")");
-            values[i] = {.xx = density(upright_, first[i], x[i]),
-                         .yy = density(horizontal_, second[i], x[i])};
-        }
+        std::vector<double> rho1(x.size()), rho2(x.size());
+        for (const Side& side : upright_) shape_.add(side, x, first, rho1);
+        for (const Side& side : horizontal_) shape_.add(side, x, second, rho2);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = {.xx = std::max(1.0, rho1[i]), .yy = std::max(1.0, rho2[i])};
     }
     void check() const override {} // where it is evaluated
 
   private:
-    double density(const std::vector<Side>& sides, double eps, Vec3 x) const {
-        double rho = 0;
-        for (const Side& side : sides) rho += shape_.term(eps, side.distance(x));
-        return std::max(1.0, rho);
-    }
-
     Shape shape_;
     std::vector<Side> upright_, horizontal_;
     std::array<Coefficient, 2> widths_;
