@@ -62,7 +62,7 @@ void check_data(const Catalogue& catalogue, const ScenarioInput& input) {
     const Scenario& scenario = input.scenario;
     const auto depends = [](const Section& section) {
         const auto& rows = section.values.rows();
-        return find_role(rows, ParameterRole::file) || find_role(rows, ParameterRole::defines_rows);
+        return std::any_of(rows.begin(), rows.end(), redefines_rows);
     };
     if (!depends(scenario.monitor) && !depends(scenario.target)) return;
     const auto discretisation = prepare(check(catalogue, scenario), {}, {});

@@ -152,8 +152,8 @@ std::vector<ParameterRow> without_ranges(std::vector<ParameterRow> rows) {
 }
 
 bool redefines_rows(const ParameterRow& row) {
-    return row.role == ParameterRole::defines_rows || row.role == ParameterRole::file ||
-           row.role == ParameterRole::patch;
+    return row.role == ParameterRole::defines_rows || row.role == ParameterRole::formula ||
+           row.role == ParameterRole::file || row.role == ParameterRole::patch;
 }
 
 const ParameterRow* find_role(const std::vector<ParameterRow>& rows, ParameterRole role) {

@@ -34,6 +34,7 @@ enum class ParameterRole {
     file,           ///< a path, relative to the folder of the scenario's file
     patch,          ///< which patch of a file; an integer is accepted as text
     defines_rows,   ///< other rows depend on its value, so it is set before them
+    formula,        ///< in the coordinates; other names in it become rows
 };
 
 /// The ends of a slider.

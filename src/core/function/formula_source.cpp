@@ -200,7 +200,7 @@ std::vector<ParameterRow> rows(const Space& space) {
          .kind = ParameterKind::text,
          .default_value = default_formula(space),
          .help = "a formula in " + coordinates(space) + "; other names become parameters",
-         .role = ParameterRole::defines_rows},
+         .role = ParameterRole::formula},
         {.key = "ranges",
          .label = "Ranges",
          .kind = ParameterKind::text,

@@ -10,7 +10,6 @@
 #include "core/io/state_file.hpp"
 #include "core/method/spline_map.hpp"
 #include "core/session/report_columns.hpp"
-#include "core/spline/spline_domain.hpp"
 
 #include <algorithm>
 #include <array>
@@ -43,14 +42,10 @@ std::uint64_t peak_memory_bytes() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
 }
 
-const SplineDomain* as_splines(const Run& run) {
-    return dynamic_cast<const SplineDomain*>(&run.discretisation());
-}
-
 std::shared_ptr<const SplinePatch> patch_of(const Run& run) {
-    const auto* domain = as_splines(run);
-    if (!domain) return nullptr;
-    auto patch = adapted_patch(run.state(), *domain->map());
+    const auto map = run.discretisation().patch_map();
+    if (!map) return nullptr;
+    auto patch = adapted_patch(run.state(), *map);
     return patch ? std::make_shared<const SplinePatch>(std::move(*patch)) : nullptr;
 }
 
@@ -144,7 +139,7 @@ std::string summary_json(Run& run, std::stop_token stop) {
 
 std::vector<std::string> run_file_names(const Run& run, const std::vector<const Format*>& formats) {
     std::vector<std::string> names{"history.csv", "summary.json", "state.bin"};
-    if (as_splines(run)) names.emplace_back("map.json");
+    if (run.discretisation().patch_map()) names.emplace_back("map.json");
     for (const Format* format : formats)
         names.insert(names.end(), format->files.begin(), format->files.end());
     return names;
@@ -169,7 +164,7 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
     run.complete();
     make_folder(folder);
     std::exception_ptr first;
-    const bool of_splines = as_splines(run) != nullptr;
+    const bool of_splines = run.discretisation().patch_map() != nullptr;
     const double all = (of_splines ? 4 : 3) + static_cast<double>(formats.size());
     double done = 0;
     const auto attempt = [&](const std::string& what, const auto& write) {

@@ -15,6 +15,8 @@
 
 namespace gaspard GASPARD_API {
 
+class PatchMap;
+
 /// Reports the progress of long work: the fraction done, from 0 to 1, and a description of the current step.
 /// Called on the thread that does the work.
 using Progress = std::function<void(double, std::string_view)>;
@@ -30,6 +32,8 @@ class Discretisation {
     virtual std::shared_ptr<const PatchList> patches() const { return nullptr; }
     /// The parameters of points of a patch; null on other domains.
     virtual std::shared_ptr<const PatchParameters> parameters() const { return nullptr; }
+    /// The map of the parameter square to a spline patch; null on other domains.
+    virtual std::shared_ptr<const PatchMap> patch_map() const { return nullptr; }
     /// Number of unknowns.
     virtual std::size_t unknowns() const = 0;
 };

@@ -1,7 +1,7 @@
 // Meshes of an interval that need no iteration: Bakhvalov's (8), Shishkin's, and the equidistribution of the
 // monitor to rounding, which mesh PDEs approach. One step goes from any mesh to the result.
-#include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/mesh/discretisation_as.hpp"
 #include "core/method/interval_method.hpp"
 #include "core/monitor/layer_rows.hpp"
 
@@ -66,8 +66,7 @@ MethodType formula_method(std::string name, std::string label, std::string help,
             .colour = "solution",
             .make = [make = std::move(make)](const MethodContext& context,
                                              const Values& values) -> std::unique_ptr<Method> {
-                auto domain = std::dynamic_pointer_cast<const IntervalDomain>(context.discretisation);
-                GASPARD_CHECK(domain != nullptr); // guaranteed by the capability table
+                auto domain = discretisation_as<IntervalDomain>(context.discretisation);
                 return std::make_unique<IntervalFormula>(std::move(domain), make, values);
             }};
 }

@@ -4,9 +4,9 @@
 // An iteration is one solve of (15). On the last mesh they go on until the residual (16) is below
 // method.tolerance, or as often as method.final_solves says; or shots solve the discrete equations to
 // rounding (layer/interval_shooting.hpp), which the iteration does not for thin layers.
-#include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/layer/interval_shooting.hpp"
+#include "core/mesh/discretisation_as.hpp"
 #include "core/method/interval_iteration.hpp"
 #include "core/method/quadrilateral_mesh_pde.hpp"
 
@@ -122,8 +122,7 @@ MethodType mesh_pde_method() {
         .make = [](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
             if (auto plane = std::dynamic_pointer_cast<const QuadrilateralDomain>(context.discretisation))
                 return quadrilateral_mesh_pde(std::move(plane), values);
-            auto domain = std::dynamic_pointer_cast<const IntervalDomain>(context.discretisation);
-            GASPARD_CHECK(domain != nullptr); // guaranteed by the capability table
+            auto domain = discretisation_as<IntervalDomain>(context.discretisation);
             return std::make_unique<IntervalMeshPde>(std::move(domain), values);
         }};
 }

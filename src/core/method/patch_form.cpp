@@ -158,7 +158,7 @@ void PatchForm::positions(std::span<const double> whole, Points& x) {
         psi_.x[i] = std::clamp(psi_.x[i], tips.left ? 0 : psi_.x[i], tips.right ? 1 : psi_.x[i]);
         psi_.y[i] = std::clamp(psi_.y[i], tips.bottom ? 0 : psi_.y[i], tips.top ? 1 : psi_.y[i]);
     }
-    domain_->map()->points(psi_, x);
+    domain_->patch_map()->points(psi_, x);
 }
 
 const JacobianBounds& PatchForm::jacobian(std::span<const double> whole) {

@@ -51,7 +51,7 @@ class PatchForm {
     Formulation formulation() const { return formulation_; }
     std::size_t cells() const { return cells_; }
     std::string layout() const { return spline_layout({formulation_, domain_->degree(), cells_}); }
-    PatchSource source(const Monitor& monitor) const { return {monitor, *domain_->map(), form_->line()}; }
+    PatchSource source(const Monitor& monitor) const { return {monitor, *domain_->patch_map(), form_->line()}; }
 
     /// whole = Phi = phi + (potential of the identity map). States hold phi, which is 0 for the identity map.
     void add_identity(std::span<const double> phi, std::span<double> whole) const;

@@ -11,6 +11,7 @@
 // knot insertion (remark 4.1). One iteration is one update on any level.
 #include "core/base/check.hpp"
 #include "core/linear/reduce.hpp"
+#include "core/mesh/discretisation_as.hpp"
 #include "core/method/method.hpp"
 #include "core/method/patch_form.hpp"
 
@@ -249,9 +250,7 @@ MethodType picard_type(Formulation formulation, std::string name, std::string la
         .rows = std::move(rows),
         .criterion = increment_series().name,
         .make = [formulation](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
-            // guaranteed by the rows of the capability table
-            auto domain = std::dynamic_pointer_cast<const SplineDomain>(context.discretisation);
-            GASPARD_CHECK(domain != nullptr);
+            auto domain = discretisation_as<SplineDomain>(context.discretisation);
             return std::make_unique<Picard>(std::move(domain), formulation, values);
         }};
 }

@@ -2,9 +2,9 @@
 // (layer/solution_density.hpp): each step solves the problem in P1 and makes one step of the mesh PDE with
 // densities from that solution. Meshes are refined as in method/mesh_levels.hpp. The monitor is not used but
 // for diagnostics.
-#include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/layer/solution_density.hpp"
+#include "core/mesh/discretisation_as.hpp"
 #include "core/method/interval_iteration.hpp"
 
 #include <utility>
@@ -84,8 +84,7 @@ MethodType solution_adapted_method() {
                      .help = "L2 norm of the residual of the mesh PDE, for the densities of the solution"},
         .fields = layer_fields(),
         .make = [](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
-            auto domain = std::dynamic_pointer_cast<const IntervalDomain>(context.discretisation);
-            GASPARD_CHECK(domain != nullptr); // guaranteed by the capability table
+            auto domain = discretisation_as<IntervalDomain>(context.discretisation);
             return std::make_unique<SolutionAdapted>(std::move(domain), values);
         }};
 }

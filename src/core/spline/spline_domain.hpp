@@ -30,12 +30,12 @@ class SplineDomain final : public Discretisation {
     std::shared_ptr<const Points> control_points() const override { return control_; }
     std::shared_ptr<const PatchList> patches() const override { return patches_; }
     std::shared_ptr<const PatchParameters> parameters() const override { return parameters_; }
+    std::shared_ptr<const PatchMap> patch_map() const override { return map_; }
     /// Unknowns of the standard form.
     std::size_t unknowns() const override;
 
     int degree() const { return degree_; }
     std::size_t cells() const { return cells_; }
-    std::shared_ptr<const PatchMap> map() const { return map_; }
     const PointEdges& point_edges() const { return point_edges_; }
     /// Parameters of the nodes along each direction of the parameter square.
     std::vector<double> node_lines() const;

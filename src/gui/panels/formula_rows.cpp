@@ -16,7 +16,7 @@ std::string without_key(const std::string& message, const std::string& key) {
 } // namespace
 
 bool is_formula(const ParameterRow& row) {
-    return row.kind == ParameterKind::text && (row.key == "expression" || row.key.ends_with(".expression"));
+    return row.role == ParameterRole::formula;
 }
 
 std::optional<FormulaComplaint> formula_complaint(const Catalogue& catalogue, const Scenario& scenario,

@@ -75,7 +75,7 @@ TEST_P(Patches, TheMixedMethodKeepsTheBorderExactly) {
     for (const bool upper : {false, true}) {
         Points line(2001), on_side;
         for (std::size_t i = 0; i < line.size(); ++i) line.set(i, {upper ? 1.0 : 0.0, i / 2000.0, 0});
-        domain->map()->points(line, on_side);
+        domain->patch_map()->points(line, on_side);
         for (std::size_t j = 0; j < side; ++j) {
             const Vec3 p = x[j * side + (upper ? side - 1 : 0)];
             double nearest = 1;
