@@ -6,7 +6,7 @@ here=$(cd "$(dirname "$0")/.." && pwd)
 "$here/scripts/install-packages.sh" build
 log=$(mktemp); trap 'rm -f "$log"' EXIT
 echo "Building in $here/build (the first time takes a few minutes) ..."
-{ cmake -S "$here" -B "$here/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGASPARD_NATIVE=ON -DGASPARD_TESTS=OFF \
+{ cmake -S "$here" -B "$here/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGASPARD_NATIVE=ON -DGASPARD_UNITY=ON -DGASPARD_TESTS=OFF \
   && cmake --build "$here/build"; } >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
 rm -f "$log"; trap - EXIT
 if [ $# -eq 0 ] && [ -z "${DISPLAY:-}" ] && [ -z "${WAYLAND_DISPLAY:-}" ]; then

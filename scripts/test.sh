@@ -15,7 +15,7 @@ jobs=$(nproc)
 build() { # folder, options of cmake; builds $targets (empty: all)
   local folder=$1; shift
   echo "Building in $folder ..."
-  cmake -S "$here" -B "$folder" -G Ninja -DGASPARD_TESTS=ON -DGASPARD_WERROR=ON "$@" >/dev/null
+  cmake -S "$here" -B "$folder" -G Ninja -DGASPARD_UNITY=ON -DGASPARD_TESTS=ON -DGASPARD_WERROR=ON "$@" >/dev/null
   # shellcheck disable=SC2086
   cmake --build "$folder" ${targets:+--target $targets} -- -d keeprsp >"$folder/build.log" 2>&1 \
     || { tail -n 60 "$folder/build.log" >&2; exit 1; }

@@ -1,6 +1,7 @@
 # The tests of the program: its window, its pictures, its command line, and what is installed.
 # Meshes and scenes to draw, and the comparison of pictures.
 add_library(gaspard_scenes STATIC gui/scenes.cpp gui/globes.cpp gui/similarity.cpp)
+gaspard_unity(gaspard_scenes)
 target_include_directories(gaspard_scenes PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(gaspard_scenes PUBLIC gaspard_fixtures gaspard_gui PRIVATE gaspard_options)
 

@@ -32,14 +32,14 @@ TEST(BahariTables, WholeTablesAgree) {
 
 /// Ours of a table, against numbers that an independent prototype found (or the paper prints), in their
 /// digits.
-struct Expected {
+struct ExpectedRow {
     const char *row, *quantity;
     double value;
 };
-void expect_numbers(const std::string& id, const std::vector<Expected>& expected) {
+void expect_numbers(const std::string& id, const std::vector<ExpectedRow>& expected) {
     const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
     const Reproduction result = find_recipe(id).make(catalogue, [](const std::string&) {}, {});
-    for (const Expected& one : expected) {
+    for (const ExpectedRow& one : expected) {
         bool found = false;
         for (const PublishedRow& row : result.rows)
             if (row.row == one.row && row.quantity == one.quantity) {

@@ -13,12 +13,12 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::string_view scheme = "data:", shipped = "gaspard:", blanks = " \t\r\n";
+constexpr std::string_view scheme = "data:", shipped = "gaspard:", surrounding_blanks = " \t\r\n";
 
 std::string_view without_blanks(std::string_view text) {
-    const auto begin = text.find_first_not_of(blanks);
+    const auto begin = text.find_first_not_of(surrounding_blanks);
     if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+    return text.substr(begin, text.find_last_not_of(surrounding_blanks) + 1 - begin);
 }
 
 int hexadecimal(char c) {

@@ -15,7 +15,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 /// The different coordinates in increasing order.
 std::vector<double> different(std::vector<double> all) {
@@ -97,7 +97,7 @@ class FineCells {
 double mean_of(const std::vector<double>& values, std::span<const std::uint32_t> which) {
     const auto present =
         std::count_if(which.begin(), which.end(), [&](std::uint32_t p) { return std::isfinite(values[p]); });
-    double mean = present == 0 ? nothing : 0;
+    double mean = present == 0 ? no_value : 0;
     for (const std::uint32_t p : which)
         if (std::isfinite(values[p])) mean += values[p] / static_cast<double>(present);
     return mean;
@@ -172,7 +172,7 @@ std::optional<GridData> as_grid(const ScatteredData& data) {
     const std::size_t nx = grid.axes[0].size(), ny = grid.axes[1].size();
     if (nx < 2 || ny < 2 || nx > data.values.size() / ny || nx * ny != data.values.size())
         return std::nullopt;
-    grid.values.assign(nx * ny, nothing);
+    grid.values.assign(nx * ny, no_value);
     std::vector<char> taken(nx * ny, 0);
     for (std::size_t p = 0; p < data.values.size(); ++p) {
         const std::size_t i = nearest_index(grid.axes[0], data.points.x[p]);

@@ -15,7 +15,7 @@ namespace gaspard {
 namespace {
 
 /// The most that an interlaced picture may take, which is decoded as a whole.
-constexpr std::size_t most_bytes = std::size_t{1} << 29;
+constexpr std::size_t most_picture_bytes = std::size_t{1} << 29;
 
 class PngDecoder {
   public:
@@ -104,7 +104,7 @@ class PngDecoder {
         if (!read_end()) refuse();
     }
     void decode_whole() {
-        if (row_bytes_ > most_bytes / height_)
+        if (row_bytes_ > most_picture_bytes / height_)
             refuse_image(context_.name, "the interlaced picture takes more than 512 MiB; save it without "
                                         "interlacing");
         std::vector<png_byte> pixels(row_bytes_ * height_);

@@ -19,9 +19,9 @@ namespace {
 
 using Node = pugi::xml_node;
 
-constexpr std::size_t most_bytes = largest_field * 8;
+constexpr std::size_t most_array_bytes = largest_field * 8;
 
-std::string shortened(std::string_view word) { return std::string(word.substr(0, 60)); }
+std::string excerpt(std::string_view word) { return std::string(word.substr(0, 60)); }
 
 /// The file as XML without its appended data, and these.
 struct Parts {
@@ -57,7 +57,7 @@ std::vector<Number> list_of(const Node& node, const char* attribute, std::size_t
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), one);
         if (error != std::errc() || all.size() == count)
             throw InputError("the attribute " + std::string(attribute) + " is '" +
-                             shortened(node.attribute(attribute).value()) + "'");
+                             excerpt(node.attribute(attribute).value()) + "'");
         all.push_back(one);
         text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     }
@@ -89,10 +89,10 @@ class ArrayReader {
 
     /// All numbers of an array, `count` at most.
     std::vector<double> read(const Node& array, std::size_t count) const {
-        const std::string name = "'" + shortened(array.attribute("Name").value()) + "'";
+        const std::string name = "'" + excerpt(array.attribute("Name").value()) + "'";
         const auto type = vtk_type(array.attribute("type").value());
         if (!type)
-            throw InputError("the type '" + shortened(array.attribute("type").value()) + "' is not read");
+            throw InputError("the type '" + excerpt(array.attribute("type").value()) + "' is not read");
         const std::string_view format = array.attribute("format").value();
         std::vector<double> numbers;
         if (format.empty() || format == "ascii")
@@ -102,7 +102,7 @@ class ArrayReader {
         else if (format == "appended")
             numbers = decode(appended(array, name, count * type->bytes), *type);
         else
-            throw InputError(name + " has the format '" + shortened(format) + "'");
+            throw InputError(name + " has the format '" + excerpt(format) + "'");
         if (numbers.size() != count)
             throw InputError(name + " has " + std::to_string(numbers.size()) + " numbers instead of " +
                              std::to_string(count));
@@ -120,7 +120,7 @@ class ArrayReader {
                 check_stop(*request_, static_cast<double>(all.size()) / static_cast<double>(count + 1));
             const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n"));
             const auto number = vtk_number(word);
-            if (!number) throw InputError(name + " has '" + shortened(word) + "' where a number is expected");
+            if (!number) throw InputError(name + " has '" + excerpt(word) + "' where a number is expected");
             if (all.size() == count)
                 throw InputError(name + " has more than " + std::to_string(count) + " numbers");
             all.push_back(*number);
@@ -139,7 +139,7 @@ class ArrayReader {
         for (std::size_t k = 0; k < size; ++k)
             value = value << 8 | static_cast<unsigned char>(
                                      bytes[index * size + (encoding_.big_endian ? k : size - 1 - k)]);
-        if (value > most_bytes) throw InputError("an array is too large, or its header is damaged");
+        if (value > most_array_bytes) throw InputError("an array is too large, or its header is damaged");
         return static_cast<std::size_t>(value);
     }
 
@@ -230,7 +230,7 @@ Encoding encoding_of(const Node& root, const Parts& parts) {
     const std::string_view compressor = root.attribute("compressor").value();
     encoding.compressed = !compressor.empty();
     if (encoding.compressed && compressor != "vtkZLibDataCompressor")
-        throw InputError("it is compressed by " + shortened(compressor) +
+        throw InputError("it is compressed by " + excerpt(compressor) +
                          "; only vtkZLibDataCompressor is read");
     return encoding;
 }
@@ -241,7 +241,7 @@ class XmlReader {
         : arrays_(encoding_of(root, parts), request), request_(&request) {
         const std::string type = root.attribute("type").value();
         if (type.starts_with('P') && type != "PolyData")
-            throw InputError("it only lists the files of a parallel run (" + shortened(type) +
+            throw InputError("it only lists the files of a parallel run (" + excerpt(type) +
                              "); read one of these, or merge them");
         const Node grid = root.child(type.c_str());
         if (type == "ImageData")
@@ -254,7 +254,7 @@ class XmlReader {
             unstructured(grid, type == "PolyData");
         else
             throw InputError(
-                "its type is '" + shortened(type) +
+                "its type is '" + excerpt(type) +
                 "', not ImageData, RectilinearGrid, StructuredGrid, UnstructuredGrid or PolyData");
     }
 
@@ -418,7 +418,7 @@ FieldData parse_xml_vtk_field(std::string_view bytes, const FieldRequest& reques
     }
     const Node root = document.document_element();
     if (std::string_view(root.name()) != "VTKFile")
-        throw InputError("its root element is <" + shortened(root.name()) + ">, not <VTKFile>");
+        throw InputError("its root element is <" + excerpt(root.name()) + ">, not <VTKFile>");
     return XmlReader(root, parts, request).field();
 }
 

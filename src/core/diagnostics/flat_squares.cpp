@@ -10,11 +10,11 @@ namespace gaspard {
 namespace {
 
 constexpr std::size_t batch = FlatSquares::batch;
-using Lane = FlatSquares::Lane;
+using SquareLane = FlatSquares::Lane;
 
 /// The corners of a batch of cells, in order around the cell.
 struct Corners {
-    std::array<Lane, 4> x, y;
+    std::array<SquareLane, 4> x, y;
 };
 
 // A short batch is filled up with its last cell.
@@ -32,11 +32,11 @@ Corners gather(const Mesh& mesh, std::size_t begin, std::size_t end, const Point
 }
 
 /// The Jacobian of every cell at corner k.
-Lane jacobian(const Corners& at, std::size_t k) {
-    const Lane &x = at.x[k], &y = at.y[k];
-    const Lane &next_x = at.x[(k + 1) % 4], &next_y = at.y[(k + 1) % 4];
-    const Lane &last_x = at.x[(k + 3) % 4], &last_y = at.y[(k + 3) % 4];
-    Lane result;
+SquareLane jacobian(const Corners& at, std::size_t k) {
+    const SquareLane &x = at.x[k], &y = at.y[k];
+    const SquareLane &next_x = at.x[(k + 1) % 4], &next_y = at.y[(k + 1) % 4];
+    const SquareLane &last_x = at.x[(k + 3) % 4], &last_y = at.y[(k + 3) % 4];
+    SquareLane result;
     for (std::size_t c = 0; c < batch; ++c)
         result[c] = (next_x[c] - x[c]) * (last_y[c] - y[c]) - (next_y[c] - y[c]) * (last_x[c] - x[c]);
     return result;
@@ -48,9 +48,9 @@ double larger(double a, double b) { return b > a || b != b ? b : a; }
 
 /// The coefficients of one coordinate of x = x0 + s a + t b + s t d.
 struct Bilinear {
-    Lane start, a, b, d;
+    SquareLane start, a, b, d;
 
-    explicit Bilinear(const std::array<Lane, 4>& x) : start(x[0]), a(), b(), d() {
+    explicit Bilinear(const std::array<SquareLane, 4>& x) : start(x[0]), a(), b(), d() {
         for (std::size_t c = 0; c < batch; ++c) {
             a[c] = x[1][c] - x[0][c];
             b[c] = x[3][c] - x[0][c];
@@ -71,7 +71,7 @@ FlatSquares::Measured FlatSquares::measure(const Mesh& mesh, std::size_t begin, 
     const Corners physical = gather(mesh, begin, end, x), reference = gather(mesh, begin, end, mesh.nodes);
     Measured measured{};
     for (std::size_t k = 0; k < 4; ++k) {
-        const Lane above = jacobian(physical, k), below = jacobian(reference, k);
+        const SquareLane above = jacobian(physical, k), below = jacobian(reference, k);
         for (std::size_t c = 0; c < batch; ++c) {
             const double ratio = above[c] / below[c];
             measured.smallest[c] = k == 0 ? ratio : smaller(measured.smallest[c], ratio);
@@ -90,7 +90,7 @@ FlatSquares::Measured FlatSquares::measure(const Mesh& mesh, std::size_t begin, 
         py.at(s, t, workspace.points.y.data() + q * batch);
     }
     monitor->values(workspace.points, workspace.monitor);
-    Lane j0, js, jt;
+    SquareLane j0, js, jt;
     for (std::size_t c = 0; c < batch; ++c) {
         j0[c] = px.a[c] * py.b[c] - py.a[c] * px.b[c];
         js[c] = px.a[c] * py.d[c] - py.a[c] * px.d[c];

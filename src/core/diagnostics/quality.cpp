@@ -11,7 +11,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t batch = 64; // cells whose quadrature points are evaluated by the monitor in one call
+constexpr std::size_t cells_at_once = 64; // whose quadrature points the monitor evaluates in one call
 
 std::size_t checked(int threads) {
     GASPARD_CHECK(threads >= 1);
@@ -19,8 +19,8 @@ std::size_t checked(int threads) {
 }
 
 // Minimum and maximum that return NaN if b is NaN.
-double smaller(double a, double b) { return std::isnan(b) || b < a ? b : a; }
-double larger(double a, double b) { return std::isnan(b) || b > a ? b : a; }
+double smaller_or_nan(double a, double b) { return std::isnan(b) || b < a ? b : a; }
+double larger_or_nan(double a, double b) { return std::isnan(b) || b > a ? b : a; }
 
 } // namespace
 
@@ -55,9 +55,9 @@ QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int po
     quality_.cell_jacobian.resize(cells);
     for (Worker& worker : workers_) {
         worker.nodes = worker.reference_nodes = nodes;
-        worker.points.resize(batch * quadrature_points_);
-        worker.factor.resize(batch * quadrature_points_);
-        worker.monitor.resize(batch * quadrature_points_);
+        worker.points.resize(cells_at_once * quadrature_points_);
+        worker.factor.resize(cells_at_once * quadrature_points_);
+        worker.monitor.resize(cells_at_once * quadrature_points_);
     }
 }
 
@@ -111,8 +111,8 @@ void QualityMeter::measure_batch(std::size_t begin, std::size_t end, const Point
             const double physical = signed_measure(worker.places[s].tangents, reference);
             const double before = signed_measure(reference, reference);
             if (std::abs(before) > degenerate_measure * std::abs(cell_measure_[i])) {
-                smallest = smaller(smallest, physical / before);
-                largest = larger(largest, physical / before);
+                smallest = smaller_or_nan(smallest, physical / before);
+                largest = larger_or_nan(largest, physical / before);
             }
             if (s >= quadrature_points_ || !monitor) continue;
             worker.points.set(at, worker.places[s].x);
@@ -151,8 +151,8 @@ void QualityMeter::note_cell(std::size_t cell, double smallest, double largest, 
         return;
     }
     quality_.cell_jacobian[cell] = smallest;
-    worker.min_jacobian = smaller(worker.min_jacobian, smallest);
-    worker.max_jacobian = larger(worker.max_jacobian, largest);
+    worker.min_jacobian = smaller_or_nan(worker.min_jacobian, smallest);
+    worker.max_jacobian = larger_or_nan(worker.max_jacobian, largest);
     if (!(smallest > 0)) ++worker.tangled_cells;
 }
 
@@ -163,8 +163,8 @@ void QualityMeter::measure_cells(std::size_t begin, std::size_t end, const Point
     worker.tangled_cells = 0;
     if (flat_) return measure_many(*flat_, worker.flat, begin, end, x, monitor, worker);
     if (sphere_) return measure_many(*sphere_, worker.sphere, begin, end, x, monitor, worker);
-    for (; begin < end; begin += batch)
-        measure_batch(begin, std::min(end, begin + batch), x, monitor, worker);
+    for (; begin < end; begin += cells_at_once)
+        measure_batch(begin, std::min(end, begin + cells_at_once), x, monitor, worker);
 }
 
 const MeshQuality& QualityMeter::measure(const Points& x, const Monitor* monitor) {
@@ -181,8 +181,8 @@ const MeshQuality& QualityMeter::measure(const Points& x, const Monitor* monitor
     quality_.max_jacobian = workers_.front().max_jacobian;
     quality_.tangled_cells = 0;
     for (const Worker& worker : workers_) {
-        quality_.min_jacobian = smaller(quality_.min_jacobian, worker.min_jacobian);
-        quality_.max_jacobian = larger(quality_.max_jacobian, worker.max_jacobian);
+        quality_.min_jacobian = smaller_or_nan(quality_.min_jacobian, worker.min_jacobian);
+        quality_.max_jacobian = larger_or_nan(quality_.max_jacobian, worker.max_jacobian);
         quality_.tangled_cells += worker.tangled_cells;
     }
     if (quality_.min_jacobian > quality_.max_jacobian) quality_.min_jacobian = quality_.max_jacobian = 1;

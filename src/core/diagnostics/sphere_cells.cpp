@@ -10,7 +10,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t batch = SphereCellMeter::batch;
+constexpr std::size_t sphere_batch = SphereCellMeter::batch;
 constexpr std::size_t most_nodes = 9; // per cell
 using Lane = SphereCellMeter::Lane;
 
@@ -20,7 +20,7 @@ struct Node { ///< xi and x of one node in every cell
 
 void gather(const Mesh& mesh, std::size_t begin, std::size_t end, const Points& x, std::size_t count,
             std::array<Node, most_nodes>& nodes) {
-    for (std::size_t l = 0; l < batch; ++l) {
+    for (std::size_t l = 0; l < sphere_batch; ++l) {
         const auto cell = mesh.cell(std::min(begin + l, end - 1)); // pad with the last cell
         for (std::size_t n = 0; n < count; ++n) {
             const auto number = static_cast<std::size_t>(cell[n]);
@@ -35,7 +35,7 @@ void gather(const Mesh& mesh, std::size_t begin, std::size_t end, const Points& 
 void add(Lane (&p)[3], Lane (&s)[3], Lane (&t)[3], const Lane (&node)[3], double value, double ds,
          double dt) {
     for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t l = 0; l < batch; ++l) {
+        for (std::size_t l = 0; l < sphere_batch; ++l) {
             p[c][l] += value * node[c][l];
             s[c][l] += ds * node[c][l];
             t[c][l] += dt * node[c][l];
@@ -44,7 +44,7 @@ void add(Lane (&p)[3], Lane (&s)[3], Lane (&t)[3], const Lane (&node)[3], double
 
 /// The area element, with the sign of the radial component of the normal.
 void signed_area(const Lane (&p)[3], const Lane (&s)[3], const Lane (&t)[3], Lane& area) {
-    for (std::size_t l = 0; l < batch; ++l) {
+    for (std::size_t l = 0; l < sphere_batch; ++l) {
         const double x = s[1][l] * t[2][l] - s[2][l] * t[1][l], y = s[2][l] * t[0][l] - s[0][l] * t[2][l],
                      z = s[0][l] * t[1][l] - s[1][l] * t[0][l];
         const double outward = x * p[0][l] + y * p[1][l] + z * p[2][l],
@@ -79,9 +79,9 @@ SphereCellMeter::Measured SphereCellMeter::measure(const Mesh& mesh, std::size_t
                                                    Workspace& workspace) const {
     std::array<Node, most_nodes> nodes;
     gather(mesh, begin, end, x, nodes_, nodes);
-    workspace.points.resize(quadrature_ * batch);
-    workspace.area.resize(quadrature_ * batch);
-    workspace.monitor.resize(quadrature_ * batch);
+    workspace.points.resize(quadrature_ * sphere_batch);
+    workspace.area.resize(quadrature_ * sphere_batch);
+    workspace.monitor.resize(quadrature_ * sphere_batch);
     Measured measured;
     measured.mass.fill(0);
     measured.smallest.fill(std::numeric_limits<double>::infinity());
@@ -95,7 +95,7 @@ SphereCellMeter::Measured SphereCellMeter::measure(const Mesh& mesh, std::size_t
         }
         signed_area(p, s, t, area);
         signed_area(from_p, from_s, from_t, from_area);
-        for (std::size_t l = 0; l < batch; ++l) { // a NaN is kept
+        for (std::size_t l = 0; l < sphere_batch; ++l) { // a NaN is kept
             const double jacobian = area[l] / from_area[l];
             measured.smallest[l] =
                 jacobian < measured.smallest[l] || jacobian != jacobian ? jacobian : measured.smallest[l];
@@ -103,18 +103,19 @@ SphereCellMeter::Measured SphereCellMeter::measure(const Mesh& mesh, std::size_t
                 jacobian > measured.largest[l] || jacobian != jacobian ? jacobian : measured.largest[l];
         }
         if (q >= quadrature_) continue;
-        for (std::size_t l = 0; l < batch; ++l) {
-            workspace.points.x[q * batch + l] = p[0][l];
-            workspace.points.y[q * batch + l] = p[1][l];
-            workspace.points.z[q * batch + l] = p[2][l];
-            workspace.area[q * batch + l] = weight_[q] * area[l];
+        for (std::size_t l = 0; l < sphere_batch; ++l) {
+            workspace.points.x[q * sphere_batch + l] = p[0][l];
+            workspace.points.y[q * sphere_batch + l] = p[1][l];
+            workspace.points.z[q * sphere_batch + l] = p[2][l];
+            workspace.area[q * sphere_batch + l] = weight_[q] * area[l];
         }
     }
     if (!monitor) return measured;
     monitor->values(workspace.points, workspace.monitor);
     for (std::size_t q = 0; q < quadrature_; ++q)
-        for (std::size_t l = 0; l < batch; ++l)
-            measured.mass[l] += workspace.area[q * batch + l] * workspace.monitor[q * batch + l];
+        for (std::size_t l = 0; l < sphere_batch; ++l)
+            measured.mass[l] +=
+                workspace.area[q * sphere_batch + l] * workspace.monitor[q * sphere_batch + l];
     return measured;
 }
 

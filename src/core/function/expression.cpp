@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t most_parameters = 64;
 
 /// Distances from the point that is being evaluated.
-struct Place {
+struct EvaluationPlace {
     Space space;
     double x = 0, y = 0, z = 0;
     /// Sphere: the last few centres, since their sines and cosines cost more than the angle.
@@ -49,11 +49,11 @@ struct Place {
 };
 
 double distance_in_plane(void* place, double a, double b) {
-    return static_cast<Place*>(place)->distance(a, b);
+    return static_cast<EvaluationPlace*>(place)->distance(a, b);
 }
 /// Two or three coordinates; another number is refused before muParser sees the formula.
 double distance_in_space(void* place, const double* from, int count) {
-    const auto& here = *static_cast<const Place*>(place);
+    const auto& here = *static_cast<const EvaluationPlace*>(place);
     const double dx = here.x - from[0], dy = here.y - from[1], dz = count > 2 ? here.z - from[2] : 0;
     return std::sqrt(dx * dx + dy * dy + dz * dz);
 }
@@ -61,7 +61,7 @@ double distance_in_space(void* place, const double* from, int count) {
 /// A parser with variables of its own, for one thread.
 struct Evaluator {
     mu::Parser parser;
-    Place place;
+    EvaluationPlace place;
     double latitude = 0, longitude = 0, u = 0, v = 0;
     bool uses_angles = false;
 

@@ -14,7 +14,7 @@ namespace gaspard {
 namespace {
 
 /// The points, as nanoflann reads them.
-struct Cloud {
+struct TreePoints {
     Points points;
     std::size_t kdtree_get_point_count() const { return points.size(); }
     double kdtree_get_pt(std::size_t i, std::size_t d) const {
@@ -26,8 +26,8 @@ struct Cloud {
     }
 };
 
-using Index =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, std::uint32_t>;
+using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, TreePoints>,
+                                                  TreePoints, 3, std::uint32_t>;
 
 /// Solves the symmetric positive definite system M s = b in place of b (Cholesky); n <= 4.
 void solve(std::array<std::array<double, 4>, 4>& m, std::array<double, 4>& b, std::size_t n) {
@@ -57,7 +57,7 @@ struct ScatteredFit::Tree {
           index(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16)) {
         index.buildIndex();
     }
-    Cloud cloud;
+    TreePoints cloud;
     std::vector<double> values;
     int dimension;
     Index index;

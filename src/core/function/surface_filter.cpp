@@ -15,7 +15,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t lanes = BatchFft::lanes;
+constexpr std::size_t fft_lanes = BatchFft::lanes;
 
 class SphereFilter final : public SurfaceFilter {
   public:
@@ -31,15 +31,17 @@ class SphereFilter final : public SurfaceFilter {
     }
 
     void apply(std::span<double> values, const std::stop_token& stop) override {
-        std::vector<double> data(2 * longitudes_ * lanes), scratch(data.size());
+        std::vector<double> data(2 * longitudes_ * fft_lanes), scratch(data.size());
         std::vector<double> waves(latitudes_ * waves_ *
                                   2); // by latitude, wave number, real and imaginary part
-        for (std::size_t j = 0; j < latitudes_; j += lanes) transform(values, waves, j, true, data, scratch);
+        for (std::size_t j = 0; j < latitudes_; j += fft_lanes)
+            transform(values, waves, j, true, data, scratch);
         for (std::size_t m = 0; m < waves_; ++m) {
             if (stop.stop_requested()) throw Interrupted();
             solve(waves, m);
         }
-        for (std::size_t j = 0; j < latitudes_; j += lanes) transform(values, waves, j, false, data, scratch);
+        for (std::size_t j = 0; j < latitudes_; j += fft_lanes)
+            transform(values, waves, j, false, data, scratch);
     }
 
   private:
@@ -81,7 +83,7 @@ class SphereFilter final : public SurfaceFilter {
     /// Eight latitudes from j on.
     void transform(std::span<double> values, std::vector<double>& waves, std::size_t j, bool forward,
                    std::vector<double>& data, std::vector<double>& scratch) const {
-        const std::size_t rows = std::min(lanes, latitudes_ - j);
+        const std::size_t rows = std::min(fft_lanes, latitudes_ - j);
         std::fill(data.begin(), data.end(), 0.0);
         const auto wave = [&](std::size_t l, std::size_t m) {
             return waves.data() + ((j + l) * waves_ + m) * 2;
@@ -89,27 +91,27 @@ class SphereFilter final : public SurfaceFilter {
         if (forward)
             for (std::size_t i = 0; i < longitudes_; ++i)
                 for (std::size_t l = 0; l < rows; ++l)
-                    data[2 * i * lanes + l] = values[(j + l) * longitudes_ + i];
+                    data[2 * i * fft_lanes + l] = values[(j + l) * longitudes_ + i];
         else
             for (std::size_t i = 0; i < longitudes_; ++i)
                 for (std::size_t l = 0; l < rows; ++l) {
                     const bool conjugate = i >= waves_;
                     const double* from = wave(l, conjugate ? longitudes_ - i : i);
-                    data[2 * i * lanes + l] = from[0];
-                    data[(2 * i + 1) * lanes + l] = conjugate ? -from[1] : from[1];
+                    data[2 * i * fft_lanes + l] = from[0];
+                    data[(2 * i + 1) * fft_lanes + l] = conjugate ? -from[1] : from[1];
                 }
         const double* y =
             forward ? fft_.forward(data.data(), scratch.data()) : fft_.backward(data.data(), scratch.data());
         for (std::size_t l = 0; l < rows; ++l)
             if (forward)
                 for (std::size_t m = 0; m < waves_; ++m) {
-                    wave(l, m)[0] = y[2 * m * lanes + l];
-                    wave(l, m)[1] = y[(2 * m + 1) * lanes + l];
+                    wave(l, m)[0] = y[2 * m * fft_lanes + l];
+                    wave(l, m)[1] = y[(2 * m + 1) * fft_lanes + l];
                 }
             else
                 for (std::size_t i = 0; i < longitudes_; ++i)
                     values[(j + l) * longitudes_ + i] =
-                        y[2 * i * lanes + l] / static_cast<double>(longitudes_);
+                        y[2 * i * fft_lanes + l] / static_cast<double>(longitudes_);
     }
 
     std::size_t longitudes_, latitudes_, waves_;

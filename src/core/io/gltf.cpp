@@ -69,7 +69,7 @@ Triples colours_of(const std::vector<double>& values) {
     return triples;
 }
 
-constexpr float dark_ink = 0.01f, light_ink = 0.5f; // linear
+constexpr float dark_grey = 0.01f, light_grey = 0.5f; // linear
 
 /// Line colours with a contrast ratio of at least 3 to the given face colours.
 Triples ink_on(const Triples& faces) {
@@ -77,7 +77,7 @@ Triples ink_on(const Triples& faces) {
     triples.reserve(faces.size());
     for (std::size_t i = 0; i < faces.size(); i += 3) {
         const float luminance = 0.2126f * faces[i] + 0.7152f * faces[i + 1] + 0.0722f * faces[i + 2];
-        triples.insert(triples.end(), 3, luminance < 0.13f ? light_ink : dark_ink);
+        triples.insert(triples.end(), 3, luminance < 0.13f ? light_grey : dark_grey);
     }
     return triples;
 }
@@ -219,8 +219,8 @@ tinygltf::Model build_model(const Snapshot& snapshot, const Tessellation& shape)
     const int position = packer.positions(single_precision(relative_to(origin, x)));
     const int displacement = packer.positions(single_precision(xi - x));
     const std::vector<double> white = {1, 1, 1, 1},
-                              ink = {static_cast<double>(dark_ink), static_cast<double>(dark_ink),
-                                     static_cast<double>(dark_ink), 1};
+                              ink = {static_cast<double>(dark_grey), static_cast<double>(dark_grey),
+                                     static_cast<double>(dark_grey), 1};
     const Field* monitor = snapshot.field("monitor");
     const bool has_faces = !shape.triangles.empty();
 

@@ -14,7 +14,7 @@ namespace gaspard {
 
 namespace {
 
-std::size_t index(std::int32_t node) { return static_cast<std::size_t>(node); }
+std::size_t node_index(std::int32_t node) { return static_cast<std::size_t>(node); }
 
 /// The scene's faces or lines with the cell and the nodes of each.
 template <class Use>
@@ -31,7 +31,7 @@ void add_values(SvgScene& scene, const Mesh& mesh, const Colouring& field) {
     for_each_part(scene, mesh, [&](std::uint32_t cell, std::span<const std::int32_t> corners) {
         double value = 0;
         for (const auto node : corners)
-            value += field.place == FieldPlace::cell ? field.values[cell] : field.values[index(node)];
+            value += field.place == FieldPlace::cell ? field.values[cell] : field.values[node_index(node)];
         value /= static_cast<double>(corners.size());
         GASPARD_CHECK(std::isfinite(value));
         scene.values.push_back(value);
@@ -57,14 +57,14 @@ std::vector<Side> lines_of(const Mesh& mesh) {
 
 Vec3 face_normal(const SvgScene& scene, std::size_t face) {
     const auto n = scene.faces[face];
-    const auto p = [&](std::size_t i) { return scene.x[index(n[i])]; };
+    const auto p = [&](std::size_t i) { return scene.x[node_index(n[i])]; };
     return scene.faces.corners == 3 ? cross(p(1) - p(0), p(2) - p(0)) : cross(p(2) - p(0), p(3) - p(1));
 }
 
 Vec3 face_centre(const SvgScene& scene, std::size_t face) {
     const auto corners = scene.faces[face].first(static_cast<std::size_t>(scene.faces.corners));
     Vec3 sum;
-    for (const auto node : corners) sum = sum + scene.x[index(node)];
+    for (const auto node : corners) sum = sum + scene.x[node_index(node)];
     return 1.0 / static_cast<double>(corners.size()) * sum;
 }
 
@@ -153,7 +153,7 @@ bool SvgView::shows(const Points& x, std::span<const std::int32_t> nodes) const 
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double left = infinity, right_end = -infinity, top = infinity, bottom = -infinity;
     for (const std::int32_t node : nodes) {
-        const PagePoint p = page(x[index(node)]);
+        const PagePoint p = page(x[node_index(node)]);
         left = std::min(left, p.x), right_end = std::max(right_end, p.x);
         top = std::min(top, p.y), bottom = std::max(bottom, p.y);
     }

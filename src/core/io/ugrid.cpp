@@ -24,19 +24,19 @@ namespace {
 /// UGRID's word for cells of a dimension.
 std::string cell_word(int dimension) { return dimension == 1 ? "edge" : dimension == 2 ? "face" : "volume"; }
 
-struct Coordinate {
+struct CoordinateVariable {
     std::string name; ///< "lon"
     std::vector<double> values;
     std::vector<NetcdfAttribute> attributes;
 };
 
-Coordinate angle(const std::string& name, const std::string& standard_name, const std::string& unit) {
+CoordinateVariable angle(const std::string& name, const std::string& standard_name, const std::string& unit) {
     return {name, {}, {{"standard_name", standard_name}, {"units", unit}}};
 }
 
-std::vector<Coordinate> longitude_latitude(const Points& points) {
-    Coordinate longitude = angle("lon", "longitude", "degrees_east"),
-               latitude = angle("lat", "latitude", "degrees_north");
+std::vector<CoordinateVariable> longitude_latitude(const Points& points) {
+    CoordinateVariable longitude = angle("lon", "longitude", "degrees_east"),
+                       latitude = angle("lat", "latitude", "degrees_north");
     constexpr double degrees = 180 / std::numbers::pi;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec3 p = points[i];
@@ -46,10 +46,10 @@ std::vector<Coordinate> longitude_latitude(const Points& points) {
     return {longitude, latitude};
 }
 
-std::vector<Coordinate> cartesian(const Points& points, int dimension) {
-    std::vector<Coordinate> all = {{"x", points.x, {{"units", "1"}, {"axis", "X"}}},
-                                   {"y", points.y, {{"units", "1"}, {"axis", "Y"}}},
-                                   {"z", points.z, {{"units", "1"}, {"axis", "Z"}}}};
+std::vector<CoordinateVariable> cartesian(const Points& points, int dimension) {
+    std::vector<CoordinateVariable> all = {{"x", points.x, {{"units", "1"}, {"axis", "X"}}},
+                                           {"y", points.y, {{"units", "1"}, {"axis", "Y"}}},
+                                           {"z", points.z, {{"units", "1"}, {"axis", "Z"}}}};
     all.resize(static_cast<std::size_t>(dimension));
     return all;
 }

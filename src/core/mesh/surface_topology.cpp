@@ -10,7 +10,7 @@ namespace gaspard {
 
 namespace {
 
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t as_index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 std::vector<std::uint32_t> next_corners(const PolygonFaces& faces) {
     std::vector<std::uint32_t> next(faces.corners.size());
@@ -30,12 +30,12 @@ std::string number_word(std::size_t n) {
 std::optional<std::string> fault_of(std::size_t vertex_count, const PolygonFaces& faces, std::int32_t base) {
     std::vector<std::int32_t> sorted;
     for (std::size_t f = 0; f < faces.size(); ++f) {
-        const auto face = [&] { return "face " + std::to_string(f + index(base)); };
+        const auto face = [&] { return "face " + std::to_string(f + as_index(base)); };
         sorted.assign(faces[f].begin(), faces[f].end());
         std::sort(sorted.begin(), sorted.end());
         if (sorted.size() < 3) return face() + " has fewer than three corners";
         for (const auto v : {sorted.front(), sorted.back()})
-            if (v < 0 || index(v) >= vertex_count)
+            if (v < 0 || as_index(v) >= vertex_count)
                 return face() + " names vertex " + std::to_string(std::int64_t{v} + base) +
                        ", but there are " + std::to_string(vertex_count) + " vertices";
         const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
@@ -61,12 +61,12 @@ SurfaceEdges surface_edges(std::size_t vertex_count, std::span<const std::int32_
     const auto high = [&](std::uint32_t side) { return std::max(corners[side], corners[next[side]]); };
     const auto count = static_cast<std::uint32_t>(corners.size());
     std::vector<std::uint32_t> ends(vertex_count + 1, 0);
-    for (std::uint32_t s = 0; s < count; ++s) ++ends[index(low(s)) + 1];
+    for (std::uint32_t s = 0; s < count; ++s) ++ends[as_index(low(s)) + 1];
     std::partial_sum(ends.begin(), ends.end(), ends.begin());
     SurfaceEdges result;
     result.sides.resize(count);
     result.edges.reserve(count / 2 + 1);
-    for (std::uint32_t s = 0; s < count; ++s) result.sides[ends[index(low(s))]++] = s;
+    for (std::uint32_t s = 0; s < count; ++s) result.sides[ends[as_index(low(s))]++] = s;
     for (std::size_t v = 0, begin = 0; v < vertex_count; begin = ends[v++]) {
         const auto group = std::span(result.sides).subspan(begin, ends[v] - begin);
         std::sort(group.begin(), group.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -124,17 +124,17 @@ struct SurfaceTopology::Data {
         std::vector<std::int32_t> parent(faces.size());
         std::iota(parent.begin(), parent.end(), 0);
         const auto root = [&](std::int32_t f) {
-            while (parent[index(f)] != f) f = parent[index(f)] = parent[index(parent[index(f)])];
+            while (parent[as_index(f)] != f) f = parent[as_index(f)] = parent[as_index(parent[as_index(f)])];
             return f;
         };
         for (const SurfaceEdge& edge : edges.edges)
             for (const auto side : edges.sides_of(edge).subspan(1)) {
                 const auto a = root(face_of[edges.sides[edge.first]]), b = root(face_of[side]);
-                parent[index(std::max(a, b))] = std::min(a, b); // a root is its component's first face
+                parent[as_index(std::max(a, b))] = std::min(a, b); // a root is its component's first face
             }
         components.resize(faces.size());
         for (std::size_t f = 0; f < faces.size(); ++f) {
-            const auto first = index(root(static_cast<std::int32_t>(f)));
+            const auto first = as_index(root(static_cast<std::int32_t>(f)));
             components[f] = first == f ? static_cast<std::int32_t>(component_count++) : components[first];
         }
     }
@@ -156,7 +156,7 @@ std::span<const std::int32_t> SurfaceTopology::components() const { return data_
 std::size_t SurfaceTopology::component_count() const { return data_->component_count; }
 
 std::vector<VertexFan> SurfaceTopology::one_rings(std::int32_t vertex) const {
-    GASPARD_CHECK(vertex >= 0 && index(vertex) < data_->vertex_count);
+    GASPARD_CHECK(vertex >= 0 && as_index(vertex) < data_->vertex_count);
     return data_->half_edges->one_rings(vertex);
 }
 
@@ -194,7 +194,7 @@ std::vector<std::uint32_t> SurfaceTopology::complex_edges() const {
 std::vector<std::int32_t> SurfaceTopology::pinched_vertices() const {
     std::vector<bool> at_complex_edge(data_->vertex_count, false); // its fans are parted by the cut
     for (const auto e : complex_edges())
-        for (const auto v : data_->edges.edges[e].vertices) at_complex_edge[index(v)] = true;
+        for (const auto v : data_->edges.edges[e].vertices) at_complex_edge[as_index(v)] = true;
     std::vector<std::int32_t> found;
     for (std::size_t v = 0; v < data_->vertex_count; ++v)
         if (!at_complex_edge[v] && data_->half_edges->fan_count(static_cast<std::int32_t>(v)) > 1)

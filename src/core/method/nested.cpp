@@ -9,10 +9,10 @@ namespace gaspard {
 
 namespace {
 
-constexpr double far = 0.3;            ///< residual above which the iteration starts on the coarsest mesh
-constexpr double good_enough = 3e-2;   ///< residual below which a coarser mesh is solved
-constexpr int coarse_iterations = 150; ///< maximum number of iterations on a coarser mesh
-constexpr double hopeless = 100;       ///< residual above which a coarser mesh is given up
+constexpr double restart_residual = 0.3; ///< residual above which the iteration starts on the coarsest mesh
+constexpr double good_enough = 3e-2;     ///< residual below which a coarser mesh is solved
+constexpr int coarse_iterations = 150;   ///< maximum number of iterations on a coarser mesh
+constexpr double hopeless = 100;         ///< residual above which a coarser mesh is given up
 
 /// As Nested::series() orders them.
 Evaluation with_level(Evaluation evaluation, std::size_t level) {
@@ -67,7 +67,7 @@ Evaluation Nested::evaluate(const ProblemData& data, const State& state, std::st
 
 Evaluation Nested::step(const ProblemData& data, State& state, std::stop_token stop) {
     here().unknowns(state); // checks the layout before anything is changed
-    if (std::exchange(may_go_down_, false) && level_ == 0 && now_.evaluation.residual > far &&
+    if (std::exchange(may_go_down_, false) && level_ == 0 && now_.evaluation.residual > restart_residual &&
         levels_.size() > 1) {
         start_ = here().unknowns(state);
         go_to(levels_.size() - 1, start_, data, state);
@@ -81,7 +81,7 @@ Evaluation Nested::step(const ProblemData& data, State& state, std::stop_token s
     const Evaluation update = now_.evaluation;
     const bool late = iterations_here_ >= coarse_iterations;
     const bool lost = now_.lost || !(update.residual < hopeless);
-    const bool arrived = update.residual < enough_ || ((late || lost) && update.residual < far);
+    const bool arrived = update.residual < enough_ || ((late || lost) && update.residual < restart_residual);
     if (level_ > 0 && (arrived || late || lost) && !stop.stop_requested()) go_up(arrived, data, state);
     Evaluation evaluation = now_.evaluation;
     evaluation.step_size = update.step_size;
@@ -141,7 +141,7 @@ void Nested::go_to(std::size_t level, const std::vector<double>& u, const Proble
 void Nested::go_up(bool arrived, const ProblemData& data, State& state) {
     const std::size_t next = level_ - 1;
     if (arrived) go_to(next, here().unknowns(state), data, state);
-    if (arrived && (now_.shape.admissibility > 0 || now_.evaluation.residual < far)) {
+    if (arrived && (now_.shape.admissibility > 0 || now_.evaluation.residual < restart_residual)) {
         if (level_ > 0 && now_.evaluation.residual < enough_) go_up(true, data, state); // already solved
         return;
     }

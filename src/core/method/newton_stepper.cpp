@@ -19,15 +19,15 @@ namespace gaspard {
 
 namespace {
 
-constexpr double least_convexity = 0.1; ///< accepted convexity after a step, relative to that before it
-constexpr double close = 0.3;           ///< residual for m^t below which a step is accepted
-constexpr double aim = 0.1;             ///< residual for m^t at which the increment of t aims
-constexpr double shortest = 1.0 / 64;   ///< smallest s in the line search
-constexpr double least_advance = 1e-3;  ///< smallest increment of t
-constexpr double loosest = 0.1;         ///< largest tolerance of the linear solver
-constexpr std::size_t memory = 30;      ///< restart length of GMRES
-constexpr int most_inner = 300, most_inner_far = 100; ///< max. GMRES iterations near a solution; else
-constexpr int shortest_rest = 8, longest_rest = 128;  ///< relaxation steps after a failed Newton step
+constexpr double convexity_kept = 0.1;     ///< accepted convexity after a step, relative to that before it
+constexpr double close = 0.3;              ///< residual for m^t below which a step is accepted
+constexpr double aim = 0.1;                ///< residual for m^t at which the increment of t aims
+constexpr double shortest = 1.0 / 64;      ///< smallest s in the line search
+constexpr double least_advance = 1e-3;     ///< smallest increment of t
+constexpr double loosest = 0.1;            ///< largest tolerance of the linear solver
+constexpr std::size_t restart_length = 30; ///< of GMRES
+constexpr int most_inner = 300, most_inner_far = 100;         ///< max. GMRES iterations near a solution; else
+constexpr int fewest_relaxations = 8, most_relaxations = 128; ///< steps after a failed Newton step
 
 class NewtonStepper final : public Stepper {
   public:
@@ -36,13 +36,13 @@ class NewtonStepper final : public Stepper {
         target_ = target;
         gmres_.reset(); // made at the first step
         on_path_ = begun_ = false;
-        resting_ = 0, rest_ = shortest_rest;
+        resting_ = 0, rest_ = fewest_relaxations;
     }
 
     Iterate step(const ProblemData& data, std::vector<double>& u, const Iterate& now,
                  std::stop_token stop) override {
         if (!gmres_) {
-            gmres_.emplace(u.size(), memory);
+            gmres_.emplace(u.size(), restart_length);
             update_.resize(u.size());
             before_.resize(u.size());
         }
@@ -96,7 +96,7 @@ class NewtonStepper final : public Stepper {
             go(u, s);
             Iterate next = evaluate(*problem_, data, u);
             next.evaluation.step_size = s;
-            if (next.shape.admissibility > least_convexity * now.shape.admissibility &&
+            if (next.shape.admissibility > convexity_kept * now.shape.admissibility &&
                 next.evaluation.residual < (1 - s / 10) * now.evaluation.residual)
                 return next;
         }
@@ -118,7 +118,7 @@ class NewtonStepper final : public Stepper {
             Iterate next = evaluate(*problem_, of_step, u);
             const double residual = next.evaluation.residual;
             if (solved && residual < close &&
-                next.shape.admissibility > least_convexity * before.shape.admissibility) {
+                next.shape.admissibility > convexity_kept * before.shape.admissibility) {
                 t_ = t;
                 advance_ *= std::clamp(std::sqrt(aim / residual), 0.5, 3.0);
                 if (t == 1) {
@@ -149,7 +149,7 @@ class NewtonStepper final : public Stepper {
         on_path_ = false;
         resting_ = rest_ - 1;
         tell("no Newton step was accepted: " + std::to_string(rest_) + " relaxation steps");
-        rest_ = std::min(2 * rest_, longest_rest);
+        rest_ = std::min(2 * rest_, most_relaxations);
         Iterate next = relax(data, u, now);
         next.lost = true;
         return next;
@@ -168,8 +168,8 @@ class NewtonStepper final : public Stepper {
     std::optional<Gmres> gmres_;
     std::vector<double> update_, before_;
     bool begun_ = false, on_path_ = false;
-    double t_ = 0, advance_ = 0;             ///< t of the continuation; next increment of t
-    int resting_ = 0, rest_ = shortest_rest; ///< relaxation steps left; number after the next failure
+    double t_ = 0, advance_ = 0;                  ///< t of the continuation; next increment of t
+    int resting_ = 0, rest_ = fewest_relaxations; ///< relaxation steps left; number after the next failure
     int inner_ = 0;
     std::string note_;
 };

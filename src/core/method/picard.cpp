@@ -23,9 +23,9 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t coarsest = 16;      // cells
-constexpr double coarse_tolerance = 1e-5; // for the increment, on all levels except the finest
-constexpr int coarse_iterations = 100;    // maximum on each of these levels
+constexpr std::size_t fewest_cells = 16;    // of the coarsest mesh
+constexpr double coarse_increment = 1e-5;   // for the increment, on all levels except the finest
+constexpr int most_coarse_iterations = 100; // maximum on each of these levels
 
 /// Its column has the name that the other methods give to the same constant.
 SeriesInfo sigma_series() {
@@ -112,9 +112,9 @@ class Picard final : public Method {
         load_of_whole_ = load_;
         iterate(data);
         Evaluation evaluation = report(level_of_update);
-        bool late = ++iterations_here_ >= coarse_iterations;
+        bool late = ++iterations_here_ >= most_coarse_iterations;
         // Skips levels that are already solved: a coarser level must not end the run.
-        while (level_ > 0 && (late || increment_ < std::max(coarse_tolerance, tolerance_))) {
+        while (level_ > 0 && (late || increment_ < std::max(coarse_increment, tolerance_))) {
             go_to(level_ - 1);
             iterate(data);
             increment_ = next_increment_;
@@ -199,7 +199,7 @@ class Picard final : public Method {
     }
 
     void go_to_coarsest(const ProblemData& data) {
-        while (levels_.back().form->cells() % 2 == 0 && levels_.back().form->cells() / 2 >= coarsest)
+        while (levels_.back().form->cells() % 2 == 0 && levels_.back().form->cells() / 2 >= fewest_cells)
             levels_.push_back(make_level(levels_.back().form->cells() / 2));
         if (levels_.size() == 1) return;
         level_ = levels_.size() - 1;

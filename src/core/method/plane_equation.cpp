@@ -6,7 +6,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t coarsest = 24; // minimum number of cells per side of a coarser mesh
+constexpr std::size_t shortest_side = 24; // minimum number of cells per side of a coarser mesh
 
 std::string layout_of(const LineGrid& grid) {
     return std::string("plane ") + (grid.periodic ? "periodic" : "walls") +
@@ -39,7 +39,7 @@ State PlaneEquation::adopt(NonlinearProblem& other, std::span<const double> phi)
 
 std::unique_ptr<NonlinearProblem> PlaneEquation::coarser(const Progress&, std::stop_token) const {
     const LineGrid half{(plane_->grid().cells + 1) / 2, plane_->grid().periodic};
-    if (half.cells < coarsest) return nullptr;
+    if (half.cells < shortest_side) return nullptr;
     return std::make_unique<PlaneEquation>(std::make_shared<PlaneQ2>(half));
 }
 

@@ -19,10 +19,10 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::string_view layout_prefix = "quadrilateral n=";
+constexpr std::string_view quad_layout = "quadrilateral n=";
 constexpr int cells_with_errors = 64;    ///< most for which method.reference = auto measures the errors
 constexpr int cells_with_solution = 256; ///< most for which it solves the problem
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 class QuadrilateralMeshPde final : public Method {
   public:
@@ -51,7 +51,7 @@ class QuadrilateralMeshPde final : public Method {
 
     std::optional<State> adopt(const State& other, const Discretisation*) override {
         if (other.layout == layout()) return other; // also of a coarser mesh
-        if (!other.layout.starts_with(layout_prefix)) return std::nullopt;
+        if (!other.layout.starts_with(quad_layout)) return std::nullopt;
         const Points parameters = parameters_of(other);
         State state = other;
         set(state, resampled_grid(parameters, cells_of(parameters), domain_->cells()));
@@ -112,9 +112,8 @@ class QuadrilateralMeshPde final : public Method {
 
     std::vector<double> measures(const ProblemData& data) override {
         take_problem(data);
-        if (!problem_ || !measures_errors_ || !is_solvable()) return {unknown, unknown, unknown, unknown};
-        return {solved().error.value_or(unknown), unknown, solved_on_uniform().error.value_or(unknown),
-                unknown};
+        if (!problem_ || !measures_errors_ || !is_solvable()) return {absent, absent, absent, absent};
+        return {solved().error.value_or(absent), absent, solved_on_uniform().error.value_or(absent), absent};
     }
 
     std::vector<std::vector<double>> fields(const ProblemData& data) override {
@@ -133,7 +132,7 @@ class QuadrilateralMeshPde final : public Method {
         std::optional<double> error{};
     };
 
-    std::string layout() const { return std::string(layout_prefix) + std::to_string(domain_->cells()); }
+    std::string layout() const { return std::string(quad_layout) + std::to_string(domain_->cells()); }
     /// States hold (s, t), whatever the form, which may change while a state stays.
     State state_of(const Points& nodes) const {
         State state{layout(), {{"s", {}}, {"t", {}}}};
@@ -145,7 +144,7 @@ class QuadrilateralMeshPde final : public Method {
         state.arrays[1].values = parameters.y;
     }
     static Points parameters_of(const State& state) {
-        GASPARD_CHECK(state.layout.starts_with(layout_prefix) && state.arrays.size() == 2);
+        GASPARD_CHECK(state.layout.starts_with(quad_layout) && state.arrays.size() == 2);
         Points parameters(state.arrays[0].values.size());
         parameters.x = state.arrays[0].values, parameters.y = state.arrays[1].values;
         return parameters;

@@ -16,16 +16,16 @@ namespace gaspard {
 
 namespace {
 
-constexpr double tolerance = 1e-5; ///< tolerance of the linear solver
-constexpr int most_inner = 120;
-constexpr std::size_t memory = 30; ///< restart length of GMRES
-constexpr int searches = 5;        ///< secant steps of the line search
+constexpr double linear_tolerance = 1e-5; ///< tolerance of the linear solver
+constexpr int most_linear_steps = 120;
+constexpr std::size_t linear_restart = 30; ///< restart length of GMRES
+constexpr int searches = 5;                ///< secant steps of the line search
 constexpr double least_step = 1e-12, longest_step = 1e8;
 
 class QuasiNewton final : public Method {
   public:
     explicit QuasiNewton(std::unique_ptr<NonlinearProblem> problem)
-        : problem_(std::move(problem)), gmres_(problem_->size(), memory), update_(problem_->size()),
+        : problem_(std::move(problem)), gmres_(problem_->size(), linear_restart), update_(problem_->size()),
           before_(update_) {}
 
     void configure(const Values&) override {}
@@ -48,9 +48,10 @@ class QuasiNewton final : public Method {
     Evaluation step(const ProblemData& data, State& state, std::stop_token stop) override {
         auto& u = problem_->unknowns(state);
         problem_->linearise(data, NonlinearProblem::Linearised::frozen_monitor);
-        const auto solved = gmres_.solve([&](auto v, auto out) { problem_->derivative(v, out); },
-                                         [&](auto v, auto out) { problem_->precondition(v, out); },
-                                         problem_->residual(), update_, {tolerance, most_inner}, stop);
+        const auto solved =
+            gmres_.solve([&](auto v, auto out) { problem_->derivative(v, out); },
+                         [&](auto v, auto out) { problem_->precondition(v, out); }, problem_->residual(),
+                         update_, {linear_tolerance, most_linear_steps}, stop);
         before_ = u;
         const double length = stop.stop_requested() ? 0 : search(data, u);
         now_ = at(data, u, length);

@@ -8,7 +8,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t coarsest = 16; // cells
+constexpr std::size_t coarsest_spline = 16;
 
 } // namespace
 
@@ -33,7 +33,7 @@ State SplineEquation::adopt(NonlinearProblem& other, std::span<const double> phi
 
 std::unique_ptr<NonlinearProblem> SplineEquation::coarser(const Progress&, std::stop_token) const {
     const std::size_t cells = patch_->cells();
-    if (cells % 2 != 0 || cells / 2 < coarsest) return nullptr;
+    if (cells % 2 != 0 || cells / 2 < coarsest_spline) return nullptr;
     return std::make_unique<SplineEquation>(domain_, cells / 2);
 }
 

@@ -129,7 +129,7 @@ Values source_values(const Values& values, const Space& space) {
     });
 }
 
-std::vector<ParameterRow> rows(const Space&) {
+std::vector<ParameterRow> derived_rows(const Space&) {
     std::vector<std::string> names;
     for (const SourceType& type : source_types()) names.push_back(type.name);
     return {{.key = "u.type",
@@ -141,7 +141,7 @@ std::vector<ParameterRow> rows(const Space&) {
              .role = ParameterRole::defines_rows}};
 }
 
-std::vector<ParameterRow> further_rows(const Values& values, const Space& space) {
+std::vector<ParameterRow> further_derived_rows(const Values& values, const Space& space) {
     auto rows = prefixed(all_rows(source_of(values), source_values(values, space), space), prefix);
     const ParameterRow kind = kind_row();
     const std::string name =
@@ -174,7 +174,7 @@ DerivedOptions options_of(const Values& values) {
     return options;
 }
 
-std::shared_ptr<const Monitor> make(const Values& values, const MonitorContext& context) {
+std::shared_ptr<const Monitor> make_derived(const Values& values, const MonitorContext& context) {
     MadeFunction u = source_of(values).make(source_values(values, context.space), context);
     MonitorReport report{.notes = std::move(u.notes), .advice = std::move(u.advice)};
     for (auto& [key, choices] : u.choices) report.choices[std::string(prefix) + key] = std::move(choices);
@@ -190,9 +190,9 @@ MonitorType derived_monitor_type() {
         .help = "small cells where a function u, such as the solution of a PDE, needs them",
         .equation = "m = 1 + f/(1 - f) q/<q>, limited and smoothed; q from the indicator of u, such as "
                     "sqrt(1 + a |grad u|²) - 1",
-        .rows = rows,
-        .make = make,
-        .further_rows = further_rows,
+        .rows = derived_rows,
+        .make = make_derived,
+        .further_rows = further_derived_rows,
         .fields = derived_fields(),
         .stages = {
             {"Function u", "u", {"u."}},

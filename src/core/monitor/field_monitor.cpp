@@ -97,7 +97,7 @@ std::vector<ParameterRow> monitor_rows(const Space& space) {
     return rows;
 }
 
-FieldMonitorOptions options_of(const Values& values) {
+FieldMonitorOptions field_options_of(const Values& values) {
     FieldMonitorOptions options{field_options(values),   values.text("density") == "scaled",
                                 values.real("contrast"), values.boolean("invert"),
                                 values.real("gamma"),    values.real("floor")};
@@ -126,7 +126,8 @@ MonitorType field_file_monitor() {
             .equation = "m(x) = 1 + (C - 1) ((u - low) / (high - low))^γ, blurred",
             .rows = &monitor_rows,
             .make = [](const Values& values, const MonitorContext& context) {
-                return make(*read_field(values, context), options_of(values), context, values.section());
+                return make(*read_field(values, context), field_options_of(values), context,
+                            values.section());
             }};
 }
 

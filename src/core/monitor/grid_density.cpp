@@ -16,7 +16,7 @@ namespace gaspard {
 namespace {
 
 /// Points that are not finite, of an iteration that diverges, have no value.
-bool is_finite(Vec3 p) { return std::isfinite(p.x + p.y + p.z); }
+bool has_finite_sum(Vec3 p) { return std::isfinite(p.x + p.y + p.z); }
 
 class GridDensity final : public Monitor {
   public:
@@ -29,8 +29,8 @@ class GridDensity final : public Monitor {
         GASPARD_CHECK(values.size() == x.size());
         logarithm_.values(x, values);
         for (std::size_t i = 0; i < values.size(); ++i)
-            values[i] = is_finite(x[i]) ? std::exp(std::clamp(values[i], lowest_, highest_))
-                                        : std::numeric_limits<double>::quiet_NaN();
+            values[i] = has_finite_sum(x[i]) ? std::exp(std::clamp(values[i], lowest_, highest_))
+                                             : std::numeric_limits<double>::quiet_NaN();
     }
     void gradients(const Points& x, Points& gradients) const override {
         std::vector<double> log_m(x.size());

@@ -12,8 +12,8 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::array<double, 5> all_eps = {1, 1e-2, 1e-4, 1e-6, 1e-8};
-constexpr std::array<int, 4> all_cells = {16, 32, 64, 128};
+constexpr std::array<double, 5> square_eps = {1, 1e-2, 1e-4, 1e-6, 1e-8};
+constexpr std::array<int, 4> square_cells = {16, 32, 64, 128};
 
 /// The triangles of a grid with right diagonals, where they started and where they stand.
 std::shared_ptr<const Snapshot> triangles(const SquareMeshPdeOptions& options, int n, Points x) {
@@ -84,9 +84,9 @@ struct ErrorPlot {
 
 Plot errors(const ErrorPlot& plot, const Workshop& workshop, std::vector<PublishedRow>& rows) {
     HillErrors series(plot.title);
-    for (const double eps : all_eps) {
+    for (const double eps : square_eps) {
         series.begin(eps_title("ε", eps));
-        for (const int cells : all_cells) {
+        for (const int cells : square_cells) {
             if (workshop.stop.stop_requested()) throw Interrupted();
             const std::string title = eps_title("ε", eps) + ", N = " + std::to_string(cells);
             workshop.announce(title);

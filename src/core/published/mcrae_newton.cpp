@@ -6,7 +6,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr double tolerance = 1e-8;        // of the scenarios
+constexpr double scenario_tolerance = 1e-8;
 constexpr std::size_t failure_colour = 7; // of no other curve
 
 /// Runs one method until it ends, converged or not; adds its rows, which say how it ended, and returns its
@@ -66,7 +66,7 @@ void mark_failures(Plot& plot, const std::vector<Curve>& failed) {
                                failure_colour});
 }
 
-Reproduction figure11(const Workshop& workshop) {
+Reproduction mcrae_figure11(const Workshop& workshop) {
     Reproduction result{{}, Figure{"Quasi-Newton on the cubed sphere for growing contrast", {}}};
     for (const std::string order : {"1", "2"}) {
         const std::string cells = order == "1" ? "bilinear" : "biquadratic";
@@ -80,7 +80,7 @@ Reproduction figure11(const Workshop& workshop) {
                 const std::string label = "X" + ratio + ", " + cells + ", " + method;
                 plot.curves.push_back(
                     attempt(workshop, "sphere-x" + ratio, method, settings, label, result.rows, paper));
-                if (plot.curves.back().y.back() > tolerance) failed.push_back(plot.curves.back());
+                if (plot.curves.back().y.back() > scenario_tolerance) failed.push_back(plot.curves.back());
             };
             add("quasi-newton", paper_of(order, ratio));
             if (order == "2") add("newton", "");
@@ -95,7 +95,7 @@ Reproduction figure11(const Workshop& workshop) {
 
 std::vector<Recipe> mcrae_newton_recipes() {
     return {make_recipe("mcrae-fig10", "quasi-Newton and relaxation on the cubed sphere, X2", figure10),
-            make_recipe("mcrae-fig11", "quasi-Newton on the cubed sphere, X2 to X16", figure11)};
+            make_recipe("mcrae-fig11", "quasi-Newton on the cubed sphere, X2 to X16", mcrae_figure11)};
 }
 
 } // namespace gaspard

@@ -10,7 +10,7 @@ namespace gaspard {
 
 namespace {
 
-const std::string only_the_last = "method.diagnostics_every=1000";
+const std::string last_diagnostics = "method.diagnostics_every=1000";
 
 /// A sequence of meshes, each with half the cell width of the previous one.
 struct Sequence {
@@ -23,7 +23,7 @@ struct Sequence {
         return name + (key == "domain.cells" ? ", n = " : ", refinements ") + std::to_string(size);
     }
     Run solved(const Workshop& workshop, int size) const {
-        return solve(workshop, scenario, {key + "=" + std::to_string(size), only_the_last}, title(size));
+        return solve(workshop, scenario, {key + "=" + std::to_string(size), last_diagnostics}, title(size));
     }
 };
 
@@ -101,7 +101,7 @@ Reproduction figure13(const Workshop& workshop) {
     return result;
 }
 
-Reproduction figure14(const Workshop& workshop) {
+Reproduction mcrae_figure14(const Workshop& workshop) {
     Plot plot{"Time to 1e-8", {"cells", true}, {"CPU seconds", true}, {}};
     Reproduction result;
     for (const Sequence* sequence : {&plane, &sphere}) {
@@ -135,7 +135,7 @@ std::vector<Recipe> mcrae_refinement_recipes() {
                         "equidistribution under refinement, ring on the plane and cross on the sphere",
                         figure13),
             make_recipe("mcrae-fig14", "time over number of cells, ring on the plane and cross on the sphere",
-                        figure14)};
+                        mcrae_figure14)};
 }
 
 } // namespace gaspard

@@ -19,7 +19,7 @@ namespace {
 constexpr double half_turn = std::numbers::pi;
 
 /// What is seen of something, along the camera's axes.
-struct Extent {
+struct ScreenExtent {
     double left = std::numeric_limits<double>::infinity(), right = -left, bottom = left, top = -left;
     void add(const Camera& camera, Vec3 p) {
         const double x = dot(camera.right, p), y = dot(camera.up, p);
@@ -31,7 +31,7 @@ struct Extent {
 
 /// Sets the scale so that the extent fills what the insets leave free, and moves the camera, which looks at
 /// the middle of the extent, beside the insets.
-void fit_extent(Camera& camera, const Extent& extent, Size size, Insets insets) {
+void fit_extent(Camera& camera, const ScreenExtent& extent, Size size, Insets insets) {
     constexpr double margin = 0.04; // of the free space, at each side
     const double free_width = std::max(1.0, size.width - insets.left - insets.right) * (1 - 2 * margin);
     const double free_height = std::max(1.0, size.height - insets.top - insets.bottom) * (1 - 2 * margin);
@@ -42,7 +42,7 @@ void fit_extent(Camera& camera, const Extent& extent, Size size, Insets insets) 
 }
 
 void fit(Camera& camera, const Box& box, Size size, Insets insets) {
-    Extent extent;
+    ScreenExtent extent;
     for (int corner = 0; corner < 8; ++corner)
         extent.add(camera,
                    {(corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
@@ -130,7 +130,7 @@ Camera home(const Box& box, Size size, Insets insets, std::string_view direction
 }
 
 void fit_points(Camera& camera, const std::vector<const Points*>& points, Size size, Insets insets) {
-    Extent extent;
+    ScreenExtent extent;
     for (const Points* of : points)
         for (std::size_t i = 0; i < of->size(); ++i) extent.add(camera, (*of)[i]);
     if (!(extent.left <= extent.right)) return;
@@ -141,7 +141,7 @@ void fit_points(Camera& camera, const std::vector<const Points*>& points, Size s
 }
 
 void fit_ball(Camera& camera, Vec3 middle, double radius, Size size, Insets insets) {
-    Extent extent;
+    ScreenExtent extent;
     for (const double side : {-radius, radius})
         extent.add(camera, middle + side * camera.right), extent.add(camera, middle + side * camera.up);
     camera.centre = middle;

@@ -22,7 +22,7 @@ struct Corner {
     Vec3 where; ///< reference coordinates
 };
 
-struct Face {
+struct CutFace {
     std::uint32_t cell = 0;
     std::vector<Corner> corners; ///< in order around it
 };
@@ -49,7 +49,7 @@ double distance_to_chord(Vec3 point, Vec3 chord) {
 
 /// Subdivision of a face: squares along sides 0-1 and 0-3, or triangles along each side.
 struct Grid {
-    const Face& face;
+    const CutFace& face;
     std::size_t columns = 1, rows = 1;
 
     bool triangle() const { return face.corners.size() == 3; }
@@ -94,7 +94,7 @@ class Cutter {
     }
 
     Tessellation cut() {
-        for (const Face& face : faces()) fill(face);
+        for (const CutFace& face : faces()) fill(face);
         for (std::size_t i = 0; i < coarse_.segments.size() / 2; ++i) draw_segment(i);
         return std::move(fine_);
     }
@@ -110,12 +110,12 @@ class Cutter {
         return {point, reference_nodes(mesh_.kind)[static_cast<std::size_t>(found - nodes.begin())]};
     }
 
-    std::vector<Face> faces() const {
+    std::vector<CutFace> faces() const {
         const bool triangles = mesh_.kind.shape == CellShape::triangle;
-        std::vector<Face> found;
+        std::vector<CutFace> found;
         for (std::size_t i = 0; i < coarse_.triangle_cells.size(); i += triangles ? 1 : 2) {
             const std::uint32_t cell = coarse_.triangle_cells[i], *t = &coarse_.triangles[3 * i];
-            Face face{cell, {corner(cell, t[0]), corner(cell, t[1])}};
+            CutFace face{cell, {corner(cell, t[0]), corner(cell, t[1])}};
             if (!triangles) { // two triangles along the diagonal from corner 1 to corner 3
                 GASPARD_CHECK(t[3] == t[1] && t[5] == t[2]);
                 face.corners.push_back(corner(cell, t[4]));
@@ -218,7 +218,7 @@ class Cutter {
                                "triangles; increase the tolerance");
     }
 
-    void fill(const Face& face) {
+    void fill(const CutFace& face) {
         std::vector<EdgePoints> sides;
         for (std::size_t k = 0; k < face.corners.size(); ++k)
             sides.push_back(edge(face.cell, face.corners[k], face.corners[(k + 1) % face.corners.size()]));

@@ -36,9 +36,10 @@ Vec3 project(Vec3 q, double east, double radius) {
 
 double side_of(Vec3 q) { return q.y >= 0 ? 1 : -1; }
 
-class Cutter {
+class MapCutter {
   public:
-    Cutter(const Tessellation& globe, const Points& points, const MapProjection& projection, SphereMap& map)
+    MapCutter(const Tessellation& globe, const Points& points, const MapProjection& projection,
+              SphereMap& map)
         : globe_(globe), radius_(projection.radius), out_(map) {
         const Axes axes(projection.longitude);
         places_.resize(points.size());
@@ -212,7 +213,7 @@ SphereMap map_sphere(const std::shared_ptr<const Tessellation>& globe, const Poi
                      const MapProjection& projection, const SphereMap* last) {
     GASPARD_CHECK(points.size() == globe->point_count);
     SphereMap map;
-    Cutter cutter(*globe, points, projection, map);
+    MapCutter cutter(*globe, points, projection, map);
     cutter.cut_triangles();
     cutter.cut_segments();
     const bool as_before = last && last->tessellation && last->tessellation->base == globe &&

@@ -12,7 +12,7 @@ namespace gaspard {
 
 namespace {
 
-using Corner = std::int32_t;
+using SortedCorner = std::int32_t;
 
 /// A visible face: a surface cell, or a boundary face of a solid; corners are local numbers of the cell.
 struct Face {
@@ -23,7 +23,7 @@ struct Face {
 /// Boundary faces of a solid: those that belong to exactly one cell.
 std::vector<Face> boundary_faces(const Mesh& mesh) {
     struct Candidate {
-        std::array<Corner, 4> corners; ///< sorted; -1 if there are only three
+        std::array<SortedCorner, 4> corners; ///< sorted; -1 if there are only three
         Face face;
     };
     std::vector<Candidate> candidates;

@@ -13,7 +13,7 @@ namespace gaspard {
 
 namespace {
 
-void draw_quietly(const std::string& text) {
+void draw_faint_line(const std::string& text) {
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x);
     ImGui::TextDisabled("%s", text.c_str());
     ImGui::PopTextWrapPos();
@@ -75,12 +75,12 @@ void StudyPanel::draw(const CellStudy::Result& result, bool current, const Frame
     ImGui::Dummy(size);
     remember_item(context.items, "why.study.plot");
     if (const std::string order = order_text(result.rows, norm_); !order.empty()) {
-        draw_quietly(order);
+        draw_faint_line(order);
         remember_item(context.items, "why.study.order");
     }
-    if (const std::string state = state_text(result, current); !state.empty()) draw_quietly(state);
+    if (const std::string state = state_text(result, current); !state.empty()) draw_faint_line(state);
     for (const InterpolationRow& row : result.rows)
-        if (const std::string note = interpolation_note(row); !note.empty()) draw_quietly(note);
+        if (const std::string note = interpolation_note(row); !note.empty()) draw_faint_line(note);
 }
 
 } // namespace gaspard

@@ -1,5 +1,7 @@
 #include "gui/plot/plot_axes.hpp"
 
+#include "gui/base/plot_text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -52,10 +54,6 @@ float label_width(const std::vector<Tick>& ticks) {
 /// Minor lines help only where decades are wide.
 bool is_shown(const Tick& tick, AxisRange range, float length, float scale) {
     return tick.major || length / static_cast<float>(range.span()) > 45 * scale;
-}
-
-ImVec2 text_size(std::string_view text) {
-    return ImGui::CalcTextSize(text.data(), text.data() + text.size());
 }
 
 /// A stroke in every column of pixels that has a place.

@@ -10,14 +10,14 @@ namespace gaspard {
 
 namespace {
 
-struct Entry {
+struct LegendEntry {
     std::string text;
     const CurveView* curve = nullptr; ///< null: the entry of several curves
 };
 
 /// One entry per label, as many as fit.
-std::vector<Entry> entries_of(const PlotView& plot, float width, std::size_t fitting) {
-    std::vector<Entry> entries;
+std::vector<LegendEntry> entries_of(const PlotView& plot, float width, std::size_t fitting) {
+    std::vector<LegendEntry> entries;
     const CurveView* before = nullptr;
     for (const CurveView& curve : plot.curves) {
         const bool repeated = before && !curve.part.empty() && before->label == curve.label;
@@ -57,10 +57,10 @@ void draw_legend(ImDrawList& list, const PlotView& plot, const std::vector<Pixel
     const float available = 0.7F * frame.area.width() - sample - 3 * pad;
     const float lines = (0.6F * frame.area.height() - pad) / line;
     if (lines < 2 || available < 3 * line) return;
-    const std::vector<Entry> entries = entries_of(plot, available, static_cast<std::size_t>(lines));
+    const std::vector<LegendEntry> entries = entries_of(plot, available, static_cast<std::size_t>(lines));
     if (entries.size() < 2) return;
     float width = 0;
-    for (const Entry& entry : entries) width = std::max(width, text_size(entry.text).x);
+    for (const LegendEntry& entry : entries) width = std::max(width, text_size(entry.text).x);
     const ImVec2 size{width + sample + 3 * pad, line * static_cast<float>(entries.size()) + pad};
     const ScreenRect box = legend_place(paths, frame.area, size, pad);
     list.AddRectFilled(box.min, box.max, packed(theme.panel, 0.88F), 4 * scale);

@@ -9,12 +9,12 @@ namespace gaspard {
 namespace {
 
 // At scale 1.
-constexpr float margin = 14, gap = 6, bar_width = 14, histogram_width = 34, pad = 8;
+constexpr float legend_margin = 14, legend_gap = 6, bar_width = 14, histogram_width = 34, pad = 8;
 constexpr const char* widest_label = "-1.25×10⁻³"; // the width reserved for labels
 
 float label_width() { return ImGui::CalcTextSize(widest_label).x; }
 
-float line_height() { return ImGui::GetFontSize() * 1.35F; }
+float legend_line_height() { return ImGui::GetFontSize() * 1.35F; }
 
 std::string title_of(const Colouring& colouring) {
     return colouring.label + (colouring.range.logarithmic ? " (log)" : "");
@@ -31,13 +31,13 @@ struct Frame {
 };
 
 Frame frame_of(const Colouring& colouring, bool histogram, ScreenRect available, float scale) {
-    const float line = line_height();
-    const float width = legend_width(colouring, histogram, scale) - 2 * margin * scale;
+    const float line = legend_line_height();
+    const float width = legend_width(colouring, histogram, scale) - 2 * legend_margin * scale;
     const float above = *remark_of(colouring) != '\0' ? 2 * line : line; // the title and the remark
-    const float free = available.height() - above - line - 2 * (pad + gap) * scale;
+    const float free = available.height() - above - line - 2 * (pad + legend_gap) * scale;
     const float height =
         std::round(std::max(std::min(free, std::min(0.66F * available.height(), 420 * scale)), 1.0F));
-    const float left = std::round(available.max.x - margin * scale - width);
+    const float left = std::round(available.max.x - legend_margin * scale - width);
     const float top = std::round((available.min.y + available.max.y - height + line) / 2);
     const float bar = std::round(left + (histogram ? histogram_width * scale : 0));
     return {{{left - pad * scale, top - above - pad * scale},
@@ -111,8 +111,8 @@ std::vector<Tick> legend_ticks(const ColourRange& range) {
 }
 
 float legend_width(const Colouring& colouring, bool histogram, float scale) {
-    const float bar = (bar_width + gap + (histogram ? histogram_width : 0)) * scale + label_width();
-    return std::max(bar, ImGui::CalcTextSize(title_of(colouring).c_str()).x) + 2 * margin * scale;
+    const float bar = (bar_width + legend_gap + (histogram ? histogram_width : 0)) * scale + label_width();
+    return std::max(bar, ImGui::CalcTextSize(title_of(colouring).c_str()).x) + 2 * legend_margin * scale;
 }
 
 void draw_legend(ImDrawList& list, const Colouring& colouring, bool histogram, ScreenRect available,
@@ -125,14 +125,14 @@ void draw_legend(ImDrawList& list, const Colouring& colouring, bool histogram, S
     draw_bar(list, *colouring.map, low, high);
     if (histogram) draw_histogram(list, colouring, low, high, theme, scale);
     draw_tips(list, colouring, low, high, scale);
-    list.AddText({frame.all.min.x + pad * scale, frame.all.min.y + pad * scale / 2 + line_height()},
+    list.AddText({frame.all.min.x + pad * scale, frame.all.min.y + pad * scale / 2 + legend_line_height()},
                  packed(theme.faint_text), remark_of(colouring));
     for (const Tick& tick : legend_ticks(colouring.range)) {
         const float at = static_cast<float>(colouring.range.position(tick.value));
         const float y = std::round(high.y - at * (high.y - low.y));
         list.AddRectFilled({high.x, y}, {high.x + 3 * scale, y + std::max(1.0F, std::round(scale))},
                            packed(theme.faint_text));
-        list.AddText({high.x + gap * scale, y - ImGui::GetFontSize() / 2}, packed(theme.text, 0.85F),
+        list.AddText({high.x + legend_gap * scale, y - ImGui::GetFontSize() / 2}, packed(theme.text, 0.85F),
                      tick.label.c_str());
     }
 }

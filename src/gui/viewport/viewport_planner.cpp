@@ -14,7 +14,6 @@ namespace gaspard {
 
 namespace {
 
-constexpr float margin = viewport_margin, gap = viewport_gap;
 constexpr double arrow_spacing = 26; // at scale 1
 
 /// The margins for legend and texts of a view that fills the viewport.
@@ -27,7 +26,7 @@ Insets insets_of(const ViewportPlan& plan, const MeshScene& scene, float scale) 
         insets.right = static_cast<double>(
             std::max(plan.text.legend, legend_width(*scene.colouring, plan.histogram, scale)));
     if (scene.projection)
-        insets.left = static_cast<double>(ImGui::CalcTextSize("30° N").x + 2 * margin * scale);
+        insets.left = static_cast<double>(ImGui::CalcTextSize("30° N").x + 2 * viewport_margin * scale);
     // Where the legend's strip is free anyway beside a centred mesh, the mesh stays centred.
     const double free_side =
         (static_cast<double>(rect.width() - rect.height()) + insets.top + insets.bottom) / 2;
@@ -65,7 +64,7 @@ std::vector<std::vector<std::string>> caption_lines(const ViewportText& text, fl
     std::vector<std::vector<std::string>> lines;
     float used = width + 1;
     for (auto& part : caption_parts(text)) {
-        const float need = ImGui::CalcTextSize(part.c_str()).x + 4 * gap * scale;
+        const float need = ImGui::CalcTextSize(part.c_str()).x + 4 * viewport_gap * scale;
         if (used + need > width) {
             lines.emplace_back();
             used = 0;
@@ -78,12 +77,12 @@ std::vector<std::vector<std::string>> caption_lines(const ViewportText& text, fl
 
 float caption_height(const ViewportText& text, float width, float scale) {
     if (!text.caption) return 0;
-    const auto lines = caption_lines(text, width - 2 * margin * scale, scale);
-    return std::round(viewport_line_height() * static_cast<float>(lines.size()) + gap * scale);
+    const auto lines = caption_lines(text, width - 2 * viewport_margin * scale, scale);
+    return std::round(viewport_line_height() * static_cast<float>(lines.size()) + viewport_gap * scale);
 }
 
 float title_height(const std::string& title, float scale) {
-    return title.empty() ? 0 : viewport_line_height() + margin * scale;
+    return title.empty() ? 0 : viewport_line_height() + viewport_margin * scale;
 }
 
 ScreenRect above_caption(const ViewportPlan& plan, float scale) {

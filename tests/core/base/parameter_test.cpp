@@ -21,7 +21,7 @@ Values sample() {
                               {.key = "on", .kind = ParameterKind::boolean, .default_value = true}});
 }
 
-std::string message_of(const std::function<void()>& action) {
+std::string refusal_of(const std::function<void()>& action) {
     try {
         action();
     } catch (const InputError& error) {
@@ -90,29 +90,29 @@ TEST(Values, TakeANumberOrAuto) {
     EXPECT_EQ(format_value(values.at("step_size")), "auto");
     EXPECT_EQ(describe_range(values.rows()[0]), "0.01 to 10, or auto");
     for (const char* text : {"automatic", "Auto", "", "true"})
-        EXPECT_NE(message_of([&] { values.parse("step_size", text); }).find("a number or \"auto\""),
+        EXPECT_NE(refusal_of([&] { values.parse("step_size", text); }).find("a number or \"auto\""),
                   std::string::npos)
             << text;
-    EXPECT_NE(message_of([&] { values.parse("step_size", "20"); }).find("or auto"), std::string::npos);
+    EXPECT_NE(refusal_of([&] { values.parse("step_size", "20"); }).find("or auto"), std::string::npos);
     EXPECT_FALSE(values.real_or_auto("step_size").has_value()) << "the old value is kept";
 }
 
 TEST(Values, RejectInvalidValuesAndKeepTheOldOnes) {
     Values values = sample();
-    EXPECT_NE(message_of([&] { values.parse("cells", "0"); }).find("4 to 480"), std::string::npos);
-    EXPECT_NE(message_of([&] { values.parse("cells", "1000000000"); }).find("4 to 480"), std::string::npos);
-    EXPECT_NE(message_of([&] { values.parse("amplitude", "nan"); }).find("finite"), std::string::npos);
-    EXPECT_NE(message_of([&] { values.set("amplitude", INFINITY); }).find("finite"), std::string::npos);
-    EXPECT_NE(message_of([&] { values.parse("cells", "4.5"); }).find("an integer"), std::string::npos);
-    EXPECT_NE(message_of([&] { values.parse("on", "yes"); }).find("true or false"), std::string::npos);
+    EXPECT_NE(refusal_of([&] { values.parse("cells", "0"); }).find("4 to 480"), std::string::npos);
+    EXPECT_NE(refusal_of([&] { values.parse("cells", "1000000000"); }).find("4 to 480"), std::string::npos);
+    EXPECT_NE(refusal_of([&] { values.parse("amplitude", "nan"); }).find("finite"), std::string::npos);
+    EXPECT_NE(refusal_of([&] { values.set("amplitude", INFINITY); }).find("finite"), std::string::npos);
+    EXPECT_NE(refusal_of([&] { values.parse("cells", "4.5"); }).find("an integer"), std::string::npos);
+    EXPECT_NE(refusal_of([&] { values.parse("on", "yes"); }).find("true or false"), std::string::npos);
     EXPECT_EQ(values, sample());
 }
 
 TEST(Values, NameTheNearestKeyAndChoice) {
     Values values = sample();
-    EXPECT_NE(message_of([&] { values.parse("amplitud", "1"); }).find("'monitor.amplitude'"),
+    EXPECT_NE(refusal_of([&] { values.parse("amplitud", "1"); }).find("'monitor.amplitude'"),
               std::string::npos);
-    EXPECT_NE(message_of([&] { values.parse("boundary", "wals"); }).find("'walls'"), std::string::npos);
+    EXPECT_NE(refusal_of([&] { values.parse("boundary", "wals"); }).find("'walls'"), std::string::npos);
 }
 
 TEST(Values, RangesOfIntegersArePrintedAsIntegers) {

@@ -19,7 +19,7 @@ namespace gaspard {
 namespace {
 
 constexpr ErrorNorm l2 = ErrorNorm::l2, maximum = ErrorNorm::maximum, h1 = ErrorNorm::h1;
-const Space sphere{SpaceKind::sphere};
+const Space unit_sphere{SpaceKind::sphere};
 
 const FunctionOf square_of_x([](Vec3 p) { return p.x * p.x; }, [](Vec3 p) { return Vec3{2 * p.x, 0, 0}; });
 const FunctionOf smooth([](Vec3 p) { return std::sin(5 * p.x) * std::cos(3 * p.y) + p.x * p.y * p.y; },
@@ -162,17 +162,17 @@ TEST(InterpolationError, HasTheKnownOrders) {
                            [](int n) {
                                return sphere_mesh({SphereCells::cubed, n}).quadratic;
                            },
-                           sphere, harmonic},
+                           unit_sphere, harmonic},
                           {"straight cubed sphere",
                            [](int n) {
                                return straightened(sphere_mesh({SphereCells::cubed, n}));
                            },
-                           sphere, harmonic},
+                           unit_sphere, harmonic},
                           {"icosahedral",
                            [](int n) {
                                return sphere_mesh({SphereCells::icosahedral, n == 10 ? 2 : 3}).quadratic;
                            },
-                           sphere, harmonic}};
+                           unit_sphere, harmonic}};
     for (const Case& one : cases) {
         SCOPED_TRACE(one.name);
         const Mesh coarse = one.mesh(10), fine = one.mesh(20);
@@ -228,7 +228,7 @@ std::array<double, 2> slow_errors_on_sphere(const Mesh& mesh, int parts) {
 TEST(InterpolationError, OnTheSphereAgreesWithAnIndependentQuadrature) {
     const Mesh mesh = sphere_mesh({SphereCells::icosahedral, 1}).quadratic;
     const auto [square, slope] = slow_errors_on_sphere(mesh, 40);
-    const InterpolationError error = interpolation_error(mesh, mesh.nodes, sphere, harmonic);
+    const InterpolationError error = interpolation_error(mesh, mesh.nodes, unit_sphere, harmonic);
     EXPECT_NEAR(error.of(l2), square, 2e-3 * square); // of the slow one: order 2, (1/40)^2
     EXPECT_NEAR(error.of(h1), slope, 2e-3 * slope);
     EXPECT_LT(error.uncertainty[0], 1e-2);

@@ -16,7 +16,8 @@
 namespace gaspard {
 namespace {
 
-constexpr double pi = std::numbers::pi, nothing = std::numeric_limits<double>::quiet_NaN();
+using std::numbers::pi;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 DataContext on(SpaceKind kind) {
     DataContext context;

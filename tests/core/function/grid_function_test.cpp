@@ -11,7 +11,7 @@
 namespace gaspard {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<double> sampled(const Grid& grid, const auto& f) {
     Points x;

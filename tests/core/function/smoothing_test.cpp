@@ -12,7 +12,7 @@
 namespace gaspard {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const Box box{{-1, 0, 0}, {2, 2, 0}};
 
 std::vector<double> sampled(const Grid& grid, const std::function<double(Vec3)>& f) {

@@ -9,7 +9,7 @@
 namespace gaspard {
 namespace {
 
-const Space plane{SpaceKind::periodic_square};
+const Space periodic_plane{SpaceKind::periodic_square};
 
 TEST(Sources, HaveNames) {
     for (const SourceType& type : source_types()) EXPECT_EQ(source_type(type.name).label, type.label);
@@ -19,7 +19,7 @@ TEST(Sources, HaveNames) {
 
 TEST(Sources, ArePartsOfAMonitorThatDoNotKnowTheirPrefix) {
     const SourceType& formula = source_type("formula");
-    const auto own = all_rows(formula, Values("monitor", formula.rows(plane)), plane);
+    const auto own = all_rows(formula, Values("monitor", formula.rows(periodic_plane)), periodic_plane);
     Values whole("monitor", prefixed(own, "u."));
     EXPECT_TRUE(whole.has("u.expression"));
     EXPECT_TRUE(whole.has("u.A"));
@@ -27,13 +27,13 @@ TEST(Sources, ArePartsOfAMonitorThatDoNotKnowTheirPrefix) {
         EXPECT_TRUE(row.point.empty() || row.point.starts_with("u.")) << row.key;
     whole.set("u.A", 7.0);
     const auto part = [&] {
-        return grown_part(whole, "u.", formula.rows(plane),
-                          [&](const Values& known) { return formula.further_rows(known, plane); });
+        return grown_part(whole, "u.", formula.rows(periodic_plane),
+                          [&](const Values& known) { return formula.further_rows(known, periodic_plane); });
     };
     const Values values = part();
     EXPECT_EQ(values.section(), "monitor.u");
     EXPECT_EQ(values.real("A"), 7);
-    const MadeFunction made = formula.make(values, {.space = plane});
+    const MadeFunction made = formula.make(values, {.space = periodic_plane});
     Points x(1);
     x.set(0, {0.5, 0.5, 0});
     double value = 0;

@@ -17,7 +17,7 @@
 namespace gaspard {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 Scenario small_scenario(const Catalogue& catalogue, int iterations = 6) {
     Scenario scenario = find_scenario(catalogue, "plane-ring");
@@ -34,7 +34,7 @@ Run finished_run(RunOptions options = {}, int iterations = 6) {
     return run;
 }
 
-std::vector<std::string> keys_of(const Json& json) {
+std::vector<std::string> keys_of(const OrderedJson& json) {
     std::vector<std::string> keys;
     for (const auto& item : json.items()) keys.push_back(item.key());
     return keys;
@@ -64,7 +64,7 @@ double number(const std::string& text) {
 
 TEST(Summary, HasTheFieldsOfTheContractInTheirOrder) {
     gaspard::Run run = finished_run();
-    const Json json = Json::parse(summary_json(run));
+    const OrderedJson json = OrderedJson::parse(summary_json(run));
     EXPECT_EQ(keys_of(json), (std::vector<std::string>{"scenario",
                                                        "modified",
                                                        "domain",
@@ -95,10 +95,10 @@ TEST(Summary, HasTheFieldsOfTheContractInTheirOrder) {
 
 TEST(Summary, SaysWhatTheRunFound) {
     gaspard::Run run = finished_run();
-    const Json json = Json::parse(summary_json(run));
+    const OrderedJson json = OrderedJson::parse(summary_json(run));
     const StepReport& last = run.history().back();
     EXPECT_EQ(json["scenario"], "plane-ring");
-    EXPECT_EQ(json["domain"], (Json{{"type", "plane"}, {"boundary", "periodic"}, {"cells", 8}}));
+    EXPECT_EQ(json["domain"], (OrderedJson{{"type", "plane"}, {"boundary", "periodic"}, {"cells", 8}}));
     EXPECT_EQ(json["monitor"]["type"], "ring");
     EXPECT_EQ(json["monitor"]["center_x"], 0.25);
     EXPECT_EQ(json["method"]["type"], "relaxation");
@@ -128,7 +128,7 @@ TEST(Summary, WithoutAnIterationHasNoTimePerIteration) {
     const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
     gaspard::Run run(catalogue, small_scenario(*catalogue));
     run.interrupt();
-    const Json json = Json::parse(summary_json(run));
+    const OrderedJson json = OrderedJson::parse(summary_json(run));
     EXPECT_EQ(json["status"], "interrupted");
     EXPECT_EQ(json["iterations"], 0);
     EXPECT_TRUE(json["seconds_per_iteration"].is_null());
@@ -190,7 +190,7 @@ TEST(RunFiles, AreThoseOfTheContract) {
     EXPECT_EQ(folder.content(), (std::vector<std::string>{"adapted.glb", "adapted.obj", "computational.obj",
                                                           "history.csv", "state.bin", "summary.json"}));
     EXPECT_EQ(read_file(folder / "history.csv"), history_csv(run.history()));
-    EXPECT_EQ(Json::parse(read_file(folder / "summary.json"))["iterations"], 6);
+    EXPECT_EQ(OrderedJson::parse(read_file(folder / "summary.json"))["iterations"], 6);
 }
 
 TEST(RunFiles, TheSvgFollowsTheCameraOfTheView) {
@@ -227,9 +227,9 @@ TEST(RunFiles, AreTheSameBytesButForTimesAndMemory) {
     }
     for (const char* name : {"adapted.glb", "adapted.obj", "computational.obj", "state.bin"})
         EXPECT_EQ(read_file(first / name), read_file(second / name)) << name;
-    auto a = Json::parse(read_file(first / "summary.json")),
-         b = Json::parse(read_file(second / "summary.json"));
-    for (Json* json : {&a, &b})
+    auto a = OrderedJson::parse(read_file(first / "summary.json")),
+         b = OrderedJson::parse(read_file(second / "summary.json"));
+    for (OrderedJson* json : {&a, &b})
         for (const char* key :
              {"setup_seconds", "solve_seconds", "cpu_seconds", "seconds_per_iteration", "peak_memory_bytes"})
             json->erase(key);

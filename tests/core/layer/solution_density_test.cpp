@@ -12,22 +12,22 @@ namespace gaspard {
 namespace {
 
 /// -eps^2 u'' + u = source.
-IntervalProblem reaction_diffusion(double eps, double (*source)(double)) {
+IntervalProblem boundary_layers(double eps, double (*source)(double)) {
     return {{eps * eps}, [=](std::span<const double> x, IntervalCoefficients& at) {
                 std::fill(at.reaction.begin(), at.reaction.end(), 1.0);
                 std::transform(x.begin(), x.end(), at.source.begin(), source);
             }};
 }
 /// (6).
-IntervalProblem reaction_diffusion(double eps) {
-    return reaction_diffusion(eps, [](double x) { return 1 - x; });
+IntervalProblem boundary_layers(double eps) {
+    return boundary_layers(eps, [](double x) { return 1 - x; });
 }
 double error_of_6(double eps, const std::vector<double>& x) {
     const double d = -std::expm1(-2 / eps);
     const IntervalExact exact = {
         [=](double t) { return 1 - t - (std::exp(-t / eps) - std::exp(-(2 - t) / eps)) / d; },
         [=](double t) { return -1 + (std::exp(-t / eps) + std::exp(-(2 - t) / eps)) / (eps * d); }};
-    const IntervalProblem problem = reaction_diffusion(eps);
+    const IntervalProblem problem = boundary_layers(eps);
     return exact_error(problem, x, solve_interval(problem, x, 1), exact);
 }
 
@@ -39,7 +39,7 @@ TEST(SolutionDensity, FindsALayerOfAnyWidth) {
     for (const double eps : {1e-4, 1e-6, 1e-8})
         for (const int cells : {32, 128}) {
             const auto error = [&](SolutionDensity density) {
-                return error_of_6(eps, mesh_from_solution(reaction_diffusion(eps), {}, cells, {density})) /
+                return error_of_6(eps, mesh_from_solution(boundary_layers(eps), {}, cells, {density})) /
                        error_of_18(eps, cells);
             };
             EXPECT_LT(error(SolutionDensity::arc_length), 1.6) << eps << ' ' << cells;
@@ -51,7 +51,7 @@ TEST(SolutionDensity, FindsALayerOfAnyWidth) {
 // -eps^2 u'' + u = 1 + x has layers at both ends, of different heights.
 TEST(SolutionDensity, FindsLayersAtBothEndsByArcLength) {
     for (const double eps : {1e-2, 1e-4, 1e-6, 1e-8}) {
-        const IntervalProblem problem = reaction_diffusion(eps, [](double x) { return 1 + x; });
+        const IntervalProblem problem = boundary_layers(eps, [](double x) { return 1 + x; });
         const auto x = mesh_from_solution(problem, {}, 64, {});
         const double error =
             reference_error(problem, x, solve_interval(problem, x, 1), solve_interval(problem, x, 2));
@@ -61,8 +61,8 @@ TEST(SolutionDensity, FindsLayersAtBothEndsByArcLength) {
 
 TEST(SolutionDensity, EstimatesTheErrorOfAResolvedLayer) {
     for (const double eps : {1.0, 1e-2, 1e-6}) {
-        const auto x = mesh_from_solution(reaction_diffusion(eps), {}, 128, {SolutionDensity::estimate});
-        const IntervalProblem problem = reaction_diffusion(eps);
+        const auto x = mesh_from_solution(boundary_layers(eps), {}, 128, {SolutionDensity::estimate});
+        const IntervalProblem problem = boundary_layers(eps);
         const double estimate = estimated_error(problem, x, solve_interval(problem, x, 1));
         EXPECT_NEAR(estimate / error_of_6(eps, x), 1, 0.02) << eps;
     }
@@ -108,8 +108,8 @@ TEST(SolutionDensity, SaysWhatIsWrong) {
     EXPECT_THROW(arc_length_densities(std::vector<double>{0, 1, 2}, {1, {{0, 1}}, {}}), InputError);
     EXPECT_THROW(curvature_densities(std::vector<double>{0, 1, 2}, {1, {{0, 1, 0}}, {}}, 0.5), InputError);
     EXPECT_THROW(cell_monitor({0, 1}, {1, 2}), InputError);
-    EXPECT_THROW(mesh_from_solution(reaction_diffusion(1), {}, 8, {.start_cells = 2}), InputError);
-    EXPECT_THROW(mesh_from_solution(reaction_diffusion(1), {}, 4, {}), InputError);
+    EXPECT_THROW(mesh_from_solution(boundary_layers(1), {}, 8, {.start_cells = 2}), InputError);
+    EXPECT_THROW(mesh_from_solution(boundary_layers(1), {}, 4, {}), InputError);
 }
 
 } // namespace

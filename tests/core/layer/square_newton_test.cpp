@@ -9,7 +9,7 @@ namespace gaspard {
 namespace {
 
 /// (37).
-LayerDensities varying_diffusion(double eps) {
+LayerDensities varying_densities(double eps) {
     return [eps](const Points& x, std::span<double> m11, std::span<double> m22) {
         const auto layer = [](double width, double away) {
             return std::max(1.0, 0.4 * 0.99 / width * std::exp(-0.99 * away / (2.5 * width)));
@@ -54,11 +54,11 @@ void expect_fixed_point(const LayerDensities& densities, int cells, const Square
 
 // The iteration of the fixed point itself never ends for eps <= 1e-6.
 TEST(SquareNewton, ConvergesInBothDirections) {
-    expect_fixed_point(varying_diffusion(1e-2), 16, {}, 4, "1e-2");
-    expect_fixed_point(varying_diffusion(1e-4), 8, {}, 14, "1e-4");
-    expect_fixed_point(varying_diffusion(1e-6), 8, {}, 32, "1e-6");
-    expect_fixed_point(varying_diffusion(1e-8), 4, {}, 30, "1e-8");
-    expect_fixed_point(varying_diffusion(1e-2), 9, {.samples = DensitySamples::corners}, 12, "corners");
+    expect_fixed_point(varying_densities(1e-2), 16, {}, 4, "1e-2");
+    expect_fixed_point(varying_densities(1e-4), 8, {}, 14, "1e-4");
+    expect_fixed_point(varying_densities(1e-6), 8, {}, 32, "1e-6");
+    expect_fixed_point(varying_densities(1e-8), 4, {}, 30, "1e-8");
+    expect_fixed_point(varying_densities(1e-2), 9, {.samples = DensitySamples::corners}, 12, "corners");
 }
 
 TEST(SquareNewton, ConvergesInOneDirection) {
@@ -69,7 +69,7 @@ TEST(SquareNewton, ConvergesInOneDirection) {
 }
 
 TEST(SquareNewton, ConvergesQuadratically) {
-    const LayerDensities densities = varying_diffusion(1e-2);
+    const LayerDensities densities = varying_densities(1e-2);
     SquareMeshPde pde = algorithm_3(densities, 16, {});
     pde.newton(densities);
     const auto second = pde.newton(densities), third = pde.newton(densities);
@@ -80,7 +80,7 @@ TEST(SquareNewton, ConvergesQuadratically) {
 
 // Whatever the start, a step inverts nothing and what it accepts is better.
 TEST(SquareNewton, ShortensStepsThatInvertTriangles) {
-    const LayerDensities densities = varying_diffusion(1e-6);
+    const LayerDensities densities = varying_densities(1e-6);
     const SquareMeshPdeOptions options;
     SquareMeshPde pde(options.form, options.samples, options.corners, 8);
     for (int i = 0; i < 4; ++i) pde.solve(densities);

@@ -43,7 +43,7 @@ Sampled smallest_sample(const gaspard::Run& run, int points) {
     return best;
 }
 
-struct Case {
+struct FoldCase {
     std::string scenario;
     std::vector<std::string> settings;
     double smallest; ///< of det grad Psi, to three digits
@@ -52,15 +52,15 @@ struct Case {
     int samples; ///< per direction, where plain sampling starts
 };
 
-class MapFolds : public testing::TestWithParam<Case> {};
+class MapFolds : public testing::TestWithParam<FoldCase> {};
 INSTANTIATE_TEST_SUITE_P(
     Cases, MapFolds,
     testing::Values(
         // Cells of order 2 fold: eight of these sixteen, and eight of the face.
-        Case{"spline-circle", {"domain.cells=4", "domain.degree=7"}, 0.265, RunStatus::converged, 0, 200},
-        Case{"spline-face", {"domain.cells=32"}, 0.0451, RunStatus::converged, 0, 256},
+        FoldCase{"spline-circle", {"domain.cells=4", "domain.degree=7"}, 0.265, RunStatus::converged, 0, 200},
+        FoldCase{"spline-face", {"domain.cells=32"}, 0.0451, RunStatus::converged, 0, 256},
         // The map folds between the points of a grid of 100 x 100.
-        Case{"spline-spiral", {"domain.cells=32"}, -0.2135, RunStatus::tangled, 4, 256}),
+        FoldCase{"spline-spiral", {"domain.cells=32"}, -0.2135, RunStatus::tangled, 4, 256}),
     [](const auto& one) { return one.param.scenario.substr(7); });
 
 TEST_P(MapFolds, JudgeTheMeshWhateverItsCells) {

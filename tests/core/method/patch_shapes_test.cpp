@@ -25,16 +25,16 @@
 namespace gaspard {
 namespace {
 
-std::shared_ptr<const Catalogue> catalogue() {
+std::shared_ptr<const Catalogue> shipped() {
     static const auto all = std::make_shared<const Catalogue>(builtin_catalogue());
     return all;
 }
 
 Scenario on_patch(const std::string& patch, std::vector<std::string> settings) {
-    Scenario chosen = find_scenario(*catalogue(), "spline-circle");
+    Scenario chosen = find_scenario(*shipped(), "spline-circle");
     settings.insert(settings.begin(),
                     {"domain.type=spline-patch", "domain.file=" + patch, "domain.cells=16"});
-    apply_settings(*catalogue(), chosen, settings);
+    apply_settings(*shipped(), chosen, settings);
     return chosen;
 }
 
@@ -96,7 +96,7 @@ TEST_P(Tips, AreMeshedByEveryMethod) {
             Scenario chosen = on_patch(GetParam().patch, settings);
             if (std::string(monitor) == "ring") // that 16 cells resolve it
                 chosen.monitor.values.set("sharpness", chosen.monitor.values.real("sharpness") / 5);
-            gaspard::Run run(catalogue(), chosen);
+            gaspard::Run run(shipped(), chosen);
             run.solve();
             EXPECT_EQ(run.status(), RunStatus::converged) << method << ' ' << monitor;
             EXPECT_EQ(*run.history().back().tangled_cells, 0u) << method << ' ' << monitor;
@@ -112,7 +112,7 @@ TEST_P(Tips, AreMeshedByEveryMethod) {
 }
 
 TEST_P(Tips, GiveNumbersEverywhere) {
-    gaspard::Run run(catalogue(), on_patch(GetParam().patch, {"monitor.type=bell", "monitor.amplitude=3"}));
+    gaspard::Run run(shipped(), on_patch(GetParam().patch, {"monitor.type=bell", "monitor.amplitude=3"}));
     run.solve();
     run.interpolation(); // its fields are among the colours
     const auto snapshot = run.snapshot();
@@ -143,7 +143,7 @@ bool has_strange_number(const std::string& text) {
 }
 
 TEST_P(Tips, AreWrittenInAllFormats) {
-    gaspard::Run run(catalogue(), on_patch(GetParam().patch, {"monitor.type=bell", "monitor.amplitude=3"}));
+    gaspard::Run run(shipped(), on_patch(GetParam().patch, {"monitor.type=bell", "monitor.amplitude=3"}));
     run.solve();
     const TemporaryFolder folder;
     std::vector<const Format*> all;
@@ -166,9 +166,8 @@ Vec3 on_cone(double u, double v) { return {(1 - v) * u, v, v / 2}; }
 // The flat triangle has det grad F = (1 - xi2) sqrt(5)/2. The integral of m / det grad F over every adapted
 // cell, by a quadrature of this test, is the same for all: that is what the method equidistributes.
 TEST(AdaptedCone, IsEquidistributedByAnIndependentMeasure) {
-    gaspard::Run run(catalogue(),
-                     on_patch(cone, {"domain.cells=32", "monitor.type=bell", "monitor.amplitude=4",
-                                     "monitor.sharpness=20", "method.type=newton"}));
+    gaspard::Run run(shipped(), on_patch(cone, {"domain.cells=32", "monitor.type=bell", "monitor.amplitude=4",
+                                                "monitor.sharpness=20", "method.type=newton"}));
     run.solve();
     ASSERT_EQ(run.status(), RunStatus::converged);
     const auto snapshot = run.snapshot();
@@ -243,7 +242,7 @@ double least_turn(const Mesh& mesh, const Points& x, Vec3 normal) {
 // The standard form keeps the boundary up to an error; behind the tip, the cone turns its other side.
 TEST(AdaptedCone, HasNoCellThroughItsTip) {
     for (const char* method : {"picard", "picard-mixed", "newton", "auto"}) {
-        gaspard::Run run(catalogue(),
+        gaspard::Run run(shipped(),
                          on_patch(cone, {"domain.cells=24", "monitor.type=bell", "monitor.amplitude=10",
                                          std::string("method.type=") + method}));
         run.solve();
@@ -285,9 +284,9 @@ const std::string mirrored =
 
 gaspard::Run solved(const std::string& patch, double centre, const std::string& method = "newton") {
     const std::string text = format_number(centre);
-    gaspard::Run run(catalogue(), on_patch(patch, {"monitor.type=circle", "monitor.radius=0.3",
-                                                   "monitor.sharpness=20", "monitor.center_x=" + text,
-                                                   "monitor.center_y=0.5", "method.type=" + method}));
+    gaspard::Run run(shipped(), on_patch(patch, {"monitor.type=circle", "monitor.radius=0.3",
+                                                 "monitor.sharpness=20", "monitor.center_x=" + text,
+                                                 "monitor.center_y=0.5", "method.type=" + method}));
     run.solve();
     EXPECT_EQ(run.status(), RunStatus::converged);
     return run;

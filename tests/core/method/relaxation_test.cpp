@@ -11,7 +11,7 @@
 namespace gaspard {
 namespace {
 
-const Space torus{SpaceKind::periodic_square}, plain{};
+const Space torus{SpaceKind::periodic_square}, walled{};
 
 std::shared_ptr<const Monitor> off_centre_ring(Space space) {
     return make_monitor("ring", space,
@@ -21,7 +21,7 @@ std::shared_ptr<const Monitor> off_centre_ring(Space space) {
 class Relaxation : public testing::TestWithParam<bool> {
   protected:
     bool periodic() const { return GetParam(); }
-    Space space() const { return periodic() ? torus : plain; }
+    Space space() const { return periodic() ? torus : walled; }
     Relaxing off_centre(int cells, int steps) const {
         Relaxing run(cells, periodic(), off_centre_ring(space()), 0.1);
         while (run.iterations() < steps) run.step();
@@ -247,7 +247,7 @@ double mirrored_entry(const std::vector<double>& r, std::size_t n, std::size_t i
 
 TEST(Walls, AreAQuarterOfATorusOfTwiceTheSize) {
     const std::size_t n = 12;
-    const auto monitor = off_centre_ring(plain);
+    const auto monitor = off_centre_ring(walled);
     Relaxing walls(n, false, monitor, 0.1), whole(2 * n, true, std::make_shared<Mirrored>(monitor), 0.1);
     const auto residual = [](const Relaxing& run) {
         auto workspace = run.plane->make_workspace();

@@ -15,7 +15,8 @@
 namespace gaspard {
 namespace {
 
-const Space walls{SpaceKind::euclidean}, torus{SpaceKind::periodic_square}, sphere{SpaceKind::sphere};
+const Space square{SpaceKind::euclidean}, periodic_square{SpaceKind::periodic_square},
+    unit_sphere{SpaceKind::sphere};
 
 Points random_points(const Space& space, std::size_t count, double radius = 1) {
     std::mt19937 random(7);
@@ -71,23 +72,23 @@ void expect_same(const std::string& type, const Space& space, double radius = 1,
 
 TEST(FormulaMonitor, AgreesWithTheBuiltInMonitors) {
     for (const char* type : {"ring", "bell", "ring-and-bell"}) {
-        expect_same(type, torus);
-        expect_same(type, walls);
-        expect_same(type, sphere);
-        expect_same(type, sphere, 6371);
+        expect_same(type, periodic_square);
+        expect_same(type, square);
+        expect_same(type, unit_sphere);
+        expect_same(type, unit_sphere, 6371);
     }
-    for (const char* type : {"x-n", "cross"}) expect_same(type, sphere);
-    for (const char* type : {"spiral", "cosine-waves"}) expect_same(type, walls);
+    for (const char* type : {"x-n", "cross"}) expect_same(type, unit_sphere);
+    for (const char* type : {"spiral", "cosine-waves"}) expect_same(type, square);
     for (const char* type : {"circle", "three-circles", "two-circles", "sine-waves"})
-        expect_same(type, walls, 1, 1e-3);
-    for (const Space& space : {torus, walls, sphere}) expect_same("constant", space);
+        expect_same(type, square, 1, 1e-3);
+    for (const Space& space : {periodic_square, square, unit_sphere}) expect_same("constant", space);
 }
 
 TEST(FormulaMonitor, HasGradientsOfSharpFeaturesAndOfLargeDomains) {
     Points box(2);
     box.set(1, {5e5, 3e5, 0});
     const auto far = formula_monitor("1 + 10*exp(-(dist(2e5, 1e5)/a)^2)",
-                                     {.space = walls, .parameters = {{"a", 4e4}}, .sample = box});
+                                     {.space = square, .parameters = {{"a", 4e4}}, .sample = box});
     Points x(1), gradient;
     x.set(0, {2.3e5, 1.1e5, 0});
     far->gradients(x, gradient);
@@ -105,7 +106,7 @@ TEST(FormulaMonitor, HasGradientsOfAThinFeatureFarFromTheOrigin) {
     Points sample(900);
     for (std::size_t i = 0; i < sample.size(); ++i)
         sample.set(i, {1e6 + static_cast<double>(i % 30) * 300, 1e6 + static_cast<double>(i / 30) * 300, 0});
-    const auto thin = formula_monitor("2 + tanh((x - 1004500)/100)", {.space = walls, .sample = sample});
+    const auto thin = formula_monitor("2 + tanh((x - 1004500)/100)", {.space = square, .sample = sample});
     Points x(1), gradient;
     x.set(0, {1004500 + 78.125, 1e6, 0});
     thin->gradients(x, gradient);
@@ -114,7 +115,7 @@ TEST(FormulaMonitor, HasGradientsOfAThinFeatureFarFromTheOrigin) {
     EXPECT_EQ(gradient.y[0], 0);
 }
 
-double at(const Monitor& monitor, Vec3 p) {
+double formula_at(const Monitor& monitor, Vec3 p) {
     Points x(1);
     x.set(0, p);
     double value = 0;
@@ -124,11 +125,11 @@ double at(const Monitor& monitor, Vec3 p) {
 
 TEST(FormulaMonitor, IsRepeatedOnThePeriodicSquare) {
     const auto plain = formula_monitor("1 + x + 10*y");
-    EXPECT_DOUBLE_EQ(at(*plain, {0.25, 0.5, 0}), 6.25);
-    EXPECT_DOUBLE_EQ(at(*plain, {1.25, -0.5, 0}), 6.25);
-    EXPECT_DOUBLE_EQ(at(*plain, {1, 0, 0}), 1) << "the right side is the left one";
+    EXPECT_DOUBLE_EQ(formula_at(*plain, {0.25, 0.5, 0}), 6.25);
+    EXPECT_DOUBLE_EQ(formula_at(*plain, {1.25, -0.5, 0}), 6.25);
+    EXPECT_DOUBLE_EQ(formula_at(*plain, {1, 0, 0}), 1) << "the right side is the left one";
     const auto moved = formula_monitor("10 + x + y", {.centre = {0, 1, 0}});
-    EXPECT_DOUBLE_EQ(at(*moved, {0.75, 0.25, 0}), 10 - 0.25 + 1.25);
+    EXPECT_DOUBLE_EQ(formula_at(*moved, {0.75, 0.25, 0}), 10 - 0.25 + 1.25);
     Points x(1), gradient;
     x.set(0, {1e-9, 0.5, 0});
     plain->gradients(x, gradient);
@@ -262,11 +263,12 @@ TEST_F(TypedFormula, NotesAJumpAndWrapsIt) {
                                            "monitor.expression=1 + 5*exp(-20*((x - 0.9)^2 + (y - 0.5)^2))"};
     const gaspard::Run run(catalogue, with(bump));
     ASSERT_EQ(run.monitor_report()->notes.size(), 1U);
-    EXPECT_EQ(run.monitor_report()->notes[0],
-              "The formula is not periodic: it jumps by up to 80 % of its largest value across the sides, at "
-              "(0, 0.498046875). A mesh may not follow it. Set monitor.wrap = \"center\", "
-              "monitor.wrap_x = 0.88 and monitor.wrap_y = 0.5 to measure distances from a point to its nearest "
-              "image, or domain.boundary = \"walls\".");
+    EXPECT_EQ(
+        run.monitor_report()->notes[0],
+        "The formula is not periodic: it jumps by up to 80 % of its largest value across the sides, at "
+        "(0, 0.498046875). A mesh may not follow it. Set monitor.wrap = \"center\", "
+        "monitor.wrap_x = 0.88 and monitor.wrap_y = 0.5 to measure distances from a point to its nearest "
+        "image, or domain.boundary = \"walls\".");
     std::vector<std::string> wrapped = bump;
     wrapped.insert(wrapped.end(), {"monitor.wrap=center", "monitor.wrap_x=0.9"});
     gaspard::Run there(catalogue, with(wrapped));
@@ -292,12 +294,13 @@ TEST_F(TypedFormula, SaysInTheEndWhatToDoAboutAJump) {
 }
 
 TEST_F(TypedFormula, NotesRangesOfNamesThatItDoesNotHave) {
-    const gaspard::Run run(catalogue, with({"domain.cells=8", "monitor.type=formula",
-                                            "monitor.expression=1 + amp*cos(2*pi*x)^2",
-                                            "monitor.ranges=amp 0 1, amq 0 2"}));
+    const gaspard::Run run(
+        catalogue, with({"domain.cells=8", "monitor.type=formula", "monitor.expression=1 + amp*cos(2*pi*x)^2",
+                         "monitor.ranges=amp 0 1, amq 0 2"}));
     ASSERT_EQ(run.monitor_report()->notes.size(), 1U);
-    EXPECT_EQ(run.monitor_report()->notes[0], "monitor.ranges has a range for 'amq', which is no parameter of "
-                                              "the formula (did you mean 'amp'?).");
+    EXPECT_EQ(run.monitor_report()->notes[0],
+              "monitor.ranges has a range for 'amq', which is no parameter of "
+              "the formula (did you mean 'amp'?).");
 }
 
 TEST_F(TypedFormula, IsRefusedWhereItIsNotPositiveUnlessItHasAFloor) {
@@ -344,7 +347,7 @@ TEST_F(TypedFormula, HasGradientsInTheParametersOfASurface) {
     const auto monitor =
         formula_monitor("2 + sin(3*u)*cos(2*v) + 0.1*x*z",
                         {.space = run.space(), .patch = patch, .sample = run.discretisation().mesh()->nodes});
-    const Points uv = random_points(walls, 300);
+    const Points uv = random_points(square, 300);
     Points x, first, second, gradients;
     patch->points(uv, x);
     patch->tangents(uv, first, second);
@@ -374,7 +377,8 @@ TEST_F(TypedFormula, PlacesTheConstantsOfAFigureOnAPatchOfAnySize) {
         for (const auto& name : check_formula(text, placed)) options.parameters[name] = values.real(name);
         const auto typed = formula_monitor(text, options);
         for (const Vec3 p : {Vec3{10.5, 21, 0}, Vec3{12.3, 22.2, 0}, Vec3{13.9, 20.1, 0}})
-            EXPECT_NEAR(at(*typed, p), at(*built_in, p), 1e-11 * at(*built_in, p)) << type;
+            EXPECT_NEAR(formula_at(*typed, p), formula_at(*built_in, p), 1e-11 * formula_at(*built_in, p))
+                << type;
     }
 }
 

@@ -10,7 +10,7 @@ namespace gaspard {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-const Space sphere{SpaceKind::sphere};
+const Space globe{SpaceKind::sphere};
 
 double value_at(const Monitor& monitor, Vec3 p) {
     Points x(1);
@@ -49,23 +49,23 @@ TEST(GeodesicMonitors, HaveTheValuesOfTheirFormulas) {
         const Vec3 p{coordinate(random), coordinate(random), coordinate(random)}; // of any length
         const double d = std::acos(dot(p, centre) / norm(p));
         const auto sech2 = [](double t) { return 1 / (std::cosh(t) * std::cosh(t)); };
-        EXPECT_NEAR(value_at(*make_monitor("ring", sphere, {{"sharpness", 7}, {"radius", 0.6}}), p),
+        EXPECT_NEAR(value_at(*make_monitor("ring", globe, {{"sharpness", 7}, {"radius", 0.6}}), p),
                     1 + 10 * sech2(7 * (d * d - 0.36)), 1e-11);
-        EXPECT_NEAR(value_at(*make_monitor("bell", sphere), p), 1 + 20 * sech2(10 * d * d), 1e-11);
+        EXPECT_NEAR(value_at(*make_monitor("bell", globe), p), 1 + 20 * sech2(10 * d * d), 1e-11);
         const double gamma = std::pow(0.25, 4);
-        EXPECT_NEAR(value_at(*make_monitor("x-n", sphere, {{"ratio", 4}}), p),
+        EXPECT_NEAR(value_at(*make_monitor("x-n", globe, {{"ratio", 4}}), p),
                     std::sqrt((1 - gamma) / 2 * (std::tanh((pi / 6 - d) / (pi / 20)) + 1) + gamma), 1e-12);
         double bands = 1;
         for (const double side : {root, -root}) {
             const double to_pole = std::acos(dot(p, {side, 0, 0.5}) / norm(p));
             bands += 10 * sech2(5 * (to_pole * to_pole - pi * pi / 4));
         }
-        EXPECT_NEAR(value_at(*make_monitor("cross", sphere), p), bands, 1e-11);
+        EXPECT_NEAR(value_at(*make_monitor("cross", globe), p), bands, 1e-11);
     }
 }
 
 TEST(GeodesicMonitors, XnFallsFromOneToTheRootOfGamma) {
-    const auto monitor = make_monitor("x-n", sphere, {{"ratio", 16}, {"alpha", 0.01}});
+    const auto monitor = make_monitor("x-n", globe, {{"ratio", 16}, {"alpha", 0.01}});
     EXPECT_NEAR(value_at(*monitor, at_latitude_longitude(30, 0)), 1, 1e-15);
     EXPECT_NEAR(value_at(*monitor, at_latitude_longitude(-30, 180)), 1.0 / 256, 1e-15);
 }
@@ -75,7 +75,7 @@ TEST(GeodesicMonitors, HaveTheTangentialGradientsOfTheirDifferences) {
     std::normal_distribution<double> coordinate;
     for (const auto& [type, settings] : cases) {
         SCOPED_TRACE(type);
-        const auto monitor = make_monitor(type, sphere, settings);
+        const auto monitor = make_monitor(type, globe, settings);
         for (const double radius : {1.0, 6371e3})
             for (int trial = 0; trial < 200; ++trial) {
                 Vec3 p{coordinate(random), coordinate(random), coordinate(random)};
@@ -99,7 +99,7 @@ TEST(GeodesicMonitors, HaveTheTangentialGradientsOfTheirDifferences) {
 TEST(GeodesicMonitors, AreUnharmedAtCentresAndOppositeToThem) {
     for (const auto& [type, settings] : cases) {
         SCOPED_TRACE(type);
-        const auto monitor = make_monitor(type, sphere, settings);
+        const auto monitor = make_monitor(type, globe, settings);
         std::vector<Vec3> places = {{0, 0, 1}, {0, 0, -1}};
         if (const auto axis = monitor->symmetry_axis()) places.insert(places.end(), {*axis, -1.0 * *axis});
         for (const Vec3 place : places) {
@@ -113,7 +113,7 @@ TEST(GeodesicMonitors, AreUnharmedAtCentresAndOppositeToThem) {
 
 TEST(GeodesicMonitors, DoNotChangeWhenTheyTurnAroundTheirAxis) {
     for (const auto& [type, settings] : cases) {
-        const auto monitor = make_monitor(type, sphere, settings);
+        const auto monitor = make_monitor(type, globe, settings);
         const auto axis = monitor->symmetry_axis();
         EXPECT_EQ(axis.has_value(), type != "cross");
         if (!axis) continue;
@@ -131,10 +131,10 @@ TEST(GeodesicMonitors, DoNotChangeWhenTheyTurnAroundTheirAxis) {
 
 TEST(GeodesicMonitors, RefuseAnAmplitudeThatMakesThemVanish) {
     const auto type = monitor_type("cross");
-    Values values("monitor", type.rows(sphere));
+    Values values("monitor", type.rows(globe));
     EXPECT_THROW(values.set("amplitude", -0.5), InputError);
     EXPECT_NO_THROW(values.set("amplitude", -0.49));
-    EXPECT_NO_THROW(type.make(values, {sphere})->check());
+    EXPECT_NO_THROW(type.make(values, {globe})->check());
 }
 
 } // namespace

@@ -16,7 +16,7 @@ GreyImage halves() {
     return image;
 }
 
-double at(const Monitor& monitor, Vec3 x) {
+double picture_at(const Monitor& monitor, Vec3 x) {
     Points p(1);
     p.set(0, x);
     double value = 0;
@@ -24,25 +24,26 @@ double at(const Monitor& monitor, Vec3 x) {
     return value;
 }
 
-const DataContext walls{.space = {SpaceKind::euclidean}};
+const DataContext picture_walls{.space = {SpaceKind::euclidean}};
 
 TEST(ImageMonitor, IsDenseWhereThePictureIsDark) {
-    const auto dark = image_monitor(halves(), {.contrast = 30}, walls);
-    EXPECT_NEAR(at(*dark, {0.1, 0.5, 0}), 30, 0.01);
-    EXPECT_NEAR(at(*dark, {0.9, 0.5, 0}), 1, 0.01);
-    const auto bright = image_monitor(halves(), {.image = {.invert = true}, .contrast = 30}, walls);
-    EXPECT_NEAR(at(*bright, {0.1, 0.5, 0}), 1, 0.01);
-    EXPECT_NEAR(at(*bright, {0.9, 0.5, 0}), 30, 0.01);
+    const auto dark = image_monitor(halves(), {.contrast = 30}, picture_walls);
+    EXPECT_NEAR(picture_at(*dark, {0.1, 0.5, 0}), 30, 0.01);
+    EXPECT_NEAR(picture_at(*dark, {0.9, 0.5, 0}), 1, 0.01);
+    const auto bright = image_monitor(halves(), {.image = {.invert = true}, .contrast = 30}, picture_walls);
+    EXPECT_NEAR(picture_at(*bright, {0.1, 0.5, 0}), 1, 0.01);
+    EXPECT_NEAR(picture_at(*bright, {0.9, 0.5, 0}), 30, 0.01);
 }
 
 TEST(ImageMonitor, HasTheGradientsOfItsValues) {
-    const auto monitor = image_monitor(halves(), {.contrast = 30}, walls);
+    const auto monitor = image_monitor(halves(), {.contrast = 30}, picture_walls);
     for (const double x : {0.3, 0.45, 0.5, 0.52, 0.6}) {
         Points p(1), g;
         p.set(0, {x, 0.4, 0});
         monitor->gradients(p, g);
         const double h = 1e-6;
-        const double slope = (at(*monitor, {x + h, 0.4, 0}) - at(*monitor, {x - h, 0.4, 0})) / (2 * h);
+        const double slope =
+            (picture_at(*monitor, {x + h, 0.4, 0}) - picture_at(*monitor, {x - h, 0.4, 0})) / (2 * h);
         EXPECT_NEAR(g.x[0], slope, 1e-5 * (1 + std::abs(slope)));
     }
 }
@@ -51,8 +52,9 @@ TEST(ImageMonitor, IsBlurredUntilItIsNotTooSteep) {
     const auto note = [](double contrast, const Space& space) {
         return image_monitor(halves(), {.contrast = contrast}, {.space = space})->report().notes.at(0);
     };
-    EXPECT_EQ(note(3, walls.space), "The picture is blurred over 1 cell, so that the mesh can follow.");
-    const std::string strong = note(500, walls.space), sphere = note(20, {SpaceKind::sphere});
+    EXPECT_EQ(note(3, picture_walls.space),
+              "The picture is blurred over 1 cell, so that the mesh can follow.");
+    const std::string strong = note(500, picture_walls.space), sphere = note(20, {SpaceKind::sphere});
     EXPECT_NE(strong.find(" cells instead of 1, so that the mesh can follow."), std::string::npos) << strong;
     EXPECT_NE(sphere.find(" cells instead of 1, so that the mesh can follow."), std::string::npos) << sphere;
 }

@@ -14,7 +14,7 @@ namespace gaspard {
 namespace {
 
 using Parameters = SechMonitor::Parameters;
-const Space plain{SpaceKind::euclidean}, torus{SpaceKind::periodic_square}, sphere{SpaceKind::sphere};
+const Space flat{SpaceKind::euclidean}, periodic{SpaceKind::periodic_square}, round{SpaceKind::sphere};
 
 // The formula with the nearest of all images, slowly and in long double.
 long double formula(const Parameters& p, Space space, long double x, long double y, long double z = 0) {
@@ -31,7 +31,7 @@ long double formula(const Parameters& p, Space space, long double x, long double
 
 const Parameters ring{10, 200, 0.0625, {0.5, 0.5, 0}}, bell{50, 100, 0, {0.5, 0.5, 0}},
     wide_ring{-0.9, 3, 0.2, {0.1, 0.95, 0}}, steep_bell{5000, 2000, 0, {0.8, 0.3, 0}};
-const std::vector<Parameters> cases = {ring, bell, wide_ring, steep_bell};
+const std::vector<Parameters> sech_cases = {ring, bell, wide_ring, steep_bell};
 
 Points random_points(std::size_t count, double low, double high, unsigned seed) {
     std::mt19937 random(seed);
@@ -43,8 +43,8 @@ Points random_points(std::size_t count, double low, double high, unsigned seed) 
 
 TEST(SechMonitor, HasTheValuesOfItsFormula) {
     const Points x = random_points(2000, -1, 2, 1);
-    for (const Space& space : {plain, torus})
-        for (const Parameters& p : cases) {
+    for (const Space& space : {flat, periodic})
+        for (const Parameters& p : sech_cases) {
             const auto values = values_of(SechMonitor(p, space), x);
             for (std::size_t i = 0; i < x.size(); ++i) {
                 const auto expected = static_cast<double>(formula(p, space, x.x[i], x.y[i]));
@@ -59,19 +59,19 @@ TEST(SechMonitor, MeansWhatThePaperPrints) {
     Points x(2);
     x.set(0, {0.75, 0.5, 0});
     x.set(1, {0.5, 0.5, 0});
-    const auto on_ring = values_of(SechMonitor(ring, torus), x);
+    const auto on_ring = values_of(SechMonitor(ring, periodic), x);
     EXPECT_EQ(on_ring[0], 11);
     EXPECT_NEAR(on_ring[1], 1 + 10 / std::pow(std::cosh(12.5), 2), 1e-15);
     x.set(0, {0.5, 0.5 + std::sqrt(std::acosh(std::sqrt(2.0)) / 100), 0});
-    const auto on_bell = values_of(SechMonitor(bell, torus), x);
+    const auto on_bell = values_of(SechMonitor(bell, periodic), x);
     EXPECT_NEAR(on_bell[0], 26, 1e-12);
     EXPECT_EQ(on_bell[1], 51);
 }
 
 TEST(SechMonitor, HasTheGradientsOfItsDifferences) {
     const Points x = random_points(500, 0, 1, 2);
-    for (const Space& space : {plain, torus})
-        for (const Parameters& p : cases) {
+    for (const Space& space : {flat, periodic})
+        for (const Parameters& p : sech_cases) {
             Points gradients;
             SechMonitor(p, space).gradients(x, gradients);
             ASSERT_EQ(gradients.size(), x.size());
@@ -97,16 +97,16 @@ TEST(SechMonitor, HasTheGradientsOfItsDifferences) {
 TEST(SechMonitor, SeesTheDistanceInSpaceToo) {
     Points x(1), gradients;
     x.set(0, {0.6, 0.5, 0.2});
-    const SechMonitor monitor(ring, plain);
-    EXPECT_NEAR(values_of(monitor, x)[0], static_cast<double>(formula(ring, plain, 0.6L, 0.5L, 0.2L)), 1e-12);
+    const SechMonitor monitor(ring, flat);
+    EXPECT_NEAR(values_of(monitor, x)[0], static_cast<double>(formula(ring, flat, 0.6L, 0.5L, 0.2L)), 1e-12);
     monitor.gradients(x, gradients);
     EXPECT_NEAR(gradients.z[0] / gradients.x[0], 2, 1e-12); // along x - c
 }
 
 TEST(SechMonitor, IsTheSameAtAllImagesOnTheTorus) {
     const Points x = random_points(300, 0, 1, 3);
-    for (const Parameters& p : cases) {
-        const SechMonitor monitor(p, torus);
+    for (const Parameters& p : sech_cases) {
+        const SechMonitor monitor(p, periodic);
         const auto here = values_of(monitor, x);
         Points gradients, elsewhere;
         monitor.gradients(x, gradients);
@@ -131,12 +131,12 @@ TEST(SechMonitor, IsOneFarAwayAndNeverNotANumber) {
     Points x(4), gradients;
     const double distances[] = {10, 1e4, 1e100, 1e200};
     for (std::size_t i = 0; i < 4; ++i) x.set(i, {distances[i], -distances[i], 0});
-    for (const Parameters& p : cases) {
-        const SechMonitor monitor(p, plain);
+    for (const Parameters& p : sech_cases) {
+        const SechMonitor monitor(p, flat);
         for (const double value : values_of(monitor, x)) EXPECT_EQ(value, 1);
         monitor.gradients(x, gradients);
         for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(norm(gradients[i]), 0);
-        for (const double value : values_of(SechMonitor(p, torus), x)) EXPECT_TRUE(std::isfinite(value));
+        for (const double value : values_of(SechMonitor(p, periodic), x)) EXPECT_TRUE(std::isfinite(value));
     }
 }
 
@@ -153,7 +153,7 @@ TEST(SechMonitor, SaysWhichParameterMakesItNegative) {
     const auto with_amplitude = [](double amplitude) {
         Parameters p = ring;
         p.amplitude = amplitude;
-        return complaint(SechMonitor(p, plain));
+        return complaint(SechMonitor(p, flat));
     };
     EXPECT_EQ(with_amplitude(-0.99), "");
     EXPECT_EQ(with_amplitude(0), "");
@@ -168,14 +168,14 @@ TEST(SechMonitor, RefusesParametersThatAreNotFinite) {
     for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
         Parameters p = ring;
         p.amplitude = bad;
-        EXPECT_NE(complaint(SechMonitor(p, plain)).find("must be finite"), std::string::npos) << bad;
+        EXPECT_NE(complaint(SechMonitor(p, flat)).find("must be finite"), std::string::npos) << bad;
     }
 }
 
 TEST(Monitors, RefuseRoomOfTheWrongSize) {
     std::vector<double> values(3);
-    EXPECT_THROW(SechMonitor(ring, plain).values(Points(2), values), InternalError);
-    EXPECT_THROW(make_monitor("constant", plain)->values(Points(2), values), InternalError);
+    EXPECT_THROW(SechMonitor(ring, flat).values(Points(2), values), InternalError);
+    EXPECT_THROW(make_monitor("constant", flat)->values(Points(2), values), InternalError);
 }
 
 // Every parameter within its row's range: the ends, the default, and in between as the slider runs.
@@ -208,11 +208,11 @@ TEST(Monitors, ArePositiveForAllParametersInRange) {
     const std::set<std::string> slow = {"image", "derived", "combine"}; // they are sampled and smoothed
     for (const MonitorType& type : monitor_types())
         for (int trial = 0; trial < (slow.count(type.name) == 1 ? 4 : 200); ++trial)
-            for (const Space& space : {plain, torus, sphere}) {
+            for (const Space& space : {flat, periodic, round}) {
                 Values values = default_values(type, space);
                 randomise(values, random);
                 if (type.name == "field" || !type.make) continue; // a file of values; a tensor monitor
-                for (const char* key : {"eps", "eps1", "eps2"}) // of a problem, where they are automatic
+                for (const char* key : {"eps", "eps1", "eps2"})   // of a problem, where they are automatic
                     if (values.has(key) && !values.real_or_auto(key)) values.set(key, 1e-3);
                 if (type.name == "image") values.set("file", std::string("gaspard:portrait.png"));
                 const auto monitor = type.make(values, {space});
@@ -231,7 +231,8 @@ TEST(Monitors, ArePositiveForAllParametersInRange) {
 TEST(Monitors, TakeTheirParametersFromTheirRows) {
     const Points x = random_points(100, 0, 1, 6);
     const auto expect_same = [&](const std::string& name, const Settings& settings, const Parameters& p) {
-        EXPECT_EQ(values_of(*make_monitor(name, torus, settings), x), values_of(SechMonitor(p, torus), x));
+        EXPECT_EQ(values_of(*make_monitor(name, periodic, settings), x),
+                  values_of(SechMonitor(p, periodic), x));
     };
     expect_same("ring", {}, ring);
     expect_same("bell", {}, bell);
@@ -241,7 +242,7 @@ TEST(Monitors, TakeTheirParametersFromTheirRows) {
         {3, 20, 0.25, {0.125, 0.75, 0}});
     expect_same("bell", {{"amplitude", 3}, {"sharpness", 20}, {"center_x", 0.125}, {"center_y", 0.75}},
                 {3, 20, 0, {0.125, 0.75, 0}});
-    const auto constant = make_monitor("constant", plain, {{"value", 2.5}});
+    const auto constant = make_monitor("constant", flat, {{"value", 2.5}});
     EXPECT_EQ(values_of(*constant, x), std::vector<double>(100, 2.5));
     Points gradients(1);
     constant->gradients(x, gradients);
@@ -252,7 +253,7 @@ TEST(Monitors, AreHalfAsHighWhereTheirHelpSays) {
     const auto height = [](const Parameters& p, double distance) {
         Points x(1);
         x.set(0, p.centre + Vec3{distance, 0, 0});
-        return (values_of(SechMonitor(p, plain), x)[0] - 1) / p.amplitude;
+        return (values_of(SechMonitor(p, flat), x)[0] - 1) / p.amplitude;
     };
     EXPECT_NEAR(height(bell, 0.94 / std::sqrt(100.0)), 0.5, 0.01);
     EXPECT_NEAR(height(ring, 0.25 + 0.44 / (200 * 0.25)), 0.5, 0.03);

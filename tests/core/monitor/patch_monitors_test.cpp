@@ -13,7 +13,7 @@ namespace {
 
 using Real = long double;
 using Formula = std::function<Real(Real, Real, Real)>;
-constexpr Real pi = std::numbers::pi_v<long double>;
+constexpr Real real_pi = std::numbers::pi_v<long double>;
 
 Real sech2(Real t) { return 1 / (std::cosh(t) * std::cosh(t)); }
 Real circle(Real x, Real y, Real a, Real b, Real square) {
@@ -25,67 +25,68 @@ Real three(Real x, Real y) {
 }
 Real two(Real x, Real y, Real dz) {
     const auto part = [&](Real a) {
-        return 5 * sech2(5 * ((x - a) * (x - a) + (y - 0.5L) * (y - 0.5L) + dz * dz - pi * pi / 4));
+        return 5 * sech2(5 * ((x - a) * (x - a) + (y - 0.5L) * (y - 0.5L) + dz * dz - real_pi * real_pi / 4));
     };
     return 1 + part(std::sqrt(3.0L) / 2) + part(-std::sqrt(3.0L) / 2);
 }
 
-struct Case {
+struct PatchCase {
     const char* name;
     const char* type;
     Settings settings;
     Formula formula;
 };
-void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+void PrintTo(const PatchCase& one, std::ostream* out) { *out << one.name; }
 
-std::vector<Case> cases() {
-    return {
-        {"circle",
-         "circle",
-         {}, // 5.3
-         [](Real x, Real y, Real) {
-             return 1 +
-                    5 * std::exp(-50 * std::abs((x - 0.5L) * (x - 0.5L) + (y - 0.5L) * (y - 0.5L) - 0.09L));
-         }},
-        {"spiral",
-         "spiral",
-         {}, // 5.4, with r^2
-         [](Real x, Real y, Real) {
-             const Real r = std::hypot(x - 0.7L, y - 0.5L), angle = std::atan2(y - 0.5L, x - 0.7L);
-             const Real t = 10 * r * std::cos(angle - 20 * r * r);
-             return 1 + 9 / (1 + t * t);
-         }},
-        {"three_circles", "three-circles", {}, [](Real x, Real y, Real) { return three(x, y); }}, // 5.5
-        {"face",
-         "three-circles",
-         {{"mouth", 7}}, // 7.5
-         [](Real x, Real y, Real) { return three(x, y) + 7 * circle(x, y, 0, -1.25L, 0.4L); }},
-        {"two_circles", "two-circles", {}, [](Real x, Real y, Real) { return two(x, y, 0); }}, // 5.6
-        {"moebius",
-         "two-circles",
-         {{"center_z", 0.5}}, // 7.9
-         [](Real x, Real y, Real z) { return two(x, y, z - 0.5L); }},
-        {"cosine_waves",
-         "cosine-waves",
-         {}, // 7.3
-         [](Real x, Real y, Real) { return 1 / (2 + std::cos(8 * pi * std::hypot(x - 0.5L, y - 0.5L))); }},
-        {"torus",
-         "cosine-waves",
-         {{"center_z", 0.5}}, // 7.8
-         [](Real x, Real y, Real z) {
-             return 1 / (2 + std::cos(8 * pi * std::hypot(x - 0.5L, y - 0.5L, z - 0.5L)));
-         }},
-        {"sine_waves",
-         "sine-waves",
-         {}, // 7.7
-         [](Real x, Real y, Real) {
-             const Real s = 0.25L * std::sin(2 * pi * x);
-             return 1 + 5 * std::exp(-50 * std::abs(y - 0.5L - s * std::sin(2 * pi / 3))) +
-                    5 * std::exp(-50 * std::abs(y - 0.25L - s));
-         }}};
+std::vector<PatchCase> patch_cases() {
+    return {{"circle",
+             "circle",
+             {}, // 5.3
+             [](Real x, Real y, Real) {
+                 return 1 + 5 * std::exp(-50 *
+                                         std::abs((x - 0.5L) * (x - 0.5L) + (y - 0.5L) * (y - 0.5L) - 0.09L));
+             }},
+            {"spiral",
+             "spiral",
+             {}, // 5.4, with r^2
+             [](Real x, Real y, Real) {
+                 const Real r = std::hypot(x - 0.7L, y - 0.5L), angle = std::atan2(y - 0.5L, x - 0.7L);
+                 const Real t = 10 * r * std::cos(angle - 20 * r * r);
+                 return 1 + 9 / (1 + t * t);
+             }},
+            {"three_circles", "three-circles", {}, [](Real x, Real y, Real) { return three(x, y); }}, // 5.5
+            {"face",
+             "three-circles",
+             {{"mouth", 7}}, // 7.5
+             [](Real x, Real y, Real) { return three(x, y) + 7 * circle(x, y, 0, -1.25L, 0.4L); }},
+            {"two_circles", "two-circles", {}, [](Real x, Real y, Real) { return two(x, y, 0); }}, // 5.6
+            {"moebius",
+             "two-circles",
+             {{"center_z", 0.5}}, // 7.9
+             [](Real x, Real y, Real z) { return two(x, y, z - 0.5L); }},
+            {"cosine_waves",
+             "cosine-waves",
+             {}, // 7.3
+             [](Real x, Real y, Real) {
+                 return 1 / (2 + std::cos(8 * real_pi * std::hypot(x - 0.5L, y - 0.5L)));
+             }},
+            {"torus",
+             "cosine-waves",
+             {{"center_z", 0.5}}, // 7.8
+             [](Real x, Real y, Real z) {
+                 return 1 / (2 + std::cos(8 * real_pi * std::hypot(x - 0.5L, y - 0.5L, z - 0.5L)));
+             }},
+            {"sine_waves",
+             "sine-waves",
+             {}, // 7.7
+             [](Real x, Real y, Real) {
+                 const Real s = 0.25L * std::sin(2 * real_pi * x);
+                 return 1 + 5 * std::exp(-50 * std::abs(y - 0.5L - s * std::sin(2 * real_pi / 3))) +
+                        5 * std::exp(-50 * std::abs(y - 0.25L - s));
+             }}};
 }
 
-class PatchMonitors : public testing::TestWithParam<Case> {
+class PatchMonitors : public testing::TestWithParam<PatchCase> {
   protected:
     PatchMonitors() {
         std::mt19937 random(7);
@@ -98,7 +99,7 @@ class PatchMonitors : public testing::TestWithParam<Case> {
     Points x{1000};
     const std::shared_ptr<const Monitor> monitor = make_monitor(GetParam().type, {}, GetParam().settings);
 };
-INSTANTIATE_TEST_SUITE_P(All, PatchMonitors, testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(All, PatchMonitors, testing::ValuesIn(patch_cases()),
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST_P(PatchMonitors, HaveTheValuesOfTheirFormulas) {

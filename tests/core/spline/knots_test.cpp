@@ -32,7 +32,7 @@ double evaluate(const KnotVector& space, const std::vector<double>& coefficients
     return sum;
 }
 
-std::vector<double> random_numbers(std::size_t n, unsigned seed, double low = -1, double high = 1) {
+std::vector<double> random_between(std::size_t n, unsigned seed, double low = -1, double high = 1) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> number(low, high);
     std::vector<double> all(n);
@@ -40,15 +40,15 @@ std::vector<double> random_numbers(std::size_t n, unsigned seed, double low = -1
     return all;
 }
 
-const std::vector<double> breaks = {0, 0.1, 0.15, 0.5, 0.8, 1};
+const std::vector<double> uneven_breaks = {0, 0.1, 0.15, 0.5, 0.8, 1};
 
 /// Every degree with every regularity on unequal cells.
 class Knots : public testing::TestWithParam<std::tuple<int, int>> {
   protected:
     const int degree = std::get<0>(GetParam());
-    const KnotVector space = open_knots(degree, breaks, std::min(std::get<1>(GetParam()), degree - 1));
-    const std::vector<double> coefficients = random_numbers(space.size(), 1);
-    const std::vector<double> points = random_numbers(100, 2, 0, 1);
+    const KnotVector space = open_knots(degree, uneven_breaks, std::min(std::get<1>(GetParam()), degree - 1));
+    const std::vector<double> coefficients = random_between(space.size(), 1);
+    const std::vector<double> points = random_between(100, 2, 0, 1);
 };
 INSTANTIATE_TEST_SUITE_P(DegreesAndRegularities, Knots,
                          testing::Combine(testing::Range(1, 8), testing::Values(-1, 0, 1, 3, 6)));

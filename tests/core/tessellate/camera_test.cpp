@@ -21,11 +21,11 @@ void expect_near(Vec3 a, Vec3 b, double tolerance) {
 }
 
 /// Pixels of the box's corners: leftmost, topmost, rightmost, bottommost.
-struct Extent {
+struct PixelExtent {
     double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300;
 };
-Extent extent(const Camera& camera, const Box& box) {
-    Extent e;
+PixelExtent extent(const Camera& camera, const Box& box) {
+    PixelExtent e;
     for (const double x : {box.low.x, box.high.x})
         for (const double y : {box.low.y, box.high.y})
             for (const double z : {box.low.z, box.high.z}) {
@@ -37,7 +37,7 @@ Extent extent(const Camera& camera, const Box& box) {
 }
 
 TEST(Camera, HomeCentresTheBoxAndFillsTheSmallerSide) {
-    const Extent e = extent(planar_home(unit_square, size), unit_square);
+    const PixelExtent e = extent(planar_home(unit_square, size), unit_square);
     EXPECT_NEAR((e.left + e.right) / 2, 400, 1e-9);
     EXPECT_NEAR((e.top + e.bottom) / 2, 300, 1e-9);
     EXPECT_NEAR(e.right - e.left, e.bottom - e.top, 1e-9);
@@ -47,7 +47,7 @@ TEST(Camera, HomeCentresTheBoxAndFillsTheSmallerSide) {
 TEST(Camera, HomeKeepsClearOfInsets) {
     const Insets insets{.left = 10, .top = 50, .right = 200, .bottom = 30};
     for (const Box& box : {unit_square, unit_cube}) {
-        const Extent e = extent(home(box, size, insets), box);
+        const PixelExtent e = extent(home(box, size, insets), box);
         EXPECT_GT(e.left, 10);
         EXPECT_LT(e.right, 600);
         EXPECT_GT(e.top, 50);
@@ -137,7 +137,7 @@ TEST(Camera, DirectionsLookAlongTheAxes) {
         const Camera camera = home(unit_cube, size, {}, row.name);
         EXPECT_EQ(towards_viewer(camera), row.towards_viewer) << row.name;
         EXPECT_EQ(camera.up, row.up) << row.name;
-        const Extent e = extent(camera, unit_cube);
+        const PixelExtent e = extent(camera, unit_cube);
         EXPECT_NEAR(e.bottom - e.top, 600 * 0.92, 1e-9) << row.name;
     }
     EXPECT_EQ(home(unit_square, size, {}, "left"), planar_home(unit_square, size)) << "a plane has one side";

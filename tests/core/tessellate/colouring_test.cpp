@@ -41,7 +41,9 @@ Colouring made(const Snapshot& snapshot, const ColourChoice& choice) {
     return colouring.value_or(Colouring{});
 }
 
-double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+double sum_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
 
 TEST(Colouring, EveryChoiceOfTheViewIsKnown) {
     Snapshot snapshot = snapshot_of(unit_square_mesh(4));
@@ -82,13 +84,13 @@ TEST(Colouring, AreasAddUpToTheDomain) {
     const Colouring area = made(snapshot, {.colouring = "area"});
     EXPECT_EQ(area.place, FieldPlace::cell);
     EXPECT_EQ(area.label, "cell area");
-    EXPECT_NEAR(sum(area.values), 1, 1e-14);
+    EXPECT_NEAR(sum_of(area.values), 1, 1e-14);
     EXPECT_EQ(area.range, range_of(area.values));
 }
 
 TEST(Colouring, MeasuresCellsOfEveryKind) {
     const auto total = [](Mesh mesh) {
-        return sum(made(snapshot_of(std::move(mesh), 0), {.colouring = "area"}).values);
+        return sum_of(made(snapshot_of(std::move(mesh), 0), {.colouring = "area"}).values);
     };
     EXPECT_NEAR(total(interval_mesh(9)), 1, 1e-14);
     EXPECT_NEAR(total(cube_mesh(3)), 1, 1e-13);

@@ -40,7 +40,7 @@ Values view_with(const std::vector<std::pair<std::string, std::string>>& setting
     return view;
 }
 
-using Numbers = std::vector<double>;
+using Ordinates = std::vector<double>;
 
 TEST(IntervalPlots, ShowTheSolutionOnBothMeshesAndTheirNodes) {
     const auto columns = interval_plots(snapshot_at(both_layers), view_with({}));
@@ -49,11 +49,11 @@ TEST(IntervalPlots, ShowTheSolutionOnBothMeshesAndTheirNodes) {
     ASSERT_EQ(plot.curves.size(), 2U);
     EXPECT_EQ(plot.curves[0].label, "adapted mesh");
     EXPECT_EQ(plot.curves[0].x, both_layers);
-    EXPECT_EQ(plot.curves[0].y, (Numbers{0, 2, 4, 6, 8, 10, 12}));
+    EXPECT_EQ(plot.curves[0].y, (Ordinates{0, 2, 4, 6, 8, 10, 12}));
     EXPECT_TRUE(plot.curves[0].markers);
     EXPECT_EQ(plot.curves[1].label, "uniform mesh");
     EXPECT_EQ(plot.curves[1].x[3], 0.5);
-    EXPECT_EQ(plot.curves[1].y, (Numbers{0, -1, -2, -3, -4, -5, -6}));
+    EXPECT_EQ(plot.curves[1].y, (Ordinates{0, -1, -2, -3, -4, -5, -6}));
     EXPECT_TRUE(plot.curves[1].behind);
     EXPECT_EQ(plot.y.label, "Solution");
     ASSERT_EQ(plot.rows.size(), 2U);
@@ -91,9 +91,9 @@ TEST(IntervalPlots, DistancesFromTheRightEndAreExact) {
     const auto columns = interval_plots(snapshot_at(both_layers), view_with({{"x_axis", "log-right"}}));
     const Plot& plot = columns[0].values;
     EXPECT_TRUE(plot.x.reversed);
-    EXPECT_EQ(plot.curves[0].x, (Numbers{0, 0x1p-40, 0x1p-39, 0.5, 1 - 3e-12, 1 - 1e-12, 1}))
+    EXPECT_EQ(plot.curves[0].x, (Ordinates{0, 0x1p-40, 0x1p-39, 0.5, 1 - 3e-12, 1 - 1e-12, 1}))
         << "in the order of distances";
-    EXPECT_EQ(plot.curves[0].y, (Numbers{12, 10, 8, 6, 4, 2, 0}));
+    EXPECT_EQ(plot.curves[0].y, (Ordinates{12, 10, 8, 6, 4, 2, 0}));
     EXPECT_EQ(columns[0].spacing.curves[0].x[0], 0x1p-41);
     EXPECT_EQ(columns[0].spacing.curves[0].y[0], 0x1p-40);
     const auto ticks = axis_ticks(plot.x, asked_range(plot.x, {-12, 0}), 5);
@@ -146,8 +146,8 @@ TEST(IntervalPlots, ComponentsAreToldApart) {
     for (const Curve& curve : plot.curves) labels.push_back(curve.label);
     EXPECT_EQ(labels, (std::vector<std::string>{"component 1, adapted mesh", "component 2, adapted mesh",
                                                 "component 1, uniform mesh", "component 2, uniform mesh"}));
-    EXPECT_EQ(plot.curves[1].y, (Numbers{3, 4, 5}));
-    EXPECT_EQ(plot.curves[3].y, (Numbers{6, 7, 8}));
+    EXPECT_EQ(plot.curves[1].y, (Ordinates{3, 4, 5}));
+    EXPECT_EQ(plot.curves[3].y, (Ordinates{6, 7, 8}));
 }
 
 TEST(IntervalPlots, WildOscillationsOnTheUniformMeshLeaveTheOtherVisible) {
@@ -165,7 +165,7 @@ TEST(IntervalPlots, WildOscillationsOnTheUniformMeshLeaveTheOtherVisible) {
 TEST(IntervalPlots, FieldsOfCellsAreAtTheirMiddles) {
     const Plot plot = interval_plots(snapshot_at({0, 0.25, 1}), view_with({{"color", "area"}}))[0].values;
     ASSERT_EQ(plot.curves.size(), 1U);
-    EXPECT_EQ(plot.curves[0].x, (Numbers{0.125, 0.625}));
+    EXPECT_EQ(plot.curves[0].x, (Ordinates{0.125, 0.625}));
     ASSERT_EQ(plot.curves[0].y.size(), 2U);
     EXPECT_NEAR(plot.curves[0].y[0], 0.25, 1e-15);
     EXPECT_NEAR(plot.curves[0].y[1], 0.75, 1e-15);

@@ -1,9 +1,9 @@
 // Images of globes: shading, hidden surfaces, and negative controls.
 #include "core/scenario/view_rows.hpp"
 #include "core/tessellate/colour_map.hpp"
-#include "gui/globes.hpp"
 #include "gui/app/viewport_image.hpp"
 #include "gui/base/theme.hpp"
+#include "gui/globes.hpp"
 #include "gui/similarity.hpp"
 
 #include <algorithm>
@@ -17,17 +17,17 @@ namespace {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-Image golden(const std::string& name) {
+Image stored(const std::string& name) {
     return read_image(std::filesystem::path(GASPARD_SOURCE_DIR) / "tests/goldens" / (name + ".png"));
 }
 
-Image drawn(const Snapshot& snapshot, const Settings& settings, int width = 400, int height = 300) {
+Image globe_image(const Snapshot& snapshot, const Settings& settings, int width = 400, int height = 300) {
     Values values("view", view_rows());
     for (const auto& [key, text] : settings) values.parse(key, text);
     return render_view(snapshot, values, width, height, "plane, ring");
 }
 
-std::array<int, 3> pixel(const Image& image, int x, int y) {
+std::array<int, 3> colour_at(const Image& image, int x, int y) {
     const auto at = static_cast<std::size_t>(y * image.width + x) * 4;
     return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2]};
 }
@@ -41,28 +41,31 @@ const std::string look = "centre 0 0 0 height 2.2 right 0 1 0 up 0 0 1"; // from
 
 TEST(WrongGlobe, IsFoundDifferent) {
     const Snapshot right = xn_globe(cubed_globe(8, 2), 2);
-    EXPECT_EQ(difference(drawn(right, {}), golden("globe-x2")), "");
-    EXPECT_NE(difference(drawn(xn_globe(cubed_globe(8, 2), 3), {}), golden("globe-x2")), "")
+    EXPECT_EQ(difference(globe_image(right, {}), stored("globe-x2")), "");
+    EXPECT_NE(difference(globe_image(xn_globe(cubed_globe(8, 2), 3), {}), stored("globe-x2")), "")
         << "another ratio";
-    EXPECT_NE(difference(drawn(xn_globe(cubed_globe(8, 1), 2), {}), golden("globe-x2")), "") << "straight";
+    EXPECT_NE(difference(globe_image(xn_globe(cubed_globe(8, 1), 2), {}), stored("globe-x2")), "")
+        << "straight";
     Snapshot unmoved = right;
     unmoved.x = unmoved.mesh->nodes;
-    EXPECT_NE(difference(drawn(unmoved, {}), golden("globe-x2")), "");
+    EXPECT_NE(difference(globe_image(unmoved, {}), stored("globe-x2")), "");
     const Settings others[] = {{{"layout", "projection"}},
                                {{"layout", "front-and-rear"}},
                                {{"direction", "back"}},
                                {{"layout", "projection"}, {"projection_longitude", "90"}},
                                {{"lines", "false"}}};
-    std::vector<Image> views{drawn(right, {})};
+    std::vector<Image> views{globe_image(right, {})};
     for (const Settings& settings : others) {
-        views.push_back(drawn(right, settings));
+        views.push_back(globe_image(right, settings));
         for (std::size_t i = 0; i + 1 < views.size(); ++i)
             EXPECT_NE(difference(views.back(), views[i]), "") << settings.back().second << ", " << i;
     }
-    EXPECT_EQ(difference(drawn(right, {{"spin", "30"}}), golden("globe-x2")), "") << "a file shows the start";
-    EXPECT_EQ(difference(drawn(right, {{"overlay", "exact"}}), golden("globe-x2")), "") << "none is known";
+    EXPECT_EQ(difference(globe_image(right, {{"spin", "30"}}), stored("globe-x2")), "")
+        << "a file shows the start";
+    EXPECT_EQ(difference(globe_image(right, {{"overlay", "exact"}}), stored("globe-x2")), "")
+        << "none is known";
     const Snapshot beside = beside_exact_globe(6);
-    EXPECT_NE(difference(drawn(beside, {{"direction", "right"}}), golden("globe-exact")), "");
+    EXPECT_NE(difference(globe_image(beside, {{"direction", "right"}}), stored("globe-exact")), "");
 }
 
 TEST(Globe, KeepsTheLegendsColoursWhereItFacesTheViewer) {
@@ -71,13 +74,13 @@ TEST(Globe, KeepsTheLegendsColoursWhereItFacesTheViewer) {
             Snapshot snapshot = xn_globe(cubed_globe(16, order), 1.01);
             for (std::size_t i = 0; i < snapshot.x.size(); ++i)
                 snapshot.fields[0].values[i] = snapshot.x[i].z;
-            const Image image = drawn(
+            const Image image = globe_image(
                 snapshot, {{"camera", look}, {"lines", "false"}, {"theme", theme}, {"histogram", "false"}},
                 440, 440);
             const double radius = 200;
             for (const double z : {-0.6, -0.3, 0.0, 0.3, 0.6}) {
                 const auto colour = colour_at(colour_map("viridis"), (z + 1) / 2);
-                const auto seen = pixel(image, 220, 220 - static_cast<int>(radius * z));
+                const auto seen = colour_at(image, 220, 220 - static_cast<int>(radius * z));
                 EXPECT_LT(apart(seen, {colour[0], colour[1], colour[2]}), 16) << theme << ", z = " << z;
             }
         }
@@ -85,11 +88,11 @@ TEST(Globe, KeepsTheLegendsColoursWhereItFacesTheViewer) {
 
 TEST(Globe, IsDarkerTowardsItsLimbButNeverBlack) {
     Snapshot snapshot = xn_globe(cubed_globe(16, 2), 1.01);
-    const Image image = drawn(
+    const Image image = globe_image(
         snapshot, {{"camera", look}, {"lines", "false"}, {"color", "none"}, {"theme", "light"}}, 440, 440);
     int last = 256;
     for (const double r : {0.0, 0.4, 0.7, 0.9, 0.97}) {
-        const int here = pixel(image, 220 + static_cast<int>(200 * r), 220)[1];
+        const int here = colour_at(image, 220 + static_cast<int>(200 * r), 220)[1];
         EXPECT_LE(here, last) << r;
         last = here;
     }
@@ -103,14 +106,14 @@ TEST(Globe, IsOpaqueAndRound) {
         Snapshot snapshot = xn_globe(cubed_globe(k, 2), 1.01);
         for (std::size_t i = 0; i < snapshot.x.size(); ++i)
             snapshot.fields[0].values[i] = snapshot.x[i].x > -0.3 ? 0 : 1;
-        const Image image = drawn(
+        const Image image = globe_image(
             snapshot, {{"camera", look}, {"lines", "false"}, {"color_map", "grey"}, {"histogram", "false"}},
             440, 440);
-        const auto background = pixel(image, 2, 2);
+        const auto background = colour_at(image, 2, 2);
         for (int y = 20; y < 400; y += 3)
             for (int x = 20; x < 350; x += 3) { // beside the legend
                 const double r = std::hypot(x + 0.5 - 220, y + 0.5 - 220);
-                const auto seen = pixel(image, x, y);
+                const auto seen = colour_at(image, x, y);
                 if (r < 198) {
                     EXPECT_LT(seen[1], 40) << "the front is black";
                     EXPECT_NE(seen, background);
@@ -126,7 +129,8 @@ TEST(Globe, IsOpaqueAndRound) {
 double ink(const Image& with, const Image& without, int x, int y, int half) {
     double sum = 0;
     for (int j = y - half; j <= y + half; ++j)
-        for (int i = x - half; i <= x + half; ++i) sum += apart(pixel(with, i, j), pixel(without, i, j));
+        for (int i = x - half; i <= x + half; ++i)
+            sum += apart(colour_at(with, i, j), colour_at(without, i, j));
     return sum / (255.0 * (2 * half + 1) * (2 * half + 1));
 }
 
@@ -136,7 +140,8 @@ TEST(Globe, LinesFadeAtTheLimbAndNeverSink) {
         const Settings settings = {{"camera", look}, {"color", "none"}, {"theme", "light"}};
         Settings bare = settings;
         bare.emplace_back("lines", "false");
-        const Image with = drawn(snapshot, settings, 440, 440), without = drawn(snapshot, bare, 440, 440);
+        const Image with = globe_image(snapshot, settings, 440, 440),
+                    without = globe_image(snapshot, bare, 440, 440);
         double middle = 0, limb = 0;
         for (int i = 0; i < 24; ++i) {
             const double angle = 2 * std::numbers::pi * i / 24;
@@ -152,20 +157,20 @@ TEST(Globe, LinesFadeAtTheLimbAndNeverSink) {
     const Settings settings = {{"camera", look}, {"color", "none"}, {"theme", "light"}};
     Settings bare = settings;
     bare.emplace_back("lines", "false");
-    const Image with = drawn(coarse, settings, 440, 440), without = drawn(coarse, bare, 440, 440);
+    const Image with = globe_image(coarse, settings, 440, 440), without = globe_image(coarse, bare, 440, 440);
     for (int y = 100; y < 340; ++y) EXPECT_GT(ink(with, without, 220, y, 2), 0.05) << y;
 }
 
 TEST(Globe, BlendsAlongTheBall) {
     // Half of a long displacement: along a straight line, the globe would be dented.
     Snapshot snapshot = xn_globe(cubed_globe(8, 2), 16);
-    const Image image = drawn(
+    const Image image = globe_image(
         snapshot, {{"blend", "0.5"}, {"camera", look}, {"color", "none"}, {"lines", "false"}}, 440, 440);
-    const auto background = pixel(image, 2, 2);
+    const auto background = colour_at(image, 2, 2);
     for (int i = 0; i < 60; ++i) {
         const double angle = 2 * std::numbers::pi * i / 60;
         const auto at = [&](double r, double way) { return static_cast<int>(220 + r * way); };
-        EXPECT_NE(pixel(image, at(197, std::cos(angle)), at(197, std::sin(angle))), background) << i;
+        EXPECT_NE(colour_at(image, at(197, std::cos(angle)), at(197, std::sin(angle))), background) << i;
     }
 }
 
@@ -177,7 +182,7 @@ TEST(Globe, OfAnyRadiusLooksTheSame) {
              {&mesh.nodes.x, &mesh.nodes.y, &mesh.nodes.z, &snapshot.x.x, &snapshot.x.y, &snapshot.x.z})
             for (double& value : *x) value *= radius;
         snapshot.mesh = std::make_shared<const Mesh>(std::move(mesh));
-        EXPECT_EQ(difference(drawn(snapshot, {}), golden("globe-x2")), "") << radius;
+        EXPECT_EQ(difference(globe_image(snapshot, {}), stored("globe-x2")), "") << radius;
     }
 }
 
@@ -187,8 +192,8 @@ TEST(Globe, HasARimWhereItIsAsDarkAsWhatIsBehind) {
     const std::array<int, 3> ground{byte(theme.background.r), byte(theme.background.g),
                                     byte(theme.background.b)};
     const Image image =
-        drawn(xn_globe(cubed_globe(8, 2), 16),
-              {{"camera", "centre 0 0 0 height 2.2 right 0 -1 0 up 0 0 1"}, {"lines", "false"}});
+        globe_image(xn_globe(cubed_globe(8, 2), 16),
+                    {{"camera", "centre 0 0 0 height 2.2 right 0 -1 0 up 0 0 1"}, {"lines", "false"}});
     const double radius = image.height / 2.2; // seen from -x, where the monitor is lowest
     for (int i = 0; i < 24; ++i) {
         const double angle = 2 * std::numbers::pi * i / 24 + 0.1;
@@ -197,7 +202,7 @@ TEST(Globe, HasARimWhereItIsAsDarkAsWhatIsBehind) {
         for (double r = radius - 2; r <= radius + 2; r += 0.5) {
             const int x = static_cast<int>(image.width / 2 + r * std::cos(angle)),
                       y = static_cast<int>(image.height / 2 - r * std::sin(angle));
-            most = std::max(most, apart(pixel(image, x, y), ground));
+            most = std::max(most, apart(colour_at(image, x, y), ground));
         }
         EXPECT_GT(most, 50) << i;
     }
@@ -211,14 +216,14 @@ TEST(Globe, TangledCellsShowWhereTheyAre) {
         return found;
     };
     const Snapshot snapshot = tangled_globe(10);
-    EXPECT_GT(magenta(drawn(snapshot, {})), 3000);
-    EXPECT_GT(magenta(drawn(snapshot, {{"layout", "projection"}})), 1500);
+    EXPECT_GT(magenta(globe_image(snapshot, {})), 3000);
+    EXPECT_GT(magenta(globe_image(snapshot, {{"layout", "projection"}})), 1500);
     // From behind only the note has the colour.
     const std::string behind = "centre 0 0 0 height 2.2 right 0 -1 0 up 0.5 0 0.866";
-    const int swatch = magenta(drawn(snapshot, {{"camera", behind}}));
+    const int swatch = magenta(globe_image(snapshot, {{"camera", behind}}));
     EXPECT_GT(swatch, 20);
     EXPECT_LT(swatch, 300);
-    EXPECT_EQ(magenta(drawn(xn_globe(cubed_globe(8, 2), 16), {})), 0) << "far moved is not tangled";
+    EXPECT_EQ(magenta(globe_image(xn_globe(cubed_globe(8, 2), 16), {})), 0) << "far moved is not tangled";
 }
 
 } // namespace

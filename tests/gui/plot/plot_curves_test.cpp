@@ -8,7 +8,7 @@
 namespace gaspard {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 /// A long column with its extremes.
 struct Column {
@@ -65,7 +65,7 @@ TEST(PixelPath, OfALongCurveKeepsEveryPeakWithinItsPixel) {
 
 TEST(PixelPath, OfAFewPointsIsAllOfThem) {
     Column column;
-    for (int i = 0; i < 50; ++i) column.add(i, i == 20 ? nan : i);
+    for (int i = 0; i < 50; ++i) column.add(i, i == 20 ? missing : i);
     const PlotFrame frame = frame_of({0, 49}, {0, 49});
     const PixelPath path = pixel_path(column.view(), frame);
     ASSERT_EQ(path.x.size(), 50U);
