@@ -47,10 +47,12 @@ ParameterRow text(const char* key, const char* label, const char* help) {
 
 ParameterRow layout_row() {
     ParameterRow row =
-        choice("layout", "Layout", {"single", "side-by-side", "front-and-rear", "projection", "runs"},
-               "side-by-side: computational and physical mesh; front-and-rear: a mesh in "
-               "space from both sides; projection: a sphere in Hammer's equal-area "
-               "projection; runs: in the window, the meshes of all runs");
+        choice("layout", "Layout",
+               {"single", "computational", "side-by-side", "front-and-rear", "projection", "runs"},
+               "single: one mesh, by default the physical one; computational: the computational mesh "
+               "with the same values; side-by-side: both; front-and-rear: a mesh in space from both sides; "
+               "projection: a sphere in Hammer's equal-area projection; runs: in the window, the meshes of "
+               "all runs");
     row.former_choices = {{"map", "projection"}};
     return row;
 }

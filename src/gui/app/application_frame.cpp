@@ -203,7 +203,9 @@ void Application::draw_view(const PanelContext& context) {
 std::vector<std::string> Application::view_keys() {
     const Values& view = viewport().view;
     const bool fixed = view.text("range") == "fixed";
-    std::vector<std::string> keys = {"blend", "color"};
+    std::vector<std::string> keys;
+    if (view.text("layout") != "computational") keys.emplace_back("blend");
+    keys.emplace_back("color");
     if (!on_interval()) keys.emplace_back("color_map");
     keys.insert(keys.end(), {"log", "range"});
     if (fixed) keys.insert(keys.end(), {"low", "high"});

@@ -154,9 +154,11 @@ MeshScene ViewportPlanner::computational(const MeshScene& scene, const Snapshot&
 void ViewportPlanner::place_views(const MeshScene& scene, const Snapshot& snapshot, const Values& view,
                                   ViewportPlan& plan, float scale) {
     const std::string layout = layout_of(scene, view);
-    if (layout == "single" || layout == "projection") {
-        const MeshScene shown =
-            layout == "projection" ? projection_maker_.make(scene, view.real("projection_longitude")) : scene;
+    if (layout != "side-by-side" && layout != "front-and-rear") {
+        const MeshScene shown = layout == "projection"
+                                    ? projection_maker_.make(scene, view.real("projection_longitude"))
+                                : layout == "computational" ? computational(scene, snapshot, view)
+                                                            : scene;
         const Camera camera =
             camera_of(shown, view, size_of(plan.rect), insets_of(plan, shown, scale), plan.complaint);
         plan.views = {{shown, camera, plan.rect, plan.text.title}};
