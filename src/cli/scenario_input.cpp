@@ -54,7 +54,7 @@ void check_domain(const Catalogue& catalogue, const ScenarioInput& input) {
     const Values& view = input.scenario.view;
     const bool needs_mesh = find_role(input.scenario.domain.values.rows(), ParameterRole::file) != nullptr ||
                             !is_default(view, "pick") || !is_default(view, "layout") ||
-                            !is_default(view, "camera");
+                            !is_default(view, "camera") || !is_default(view, "elevation_camera");
     if (needs_mesh) check_with_mesh(input, *prepare(check(catalogue, input.scenario), {}, {})->mesh());
 }
 
@@ -80,11 +80,12 @@ void check_with_mesh(const ScenarioInput& input, const Mesh& mesh) {
         if (std::none_of(input.formats.begin(), input.formats.end(), is_svg)) return;
         const double aspect =
             static_cast<double>(view.integer("height")) / static_cast<double>(view.integer("width"));
-        try {
-            check_svg_camera(mesh.nodes, view.text("camera"), aspect);
-        } catch (const InputError& error) {
-            throw InputError("view.camera: " + std::string(error.what()));
-        }
+        for (const std::string key : {"camera", "elevation_camera"})
+            try {
+                check_svg_camera(mesh.nodes, view.text(key), aspect);
+            } catch (const InputError& error) {
+                throw InputError("view." + key + ": " + error.what());
+            }
     });
 }
 

@@ -96,7 +96,11 @@ void write_svg_files(const std::filesystem::path& folder, const RunResult& resul
     else
         write_svg(folder / "adapted.svg", result.snapshot,
                   make_colouring(result.snapshot, colour_choice(view)),
-                  {.camera = view.text("camera"), .aspect = aspect, .background = background});
+                  {.camera = view.text("camera"),
+                   .aspect = aspect,
+                   .background = background,
+                   .elevation = view.real("elevation"),
+                   .elevation_camera = view.text("elevation_camera")});
     write_svg(folder / "residual.svg", history_plot(result.history, "residual"));
     write_svg(folder / "equidistribution.svg", history_plot(result.history, "equidistribution"));
 }

@@ -34,6 +34,8 @@ struct MeshSvgOptions {
     std::string camera{};    ///< as view.camera; empty: the whole mesh, a mesh in space from slightly above
     double aspect = 0.75;    ///< height over width of what a camera with a centre and a height shows
     Background background{}; ///< the theme's is white
+    double elevation = 0;    ///< as view.elevation: above 0, a plane mesh is a surface in space
+    std::string elevation_camera{}; ///< of that surface, instead of `camera`
 };
 
 /// Throws InputError if `camera` cannot be read, or shows so small a part of points within `nodes` that their
@@ -42,7 +44,8 @@ void check_svg_camera(const Points& nodes, const std::string& camera, double asp
 
 /// The mesh at x: cells filled in classes of the colouring (white without one), edges as long lines (curved
 /// ones as exact parabolas), tangled cells in magenta above all others, a legend. Of a mesh in space hidden
-/// faces are left out. A curve is drawn as a line; of an interval, see svg_of_plots(). The camera says from
+/// faces are left out. Contour lines are those of the colouring, except on the border of a solid.
+/// A curve is drawn as a line; of an interval, see svg_of_plots(). The camera says from
 /// where and which part; the height of the drawing follows from the mesh or, for a part, from `aspect`.
 /// Throws InputError if the camera cannot be read.
 std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>& colouring,

@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char *dark_ink = "#14171c", *light_ink = "#d4d2de", *tangled_colour = "#e600b8";
 constexpr double margin = 6, legend_gap = 10, bar_width = 10; // points
+constexpr double contour_width = 0.7;
 
 /// From 0 to 1, of linear light.
 double luminance(std::array<unsigned char, 3> colour) {
@@ -48,6 +49,12 @@ class Classes {
         if (scene_.values.empty()) return 0;
         const double place = std::clamp(range_.position(scene_.values[face]), 0.0, 1.0);
         return std::min(count() - 1, static_cast<std::size_t>(place * static_cast<double>(count())));
+    }
+    /// Of a contour line.
+    bool level_wants_light_ink(double level) const {
+        const std::size_t k = static_cast<std::size_t>(std::clamp(range_.position(level), 0.0, 1.0) *
+                                                       static_cast<double>(count()));
+        return wants_light_ink(std::min(k, count() - 1), k > 0 ? k - 1 : 0);
     }
     /// Lines on these classes are seen: against either ink the contrast ratio is at least 3.
     bool wants_light_ink(std::size_t a, std::size_t b) const {
@@ -155,6 +162,11 @@ std::string path_element(const SvgPath& path, const std::string& attributes = {}
     return path.empty() ? "" : "<path" + attributes + " d=\"" + path.data() + "\"/>\n";
 }
 
+std::string contour_look(bool light) {
+    return " fill=\"none\" stroke=\"" + std::string(light ? light_ink : dark_ink) + "\" stroke-width=\"" +
+           svg_number(contour_width) + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"";
+}
+
 /// One path per class around all of its cells.
 std::string flat_fill(const Drawing& drawing) {
     const SvgScene& scene = drawing.scene;
@@ -201,6 +213,40 @@ std::string flat_edges(const Drawing& drawing) {
     return text + "</g>\n";
 }
 
+/// As long lines.
+std::string flat_contours(const Drawing& drawing) {
+    const SvgContours& contours = drawing.scene.contours;
+    std::array<std::vector<Side>, 2> groups; // light and dark ink
+    for (std::size_t i = 0; i < contours.segments.size(); ++i)
+        if (drawing.shown[contours.cells[i]])
+            groups[drawing.classes.level_wants_light_ink(contours.levels[i]) ? 0 : 1].push_back(
+                contours.segments[i]);
+    std::string text;
+    for (std::size_t ink = 0; ink < 2; ++ink) {
+        SvgPath path(drawing.decimals);
+        for (const auto& line : chain(groups[ink], contours.x)) {
+            path.move(drawing.view.page(contours.x[static_cast<std::size_t>(line.front().from)]));
+            for (const Side& side : line)
+                path.line(drawing.view.page(contours.x[static_cast<std::size_t>(side.to)]));
+        }
+        text += path_element(path, contour_look(ink == 0));
+    }
+    return text.empty() ? text : "<g id=\"contours\">\n" + text + "</g>\n";
+}
+
+/// Those of one face of a surface, whose faces are its cells.
+std::string face_contours(const Drawing& drawing, std::uint32_t face, bool light) {
+    const SvgContours& contours = drawing.scene.contours;
+    const auto [begin, end] = std::equal_range(contours.cells.begin(), contours.cells.end(), face);
+    SvgPath path(drawing.decimals);
+    for (auto i = begin - contours.cells.begin(); i < end - contours.cells.begin(); ++i) {
+        const Side& side = contours.segments[static_cast<std::size_t>(i)];
+        path.move(drawing.view.page(contours.x[static_cast<std::size_t>(side.from)]));
+        path.line(drawing.view.page(contours.x[static_cast<std::size_t>(side.to)]));
+    }
+    return path_element(path, contour_look(light));
+}
+
 /// Cell by cell: in one path, overlapping cells of opposite orientation would cancel.
 std::string flat_tangled(const Drawing& drawing) {
     std::string cells;
@@ -234,7 +280,7 @@ std::string spatial_faces(const Drawing& drawing) {
         group = look;
         SvgPath path(drawing.decimals);
         drawing.add(path, sides_of_face(scene.faces, f), true);
-        text += path_element(path);
+        text += path_element(path) + face_contours(drawing, f, light);
     }
     return text + (group.empty() ? "" : "</g>\n") + "</g>\n";
 }
@@ -269,24 +315,38 @@ std::string svg_block(double x, double y, double width, double height, const std
            "\" height=\"" + svg_number(height) + "\" " + attributes + "/>\n";
 }
 
-double legend_width(const ColourRange& range, const std::string& label, double height) {
-    double width = svg_text_width(label);
-    for (const Tick& tick : ticks_of(range, height))
+/// The lines above the bar.
+std::vector<std::string> legend_words(const Colouring& colouring) {
+    if (colouring.contours.values.empty()) return {colouring.label};
+    return {colouring.label, "contours " + colouring.contours.text};
+}
+
+double legend_width(const Colouring& colouring, double height) {
+    double width = 0;
+    for (const std::string& words : legend_words(colouring)) width = std::max(width, svg_text_width(words));
+    for (const Tick& tick : ticks_of(colouring.range, height))
         width = std::max(width, bar_width + 5 + svg_text_width(tick.label));
     return width;
 }
 
-/// A bar of the classes with ticks, its upper left corner at `corner`.
-std::string colour_bar(const Classes& classes, const std::string& name, PagePoint corner, double height) {
+/// A bar of the classes with ticks and levels, the upper left corner of the words above it at `corner`.
+std::string colour_bar(const Classes& classes, const Colouring& colouring, PagePoint corner, double height) {
     const double block = height / static_cast<double>(classes.count());
     std::string text = "<g id=\"legend\" fill=\"#222\">\n";
-    text += svg_text({corner.x, corner.y + 0.75 * svg_font_size}, Anchor::start, name);
-    const double top = corner.y + 1.5 * svg_font_size;
+    double top = corner.y;
+    for (const std::string& words : legend_words(colouring)) {
+        text += svg_text({corner.x, top + 0.75 * svg_font_size}, Anchor::start, words);
+        top += 1.5 * svg_font_size;
+    }
     for (std::size_t k = 0; k < classes.count(); ++k)
         // Each up to the bar's top, the next one over it: no gap shines through between them.
         text += svg_block(corner.x, top, bar_width, height - static_cast<double>(k) * block,
                           "fill=\"" + classes.colour(k) + '"');
     text += svg_block(corner.x, top, bar_width, height, "fill=\"none\" stroke=\"#444\" stroke-width=\".35\"");
+    for (const double level : colouring.contours.values)
+        text += svg_block(
+            corner.x, top + height * (1 - classes.range().position(level)) - 0.3, bar_width, 0.6,
+            std::string("fill=\"") + (classes.level_wants_light_ink(level) ? light_ink : dark_ink) + '"');
     SvgPath marks;
     for (const Tick& tick : ticks_of(classes.range(), height)) {
         const double y = top + height * (1 - classes.range().position(tick.value));
@@ -318,7 +378,7 @@ std::string tangled_note(const SvgScene& scene, PagePoint at) {
 std::string mesh_content(const Drawing& drawing) {
     if (!drawing.scene.lines.empty()) return coloured_lines(drawing);
     if (drawing.scene.spatial) return spatial_faces(drawing);
-    return flat_fill(drawing) + flat_edges(drawing) + flat_tangled(drawing);
+    return flat_fill(drawing) + flat_edges(drawing) + flat_contours(drawing) + flat_tangled(drawing);
 }
 
 /// Which faces or lines of the scene the view shows.
@@ -350,12 +410,11 @@ std::string cropped(const SvgView& view, const std::string& content) {
 
 std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>& colouring,
                         const MeshSvgOptions& options) {
-    const SvgScene scene = svg_scene(snapshot, colouring);
+    const SvgScene scene = svg_scene(snapshot, colouring, options.elevation);
     const Classes classes(scene, colouring, options.classes);
     const double width = options.width_mm * points_per_mm;
     constexpr double highest_bar = 170;
-    const double beside =
-        colouring ? legend_gap + legend_width(colouring->range, colouring->label, highest_bar) : 0;
+    const double beside = colouring ? legend_gap + legend_width(*colouring, highest_bar) : 0;
     const double free_width = width - 2 * margin - beside;
     const SvgView view = svg_view(scene, options, {margin, margin}, free_width);
 
@@ -365,8 +424,11 @@ std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>
     std::string content = cropped(view, mesh_content(drawing));
     const double shown_height = std::max(view.height, colouring ? 90.0 : 0.0);
     if (colouring)
-        content += colour_bar(classes, colouring->label, {width - margin - beside + legend_gap, margin},
-                              std::min(shown_height - 1.5 * svg_font_size, highest_bar));
+        content +=
+            colour_bar(classes, *colouring, {width - margin - beside + legend_gap, margin},
+                       std::min(shown_height - 1.5 * svg_font_size *
+                                                   static_cast<double>(legend_words(*colouring).size()),
+                                highest_bar));
     double height = shown_height + 2 * margin;
     const std::string note = tangled_note(scene, {margin, height + 0.75 * svg_font_size});
     if (!note.empty()) content += note, height += 1.5 * svg_font_size;

@@ -3,6 +3,7 @@
 #include "core/base/check.hpp"
 #include "core/scenario/view_directions.hpp"
 #include "core/tessellate/camera.hpp"
+#include "core/tessellate/elevation.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -70,20 +71,23 @@ Vec3 face_centre(const SvgScene& scene, std::size_t face) {
 
 } // namespace
 
-SvgScene svg_scene(const Snapshot& snapshot, const std::optional<Colouring>& colouring) {
+SvgScene svg_scene(const Snapshot& snapshot, const std::optional<Colouring>& colouring, double elevation) {
     const Mesh& mesh = *snapshot.mesh;
     GASPARD_CHECK(snapshot.x.size() == mesh.node_count());
     SvgScene scene;
     scene.x = snapshot.x;
+    if (colouring) scene.x = raised(snapshot.x, elevations(mesh, *colouring, elevation));
     scene.xi = mesh.nodes;
     if (cell_dimension(mesh.kind) > 1)
         scene.faces = shown_faces(mesh);
     else
         scene.lines = lines_of(mesh);
     const auto [low, high] = std::minmax_element(scene.x.z.begin(), scene.x.z.end());
-    scene.spatial = mesh.space_dimension == 3 && *low < *high;
+    scene.spatial = *low < *high;
+    scene.elevated = scene.spatial && mesh.space_dimension == 2;
     scene.closed = cell_dimension(mesh.kind) == 3 || (scene.spatial && border(mesh).size() == 0);
     if (colouring) add_values(scene, mesh, *colouring);
+    if (colouring) scene.contours = svg_contours(snapshot, *colouring, scene.x);
     add_tangled(scene, mesh, ColouringMaker().tangled(snapshot));
     return scene;
 }
@@ -123,10 +127,11 @@ void check_svg_camera(const Points& nodes, const std::string& camera, double asp
 
 SvgView svg_view(const SvgScene& scene, const MeshSvgOptions& options, PagePoint corner, double width) {
     const Size size{width, options.aspect * width};
+    const std::string& text = scene.elevated ? options.elevation_camera : options.camera;
     std::optional<Camera> camera;
-    if (!options.camera.empty()) camera = parse_camera(options.camera, size);
-    if (camera) check_svg_camera(scene.x, options.camera, options.aspect);
-    if (camera && !shows_all(options.camera)) return view_of_camera(*camera, corner, size);
+    if (!text.empty()) camera = parse_camera(text, size);
+    if (camera) check_svg_camera(scene.x, text, options.aspect);
+    if (camera && !shows_all(text)) return view_of_camera(*camera, corner, size);
     SvgView view{.corner = corner};
     if (scene.spatial) {
         const ViewDirection& home = view_direction("home");

@@ -3,6 +3,7 @@
 
 #include "core/io/mesh_outline.hpp"
 #include "core/io/svg.hpp"
+#include "core/io/svg_contours.hpp"
 #include "core/io/svg_path.hpp"
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/colouring.hpp"
@@ -14,18 +15,21 @@
 namespace gaspard {
 
 struct SvgScene {
-    Facets faces; ///< cells of a surface, border of a solid
+    Facets faces;               ///< cells of a surface, border of a solid
     std::vector<Side> lines;    ///< the cells of a curve in the plane or in space, which has no faces
     Points x, xi;               ///< where the nodes of both stand; xi tells which edges go straight on
     std::vector<double> values; ///< of the colouring, per face or line; empty without one
     std::vector<bool> tangled;  ///< per face or line
+    SvgContours contours{};     ///< of the colouring
     bool spatial = false;       ///< has depth, so that some of it may hide the rest
     bool closed = false;        ///< no border: what turns away is hidden
+    bool elevated = false;      ///< a plane mesh with heights
 
     std::size_t size() const { return lines.empty() ? faces.size() : lines.size(); }
 };
 
-SvgScene svg_scene(const Snapshot& snapshot, const std::optional<Colouring>& colouring);
+/// `elevation`: as view.elevation.
+SvgScene svg_scene(const Snapshot& snapshot, const std::optional<Colouring>& colouring, double elevation = 0);
 
 /// An orthographic view of a scene on a part of the page.
 struct SvgView {

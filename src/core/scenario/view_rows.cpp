@@ -47,10 +47,12 @@ ParameterRow text(const char* key, const char* label, const char* help) {
 
 ParameterRow layout_row() {
     ParameterRow row =
-        choice("layout", "Layout", {"single", "side-by-side", "front-and-rear", "projection", "runs"},
-               "side-by-side: computational and physical mesh; front-and-rear: a mesh in "
-               "space from both sides; projection: a sphere in Hammer's equal-area "
-               "projection; runs: in the window, the meshes of all runs");
+        choice("layout", "Layout",
+               {"single", "computational", "side-by-side", "front-and-rear", "projection", "runs"},
+               "single: one mesh, by default the physical one; computational: the computational mesh "
+               "with the same values; side-by-side: both; front-and-rear: a mesh in space from both sides; "
+               "projection: a sphere in Hammer's equal-area projection; runs: in the window, the meshes of "
+               "all runs");
     row.former_choices = {{"map", "projection"}};
     return row;
 }
@@ -170,6 +172,23 @@ std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further, std::str
         real("high", "High", 1, "the highest colour's value, where the range is fixed"),
         boolean("histogram", "Histogram", true, "histogram of the values, beside the legend"),
         boolean("lines", "Lines", true, "the cells' edges; of an interval, the nodes below the plot"),
+        {.key = "contours",
+         .label = "Contour lines",
+         .kind = ParameterKind::integer,
+         .minimum = 0,
+         .maximum = 100,
+         .slider = SliderRange{0, 30},
+         .default_value = std::int64_t{0},
+         .help = "of the field that the colours show, if it has values at the nodes: at most so many, at "
+                 "round values in the range of the colours"},
+        {.key = "elevation",
+         .label = "Height",
+         .minimum = 0,
+         .maximum = 100,
+         .slider = SliderRange{0, 2},
+         .default_value = 0.0,
+         .help = "a plane mesh as a surface, as high as the field that the colours show, if it has values at "
+                 "the nodes: with 1, the range of colours is half as high as the domain is long; 0: flat"},
         boolean("arrows", "Arrows", false, "from ξ to x, as many as fit"),
         layout_row(),
         {.key = "projection_longitude",
@@ -189,6 +208,8 @@ std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further, std::str
              "('right 0 1 0 up 0 0 1'): the whole mesh from that direction"),
         formerly("map_camera", text("projection_camera", "Projection camera",
                                     "position of the camera over the projection; empty: the whole sphere")),
+        text("elevation_camera", "Camera",
+             "position of the camera over a plane mesh with heights; empty: the whole mesh"),
         {.key = "spin",
          .label = "Spin",
          .unit = "°/s",

@@ -9,7 +9,7 @@
 namespace gaspard {
 
 void check_view(const Values& view, const Mesh* mesh) {
-    for (const char* key : {"camera", "projection_camera"})
+    for (const char* key : {"camera", "projection_camera", "elevation_camera"})
         try {
             if (!view.text(key).empty()) parse_camera(view.text(key), {1, 1});
         } catch (const InputError& error) {

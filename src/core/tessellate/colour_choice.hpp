@@ -15,6 +15,7 @@ struct ColourChoice {
     bool logarithmic = false;          ///< where values may be negative (equidistribution) it stays linear
     bool fixed = false;                ///< the range is low to high, else it follows the values
     double low = 0, high = 1;
+    int contours = 0; ///< at most so many levels of contour lines
     friend bool operator==(const ColourChoice&, const ColourChoice&) = default;
 };
 /// `view`: values of view_rows().

@@ -102,6 +102,10 @@ std::array<unsigned char, 3> colour_at(const ColourMap& map, double t) {
     return colour;
 }
 
+bool is_dark(std::array<unsigned char, 3> colour) {
+    return 299 * colour[0] + 587 * colour[1] + 114 * colour[2] < 550 * 255;
+}
+
 double ColourRange::position(double value) const {
     if (!(high > low)) return 0.5;
     if (!logarithmic) return (value - low) / (high - low);

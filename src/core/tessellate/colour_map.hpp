@@ -20,6 +20,8 @@ const std::vector<ColourMap>& colour_maps();
 const ColourMap& colour_map(std::string_view name); ///< checks that the name is in the table
 /// `t` is clamped to [0, 1]; NaN gives the lowest colour.
 std::array<unsigned char, 3> colour_at(const ColourMap& map, double t);
+/// Whether light lines are seen better on a colour than dark ones.
+bool is_dark(std::array<unsigned char, 3> colour);
 
 /// The range of values that a colour map spans.
 struct ColourRange {

@@ -123,8 +123,13 @@ std::string legend_text(const FieldInfo& info, int dimension) {
 } // namespace
 
 ColourChoice colour_choice(const Values& view) {
-    return {view.text("color"), view.text("color_map"), view.boolean("log"), view.text("range") == "fixed",
-            view.real("low"),   view.real("high")};
+    return {view.text("color"),
+            view.text("color_map"),
+            view.boolean("log"),
+            view.text("range") == "fixed",
+            view.real("low"),
+            view.real("high"),
+            static_cast<int>(view.integer("contours"))};
 }
 
 void ColouringMaker::see(const Snapshot& snapshot) {
@@ -190,6 +195,8 @@ std::optional<Colouring> ColouringMaker::make(const Snapshot& snapshot, const Co
             automatic_range(whole_range(snapshot.field(choice.colouring), colouring.values),
                             colouring.values, *info, choice.logarithmic, colouring.map->diverging);
     count(colouring);
+    if (info->place == FieldPlace::node)
+        colouring.contours = contour_levels(colouring.range, choice.contours);
     return colouring;
 }
 

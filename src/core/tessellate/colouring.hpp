@@ -14,6 +14,7 @@
 #include "core/tessellate/cell_geometry.hpp"
 #include "core/tessellate/colour_choice.hpp"
 #include "core/tessellate/colour_map.hpp"
+#include "core/tessellate/contours.hpp"
 
 #include <array>
 #include <cstdint>
@@ -35,6 +36,7 @@ struct Colouring {
     /// values; what is outside counts for none.
     std::vector<std::uint32_t> histogram{};
     bool below = false, above = false; ///< some values lie outside
+    ContourLevels contours{};          ///< in the range; none for values of cells
 
     std::array<unsigned char, 3> colour(std::size_t i) const {
         return colour_at(*map, range.position(values[i]));

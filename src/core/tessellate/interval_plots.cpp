@@ -304,8 +304,13 @@ std::vector<IntervalColumn> interval_plots(const Snapshot& snapshot, const Value
                                            ColouringMaker& cells) {
     GASPARD_CHECK(is_interval(*snapshot.mesh) && snapshot.mesh->node_count() > 1);
     const Maker maker(snapshot, view, cells);
-    if (view.text("layout") != "side-by-side") {
+    const std::string& layout = view.text("layout");
+    if (layout != "side-by-side") {
         std::vector<IntervalColumn> columns;
+        if (layout == "computational") {
+            columns.push_back(maker.over_xi("computational"));
+            return columns;
+        }
         columns.push_back(maker.has_values() ? maker.over_x({}) : maker.over_xi({}));
         return columns;
     }

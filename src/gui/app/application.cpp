@@ -182,7 +182,10 @@ void Application::follow(const MenuChoice& choice) {
 
 bool Application::on_interval() { return run().snapshot && is_interval(*run().snapshot->mesh); }
 
-bool Application::in_space() { return run().snapshot && run().snapshot->mesh->space_dimension == 3; }
+bool Application::in_space() {
+    const bool elevated = !views().empty() && views().front().scene.elevation > 0;
+    return elevated || (run().snapshot && run().snapshot->mesh->space_dimension == 3);
+}
 
 bool Application::available(const std::string& choice) const {
     const auto missing = viewport_pane_.unavailable();

@@ -203,7 +203,9 @@ void Application::draw_view(const PanelContext& context) {
 std::vector<std::string> Application::view_keys() {
     const Values& view = viewport().view;
     const bool fixed = view.text("range") == "fixed";
-    std::vector<std::string> keys = {"blend", "color"};
+    std::vector<std::string> keys;
+    if (view.text("layout") != "computational") keys.emplace_back("blend");
+    keys.emplace_back("color");
     if (!on_interval()) keys.emplace_back("color_map");
     keys.insert(keys.end(), {"log", "range"});
     if (fixed) keys.insert(keys.end(), {"low", "high"});
@@ -211,12 +213,18 @@ std::vector<std::string> Application::view_keys() {
         keys.insert(keys.end(), {"x_axis", "lines", "layout"});
         return keys;
     }
-    for (const char* key : {"histogram", "lines", "arrows", "layout"}) keys.emplace_back(key);
+    keys.insert(keys.end(), {"histogram", "lines"});
+    const MeshScene* scene = views().empty() ? nullptr : &views().front().scene;
+    const bool in_plane = run().snapshot && run().snapshot->mesh->space_dimension == 2;
+    if (scene != nullptr && scene->cell_dimension > 1 && scene->colouring != nullptr && !scene->flat()) {
+        keys.emplace_back("contours");
+        if (in_plane) keys.emplace_back("elevation");
+    }
+    keys.insert(keys.end(), {"arrows", "layout"});
     const bool projection = view.text("layout") == "projection" && available("layout=projection");
     if (projection) keys.insert(keys.end(), {"projection_longitude", "projection_camera"});
-    if (!projection) keys.emplace_back("camera");
-    if (run().snapshot && run().snapshot->mesh->space_dimension == 3 && !projection)
-        keys.insert(keys.end(), {"direction", "spin"});
+    if (!projection) keys.emplace_back(scene != nullptr ? camera_key(*scene) : "camera");
+    if (in_space() && !projection) keys.insert(keys.end(), {"direction", "spin"});
     if (run().snapshot && run().snapshot->mesh->space_dimension == 3) keys.emplace_back("overlay");
     return keys;
 }

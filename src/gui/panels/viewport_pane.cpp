@@ -229,7 +229,7 @@ void ViewportPane::turn(Values& view) {
     spinning_ = false;
     if (front.scene.planar()) return; // a projection does not rotate; the globe continues later
     const double rate = view.real("spin") * std::numbers::pi / 180;
-    const std::string from = view.text("camera") + view.text("direction");
+    const std::string from = view.text(camera_key(front.scene)) + view.text("direction");
     if (from != spun_from_) spun_ = 0;
     spun_from_ = from;
     if (rate == 0 && spun_ != 0) set_camera(view, front, front.camera);

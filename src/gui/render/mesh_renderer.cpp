@@ -34,6 +34,7 @@ struct Fading {
 };
 constexpr Fading plain_fading{1.5F, 3.8F, 1}, coloured_fading{1.6F, 5.5F, 0.015F};
 constexpr float pull_pixels = 2;
+constexpr float contour_width = 1.5F;
 constexpr float overlay_width = 1, overlay_pull = 0.004F; // the second of half the view's depth
 constexpr float dusk = 0.42F;                             // as in mesh_fill.frag
 constexpr float bent = 0.3F;                              // as in mesh_line.vert
@@ -187,6 +188,22 @@ void MeshRenderer::upload_overlay(const MeshScene& scene, bool new_centre) {
     overlay_ = scene.overlay;
 }
 
+void MeshRenderer::upload_contours(const MeshScene& scene) {
+    std::vector<Segment> on_dark, on_light;
+    if (scene.contours != nullptr) {
+        const MeshContours& contours = *scene.contours;
+        upload_points(contours.computational, scene, false, contours_computational_);
+        upload_points(contours.physical, scene, false, contours_physical_);
+        const Colouring& colouring = *scene.colouring;
+        for (std::uint32_t i = 0; i < contours.values.size(); i += 2) {
+            const double place = colouring.range.position(contours.values[i]);
+            (is_dark(colour_at(*colouring.map, place)) ? on_dark : on_light).push_back({i, i + 1, i, i});
+        }
+    }
+    upload_segments(contours_on_dark_, on_dark);
+    upload_segments(contours_on_light_, on_light);
+}
+
 void MeshRenderer::upload_structure(const MeshScene& scene) {
     const Tessellation& tessellation = *scene.tessellation;
     const CellShape shape = scene.mesh->kind.shape;
@@ -259,6 +276,7 @@ void MeshRenderer::upload(const MeshScene& scene) {
         upload_points(*scene.physical, scene, true, physical_);
     if (new_colouring && scene.flat()) upload_cell_values(scene);
     if (new_structure || scene.tangled != shown_.tangled) upload_tangled(scene);
+    if (new_computational || new_colouring || scene.contours != shown_.contours) upload_contours(scene);
     upload_overlay(scene, new_computational);
     if (scene.arrows != nullptr && scene.arrows != shown_.arrows) upload_numbers(arrows_, *scene.arrows);
     if (scene.colouring != nullptr && scene.colouring->map != map_) {
@@ -420,6 +438,11 @@ void MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect 
         draw_lines(frame, edges_, style);
         end_layer(frame, area, bottom, theme.line_on_dark, theme.line_on_light);
     }
+    if (scene.contours != nullptr) {
+        begin_layer(frame, area);
+        draw_contours(frame, style, scale);
+        end_layer(frame, area, bottom, opaque(theme.line_on_dark), opaque(theme.line_on_light));
+    }
     if (scene.overlay != nullptr) {
         begin_layer(frame, area);
         draw_overlay(frame, style, scale);
@@ -449,6 +472,18 @@ void MeshRenderer::draw_line_cells(const Frame& frame, LineStyle style, const Th
     style.width = disc_width * scale;
     style.flat_ink = theme.text;
     draw_lines(frame, discs_, style);
+}
+
+/// Each line in one ink.
+void MeshRenderer::draw_contours(const Frame& frame, LineStyle style, float scale) {
+    bind_points(contours_computational_, contours_physical_);
+    style.width = contour_width * std::max(1.0F, 0.7F * scale);
+    style.haze = 0;
+    style.surface = {0, 0, 0, 1};
+    draw_lines(frame, contours_on_dark_, style);
+    style.surface = {1, 1, 1, 1};
+    draw_lines(frame, contours_on_light_, style);
+    bind_points(computational_, physical_);
 }
 
 /// Its curves differ slightly from the faces of the scene; lines slightly below the faces stay visible.

@@ -94,6 +94,7 @@ class MeshRenderer {
     void upload_cell_values(const MeshScene& scene);
     void upload_colours(const ColourMap& map);
     static std::vector<Segment> segments_of(const Tessellation& tessellation);
+    void upload_contours(const MeshScene& scene);
     void upload_overlay(const MeshScene& scene, bool new_centre);
     void upload_tangled(const MeshScene& scene);
     void upload_triangles(const GlVertexArray& array, const std::vector<std::uint32_t>& triangles);
@@ -107,6 +108,7 @@ class MeshRenderer {
     void draw_fill(const Frame& frame, const GlVertexArray& array, std::size_t count, Colour surface);
     void draw_line_cells(const Frame& frame, LineStyle style, const Theme& theme, float scale);
     void draw_tangled(const Frame& frame, LineStyle style, const Theme& theme, float scale);
+    void draw_contours(const Frame& frame, LineStyle style, float scale);
     void draw_overlay(Frame frame, LineStyle style, float scale);
     void draw_arrows(const Frame& frame, const Theme& theme, float scale);
     void draw_lines(const Frame& frame, const LineSet& set, const LineStyle& style);
@@ -120,9 +122,10 @@ class MeshRenderer {
     ArrowUniforms arrow_{};
     GlVertexArray fill_array_, tangled_array_, empty_array_;
     GlBuffer triangles_, tangled_triangles_;
-    Table computational_, physical_, shown_cells_, cell_values_, arrows_, overlay_points_, facet_table_;
+    Table computational_, physical_, shown_cells_, cell_values_, arrows_, overlay_points_, facet_table_,
+        contours_computational_, contours_physical_;
     DrawnFacets facets_; ///< of the tessellation that is shown
-    LineSet edges_, discs_, outlines_, overlay_edges_;
+    LineSet edges_, discs_, outlines_, overlay_edges_, contours_on_dark_, contours_on_light_;
     std::vector<Texel> texels_; ///< workspace for conversions
     std::vector<float> numbers_;
     GlTexture colours_;

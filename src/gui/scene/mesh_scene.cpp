@@ -1,6 +1,7 @@
 #include "gui/scene/mesh_scene.hpp"
 
 #include "core/base/check.hpp"
+#include "core/tessellate/elevation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,16 +16,34 @@ Vec3 shown_point(const MeshScene& scene, std::uint32_t point) {
     return (radius / std::max(norm(straight), 1e-6 * scene.ball)) * straight;
 }
 
+std::shared_ptr<const MeshContours> make_contours(const MeshScene& scene) {
+    if (scene.colouring == nullptr || scene.colouring->contours.values.empty()) return nullptr;
+    const std::vector<double>& levels = scene.colouring->contours.values;
+    const auto lines = contour_lines(*scene.tessellation, *scene.point_values, levels);
+    if (lines.empty()) return nullptr;
+    auto contours = std::make_shared<MeshContours>();
+    contours->computational = contours->physical = Points(2 * lines.size());
+    contours->values.reserve(2 * lines.size());
+    for (const ContourSegment& segment : lines)
+        for (const ContourPoint& point : {segment.from, segment.to}) {
+            const std::size_t i = contours->values.size();
+            contours->computational.set(i, point.in(*scene.computational));
+            contours->physical.set(i, point.in(*scene.physical));
+            contours->values.push_back(levels[segment.level]);
+        }
+    return contours;
+}
+
 void SceneBuilder::take_mesh(const Snapshot& snapshot, std::shared_ptr<const Tessellation> tessellation) {
     mesh_ = snapshot.mesh;
     last_ = {};
     workspaces_.clear();
     last_.tessellation = std::move(tessellation);
-    last_.computational = std::make_shared<const Points>(shown_points(*last_.tessellation, mesh_->nodes));
+    computational_ = std::make_shared<const Points>(shown_points(*last_.tessellation, mesh_->nodes));
     last_.cell_dimension = cell_dimension(mesh_->kind);
     last_.mesh = mesh_;
     last_.ball = radius_of_ball(*mesh_);
-    computational_box_ = bounding_box(*last_.computational);
+    computational_box_ = bounding_box(*computational_);
 }
 
 std::shared_ptr<Points> SceneBuilder::available() {
@@ -36,12 +55,27 @@ std::shared_ptr<Points> SceneBuilder::available() {
 void SceneBuilder::take_positions(const Snapshot& snapshot) {
     const std::shared_ptr<Points> shown = available();
     put_shown_points(*last_.tessellation, snapshot.x, *shown);
-    last_.physical = shown;
-    const Box physical = bounding_box(*last_.physical);
-    last_.box = merge(computational_box_, physical);
-    last_.burst = physical.size() > 1.5 * computational_box_.size();
-    last_.home_box = last_.burst ? computational_box_ : last_.box;
+    physical_ = shown;
     last_version_ = snapshot.version;
+}
+
+/// From the flat meshes and the colours to what is shown.
+void SceneBuilder::take_elevation(double factor) {
+    elevation_ = factor;
+    std::vector<double> nodes;
+    if (last_.colouring != nullptr) nodes = elevations(*mesh_, *last_.colouring, factor);
+    last_.elevation = nodes.empty() ? 0 : factor;
+    last_.computational = computational_, last_.physical = physical_;
+    Box computational = computational_box_, physical = bounding_box(*physical_);
+    last_.burst = physical.size() > 1.5 * computational.size();
+    if (!nodes.empty()) {
+        const std::vector<double> z = shown_values(*last_.tessellation, nodes);
+        last_.computational = std::make_shared<const Points>(raised(*computational_, z));
+        last_.physical = std::make_shared<const Points>(raised(*physical_, z));
+        computational = bounding_box(*last_.computational), physical = bounding_box(*last_.physical);
+    }
+    last_.box = merge(computational, physical);
+    last_.home_box = last_.burst ? computational : last_.box;
 }
 
 void SceneBuilder::take_tangled(const Snapshot& snapshot) {
@@ -92,8 +126,13 @@ MeshScene SceneBuilder::make(const Snapshot& snapshot, const Values& view) {
         if (new_mesh || tessellation != last_.tessellation) take_mesh(snapshot, std::move(tessellation));
         take_positions(snapshot);
     }
-    if (const ColourChoice choice = colour_choice(view); new_positions || !(choice == choice_))
-        take_colouring(snapshot, choice);
+    const ColourChoice choice = colour_choice(view);
+    const bool new_colours = new_positions || !(choice == choice_);
+    if (new_colours) take_colouring(snapshot, choice);
+    if (const double factor = view.real("elevation"); new_colours || factor != elevation_) {
+        take_elevation(factor);
+        last_.contours = make_contours(last_);
+    }
     if (new_positions) take_tangled(snapshot); // after the colours, which may have found the Jacobians
     take_overlay(snapshot, view.text("overlay") == "exact");
     last_.blend = view.real("blend");

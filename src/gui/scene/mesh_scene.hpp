@@ -27,6 +27,12 @@ struct MeshOverlay {
     std::shared_ptr<const Points> points;
 };
 
+/// Contour lines of the colours (core/tessellate/contours.hpp): two points per segment.
+struct MeshContours {
+    Points computational, physical;
+    std::vector<double> values; ///< the level, per point
+};
+
 struct MeshScene {
     std::shared_ptr<const Tessellation> tessellation;
     int cell_dimension = 2;                      ///< 1: cells are lines, nodes are marked by discs
@@ -35,6 +41,7 @@ struct MeshScene {
     std::shared_ptr<const Colouring> colouring;  ///< null: no colour map
     /// Per shown point what the colouring shows there (of cells: the mean around), null without a colouring.
     std::shared_ptr<const std::vector<double>> point_values;
+    std::shared_ptr<const MeshContours> contours;              ///< null: none
     std::shared_ptr<const std::vector<std::uint32_t>> tangled; ///< cells; null: none
     std::shared_ptr<const std::vector<std::uint32_t>>
         arrows;                                 ///< shown points with an arrow from xi to x; null: none
@@ -43,10 +50,11 @@ struct MeshScene {
     double ball = 0; ///< radius of the sphere around the origin that all nodes of the mesh lie on; 0: none
     std::optional<MapProjection> projection; ///< the scene is a projection of that ball; its blend is 1
     Box box;                                 ///< around both meshes
-    bool burst = false; ///< the physical mesh is far larger than the computational one: it has diverged
-    Box home_box;       ///< what "home" shows: both meshes, or the computational one if the other has burst
-    double blend = 1;   ///< 0 shows xi, 1 shows x
-    bool lines = true;  ///< the cells' edges
+    bool burst = false;   ///< the physical mesh is far larger than the computational one: it has diverged
+    Box home_box;         ///< what "home" shows: both meshes, or the computational one if the other has burst
+    double blend = 1;     ///< 0 shows xi, 1 shows x
+    double elevation = 0; ///< factor of the heights of a plane mesh, which is then a surface; 0: flat
+    bool lines = true;    ///< the cells' edges
 
     /// The same scene: arrays are compared by pointer.
     friend bool operator==(const MeshScene&, const MeshScene&) = default;
@@ -57,6 +65,9 @@ struct MeshScene {
 
 /// The position of a point in a scene, by its blend; on a ball every blend lies on the ball.
 Vec3 shown_point(const MeshScene& scene, std::uint32_t point);
+
+/// At the levels of the scene's colouring; null if there are none.
+std::shared_ptr<const MeshContours> make_contours(const MeshScene& scene);
 
 /// Makes scenes of the snapshots of one run; keeps what does not change between them.
 class SceneBuilder {
@@ -74,13 +85,16 @@ class SceneBuilder {
     std::shared_ptr<Points> available();
     void take_mesh(const Snapshot& snapshot, std::shared_ptr<const Tessellation> tessellation);
     void take_positions(const Snapshot& snapshot);
+    void take_elevation(double factor);
     void take_tangled(const Snapshot& snapshot);
     void take_overlay(const Snapshot& snapshot, bool wanted);
     void take_colouring(const Snapshot& snapshot, const ColourChoice& choice);
 
     std::shared_ptr<TessellationCache> cache_;
     std::shared_ptr<const Mesh> mesh_;
-    Box computational_box_;
+    Box computational_box_; ///< of the flat mesh, as the two below
+    std::shared_ptr<const Points> computational_, physical_;
+    double elevation_ = 0; ///< what was asked for
     ColouringMaker colouring_maker_;
     ColourChoice choice_;
     std::shared_ptr<const Points> exact_; ///< what the overlay was made of

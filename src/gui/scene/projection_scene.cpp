@@ -46,6 +46,7 @@ MeshScene ProjectionSceneBuilder::make(const MeshScene& globe, double longitude)
             MeshOverlay{lines.tessellation, std::make_shared<const Points>(std::move(lines.points))});
     }
     projected_.colouring = globe.colouring;
+    if (coloured_anew) projected_.contours = make_contours(projected_);
     projected_.mesh = globe.mesh;
     projected_.tangled = globe.tangled;
     projected_.lines = globe.lines;

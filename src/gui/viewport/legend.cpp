@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
 
 namespace gaspard {
 
@@ -20,9 +21,15 @@ std::string title_of(const Colouring& colouring) {
     return colouring.label + (colouring.range.logarithmic ? " (log)" : "");
 }
 
-/// How values between the nodes are found; empty where each cell has one value.
-const char* remark_of(const Colouring& colouring) {
-    return colouring.place == FieldPlace::node ? "interpolated" : "";
+constexpr const char* widest_remark = "contours every 2×10⁻¹⁰"; // the width reserved for them
+
+/// Below the title: how values between the nodes are found, if each cell has not one value, and the levels of
+/// contour lines.
+std::vector<std::string> remarks_of(const Colouring& colouring) {
+    std::vector<std::string> remarks;
+    if (colouring.place == FieldPlace::node) remarks.emplace_back("interpolated");
+    if (!colouring.contours.values.empty()) remarks.push_back("contours " + colouring.contours.text);
+    return remarks;
 }
 
 struct Frame {
@@ -33,7 +40,7 @@ struct Frame {
 Frame frame_of(const Colouring& colouring, bool histogram, ScreenRect available, float scale) {
     const float line = legend_line_height();
     const float width = legend_width(colouring, histogram, scale) - 2 * legend_margin * scale;
-    const float above = *remark_of(colouring) != '\0' ? 2 * line : line; // the title and the remark
+    const float above = line * static_cast<float>(1 + remarks_of(colouring).size());
     const float free = available.height() - above - line - 2 * (pad + legend_gap) * scale;
     const float height =
         std::round(std::max(std::min(free, std::min(0.66F * available.height(), 420 * scale)), 1.0F));
@@ -79,6 +86,18 @@ void draw_histogram(ImDrawList& list, const Colouring& colouring, ImVec2 low, Im
     }
 }
 
+/// The levels of contour lines, as strokes across the bar.
+void draw_levels(ImDrawList& list, const Colouring& colouring, ImVec2 low, ImVec2 high, const Theme& theme,
+                 float scale) {
+    for (const double level : colouring.contours.values) {
+        const double place = colouring.range.position(level);
+        const bool dark = is_dark(colour_at(*colouring.map, place));
+        const float y = high.y - static_cast<float>(place) * (high.y - low.y), half = 0.6F * scale;
+        list.AddRectFilled({low.x, y - half}, {high.x, y + half},
+                           packed(opaque(dark ? theme.line_on_dark : theme.line_on_light)));
+    }
+}
+
 /// A tip at an end of the bar where values go on beyond it.
 void draw_tips(ImDrawList& list, const Colouring& colouring, ImVec2 low, ImVec2 high, float scale) {
     const auto tip = [&](double at, float y, float direction) {
@@ -112,7 +131,9 @@ std::vector<Tick> legend_ticks(const ColourRange& range) {
 
 float legend_width(const Colouring& colouring, bool histogram, float scale) {
     const float bar = (bar_width + legend_gap + (histogram ? histogram_width : 0)) * scale + label_width();
-    return std::max(bar, ImGui::CalcTextSize(title_of(colouring).c_str()).x) + 2 * legend_margin * scale;
+    float text = ImGui::CalcTextSize(title_of(colouring).c_str()).x;
+    if (!colouring.contours.values.empty()) text = std::max(text, ImGui::CalcTextSize(widest_remark).x);
+    return std::max(bar, text) + 2 * legend_margin * scale;
 }
 
 void draw_legend(ImDrawList& list, const Colouring& colouring, bool histogram, ScreenRect available,
@@ -123,16 +144,19 @@ void draw_legend(ImDrawList& list, const Colouring& colouring, bool histogram, S
     list.AddText({frame.all.min.x + pad * scale, frame.all.min.y + pad * scale / 2}, packed(theme.text),
                  title_of(colouring).c_str());
     draw_bar(list, *colouring.map, low, high);
+    draw_levels(list, colouring, low, high, theme, scale);
     if (histogram) draw_histogram(list, colouring, low, high, theme, scale);
     draw_tips(list, colouring, low, high, scale);
-    list.AddText({frame.all.min.x + pad * scale, frame.all.min.y + pad * scale / 2 + legend_line_height()},
-                 packed(theme.faint_text), remark_of(colouring));
+    float y = frame.all.min.y + pad * scale / 2;
+    for (const std::string& remark : remarks_of(colouring))
+        list.AddText({frame.all.min.x + pad * scale, y += legend_line_height()}, packed(theme.faint_text),
+                     remark.c_str());
     for (const Tick& tick : legend_ticks(colouring.range)) {
         const float at = static_cast<float>(colouring.range.position(tick.value));
-        const float y = std::round(high.y - at * (high.y - low.y));
-        list.AddRectFilled({high.x, y}, {high.x + 3 * scale, y + std::max(1.0F, std::round(scale))},
+        const float mark = std::round(high.y - at * (high.y - low.y));
+        list.AddRectFilled({high.x, mark}, {high.x + 3 * scale, mark + std::max(1.0F, std::round(scale))},
                            packed(theme.faint_text));
-        list.AddText({high.x + legend_gap * scale, y - ImGui::GetFontSize() / 2}, packed(theme.text, 0.85F),
+        list.AddText({high.x + gap * scale, mark - ImGui::GetFontSize() / 2}, packed(theme.text, 0.85F),
                      tick.label.c_str());
     }
 }

@@ -118,6 +118,7 @@ class ViewportPlanner {
         Size size;
         Insets insets;
         std::string direction;
+        double elevation = 0;
         Camera camera;
     } home_;
     /// What the last arrows and the last facts were made for.

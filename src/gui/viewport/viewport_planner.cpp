@@ -1,4 +1,5 @@
 #include "core/base/error.hpp"
+#include "core/scenario/view_rows.hpp"
 #include "core/tessellate/blend.hpp"
 #include "core/tessellate/ticks.hpp"
 #include "gui/scene/arrows.hpp"
@@ -50,11 +51,14 @@ std::pair<ScreenRect, ScreenRect> halves(ScreenRect available) {
     return {first, second};
 }
 
+/// A mesh that has another side.
+bool in_space(const MeshScene& scene) { return !scene.planar() && scene.elevation == 0; }
+
 /// The layout that the mesh can be shown in.
 std::string layout_of(const MeshScene& scene, const Values& view) {
     const std::string& wish = view.text("layout");
     if (wish == "runs") return "single"; // there are no others
-    const bool fits = wish == "projection" ? scene.ball > 0 : wish != "front-and-rear" || !scene.planar();
+    const bool fits = wish == "projection" ? scene.ball > 0 : wish != "front-and-rear" || in_space(scene);
     return fits ? wish : "single";
 }
 
@@ -91,7 +95,9 @@ ScreenRect above_caption(const ViewportPlan& plan, float scale) {
     return available;
 }
 
-const char* camera_key(const MeshScene& scene) { return scene.projection ? "projection_camera" : "camera"; }
+const char* camera_key(const MeshScene& scene) {
+    return scene.projection ? "projection_camera" : scene.elevation > 0 ? "elevation_camera" : "camera";
+}
 
 /// As far as the mesh has spun.
 Camera ViewportPlanner::turned(Camera camera, const MeshScene& scene) const {
@@ -114,9 +120,10 @@ Camera ViewportPlanner::camera_of(const MeshScene& scene, const Values& view, Si
     if (scene.projection) return planar_home(scene.box, size, insets);
     const std::string& direction = wish ? text : view.text("direction");
     if (home_.of == scene.mesh && home_.size == size && home_.insets == insets &&
-        home_.direction == direction)
+        home_.direction == direction && home_.elevation == scene.elevation)
         return turned(home_.camera, scene);
-    home_ = {scene.mesh, size, insets, direction, home(scene.home_box, size, insets, view.text("direction"))};
+    const Camera whole = home(scene.home_box, size, insets, view.text("direction"));
+    home_ = {scene.mesh, size, insets, direction, scene.elevation, whole};
     if (scene.planar()) return home_.camera;
     if (wish) home_.camera.right = wish->right, home_.camera.up = wish->up;
     if (scene.ball > 0) {
@@ -146,9 +153,11 @@ MeshScene ViewportPlanner::computational(const MeshScene& scene, const Snapshot&
 void ViewportPlanner::place_views(const MeshScene& scene, const Snapshot& snapshot, const Values& view,
                                   ViewportPlan& plan, float scale) {
     const std::string layout = layout_of(scene, view);
-    if (layout == "single" || layout == "projection") {
-        const MeshScene shown =
-            layout == "projection" ? projection_maker_.make(scene, view.real("projection_longitude")) : scene;
+    if (layout != "side-by-side" && layout != "front-and-rear") {
+        const MeshScene shown = layout == "projection"
+                                    ? projection_maker_.make(scene, view.real("projection_longitude"))
+                                : layout == "computational" ? computational(scene, snapshot, view)
+                                                            : scene;
         const Camera camera =
             camera_of(shown, view, size_of(plan.rect), insets_of(plan, shown, scale), plan.complaint);
         plan.views = {{shown, camera, plan.rect, plan.text.title}};
@@ -300,7 +309,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
     const MeshScene scene = maker_.make(snapshot, view);
     plan.colouring = scene.colouring;
     plan.histogram = view.boolean("histogram");
-    if (scene.planar()) plan.unavailable.emplace_back("layout=front-and-rear");
+    if (!in_space(scene)) plan.unavailable.emplace_back("layout=front-and-rear");
     if (scene.ball == 0) plan.unavailable.emplace_back("layout=projection");
     if (!snapshot.exact) plan.unavailable.emplace_back("overlay=exact");
     if (view.text("layout") == "runs" && !others.empty())
@@ -312,11 +321,27 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
     return plan;
 }
 
+/// Whether the colours interpolate values of nodes.
+static bool has_nodal_colours(const Values& view, const Snapshot& snapshot) {
+    const std::string& name = view.text("color");
+    for (const FieldInfo& info : mesh_colours())
+        if (info.name == name) return info.place == FieldPlace::node;
+    const Field* field = snapshot.field(name);
+    return field != nullptr && field->place == FieldPlace::node;
+}
+
 std::string missing_note(const Values& view, const Snapshot& snapshot) {
     if (is_interval(*snapshot.mesh))
-        for (const char* key : {"camera", "arrows", "pick"})
+        for (const char* key : {"camera", "arrows", "pick", "contours", "elevation"})
             if (!is_default(view, key))
                 return "view." + std::string(key) + " shows nothing: an interval is shown as plots";
+    const bool plane = snapshot.mesh->space_dimension == 2 && cell_dimension(snapshot.mesh->kind) == 2;
+    if (!plane && !is_default(view, "elevation"))
+        return "view.elevation shows nothing: only a surface in the plane has heights";
+    for (const char* key : {"contours", "elevation"})
+        if (!is_default(view, key) && !has_nodal_colours(view, snapshot))
+            return "view." + std::string(key) + " shows nothing: view.color = " + view.text("color") +
+                   " has no values at the nodes";
     if (view.text("overlay") != "exact" || snapshot.exact) return {};
     return "view.overlay = exact shows nothing: the exact mesh is known on a sphere only, for monitors that "
            "have an axis";

@@ -429,6 +429,69 @@ TEST(MeshSvg, FieldsOfCellsFillTooAndWithoutAFieldNothingDoes) {
     EXPECT_EQ(strokes_in(white, "cells").size(), 1u);
 }
 
+/// u = x on a square of n x n cells that are moved.
+Snapshot ramp(int n) {
+    Snapshot snapshot = sample_snapshot(unit_square_mesh(n));
+    snapshot.fields[0].values = snapshot.x.x;
+    return snapshot;
+}
+
+TEST(MeshSvg, ContourLinesAreLongAndLieWhereTheFieldHasTheirLevels) {
+    const SvgReader plain(svg_of(ramp(10)));
+    EXPECT_TRUE(strokes_in(plain, "contours").empty());
+    EXPECT_EQ(plain.texts()[1].find("contours"), std::string::npos);
+    const Snapshot snapshot = ramp(10);
+    const auto [low, high] = std::minmax_element(snapshot.x.x.begin(), snapshot.x.x.end());
+    const SvgReader svg(svg_of(snapshot, {}, {.contours = 5}));
+    EXPECT_EQ(svg.texts()[1], "contours every 0.2");
+    double left = 1e9, right = 0;
+    for (const auto& stroke : strokes_in(svg, "cells"))
+        for (const auto& p : stroke.corners) left = std::min(left, p.x), right = std::max(right, p.x);
+    const auto strokes = strokes_in(svg, "contours");
+    const auto levels = make_colouring(snapshot, {.contours = 5})->contours.values;
+    EXPECT_EQ(strokes.size(), levels.size()) << "one long line for each";
+    std::set<long> seen;
+    for (const auto& stroke : strokes)
+        for (const auto& p : stroke.corners) {
+            const double u = *low + (p.x - left) / (right - left) * (*high - *low);
+            EXPECT_NEAR(u * 5, std::round(u * 5), 0.002);
+            seen.insert(std::lround(u * 5));
+        }
+    EXPECT_EQ(seen.size(), levels.size());
+}
+
+TEST(MeshSvg, ContourLinesOfASphereAreDrawnWithItsFaces) {
+    const Snapshot snapshot = sample_snapshot(round_octahedron());
+    const auto lines = [&](int contours) {
+        const SvgReader svg(svg_of(snapshot, {}, {.contours = contours}));
+        std::size_t count = 0;
+        for (const auto* path : svg.all("path", svg.with_id("cells")))
+            count += path->Attribute("fill") != nullptr && std::string(path->Attribute("fill")) == "none";
+        return count;
+    };
+    EXPECT_EQ(lines(0), 0u);
+    EXPECT_GE(lines(10), 3u) << "faces that are seen";
+}
+
+TEST(MeshSvg, HeightsMakeAPlaneMeshASurface) {
+    const Snapshot snapshot = ramp(6);
+    // Seen from the front, along y, u = x is a rising line: half as high as the domain is long.
+    const std::string front = "right 1 0 0 up 0 0 1";
+    const SvgReader svg(svg_of(snapshot, {.elevation = 1, .elevation_camera = front}));
+    double left = 1e9, right = 0, top = 1e9, bottom = 0;
+    for (const auto& stroke : strokes_in(svg, "cells"))
+        for (const auto& p : stroke.corners) {
+            left = std::min(left, p.x), right = std::max(right, p.x);
+            top = std::min(top, p.y), bottom = std::max(bottom, p.y);
+        }
+    const auto [low, high] = std::minmax_element(snapshot.x.x.begin(), snapshot.x.x.end());
+    EXPECT_NEAR((bottom - top) / (right - left), 0.5 / (*high - *low), 1e-3);
+    EXPECT_EQ(svg_of(snapshot, {.elevation = 0, .elevation_camera = front}), svg_of(snapshot));
+    EXPECT_EQ(svg_of(snapshot, {.camera = "centre 0 0 height 1", .elevation = 1}),
+              svg_of(snapshot, {.elevation = 1}))
+        << "the camera of the flat mesh is another";
+}
+
 TEST(MeshSvg, TangledCellsStandOut) {
     Snapshot snapshot = sample_snapshot(unit_square_mesh(5));
     EXPECT_EQ(SvgReader(svg_of(snapshot)).with_id("tangled"), nullptr);

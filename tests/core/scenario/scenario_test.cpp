@@ -177,7 +177,7 @@ TEST_F(ScenarioTest, FormerNamesAreReadAndPresentOnesWritten) {
     expect_present(scenario);
     expect_in("test.toml:2: view.color_map = 'gray' is unknown (did you mean 'grey'?)",
               parse_message("[view]\nmap = 'gray'\n"));
-    expect_in("allowed: single, side-by-side, front-and-rear, projection, runs",
+    expect_in("allowed: single, computational, side-by-side, front-and-rear, projection, runs",
               parse_message("[view]\nlayout = 'maps'\n"));
 }
 
