@@ -77,6 +77,30 @@ void add_why(CLI::App& app, WhyArguments& why) {
     command->add_flag("--overwrite", why.overwrite, "Replace files about another scenario as well");
 }
 
+void add_study(CLI::App& app, StudyArguments& study) {
+    CLI::App* command =
+        app.add_subcommand("study", "Vary one or two parameters: errors and orders as a table and a plot");
+    command->add_option("SCENARIO", study.scenario, scenario_help)->required();
+    add_settings(*command, study.settings);
+    command
+        ->add_option("--over", study.over,
+                     "What varies, such as domain.cells=8,16,32, domain.cells=8:1024 (times two) or "
+                     "monitor.q=0.1:0.9:9 (nine values)")
+        ->type_name("KEY=VALUES");
+    command
+        ->add_option("--lines", study.lines, "One line per value, such as pde.eps=1:1e-8 (by powers of ten)")
+        ->type_name("KEY=VALUES");
+    command
+        ->add_option("--measure", study.measure,
+                     "A series of the run, or iterations, cpu_seconds, tangled_cells (default: energy_error, "
+                     "without a PDE equidistribution)")
+        ->type_name("NAME");
+    command->add_option("--out", study.out, "Output folder (default: ./gaspard-out/SCENARIO-study)")
+        ->type_name("DIR");
+    command->add_flag("--no-render", study.no_render, "Do not draw an image");
+    command->add_flag("--overwrite", study.overwrite, "Replace files about another scenario as well");
+}
+
 /// Values that are missing are mistakes, such as those of an unset variable in a script: an empty one, or the
 /// next option in its place.
 void refuse_missing_values(const CLI::App& app) {
@@ -133,6 +157,8 @@ int dispatch(int argc, char** argv) {
     add_compare(app, compare);
     WhyArguments why;
     add_why(app, why);
+    StudyArguments study;
+    add_study(app, study);
     CLI::App* list = app.add_subcommand("list", "List what is available, with parameters and ranges");
     list->add_option("WHAT", what,
                      "scenarios, domains, monitors, methods, formats, view or output (default: all)");
@@ -173,9 +199,9 @@ int dispatch(int argc, char** argv) {
     if (app.got_subcommand("run")) return run_command(catalogue, run);
     if (app.got_subcommand("compare")) return compare_command(catalogue, compare);
     if (app.got_subcommand("why")) return why_command(catalogue, why);
+    if (app.got_subcommand("study")) return study_command(catalogue, study);
     if (app.got_subcommand(list)) return list_command(*catalogue, what);
-    if (app.got_subcommand(show))
-        return show_command(*catalogue, show_scenario, show_settings, show_options);
+    if (app.got_subcommand(show)) return show_command(*catalogue, show_scenario, show_settings, show_options);
     if (app.got_subcommand(reproduce))
         return reproduce_command(catalogue, id, out, !reproduce_without_picture);
     return window_command(catalogue, scenario, settings, size);

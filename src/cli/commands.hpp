@@ -39,9 +39,21 @@ struct WhyArguments {
     bool overwrite = false; ///< also files about another scenario
 };
 
+/// The options of `study`, not yet checked.
+struct StudyArguments {
+    std::string scenario;
+    std::vector<std::string> settings;
+    std::optional<std::string> over, lines; ///< key=values; default: usual_study()
+    std::optional<std::string> measure;
+    std::string out; ///< empty: ./gaspard-out/SCENARIO-study
+    bool no_render = false;
+    bool overwrite = false; ///< also files about another scenario
+};
+
 int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& arguments);
 int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArguments& arguments);
 int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& arguments);
+int study_command(std::shared_ptr<const Catalogue> catalogue, const StudyArguments& arguments);
 int list_command(const Catalogue& catalogue, const std::string& what);
 /// Options of `gaspard show`.
 struct ShowOptions {

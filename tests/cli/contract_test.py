@@ -740,6 +740,87 @@ class Information(Contract):
                     unit = 10.0 ** -digits * float("1e" + (cell.split("e")[1] if "e" in cell else "0"))
                     self.assertAlmostEqual(float(cell), float(row[name]), delta=unit, msg=name)
 
+    def study(self, *arguments, name="layer-1d"):
+        return gaspard("study", name, "--out", self.out, *arguments)
+
+    def test_study_prints_errors_and_orders(self):
+        result = self.study("--over", "domain.cells=32,16,64", "--lines", "pde.eps=1,1e-4")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(set(os.listdir(self.out)), {"study.csv", "study.json", "study.svg", "study.png"})
+        with open(self.path("study.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([(row["pde.eps"], row["domain.cells"]) for row in rows],
+                         [(eps, n) for eps in ("1", "1e-04") for n in ("16", "32", "64")])
+        lines = [line.split() for line in result.stdout.splitlines()]
+        self.assertEqual(lines[1], ["domain.cells", "pde.eps=1", "order", "pde.eps=1e-04", "order"])
+        for place, n in enumerate((16, 32, 64)):
+            one, other = rows[place], rows[3 + place]
+            self.assertEqual(lines[2 + place][:2], [str(n), "%.3e" % float(one["energy_error"])])
+            self.assertEqual(lines[2 + place][3], "%.3e" % float(other["energy_error"]))
+            self.assertEqual(lines[2 + place][2], "%.2f" % float(one["order"]) if place else "-")
+            self.assertAlmostEqual(float(other["bound"]), 0.01 / n)
+            run = gaspard("run", "layer-1d", "--set", "domain.cells=%d" % n, "--no-render", "--out", self.path("run"))
+            self.assertEqual(run.returncode, 0, run.stderr)
+            with open(self.path("run/summary.json")) as file:
+                self.assertEqual(json.load(file)["measures"]["energy_error"], float(other["energy_error"]))
+        self.assertAlmostEqual(float(rows[5]["order"]), 1, delta=0.01)
+        svg = xml.etree.ElementTree.parse(self.path("study.svg")).getroot()
+        self.assertIn("√ε / N", "".join(svg.itertext()))
+        self.assertGreater(os.path.getsize(self.path("study.png")), 10000)
+        before = self.bytes("study.csv")
+        again = self.study("--over", "domain.cells=16:64", "--lines", "pde.eps=1,1e-4", "--no-render")
+        self.assertEqual((again.returncode, self.bytes("study.csv")), (0, before))
+        other = self.study("--no-render", name="layer-1d-convection")
+        self.assertEqual((other.returncode, other.stdout), (2, ""))
+        self.assertIn("'layer-1d'", other.stderr)
+
+    def test_study_has_defaults_for_problems_with_and_without_layers(self):
+        result = self.study("--no-render")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        with open(self.path("study.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 5 * 8)
+        self.assertEqual({row["pde.eps"] for row in rows}, {"1", "0.01", "1e-04", "1e-06", "1e-08"})
+        ring = self.study("--set", "method.type=auto", "--set", "domain.cells=12", "--no-render", "--overwrite",
+                          name="plane-ring")
+        self.assertEqual((ring.returncode, ring.stderr), (0, ""))
+        with open(self.path("study.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["domain.cells"] for row in rows], ["6", "12", "24"])
+        self.assertTrue(all(float(row["equidistribution"]) > 0 for row in rows))
+
+    def test_study_refuses_what_is_not_allowed(self):
+        for over, part in (("domain.cells=8,0", "1 to 65536"), ("pde.eps=0", "1e-12 to 1"), ("cells=8", "cells"),
+                           ("monitor.q=0.1:0.9", "number of values"), ("domain.cells=8,8", "twice")):
+            self.refused(self.study("--over", over), part)
+        self.refused(self.study("--measure", "energy"), "energy_error")
+        self.refused(self.study("--over", "pde.eps=1,1e-4", "--lines", "pde.eps=1"), "pde.eps twice")
+        self.refused(self.study(name="layer-2"), "layer-2d")
+
+    def test_study_goes_on_after_a_run_that_fails(self):
+        result = self.study("--set", "method.type=shishkin", "--set", "method.layers=both", "--no-render",
+                            "--over", "domain.cells=15,16,17")
+        self.assertEqual((result.returncode, result.stderr), (2, ""))
+        with open(self.path("study.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([bool(row["energy_error"]) for row in rows], [False, True, False])
+        self.assertIn("even", rows[0]["note"])
+        self.assertIn("domain.cells=15: " + rows[0]["note"], result.stdout)
+        limited = self.study("--over", "domain.cells=64", "--set", "method.max_iterations=2", "--no-render")
+        self.assertEqual(limited.returncode, 3, limited.stderr)
+        self.assertIn("domain.cells=64: iteration-limit after 2 iterations", limited.stdout)
+
+    def test_study_is_interrupted_after_runs_that_were_done(self):
+        with subprocess.Popen([PROGRAM, "study", "layer-2d", "--over", "domain.cells=4,256,300,400,500", "--no-render",
+                               "--out", self.out], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            while not process.stdout.readline().split()[:1] == ["4"]:
+                pass
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=120)
+        self.assertEqual((process.returncode, err), (130, ""))
+        with open(self.path("study.csv")) as file:
+            self.assertEqual({row["domain.cells"] for row in csv.DictReader(file)}, {"4"})
+
     def test_the_summary_compares_interpolation_errors(self):
         self.assertEqual(self.run_quick("--set", "view.color=interpolation_error", render=True).returncode, 0)
         errors = self.summary()["interpolation"]
@@ -766,7 +847,7 @@ class Information(Contract):
     def test_every_option_is_documented(self):
         with open(os.path.join(DOCS, "command-line.md")) as file:
             page = file.read()
-        for command in ([], ["run"], ["compare"], ["why"], ["list"], ["show"], ["reproduce"]):
+        for command in ([], ["run"], ["compare"], ["why"], ["study"], ["list"], ["show"], ["reproduce"]):
             for option in re.findall(r"--[a-z-]+", gaspard(*command, "--help").stdout):
                 self.assertIn(option, page, "of gaspard " + " ".join(command))
 

@@ -160,4 +160,16 @@ std::optional<IntervalPde> interval_pde(const std::string& type, const Values& v
     return std::nullopt;
 }
 
+std::optional<EnergyBound> energy_bound(const std::string& type, const Values& values, double n) {
+    const auto root = [&](const char* key) { return std::sqrt(values.real(key)); };
+    if (type == reaction_diffusion_pde().name) return EnergyBound{root("eps") / n, "√ε / N"};
+    if (type == coupled_pde().name)
+        return EnergyBound{(root("eps1") + root("eps2")) / n + 1 / (n * n), "(√ε₁ + √ε₂) / N + 1 / N²"};
+    if (type == plane_reaction_diffusion_pde().name)
+        return EnergyBound{root("eps") / n + 1 / (n * n), "√ε / N + 1 / N²"};
+    if (type == convection_diffusion_pde().name || type == plane_convection_diffusion_pde().name)
+        return EnergyBound{1 / n, "1 / N"};
+    return std::nullopt;
+}
+
 } // namespace gaspard

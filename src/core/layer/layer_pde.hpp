@@ -5,7 +5,6 @@
 //   coupled-reaction-diffusion   -eps_k^2 u_k'' + sum_l r_kl u_l = f_k, k = 1, 2         (25)
 //   convection-diffusion -eps u'' + c u' + r u = f
 //
-//
 // on an interval, u = 0 at both ends, and on a quadrilateral
 //
 //   reaction-diffusion-2d   -((eps k_1)^p u_x)_x - ((eps k_2)^p u_y)_y + r u = f      (32), (35)
@@ -47,5 +46,15 @@ std::optional<IntervalPde> interval_pde(const std::string& type, const Values& v
 
 /// The same on a quadrilateral.
 std::optional<TriangleProblem> plane_pde(const std::string& type, const Values& values);
+
+/// What bounds the energy error of P1 on layer-adapted meshes with n cells per side, up to a constant:
+/// sqrt(eps)/n (9), (sqrt(eps1) + sqrt(eps2))/n + 1/n^2 (26), the same with one eps in two dimensions; for
+/// convection and diffusion 1/n, as on meshes of Bakhvalov's type.
+struct EnergyBound {
+    double value = 0;
+    std::string formula; ///< "√ε / N"
+};
+/// nullopt for no_pde().
+std::optional<EnergyBound> energy_bound(const std::string& type, const Values& values, double n);
 
 } // namespace gaspard
