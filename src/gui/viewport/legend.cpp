@@ -156,7 +156,7 @@ void draw_legend(ImDrawList& list, const Colouring& colouring, bool histogram, S
         const float mark = std::round(high.y - at * (high.y - low.y));
         list.AddRectFilled({high.x, mark}, {high.x + 3 * scale, mark + std::max(1.0F, std::round(scale))},
                            packed(theme.faint_text));
-        list.AddText({high.x + gap * scale, mark - ImGui::GetFontSize() / 2}, packed(theme.text, 0.85F),
+        list.AddText({high.x + legend_gap * scale, mark - ImGui::GetFontSize() / 2}, packed(theme.text, 0.85F),
                      tick.label.c_str());
     }
 }
