@@ -28,7 +28,7 @@ gaspard_test(picture_tests LABELS graphics LIBRARIES gaspard_scenes
 # Images are drawn by OSMesa where it is installed. Golden.LooksTheSameThroughEgl compares those of EGL with the
 # stored ones, too; this repeats the negative controls through EGL.
 add_test(NAME pictures_through_egl COMMAND picture_tests --gtest_brief=1 --gtest_filter=Wrong*:Offscreen.*:Fixture*)
-set_tests_properties(pictures_through_egl PROPERTIES TIMEOUT 300 LABELS graphics
+set_tests_properties(pictures_through_egl PROPERTIES TIMEOUT 300 LABELS graphics COST 8
   ENVIRONMENT GASPARD_OFFSCREEN=egl)
 add_executable(make_goldens gui/make_goldens.cpp)
 target_link_libraries(make_goldens PRIVATE gaspard_options gaspard_test_options gaspard_scenes)
@@ -43,7 +43,7 @@ add_dependencies(window_tests gaspard)
 foreach(group Runs BadInput Files Machine Information)
   add_test(NAME cli_${group} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/contract_test.py
     $<TARGET_FILE:gaspard> ${group})
-  set_tests_properties(cli_${group} PROPERTIES TIMEOUT 300 LABELS "graphics")
+  set_tests_properties(cli_${group} PROPERTIES TIMEOUT 300 LABELS "graphics" COST 7)
 endforeach()
 
 # README and docs: links, paths and labels that they name, and the examples, which are run.
@@ -51,12 +51,12 @@ foreach(group Text Examples)
   add_test(NAME documents_${group} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/documents_test.py
     $<TARGET_FILE:gaspard> ${group})
 endforeach()
-set_tests_properties(documents_Examples PROPERTIES TIMEOUT 300 LABELS "graphics")
+set_tests_properties(documents_Examples PROPERTIES TIMEOUT 300 LABELS "graphics" COST 22)
 
 # What is installed and packaged is enough for others.
 add_test(NAME installed_library COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/library_test.py
   ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR}/examples)
-set_tests_properties(installed_library PROPERTIES TIMEOUT 300 LABELS "graphics")
+set_tests_properties(installed_library PROPERTIES TIMEOUT 300 LABELS "graphics" COST 60)
 add_test(NAME debian_packages COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/package_test.py
   ${PROJECT_SOURCE_DIR})
-set_tests_properties(debian_packages PROPERTIES TIMEOUT 1500 LABELS "graphics;long")
+set_tests_properties(debian_packages PROPERTIES TIMEOUT 1500 LABELS "graphics;long" COST 150)

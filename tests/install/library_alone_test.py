@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The library without the program: configured where GLFW, Dear ImGui, GLM and CLI11 are missing; taken into another
 project by add_subdirectory and by FetchContent; installed from there; found by pkg-config, also after the installed
-folder has been moved. The library is compiled once, without optimisation.
+folder has been moved. The library is compiled once, in batches without optimisation; scripts/package.sh compiles every
+source alone.
 
 usage: library_alone_test.py SOURCES
 """
@@ -40,7 +41,7 @@ def main():
         results = []
         for how in ("add_subdirectory", "FetchContent"):
             run(["cmake", "-S", os.path.join(here, "taken_in"), "-B", user, "-G", "Ninja", "-DHOW=" + how,
-                 "-DGASPARD_SOURCES=" + sources, "-DGASPARD_INSTALL=ON", "-DCMAKE_BUILD_TYPE=Debug",
+                 "-DGASPARD_SOURCES=" + sources, "-DGASPARD_INSTALL=ON", "-DGASPARD_UNITY=ON", "-DCMAKE_BUILD_TYPE=Debug",
                  "-DCMAKE_CXX_FLAGS_DEBUG=-O0"])
             run(["cmake", "--build", user])
             results.append(run([os.path.join(user, "bits")]))

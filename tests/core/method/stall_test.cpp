@@ -1,6 +1,7 @@
 // Monitors that the mesh hardly resolves: a method must not stall where the plain relaxation converges.
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
+#include "support/sanitizers.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -9,14 +10,14 @@
 namespace gaspard {
 namespace {
 
-const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+const auto shipped_catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
 
 StepReport solved(const std::string& method, const std::vector<std::string>& settings) {
-    Scenario scenario = find_scenario(*catalogue, "plane-ring");
-    apply_settings(*catalogue, scenario, settings);
-    apply_settings(*catalogue, scenario,
+    Scenario scenario = find_scenario(*shipped_catalogue, "plane-ring");
+    apply_settings(*shipped_catalogue, scenario, settings);
+    apply_settings(*shipped_catalogue, scenario,
                    {"method.type=" + method, "method.max_iterations=1500", "method.diagnostics=none"});
-    return Run(catalogue, scenario).solve();
+    return Run(shipped_catalogue, scenario).solve();
 }
 
 std::vector<std::string> ring(int cells, double amplitude, double sharpness, double radius) {
@@ -34,8 +35,9 @@ TEST(Stall, AcceleratedConvergesOnRingsThatTheMeshHardlyResolves) {
 TEST(Stall, NoMethodStallsWhereTheRelaxationConverges) {
     std::mt19937 random(1); // its numbers are the same on every platform
     const auto uniform = [&](double a, double b) { return a + (b - a) * (random() / 4294967296.0); };
+    constexpr int rings = sanitized ? 20 : 120;
     int relaxed = 0;
-    for (int i = 0; i < 120; ++i) {
+    for (int i = 0; i < rings; ++i) {
         std::vector<std::string> settings = ring(i % 2 == 0 ? 20 : 30, std::exp(uniform(0.7, 4)),
                                                  std::exp(uniform(4, 6.5)), uniform(0.1, 0.45));
         if (uniform(0, 1) < 0.3) settings.push_back("domain.boundary=walls");
@@ -48,7 +50,7 @@ TEST(Stall, NoMethodStallsWhereTheRelaxationConverges) {
                 << method << " " << i << ", residual " << report.residual << " after " << report.iteration;
         }
     }
-    EXPECT_GT(relaxed, 60);
+    EXPECT_GT(relaxed, rings / 2);
 }
 
 } // namespace

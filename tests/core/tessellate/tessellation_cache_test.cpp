@@ -2,12 +2,11 @@
 #include "support/small_meshes.hpp"
 
 #include <gtest/gtest.h>
-#include <thread>
 
 namespace gaspard {
 namespace {
 
-Snapshot snapshot_of(std::shared_ptr<const Mesh> mesh, std::uint64_t version = 1) {
+Snapshot shown(std::shared_ptr<const Mesh> mesh, std::uint64_t version = 1) {
     Snapshot snapshot;
     snapshot.x = mesh->nodes;
     snapshot.mesh = std::move(mesh);
@@ -19,14 +18,14 @@ TEST(TessellationCache, KeepsOnePerMeshAndDropsUnusedOnes) {
     TessellationCache cache;
     auto mesh = std::make_shared<const Mesh>(unit_square_mesh(3));
     const auto other = std::make_shared<const Mesh>(unit_square_mesh(4));
-    const auto first = cache.get(snapshot_of(mesh));
-    EXPECT_EQ(cache.get(snapshot_of(mesh, 2)), first);
+    const auto first = cache.get(shown(mesh));
+    EXPECT_EQ(cache.get(shown(mesh, 2)), first);
     EXPECT_EQ(first->point_count, 16U);
-    EXPECT_EQ(cache.get(snapshot_of(other))->point_count, 25U);
-    std::weak_ptr<const Tessellation> gone = cache.get(snapshot_of(mesh));
+    EXPECT_EQ(cache.get(shown(other))->point_count, 25U);
+    std::weak_ptr<const Tessellation> gone = cache.get(shown(mesh));
     mesh.reset();
     EXPECT_EQ(gone.use_count(), 2) << "held by the cache and by this test";
-    cache.get(snapshot_of(other));
+    cache.get(shown(other));
     EXPECT_EQ(gone.use_count(), 1);
 }
 
@@ -37,7 +36,7 @@ TEST(TessellationCache, RefinesOnDemandAndNeverCoarsens) {
     for (int i = 1; i < 8000; ++i) strip.cells.insert(strip.cells.end(), cell.begin(), cell.end());
     strip.nodes.z[1] = 0.001;
     const auto mesh = std::make_shared<const Mesh>(std::move(strip));
-    Snapshot snapshot = snapshot_of(mesh);
+    Snapshot snapshot = shown(mesh);
     const auto flat = cache.get(snapshot);
     EXPECT_EQ(flat->cuts, 2);
     snapshot.x.z[1] = 0.03;
@@ -48,19 +47,6 @@ TEST(TessellationCache, RefinesOnDemandAndNeverCoarsens) {
     snapshot.x = mesh->nodes;
     ++snapshot.version;
     EXPECT_EQ(cache.get(snapshot), bent);
-}
-
-TEST(TessellationCache, SharesResultsBetweenThreads) {
-    for (int i = 0; i < 20; ++i) {
-        TessellationCache cache;
-        const auto mesh = std::make_shared<const Mesh>(unit_square_mesh(20));
-        std::shared_ptr<const Tessellation> there;
-        {
-            const std::jthread thread([&] { there = cache.get(snapshot_of(mesh)); });
-            cache.get(snapshot_of(mesh));
-        }
-        EXPECT_EQ(there, cache.get(snapshot_of(mesh)));
-    }
 }
 
 } // namespace

@@ -1,0 +1,98 @@
+// Figures and a table that are computed as a whole.
+#include "core/published/published.hpp"
+#include "core/tessellate/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+TEST(PublishedNumbers, EveryDifferenceOfATableIsNoted) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const Reproduction result = find_recipe("bahari-table9").make(catalogue, [](const std::string&) {}, {});
+    std::size_t different = 0;
+    for (const PublishedRow& row : result.rows) {
+        const bool noted = full_note(row).find("beyond the last digit") != std::string::npos;
+        EXPECT_EQ(noted, differs(row));
+        if (!differs(row)) continue;
+        ++different;
+        EXPECT_EQ(row.quantity, "Err");
+        if (row.row == "p = 5, n = 128") {
+            EXPECT_NEAR(*difference(row) / row.published->value, -0.507, 1e-3);
+            EXPECT_NE(full_note(row).find("(-51 %)"), std::string::npos) << full_note(row);
+        }
+    }
+    EXPECT_EQ(different, 5U);
+}
+
+TEST(PublishedNumbers, Figure2IsTwoUntangledMeshes) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    int runs = 0;
+    const Reproduction result =
+        find_recipe("mcrae-fig2").make(catalogue, [&](const std::string&) { ++runs; }, {});
+    EXPECT_EQ(runs, 2);
+    ASSERT_TRUE(result.figure.has_value());
+    ASSERT_EQ(result.figure->panels.size(), 2u);
+    for (const auto& panel : result.figure->panels) {
+        const auto& snapshot = std::get<std::shared_ptr<const Snapshot>>(panel.content);
+        EXPECT_EQ(snapshot->mesh->cell_count(), 900u);
+        EXPECT_EQ(snapshot->report.status, RunStatus::converged);
+    }
+    const auto row = std::find_if(result.rows.begin(), result.rows.end(),
+                                  [](const PublishedRow& r) { return r.quantity == "iterations"; });
+    ASSERT_NE(row, result.rows.end());
+    EXPECT_EQ(row->row, "ring, n = 30");
+    EXPECT_EQ(row->ours, 189);
+    for (const auto& r : result.rows)
+        if (r.quantity == "tangled cells") {
+            EXPECT_EQ(r.ours, 0);
+        }
+}
+
+/// Where the middle of a panel's picture is on the unit sphere.
+Vec3 middle_of(const FigurePanel& panel) {
+    EXPECT_TRUE(shows_all(panel.camera)) << panel.camera;
+    return towards_viewer(parse_camera(panel.camera, {800, 800}));
+}
+
+TEST(PublishedNumbers, Figure5IsTheX2MeshWithItsDeviationFromTheExactOne) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const Reproduction result = find_recipe("mcrae-fig5").make(catalogue, [](const std::string&) {}, {});
+    ASSERT_EQ(result.figure->panels.size(), 2u); // front and rear, the fine region in the middle
+    const double root = std::sqrt(3.0);
+    EXPECT_LT(norm(middle_of(result.figure->panels[0]) - Vec3{root / 2, 0, 0.5}), 1e-12);
+    EXPECT_LT(norm(middle_of(result.figure->panels[1]) - Vec3{-root / 2, 0, -0.5}), 1e-12);
+    const auto& snapshot = std::get<std::shared_ptr<const Snapshot>>(result.figure->panels.front().content);
+    EXPECT_EQ(snapshot->mesh->cell_count(), 1536u);
+    EXPECT_EQ(snapshot->report.iteration, 32);
+    const auto row = std::find_if(result.rows.begin(), result.rows.end(), [](const PublishedRow& r) {
+        return r.quantity == "rms to the exact mesh, vertices";
+    });
+    ASSERT_NE(row, result.rows.end());
+    EXPECT_NEAR(row->ours, 4.42e-4, 1e-6);
+}
+
+TEST(PublishedNumbers, Figure7HasTheCrossingInTheMiddle) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const Reproduction result = find_recipe("mcrae-fig7").make(catalogue, [](const std::string&) {}, {});
+    ASSERT_EQ(result.figure->panels.size(), 1u);
+    const Vec3 middle = middle_of(result.figure->panels[0]);
+    const double root = std::sqrt(3.0);
+    for (const Vec3 pole :
+         {Vec3{root / 2, 0, 0.5}, Vec3{-root / 2, 0, 0.5}}) // the bands are 90 degrees from them
+        EXPECT_NEAR(dot(middle, pole), 0, 1e-12);
+}
+
+TEST(PublishedNumbers, Figure9IsATangledMesh) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const Reproduction result = find_recipe("mcrae-fig9").make(catalogue, [](const std::string&) {}, {});
+    const auto& snapshot = std::get<std::shared_ptr<const Snapshot>>(result.figure->panels.front().content);
+    EXPECT_EQ(snapshot->mesh->kind.order, 1);
+    EXPECT_GT(*snapshot->report.tangled_cells, 0u);
+    EXPECT_LT(snapshot->report.residual, 2); // before divergence
+}
+
+} // namespace
+} // namespace gaspard
