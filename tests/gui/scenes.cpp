@@ -207,6 +207,43 @@ Snapshot layer_snapshot(int n, double width) {
     return snapshot;
 }
 
+Snapshot corner_layer_snapshot(int n, double width) {
+    Mesh mesh;
+    mesh.kind = {CellShape::triangle, 1};
+    mesh.space_dimension = 2;
+    mesh.nodes = Points(static_cast<std::size_t>((n + 1) * (n + 1)));
+    for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i)
+            mesh.nodes.set(static_cast<std::size_t>(j * (n + 1) + i), (1.0 / n) * Vec3{1.0 * i, 1.0 * j, 0});
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const int a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = a + n + 1;
+            mesh.cells.insert(mesh.cells.end(), {a, b, c, a, c, d});
+        }
+    Snapshot snapshot = finished(mesh, mesh.nodes);
+    const auto moved = [width](double t) {
+        const double start = 1 - 6 * width; // of the layer
+        return t < 0.5 ? 2 * t * start : start + (2 * t - 1) * (1 - start);
+    };
+    const auto layer = [width](double t) { return t * (1 - std::exp((t - 1) / width)); };
+    Field solution{{.name = "solution", .label = "solution"}, {}};
+    for (std::size_t i = 0; i < snapshot.x.size(); ++i) {
+        const Vec3 x{moved(mesh.nodes.x[i]), moved(mesh.nodes.y[i]), 0};
+        snapshot.x.set(i, x);
+        solution.values.push_back(layer(x.x) * layer(x.y));
+    }
+    snapshot.fields.push_back(std::move(solution));
+    return snapshot;
+}
+
+static Image draw_corner_layer(OffscreenBackend backend,
+                               const std::vector<std::pair<std::string, std::string>>& settings) {
+    Values values("view", view_rows(std::vector<FieldInfo>{{.name = "solution"}}, "solution"));
+    for (const auto& [key, text] : settings) values.parse(key, text);
+    return render_view(corner_layer_snapshot(16, 0.03), values, 600, 450, "square, layers",
+                       {.light = false, .backend = backend});
+}
+
 /// With the view of a method that solves a problem.
 static Image draw_layer(const Snapshot& snapshot, OffscreenBackend backend,
                         const std::vector<std::pair<std::string, std::string>>& settings) {
@@ -242,6 +279,30 @@ const std::vector<Scene>& scenes() {
         {"layers-right-end",
          [](OffscreenBackend backend) {
              return draw_layer(layer_snapshot(32, 1e-8), backend, {{"x_axis", "log-right"}});
+         }},
+        {"contours",
+         [](OffscreenBackend backend) {
+             return draw_corner_layer(backend, {{"contours", "10"}});
+         }},
+        {"contours-both-domains",
+         [](OffscreenBackend backend) {
+             return draw_corner_layer(
+                 backend,
+                 {{"contours", "20"}, {"layout", "side-by-side"}, {"theme", "light"}, {"lines", "false"}});
+         }},
+        {"contours-globe",
+         [](OffscreenBackend backend) {
+             return draw_with(xn_globe(cubed_globe(8, 2), 2), backend,
+                              {{"contours", "8"}, {"lines", "false"}, {"theme", "light"}});
+         }},
+        {"elevation",
+         [](OffscreenBackend backend) {
+             return draw_corner_layer(backend, {{"elevation", "1"}, {"contours", "10"}});
+         }},
+        {"elevation-both-domains",
+         [](OffscreenBackend backend) {
+             return draw_corner_layer(backend,
+                                      {{"elevation", "1.2"}, {"layout", "side-by-side"}, {"theme", "light"}});
          }},
         {"area-ember-light",
          [](OffscreenBackend backend) {

@@ -26,6 +26,10 @@ Snapshot interval_snapshot(int n);
 /// uniform mesh.
 Snapshot layer_snapshot(int n, double width);
 
+/// n x n squares of two triangles each, half of them in layers of this width at x = 1 and at y = 1, with a
+/// solution that is up to 0.9 high between them.
+Snapshot corner_layer_snapshot(int n, double width);
+
 /// A view with everything else as by default.
 Values view(const std::string& colour, double blend = 1);
 

@@ -18,6 +18,8 @@ constexpr const char* hint =
 constexpr const char* hint_in_space =
     "Drag to rotate, turn the wheel to zoom, click a cell to inspect it, press F for the "
     "rear, H to see all. F1 shows all keys.";
+constexpr const char* hint_of_heights =
+    "Drag to rotate, turn the wheel to zoom, click a cell to inspect it, press H to see all. F1 shows all keys.";
 constexpr const char* hint_of_plots =
     "Drag to move, turn the wheel to zoom, double-click to see all, press B for the computational "
     "interval. F1 shows all keys.";
@@ -240,9 +242,11 @@ void Application::draw_plots(const FrameContext& context) {
 void Application::draw_status() {
     begin_part("##status", layout_.status);
     const bool in_space = !views().empty() && !views().front().scene.planar();
+    const bool elevated = in_space && views().front().scene.elevation > 0;
     draw_status_bar(run(), messages_.last(),
                     {closing_note(run(), action("reset")), method_note(run(), *catalogue_),
                      on_interval() ? hint_of_plots
+                     : elevated    ? hint_of_heights
                      : in_space    ? hint_in_space
                                    : hint},
                     theme_, items_);
