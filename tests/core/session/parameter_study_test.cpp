@@ -217,7 +217,8 @@ TEST_F(ParameterStudy, HasATableARecordAndAPlot) {
     EXPECT_EQ(plot.curves[4].label, "√ε / N");
     EXPECT_TRUE(plot.x.logarithmic && plot.y.logarithmic);
     EXPECT_EQ(plot.x.label, "N");
-    EXPECT_EQ(plot.title, "Energy error, P2 reference");
+    EXPECT_EQ(plot.y.label, "Energy error, P2 reference");
+    EXPECT_EQ(plot.title, "Boundary layer in one dimension");
 }
 
 TEST_F(ParameterStudy, TheUsualOnesDependOnWhatDoesNotVary) {
