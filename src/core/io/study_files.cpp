@@ -123,14 +123,14 @@ std::string line_label(const StudyPlan& plan, std::size_t line) {
 }
 
 Plot study_plot(const StudyPlan& plan, std::span<const StudyPoint> points) {
-    Plot plot{.title = measure_label(points, plan.measure), .x = axis_of(plan), .y = {}, .curves = {}};
+    Plot plot{.title = scenario_title(plan.scenario), .x = axis_of(plan), .y = {}, .curves = {}};
     std::vector<Curve> bounds;
     for (std::size_t line = 0; line < plan.line_count(); ++line) {
         auto [values, bound] = curves_of(plan, points, line);
         plot.curves.push_back(std::move(values));
         if (!bound.x.empty()) bounds.push_back(std::move(bound));
     }
-    plot.y = {plan.measure, all_positive(plot.curves)};
+    plot.y = {measure_label(points, plan.measure), all_positive(plot.curves)};
     if (!bounds.empty()) {
         bounds.push_back(
             {bound_formula(plan.scenario), {}, {}, false, neutral_colour, true}); // for the legend

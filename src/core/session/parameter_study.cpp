@@ -58,6 +58,7 @@ bool solve_point(const std::shared_ptr<const Catalogue>& catalogue, const StudyP
                  StudyPoint& point, const std::stop_token& stop) {
     try {
         Scenario scenario = study_scenario(*catalogue, plan, point.line, point.place);
+        scenario.method.values.set("diagnostics", std::string("full"));
         point.bound = bound_of(scenario);
         Run run(catalogue, std::move(scenario), {.threads = threads}, {}, stop);
         run.solve(stop);

@@ -63,8 +63,9 @@ std::string order_name(const StudyPlan& plan);
 /// The point of this line and place; null if it is not there.
 const StudyPoint* find_point(std::span<const StudyPoint> points, std::size_t line, std::size_t place);
 
-/// Solves all runs, for each value of `over` those of all lines, and passes on each when it is done; what
-/// fails in one is its complaint. Ends early if asked to stop; the run at work is then not passed on.
+/// Solves all runs, for each value of `over` those of all lines, measured in full, and passes on each when it
+/// is done; what fails in one is its complaint. Ends early if asked to stop; the run at work is then not
+/// passed on.
 void run_study(std::shared_ptr<const Catalogue> catalogue, const StudyPlan& plan, int threads,
                const std::function<void(StudyPoint)>& done, std::stop_token stop = {});
 

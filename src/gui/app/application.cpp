@@ -27,7 +27,7 @@ constexpr ImGuiPopupFlags any_popup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFla
 Application::Application(std::shared_ptr<const Catalogue> catalogue, ApplicationOptions options)
     : catalogue_(catalogue), settings_(std::move(options.settings)), messages_(options.wake),
       theme_(dark_theme()), files_(catalogue, messages_.board(), std::move(options.output)),
-      study_(catalogue, options.wake),
+      study_(catalogue, options.wake), error_plots_(catalogue, options.wake),
       document_(std::move(catalogue), std::move(options.wake),
                 [cache = tessellations_](const Snapshot& snapshot) { cache->get(snapshot); }) {
     if (const auto choice = parse_choice(settings_.window.text("first_plot"))) plot_pane_.choose(0, *choice);
@@ -78,6 +78,8 @@ bool Application::collect() {
 
 /// The errors against the number of cells are those of the values that the run rests at.
 void Application::follow_study() {
+    error_plots_.follow(run(), plot_pane_.choices(), settings_.window.boolean("plots"),
+                        error_table_shown_ && settings_.window.boolean("sidebar"));
     if (!study_panel_.wanted() || !run().live() || study_.describes(run().scenario)) return;
     study_.cancel();
     if (run().ended() && run().changes.settled()) study_.begin(run().scenario);
@@ -350,16 +352,34 @@ void Application::record_edits() {
 void Application::fulfil(const PlotWish& wish) {
     switch (wish.kind) {
     case PlotWish::Kind::copy_csv:
+        if (wish.choice.plot == error_study_plot) {
+            ImGui::SetClipboardText(error_plots_.csv(wish.place).c_str());
+            return messages_.say({"Copied the numbers of the error study", false});
+        }
         ImGui::SetClipboardText(runs_csv(document_.runs()).c_str());
         return messages_.say({"Copied the numbers of all runs that are shown", false});
     case PlotWish::Kind::save_png:
-        plot_to_save_ = plot_of_runs(document_.runs(), wish.choice, wish.zoom);
+        plot_to_save_ = plot_for_file(wish);
         plot_name_ = wish.choice.plot;
         return;
     case PlotWish::Kind::save_svg:
-        return files_.save_svg(run().scenario, wish.choice.plot,
-                               plot_of_runs(document_.runs(), wish.choice, wish.zoom));
+        return files_.save_svg(run().scenario, wish.choice.plot, plot_for_file(wish));
     }
+}
+
+Plot Application::plot_for_file(const PlotWish& wish) const {
+    if (wish.choice.plot == error_study_plot)
+        return zoomed(error_plots_.for_file(wish.place, wish.choice), wish.zoom);
+    return plot_of_runs(document_.runs(), wish.choice, wish.zoom);
+}
+
+/// One edit per drag, as of a slider.
+void Application::sweep(const PlotSweep& sweep) {
+    if (!run().live()) return;
+    const Scenario scenario = with_sweep(*catalogue_, run().scenario, sweep);
+    if (scenario == run().scenario) return;
+    messages_.clear();
+    document_.change(run().id, scenario);
 }
 
 void Application::draw_comparison() {

@@ -16,6 +16,7 @@
 #include "gui/document/document.hpp"
 #include "gui/panels/comparison_panel.hpp"
 #include "gui/panels/dialogs.hpp"
+#include "gui/panels/error_plots.hpp"
 #include "gui/panels/parameter_panel.hpp"
 #include "gui/panels/plot_pane.hpp"
 #include "gui/panels/run_list.hpp"
@@ -94,6 +95,8 @@ class Application {
     const ItemRectangle& viewport_rectangle() const { return layout_.viewport; }
     const ItemRectangles& items() const { return items_; }
     const Messages& messages() const { return messages_; }
+    /// The plots of errors of other runs, as far as they are shown.
+    const ErrorPlots& error_plots() const { return error_plots_; }
 
   private:
     Application(std::shared_ptr<const Catalogue> catalogue, ApplicationOptions options);
@@ -129,6 +132,7 @@ class Application {
     void draw_formula_button();
     bool follow(WhyWish wish, Scenario& scenario);
     bool draw_why_section(Scenario& scenario);
+    void draw_error_section();
     void follow_study();
     void follow(const MenuChoice& choice);
     void arrange();
@@ -152,6 +156,8 @@ class Application {
     void move_in_history(bool forward);
     void record_edits();
     void fulfil(const PlotWish& wish);
+    Plot plot_for_file(const PlotWish& wish) const;
+    void sweep(const PlotSweep& sweep);
     void export_files();
     Scenario scenario_to_save();
     void save_scenario();
@@ -199,11 +205,13 @@ class Application {
     double wheeled_ = 0;       ///< when the wheel was last turned, by ImGui::GetTime()
     bool wheel_burst_ = false; ///< nothing else was done since
     bool quit_ = false, help_ = false, fullscreen_ = false;
+    bool error_table_shown_ = false;
     bool screenshot_ = false;        ///< asked for
     bool taking_screenshot_ = false; ///< this frame is the screenshot: it shows no tooltip
     FileTasks files_;
-    CellStudy study_;   ///< of the active run
-    Document document_; ///< last, so that its threads end before what they use
+    CellStudy study_;        ///< of the active run
+    ErrorPlots error_plots_; ///< of the active run
+    Document document_;      ///< last, so that its threads end before what they use
 };
 
 } // namespace gaspard

@@ -3,6 +3,7 @@
 #include "gui/app/edges.hpp"
 #include "gui/app/remedy.hpp"
 #include "gui/base/part_window.hpp"
+#include "gui/panels/error_table.hpp"
 #include "gui/panels/status_bar.hpp"
 
 #include <algorithm>
@@ -119,6 +120,7 @@ void Application::draw_sidebar() {
         if (open) changed |= draw_why_section(scenario);
         ImGui::Spacing();
     }
+    draw_error_section();
     if (ImGui::CollapsingHeader("Runs", ImGuiTreeNodeFlags_DefaultOpen)) {
         if (run_list_.draw(document_, action("keep"), {theme_, scale_, items_})) perform("keep");
         const Action& row = action("compare");
@@ -143,6 +145,17 @@ void Application::draw_sidebar() {
     if (const auto wish = panel_.take_file_wish()) ask_for_file(*wish);
     if (const auto field = panel_.take_field_wish()) viewport().view.set("color", *field);
     ImGui::End();
+}
+
+void Application::draw_error_section() {
+    error_table_shown_ = false;
+    if (!run().live() || study_variables(run().scenario).empty()) return;
+    error_table_shown_ = ImGui::CollapsingHeader("Errors");
+    remember_item(items_, "errors");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("The energy errors of other numbers of cells and ε, solved in the background");
+    if (error_table_shown_) draw_error_table(error_plots_.table(), items_);
+    ImGui::Spacing();
 }
 
 /// True if it changes the scenario.
@@ -232,8 +245,10 @@ std::vector<std::string> Application::view_keys() {
 }
 
 void Application::draw_plots(const FrameContext& context) {
-    const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context);
+    const auto studies = error_plots_.plots(run(), plot_pane_.choices());
+    const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context, studies);
     if (wish) fulfil(*wish);
+    if (const auto wanted = plot_pane_.take_sweep()) sweep(*wanted);
     const auto choices = plot_pane_.choices();
     settings_.window.set("first_plot", format_choice(choices[0]));
     settings_.window.set("second_plot", format_choice(choices[1]));

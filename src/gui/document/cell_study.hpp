@@ -3,12 +3,12 @@
 #pragma once
 
 #include "core/session/interpolation_study.hpp"
+#include "gui/document/background_study.hpp"
 
 #include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace gaspard {
@@ -24,34 +24,21 @@ class CellStudy {
 
     /// `wake` is called on another thread whenever result() has changed; it may be empty.
     CellStudy(std::shared_ptr<const Catalogue> catalogue, std::function<void()> wake);
-    /// Waits for the steps at work.
-    ~CellStudy();
-    CellStudy(const CellStudy&) = delete;
-    CellStudy& operator=(const CellStudy&) = delete;
 
     void begin(const Scenario& scenario);
     /// A computation for another problem is cancelled; its result so far stays.
-    void cancel();
+    void cancel() { study_.cancel(); }
     /// Discards the result so far.
     void forget() { cancel(), known_ = false; }
     /// Whether the result is, or will be, that of this problem.
     bool describes(const Scenario& scenario) const;
-    Result result() const;
+    Result result() const { return study_.result(); }
 
   private:
-    struct Work;
-    struct Leaving {
-        std::shared_ptr<Work> work;
-        std::jthread thread;
-    };
-
     std::shared_ptr<const Catalogue> catalogue_;
-    std::function<void()> wake_;
     Scenario scenario_;
-    bool known_ = false;         ///< describes scenario_
-    std::shared_ptr<Work> work_; ///< null: none was begun
-    std::vector<Leaving> leaving_;
-    std::jthread thread_;
+    bool known_ = false; ///< describes scenario_
+    BackgroundStudy<Result> study_;
 };
 
 } // namespace gaspard

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace gaspard {
@@ -16,8 +17,8 @@ namespace {
 
 constexpr std::string_view axis_name(bool logarithmic) { return logarithmic ? "log" : "linear"; }
 
-std::optional<Abscissa> abscissa_of(std::string_view name) {
-    for (const Abscissa one : abscissas())
+std::optional<Abscissa> abscissa_of(std::string_view plot, std::string_view name) {
+    for (const Abscissa one : abscissas(plot))
         if (name_of(one) == name) return one;
     return std::nullopt;
 }
@@ -94,10 +95,27 @@ void ask_for(Axis& axis, const std::optional<AxisRange>& range) {
     axis.high = from_axis(axis, range->high);
 }
 
+/// The run whose values an error study varies; null if there is none.
+const DocumentRun* studied_run(const DocumentRuns& runs) {
+    for (const DocumentRun& run : runs)
+        if (run.live() && !study_variables(run.scenario).empty()) return &run;
+    return nullptr;
+}
+
+const SeriesInfo& error_study_info() {
+    static const SeriesInfo info{.name = std::string(error_study_plot),
+                                 .label = "Error study",
+                                 .scale = ParameterScale::logarithmic,
+                                 .help = "the energy error of runs with other numbers of cells, ε, σ or q, "
+                                         "which are solved in the background"};
+    return info;
+}
+
 } // namespace
 
 std::vector<RunPlot> plots_of(const DocumentRuns& runs) {
     std::vector<RunPlot> plots;
+    if (studied_run(runs)) plots.push_back({error_study_plot, error_study_info().label, &error_study_info()});
     for (const DocumentRun& run : runs)
         for (const auto& [info, name, trace] : run.curves.all()) {
             const bool known = std::any_of(plots.begin(), plots.end(),
@@ -115,15 +133,81 @@ std::string_view plot_label(const DocumentRuns& runs, std::string_view name) {
     return name;
 }
 
-std::span<const Abscissa> abscissas() {
-    static constexpr std::array all = {Abscissa::iterations, Abscissa::seconds};
+std::span<const Abscissa> abscissas(std::string_view plot) {
+    static constexpr std::array of_runs = {Abscissa::iterations, Abscissa::seconds};
+    static constexpr std::array of_studies = {Abscissa::cells, Abscissa::eps, Abscissa::sigma, Abscissa::q};
+    if (plot == error_study_plot) return of_studies;
+    return of_runs;
+}
+
+std::vector<Abscissa> abscissas_of(const DocumentRuns& runs, std::string_view plot) {
+    std::vector<Abscissa> all;
+    const DocumentRun* run = studied_run(runs);
+    for (const Abscissa one : abscissas(plot)) {
+        const auto variable = variable_of(one);
+        if (!variable || (run && !study_key(run->scenario, *variable).empty())) all.push_back(one);
+    }
     return all;
 }
 
-std::string_view name_of(Abscissa abscissa) {
-    return abscissa == Abscissa::iterations ? "iterations" : "seconds";
+std::optional<StudyVariable> variable_of(Abscissa abscissa) {
+    switch (abscissa) {
+    case Abscissa::cells:
+        return StudyVariable::cells;
+    case Abscissa::eps:
+        return StudyVariable::eps;
+    case Abscissa::sigma:
+        return StudyVariable::sigma;
+    case Abscissa::q:
+        return StudyVariable::q;
+    case Abscissa::iterations:
+    case Abscissa::seconds:
+        break;
+    }
+    return std::nullopt;
 }
-std::string_view label_of(Abscissa abscissa) { return name_of(abscissa); }
+
+PlotChoice with_plot(const PlotChoice& choice, const RunPlot& plot) {
+    PlotChoice changed = choice;
+    changed.plot = plot.name;
+    changed.log_y = plot.info->scale == ParameterScale::logarithmic;
+    const auto possible = abscissas(plot.name);
+    if (std::find(possible.begin(), possible.end(), choice.abscissa) != possible.end()) return changed;
+    return with_abscissa(changed, possible.front());
+}
+
+PlotChoice with_abscissa(const PlotChoice& choice, Abscissa abscissa) {
+    PlotChoice changed = choice;
+    const bool study = variable_of(abscissa).has_value();
+    if (study) changed.log_x = abscissa != Abscissa::q; // as the rows
+    if (!study && variable_of(choice.abscissa)) changed.log_x = false;
+    changed.abscissa = abscissa;
+    return changed;
+}
+
+std::string_view name_of(Abscissa abscissa) {
+    switch (abscissa) {
+    case Abscissa::iterations:
+        return "iterations";
+    case Abscissa::seconds:
+        return "seconds";
+    case Abscissa::cells:
+        return "cells";
+    case Abscissa::eps:
+        return "eps";
+    case Abscissa::sigma:
+        return "sigma";
+    case Abscissa::q:
+        return "q";
+    }
+    return {};
+}
+
+std::string_view label_of(Abscissa abscissa) {
+    if (abscissa == Abscissa::eps) return "ε";
+    if (abscissa == Abscissa::sigma) return "σ";
+    return name_of(abscissa);
+}
 
 std::string format_choice(const PlotChoice& choice) {
     std::string text = choice.plot;
@@ -136,7 +220,7 @@ std::string format_choice(const PlotChoice& choice) {
 std::optional<PlotChoice> parse_choice(std::string_view text) {
     const auto words = split(text, ",");
     if (words.size() != 4) return std::nullopt;
-    const auto abscissa = abscissa_of(words[1]);
+    const auto abscissa = abscissa_of(words[0], words[1]);
     const auto log_x = logarithmic_of(words[2]), log_y = logarithmic_of(words[3]);
     if (!is_plot_name(words[0]) || !abscissa || !log_x || !log_y) return std::nullopt;
     return PlotChoice{std::string(words[0]), *abscissa, *log_x, *log_y};
@@ -149,14 +233,18 @@ PlotView view_of_runs(const DocumentRuns& runs, const PlotChoice& choice) {
 Plot plot_of_runs(const DocumentRuns& runs, const PlotChoice& choice, const PlotZoom& zoom) {
     const PlotView view = make_view(runs, choice, false); // a file does not mark the current iterate
     Plot plot{.title = std::string(plot_label(runs, choice.plot)), .x = view.x, .y = view.y, .curves = {}};
-    ask_for(plot.x, zoom.x);
-    ask_for(plot.y, zoom.y);
     for (const CurveView& curve : view.curves) {
         plot.curves.push_back(thinned(curve, view, zoom));
         if (curve.part != view.curves.front().part)
             plot.curves.back().label.clear(); // one entry in the legend per run
     }
     for (const MarkView& mark : view.marks) plot.marks.push_back({mark.x, std::string(mark.label)});
+    return zoomed(std::move(plot), zoom);
+}
+
+Plot zoomed(Plot plot, const PlotZoom& zoom) {
+    ask_for(plot.x, zoom.x);
+    ask_for(plot.y, zoom.y);
     return plot;
 }
 

@@ -1,6 +1,7 @@
 // What a plot of the window shows of the document's runs: which series, against what, on which axes.
 #pragma once
 
+#include "core/session/layer_study.hpp"
 #include "gui/document/document.hpp"
 #include "gui/plot/plot_axes.hpp"
 
@@ -12,7 +13,10 @@
 
 namespace gaspard {
 
-enum class Abscissa { iterations, seconds };
+/// Iterations and seconds are those of the runs; the others are what an error study varies.
+enum class Abscissa { iterations, seconds, cells, eps, sigma, q };
+/// The plot of errors of other runs (gui/document/error_study.hpp).
+inline constexpr std::string_view error_study_plot = "error-study";
 
 struct PlotChoice {
     std::string plot = "residual"; ///< by its name, see plots_of()
@@ -27,12 +31,21 @@ struct RunPlot {
     std::string_view label; ///< for people: "Step size"
     const SeriesInfo* info; ///< of its first series
 };
-/// Of all series of all runs, in the order in which they report them. Valid until the runs change.
+/// error_study_plot if a live run's problem has layers; then those of all series of all runs, in the order in
+/// which they report them. Valid until the runs change.
 std::vector<RunPlot> plots_of(const DocumentRuns& runs);
 /// For people; the name itself where no run has such a plot.
 std::string_view plot_label(const DocumentRuns& runs, std::string_view name);
 
-std::span<const Abscissa> abscissas();
+/// All that a plot of this name can have.
+std::span<const Abscissa> abscissas(std::string_view plot);
+/// Those of abscissas() that the runs have.
+std::vector<Abscissa> abscissas_of(const DocumentRuns& runs, std::string_view plot);
+/// Nothing for iterations and seconds.
+std::optional<StudyVariable> variable_of(Abscissa abscissa);
+/// Another plot, or another abscissa, on the axes that suit it.
+PlotChoice with_plot(const PlotChoice& choice, const RunPlot& plot);
+PlotChoice with_abscissa(const PlotChoice& choice, Abscissa abscissa);
 std::string_view name_of(Abscissa abscissa);
 std::string_view label_of(Abscissa abscissa);
 
@@ -47,5 +60,7 @@ PlotView view_of_runs(const DocumentRuns& runs, const PlotChoice& choice);
 /// The same with its own numbers and with a title, for a file; long curves are thinned out to what a picture
 /// can show. `zoom`: what is to be seen of it.
 Plot plot_of_runs(const DocumentRuns& runs, const PlotChoice& choice, const PlotZoom& zoom = {});
+/// A plot of which a file is to show this part.
+Plot zoomed(Plot plot, const PlotZoom& zoom);
 
 } // namespace gaspard

@@ -56,15 +56,17 @@ void draw_plots_list(const std::string& key, const DocumentRuns& runs, PlotChoic
     for (const RunPlot& plot : plots) entries.push_back({plot.name, plot.label, help_of(plot)});
     const auto clicked = draw_list(key, entries, choice.plot, plot_label(runs, choice.plot), width, items);
     if (!clicked || plots[*clicked].name == choice.plot) return;
-    choice.plot = plots[*clicked].name;
-    choice.log_y = plots[*clicked].info->scale == ParameterScale::logarithmic;
+    choice = with_plot(choice, plots[*clicked]);
 }
 
-void draw_abscissa_list(const std::string& key, Abscissa& chosen, float width, ItemRectangles& items) {
+void draw_abscissa_list(const std::string& key, const DocumentRuns& runs, PlotChoice& choice, float width,
+                        ItemRectangles& items) {
+    const std::vector<Abscissa> all = abscissas_of(runs, choice.plot);
     std::vector<Entry> entries;
-    for (const Abscissa one : abscissas()) entries.push_back({name_of(one), label_of(one)});
+    for (const Abscissa one : all) entries.push_back({name_of(one), label_of(one)});
+    const Abscissa chosen = choice.abscissa;
     const auto clicked = draw_list(key, entries, name_of(chosen), label_of(chosen), width, items);
-    if (clicked) chosen = abscissas()[*clicked];
+    if (clicked) choice = with_abscissa(choice, all[*clicked]);
 }
 
 /// A button that stays pressed.
@@ -102,7 +104,7 @@ void PlotPane::draw_header(const std::string& name, const Document& document, Sh
                     std::min(std::max(rest, 1.0F), width_of("Equidistribution")), context.items);
     if (with_abscissa) {
         ImGui::SameLine(0, gap);
-        draw_abscissa_list(name + ".abscissa", plot.choice.abscissa, against, context.items);
+        draw_abscissa_list(name + ".abscissa", document.runs(), plot.choice, against, context.items);
     }
     if (with_log) {
         ImGui::SameLine(0, gap);
@@ -114,7 +116,7 @@ void PlotPane::draw_header(const std::string& name, const Document& document, Sh
     remember_item(context.items, name + ".menu");
 }
 
-std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, Shown& plot,
+std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, const Document& document, Shown& plot,
                                             const FrameContext& context) {
     if (!ImGui::BeginPopup(menu_id)) return std::nullopt;
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
@@ -126,7 +128,7 @@ std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, Shown& plot
         return pressed;
     };
     const auto offer = [&](const char* label, const char* key, PlotWish::Kind kind) {
-        if (entry(label, key)) wish = PlotWish{kind, plot.choice, plot.zoom};
+        if (entry(label, key)) wish = PlotWish{kind, plot.choice, plot.zoom, &plot == &plots_[0] ? 0U : 1U};
     };
     offer("Copy as CSV", "csv", PlotWish::Kind::copy_csv);
     offer("Save as PNG", "png", PlotWish::Kind::save_png);
@@ -135,9 +137,10 @@ std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, Shown& plot
     if (entry("Show everything", "everything", false, plot.zoom != PlotZoom{})) plot.zoom = {};
     ImGui::Separator();
     PlotChoice& choice = plot.choice;
-    for (const Abscissa one : abscissas()) {
+    for (const Abscissa one : abscissas_of(document.runs(), choice.plot)) {
         const std::string label = "Against " + std::string(label_of(one));
-        if (entry(label.c_str(), std::string(name_of(one)), choice.abscissa == one)) choice.abscissa = one;
+        if (entry(label.c_str(), std::string(name_of(one)), choice.abscissa == one))
+            choice = with_abscissa(choice, one);
     }
     if (entry("Logarithmic x", "log-x", choice.log_x)) choice.log_x = !choice.log_x;
     if (entry("Logarithmic y", "log-y", choice.log_y)) choice.log_y = !choice.log_y;
@@ -145,27 +148,41 @@ std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, Shown& plot
     return wish;
 }
 
+bool PlotPane::draw_curves(const Document& document, Shown& plot, const Plot& study,
+                           const FrameContext& context) {
+    const bool of_study = plot.choice.plot == error_study_plot;
+    const PlotView view = of_study ? view_of(study) : view_of_runs(document.runs(), plot.choice);
+    const auto variable = of_study ? variable_of(plot.choice.abscissa) : std::nullopt;
+    const bool sweeps = variable && *variable != StudyVariable::cells && !study.curves.empty();
+    std::optional<double> swept;
+    const bool menu = plot_widget("##curves", view, ImGui::GetContentRegionAvail(), plot.zoom, context.theme,
+                                  context.scale, sweeps ? &swept : nullptr);
+    if (swept) sweep_ = PlotSweep{*variable, *swept};
+    return menu;
+}
+
 std::optional<PlotWish> PlotPane::frame(const Document& document, const ItemRectangle& first,
-                                        const ItemRectangle& second, const FrameContext& context) {
+                                        const ItemRectangle& second, const FrameContext& context,
+                                        const std::array<Plot, 2>& studies) {
     std::optional<PlotWish> wish;
-    const auto draw = [&](const std::string& name, const ItemRectangle& part, Shown& plot) {
+    sweep_.reset();
+    const auto draw = [&](const std::string& name, const ItemRectangle& part, Shown& plot,
+                          const Plot& study) {
         begin_part(name.c_str(), part);
         context.items[name] = part;
         const PlotChoice before = plot.choice;
         draw_header(name, document, plot, context);
         forget_zoom(before, plot.choice, plot.zoom);
-        const PlotView view = view_of_runs(document.runs(), plot.choice);
-        const bool menu = plot_widget("##curves", view, ImGui::GetContentRegionAvail(), plot.zoom,
-                                      context.theme, context.scale);
+        const bool menu = draw_curves(document, plot, study, context);
         remember_item(context.items, name + ".curves");
         if (menu) ImGui::OpenPopup(menu_id);
         const PlotChoice unturned = plot.choice;
-        if (auto wanted = draw_menu(name, plot, context)) wish = std::move(wanted);
+        if (auto wanted = draw_menu(name, document, plot, context)) wish = std::move(wanted);
         forget_zoom(unturned, plot.choice, plot.zoom);
         ImGui::End();
     };
-    draw("plot.first", first, plots_[0]);
-    draw("plot.second", second, plots_[1]);
+    draw("plot.first", first, plots_[0], studies[0]);
+    draw("plot.second", second, plots_[1], studies[1]);
     return wish;
 }
 

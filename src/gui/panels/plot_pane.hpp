@@ -7,7 +7,10 @@
 #include "gui/panels/plot_choice.hpp"
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace gaspard {
 
@@ -17,15 +20,25 @@ struct PlotWish {
     Kind kind = Kind::copy_csv;
     PlotChoice choice;
     PlotZoom zoom;
+    std::size_t place = 0; ///< which of the plots
+};
+
+/// A drag across an error study: its variable is to have this value.
+struct PlotSweep {
+    StudyVariable variable{};
+    double value = 0;
 };
 
 class PlotPane {
   public:
     /// Draws both plots, each into a window of its own. Notes "plot.first" and "plot.first.quantity",
     /// ".quantity=jacobian" (while the list is open), ".abscissa", ".log", ".menu", ".menu.csv" (while it is
-    /// open), ".curves"; likewise "plot.second".
+    /// open), ".curves"; likewise "plot.second". `studies`: what the two show where they are error studies.
     std::optional<PlotWish> frame(const Document& document, const ItemRectangle& first,
-                                  const ItemRectangle& second, const FrameContext& context);
+                                  const ItemRectangle& second, const FrameContext& context,
+                                  const std::array<Plot, 2>& studies = {});
+    /// What this frame's drag across an error study asks for.
+    std::optional<PlotSweep> take_sweep() { return std::exchange(sweep_, std::nullopt); }
 
     /// What the plots show; to be remembered and restored.
     std::array<PlotChoice, 2> choices() const { return {plots_[0].choice, plots_[1].choice}; }
@@ -39,9 +52,13 @@ class PlotPane {
     };
     void draw_header(const std::string& name, const Document& document, Shown& plot,
                      const FrameContext& context);
-    std::optional<PlotWish> draw_menu(const std::string& name, Shown& plot, const FrameContext& context);
+    std::optional<PlotWish> draw_menu(const std::string& name, const Document& document, Shown& plot,
+                                      const FrameContext& context);
+    /// True when a menu is asked for.
+    bool draw_curves(const Document& document, Shown& plot, const Plot& study, const FrameContext& context);
 
     std::array<Shown, 2> plots_{Shown{}, Shown{{.plot = "equidistribution"}, {}}};
+    std::optional<PlotSweep> sweep_;
 };
 
 } // namespace gaspard

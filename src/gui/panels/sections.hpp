@@ -11,8 +11,9 @@
 namespace gaspard {
 
 enum class SectionKind { domain, monitor, target, method, pde };
-inline constexpr SectionKind all_sections[] = {SectionKind::domain, SectionKind::monitor, SectionKind::target,
-                                               SectionKind::method, SectionKind::pde};
+/// From the problem to how it is solved, as the panel shows them.
+inline constexpr SectionKind all_sections[] = {SectionKind::domain, SectionKind::pde, SectionKind::monitor,
+                                               SectionKind::target, SectionKind::method};
 
 /// "Domain", as a heading.
 const char* section_title(SectionKind kind);

@@ -101,8 +101,17 @@ std::optional<ScreenRect> dragged_rectangle(const PlotFrame& frame, float scale)
     return rect;
 }
 
+/// The value of x to which the left button has been dragged, from a place within the area.
+std::optional<double> swept_value(const PlotFrame& frame, float scale) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!ImGui::IsItemActive() || !ImGui::IsMouseDragging(0, click_slack * scale)) return std::nullopt;
+    if (!frame.area.contains(io.MouseClickedPos[0]) || !ImGui::IsMousePosValid()) return std::nullopt;
+    const float pixel = std::clamp(io.MousePos.x, frame.area.min.x, frame.area.max.x);
+    return from_axis(frame.x, frame.position_x(static_cast<double>(pixel)));
+}
+
 /// True when a menu is asked for.
-bool steer(const PlotView& plot, const PlotFrame& frame, PlotZoom& zoom, float scale) {
+bool steer(const PlotView& plot, const PlotFrame& frame, PlotZoom& zoom, float scale, bool sweeps) {
     const ImGuiIO& io = ImGui::GetIO();
     Steering steering(plot, frame, zoom);
     if (ImGui::IsItemHovered()) {
@@ -117,7 +126,8 @@ bool steer(const PlotView& plot, const PlotFrame& frame, PlotZoom& zoom, float s
             return false;
         }
     }
-    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, 0) &&
+    const bool pans = !sweeps || !frame.area.contains(io.MouseClickedPos[0]);
+    if (pans && ImGui::IsItemActive() && ImGui::IsMouseDragging(0, 0) &&
         (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
         steering.pan(io.MouseDelta, steered_at(frame, io.MouseClickedPos[0]));
     if (!ImGui::IsItemDeactivated() || !ImGui::IsMouseReleased(1)) return false;
@@ -151,7 +161,7 @@ void draw_plot(ImDrawList& list, const PlotView& plot, ScreenRect rect, const Pl
 }
 
 bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zoom, const Theme& theme,
-                 float scale) {
+                 float scale, std::optional<double>* swept) {
     size = {std::max(size.x, 1.0F), std::max(size.y, 1.0F)};
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton(id, size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
@@ -159,7 +169,12 @@ bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zo
     PlotFrame frame = make_frame(plot, rect, zoom, scale);
     if (!frame.drawable()) return false; // too small
     const PlotZoom before = zoom;
-    const bool menu = steer(plot, frame, zoom, scale);
+    if (swept) {
+        *swept = swept_value(frame, scale);
+        if (ImGui::IsItemHovered() && frame.area.contains(ImGui::GetIO().MousePos))
+            ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    }
+    const bool menu = steer(plot, frame, zoom, scale, swept != nullptr);
     if (zoom != before) frame = make_frame(plot, rect, zoom, scale);
     if (!frame.drawable()) return menu;
     ImDrawList& list = *ImGui::GetWindowDrawList();

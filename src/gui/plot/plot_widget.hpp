@@ -7,6 +7,8 @@
 
 #include "gui/plot/plot_axes.hpp"
 
+#include <optional>
+
 namespace gaspard {
 
 /// Without a pointer and without zoom, as for a file.
@@ -20,7 +22,10 @@ void draw_plot(ImDrawList& list, const PlotView& plot, ScreenRect rect, const Pl
 /// wheel zooms at the pointer (with Shift, or over the axis below, only x; with Ctrl, or over the axis at the
 /// left, only y), the left button drags, the right one zooms to a rectangle, a double click shows everything
 /// again. True when clicked with the right button: a menu is asked for.
+///
+/// With `swept`, the left button drags the axes only beside the area of the curves; within it, a drag sets
+/// *swept to the value of x at the pointer.
 bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zoom, const Theme& theme,
-                 float scale);
+                 float scale, std::optional<double>* swept = nullptr);
 
 } // namespace gaspard

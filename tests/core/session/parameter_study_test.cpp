@@ -163,6 +163,13 @@ TEST_F(ParameterStudy, RunsAreThoseOfTheScenarioWithTheseValues) {
     EXPECT_NE(study_value(points[0], "energy_error"), study_value(points[1], "energy_error"));
 }
 
+TEST_F(ParameterStudy, RunsAreMeasuredInFull) {
+    const auto points = solved(plan(layer({"method.diagnostics=none"}), "domain.cells=32"));
+    EXPECT_NEAR(study_value(points.at(0), "energy_error"), 4.171e-4, 1e-7);
+    const auto interpolated = solved(plan(layer(), "domain.cells=32", {}, "l2_error"));
+    EXPECT_GT(study_value(interpolated.at(0), "l2_error"), 0) << "on request, since it takes time";
+}
+
 TEST_F(ParameterStudy, WhatFailsIsAMarkAndTheOthersGoOn) {
     // Both ends have a layer: the mesh needs an even number of cells.
     const Scenario both = layer({"method.type=shishkin", "method.layers=both"});
@@ -217,7 +224,8 @@ TEST_F(ParameterStudy, HasATableARecordAndAPlot) {
     EXPECT_EQ(plot.curves[4].label, "√ε / N");
     EXPECT_TRUE(plot.x.logarithmic && plot.y.logarithmic);
     EXPECT_EQ(plot.x.label, "N");
-    EXPECT_EQ(plot.title, "Energy error, P2 reference");
+    EXPECT_EQ(plot.y.label, "Energy error, P2 reference");
+    EXPECT_EQ(plot.title, "Boundary layer in one dimension");
 }
 
 TEST_F(ParameterStudy, TheUsualOnesDependOnWhatDoesNotVary) {

@@ -1,3 +1,4 @@
+#include "core/scenario/toml.hpp"
 #include "gui/document/cell_study.hpp"
 
 #include <atomic>
@@ -40,7 +41,7 @@ TEST_F(CellStudyTest, ItHasTheErrorsOfTheUsualMeshes) {
     const auto resolutions = usual_resolutions(scenario);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(result.rows[i].resolution, resolutions[i]);
-        Run run(catalogue, with_resolution(*catalogue, scenario, resolutions[i]));
+        gaspard::Run run(catalogue, with_resolution(*catalogue, scenario, resolutions[i]));
         run.solve();
         const InterpolationRow row = interpolation_row(run, nullptr);
         EXPECT_DOUBLE_EQ(result.rows[i].errors.adapted->of(ErrorNorm::l2),

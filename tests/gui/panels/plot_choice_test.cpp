@@ -23,8 +23,8 @@ DocumentRuns two_runs(int iterations = 20) {
 
 TEST(PlotChoice, ReadsBackFromItsText) {
     std::set<std::string> texts;
-    for (const char* plot : {"residual", "equidistribution", "jacobian", "step-size"})
-        for (const Abscissa abscissa : abscissas())
+    for (const char* plot : {"residual", "equidistribution", "jacobian", "step-size", "error-study"})
+        for (const Abscissa abscissa : abscissas(plot))
             for (const bool log_x : {false, true})
                 for (const bool log_y : {false, true}) {
                     const PlotChoice choice{plot, abscissa, log_x, log_y};
@@ -33,11 +33,12 @@ TEST(PlotChoice, ReadsBackFromItsText) {
                     ASSERT_TRUE(read) << format_choice(choice);
                     EXPECT_EQ(*read, choice);
                 }
-    EXPECT_EQ(texts.size(), 4U * 2 * 2 * 2);
+    EXPECT_EQ(texts.size(), 4U * 2 * 2 * 2 + 4 * 2 * 2);
     EXPECT_EQ(format_choice({}), "residual,iterations,linear,log");
     for (const char* wrong :
          {"", "residual", "residual,iterations,linear", "residual,iterations,linear,log,",
-          "resi due,iterations,linear,log", "residual,iterations,linear,logarithmic", ",,,"})
+          "resi due,iterations,linear,log", "residual,iterations,linear,logarithmic",
+          "residual,cells,log,log", "error-study,iterations,linear,log", ",,,"})
         EXPECT_FALSE(parse_choice(wrong)) << wrong;
 }
 
