@@ -33,8 +33,12 @@ class SquareLevel {
     struct Residual; // square_newton.cpp
     Residual residual() const;
     double move(const Points& nodes, const Points& centres, const std::vector<double>& step, double factor);
-    std::vector<double> newton_direction(const Residual& r,
-                                         const DensitySampler::Derivatives& derivatives) const;
+    std::vector<double> newton_direction(const Residual& r, const DensitySampler::Derivatives& derivatives,
+                                         const std::vector<double>& shift) const;
+    std::vector<double> areas() const;
+    std::vector<double> distances_to_inversion(const std::vector<double>& areas) const;
+    double rounding(const std::vector<double>& distances) const;
+    bool falls_below(double norm, const LayerDensities& densities);
     Index unknown(Index axis, Index point) const;
     std::array<Index, 3> triangle_points(Index triangle) const;
     /// Stiffness matrices of the triangles of a quadrilateral, for a density of 1.
@@ -43,7 +47,6 @@ class SquareLevel {
     std::vector<Index> axes() const;
     double coordinate(Index axis, Index point) const;
     bool is_fixed_point(Index axis, Index point) const;
-    bool is_inverted() const;
 
     Index node(int i, int j) const {
         return static_cast<Index>(j) * static_cast<Index>(n_ + 1) + static_cast<Index>(i);
@@ -74,6 +77,8 @@ class SquareLevel {
     std::array<std::vector<double>, 2> means_;          ///< of triangles, by quadrilaterals
     std::vector<std::array<double, 4>> centre_weights_; ///< of the last axis
     std::array<NinePointSolver, 2> solvers_;
+    static constexpr double newtons_time_step = 1e8; ///< from where steps are Newton's
+    double time_step_ = newtons_time_step;           ///< of the next newton()
 };
 
 } // namespace gaspard

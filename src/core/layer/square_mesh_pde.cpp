@@ -91,7 +91,7 @@ SquareConvergence converge_square(SquareMeshPde& pde, const LayerDensities& dens
         const auto step = pde.newton(densities);
         ++result.steps;
         result.update = step.update, result.residual = step.residual;
-        result.converged = (step.factor == 0 || step.factor == 1) && step.update <= tolerance;
+        result.converged = step.converged(tolerance);
     }
     return result;
 }

@@ -44,11 +44,16 @@ struct SquareMeshSolve {
     int inner_iterations = 0;
 };
 
-/// What one step of Newton's method did.
+/// What one step of newton() did.
 struct SquareMeshNewton {
     double residual = 0; ///< before the step: root mean square of ln(inflow / outflow) over the equations
     double update = 0;   ///< the largest change of a coordinate, centres included
-    double factor = 0;   ///< of the step: 1 where it was not shortened; 0: a solve of the fixed point instead
+    double factor = 0; ///< 1: Newton's step; tau / (1 + tau): damped; 0: a solve of the fixed point instead
+    double rounding = 0; ///< what rounding of the positions leaves of the residual
+    /// A step of Newton's method without effect.
+    bool converged(double tolerance) const {
+        return factor == 1 && (update <= tolerance || residual <= 4 * rounding);
+    }
 };
 
 class SquareLevel;
@@ -74,8 +79,10 @@ class SquareMeshPde {
     /// One step of the fixed point: the solution for the densities at the iterate. Throws InputError if a
     /// density is not positive and finite.
     SquareMeshSolve solve(const LayerDensities& densities);
-    /// One step of Newton's method for the fixed point of solve(), by sparse elimination. Shortened until the
-    /// residual falls and no triangle is inverted.
+    /// One step of Newton's method for the fixed point of solve(), by sparse elimination, damped so that no
+    /// triangle is inverted (square_newton.cpp). With densities of layers thinner than 1e-4 at corners it
+    /// finds the fixed point for both forms; of degree 4 there are many, and finding one may take long for
+    /// one_direction.
     SquareMeshNewton newton(const LayerDensities& densities);
     /// Halves the cells; the iterate stays the same function.
     void refine();
@@ -113,10 +120,10 @@ struct SquareConvergence {
     bool converged = false;
 };
 
-/// Steps of Newton's method until one that is not shortened, or a solve where rounding leaves nothing to
-/// shorten, changes no coordinate by more than `tolerance`.
+/// Steps of newton() until one of Newton's changes no coordinate by more than `tolerance`, or rounding of the
+/// positions leaves nothing to improve.
 SquareConvergence converge_square(SquareMeshPde& pde, const LayerDensities& densities,
-                                  double tolerance = 1e-8, int max_steps = 100);
+                                  double tolerance = 1e-8, int max_steps = 300);
 
 /// Triangles of a grid with right diagonals (from (0,0) to (1,1)) whose area is not positive.
 std::size_t inverted_triangles(const Points& x, int cells);

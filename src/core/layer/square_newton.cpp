@@ -6,16 +6,27 @@
 // depend on positions exponentially, their logarithms do not. The iteration solve() amplifies errors of nodes
 // at the edge of a layer of width eps by up to 1 / (N eps) and ends in a cycle for small eps.
 //
-// From the result of Algorithm 3, (37) converges for N = 16 to 128 and eps = 1e-2, 1e-4 in 3 to 13 steps, for
-// N = 16 to 64 and eps = 1e-6, 1e-8 in 22 to 108. Numbers that are no powers of two start worse and need
-// more, up to 145; N = 12 and eps = 1e-8 takes over 150. (34) converges for eps = 1e-2, 1e-4 in 3 to 46
-// steps, and not in 150 for thinner layers: the steps that help have to be too short.
+// Newton's method alone gets stuck, too: a triangle at the edge of a layer is much larger than eps, and when
+// it grows, so that its samples leave the layer, the flow through it falls by orders of magnitude. A step
+// that is short enough for the linearisation brings no node across. Steps are therefore those of the
+// linearly implicit Euler method for
+//
+//   l_p dy_p / dt = -ln(I / O),   l_p: the shortest shift of p at which one of its triangles has no area,
+//
+// whose stable rest points are the solutions. They need not reduce the residual. The time step tau is
+// limited by the change of the triangles' areas, and grows until the step is Newton's.
+//
+// With samples at the corners the flow through a triangle grows with the triangle, whatever the width of the
+// layer: h (rho(y) + rho(y + h)) / 2 does for an exponential. The rule of degree 4 has no weight at the
+// corners, and the flow does not: the equations have many solutions then, each with another set of nodes in
+// the layer, and for (34), whose columns choose one by one, paths between them are long.
 #include "core/layer/square_level.hpp"
 
 #include <Eigen/Sparse>
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace gaspard {
@@ -88,9 +99,10 @@ SquareLevel::Residual SquareLevel::residual() const {
     return r;
 }
 
-/// The Newton step by unknowns.
+/// The step by unknowns; `shift` is added to the diagonal.
 std::vector<double> SquareLevel::newton_direction(const Residual& r,
-                                                  const DensitySampler::Derivatives& derivatives) const {
+                                                  const DensitySampler::Derivatives& derivatives,
+                                                  const std::vector<double>& shift) const {
     const auto size = static_cast<Eigen::Index>(r.in.size());
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * quad_count() * axes().size() * axes().size() * 12);
@@ -118,6 +130,7 @@ std::vector<double> SquareLevel::newton_direction(const Residual& r,
     for (const Index axis : axes())
         for (Index point = 0; point < node_count(); ++point)
             if (is_fixed_point(axis, point)) add(unknown(axis, point), unknown(axis, point), 1);
+    for (Index i = 0; i < shift.size(); ++i) add(i, i, shift[i]);
     Eigen::SparseMatrix<double> matrix(size, size);
     matrix.setFromTriplets(entries.begin(), entries.end());
     Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(matrix);
@@ -127,13 +140,44 @@ std::vector<double> SquareLevel::newton_direction(const Residual& r,
     return {step.data(), step.data() + size};
 }
 
-bool SquareLevel::is_inverted() const {
-    for (Index triangle = 0; triangle < 4 * quad_count(); ++triangle) {
+/// Twice the areas of the triangles.
+std::vector<double> SquareLevel::areas() const {
+    std::vector<double> areas(4 * quad_count());
+    for (Index triangle = 0; triangle < areas.size(); ++triangle) {
         const auto p = triangle_points(triangle);
         const auto at = [&](Index k) { return Vec3{coordinate(0, p[k]), coordinate(1, p[k]), 0}; };
-        if (!(cross(at(1) - at(0), at(2) - at(0)).z > 0)) return true;
+        areas[triangle] = cross(at(1) - at(0), at(2) - at(0)).z;
     }
-    return inverted_triangles(nodes_, n_) > 0;
+    return areas;
+}
+
+/// By unknowns, l_p: twice the area of a triangle is linear in a coordinate of its corner, its slope the
+/// extent of the opposite edge. Infinite where an unknown is fixed.
+std::vector<double> SquareLevel::distances_to_inversion(const std::vector<double>& areas) const {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    std::vector<double> distances(axes().size() * (node_count() + quad_count()), far);
+    for (Index triangle = 0; triangle < areas.size(); ++triangle) {
+        const auto p = triangle_points(triangle);
+        for (const Index axis : axes())
+            for (Index k = 0; k < 3; ++k) {
+                if (is_fixed_point(axis, p[k])) continue;
+                const Index a = p[(k + 1) % 3], b = p[(k + 2) % 3];
+                const double extent = std::abs(coordinate(1 - axis, a) - coordinate(1 - axis, b));
+                double& distance = distances[unknown(axis, p[k])];
+                if (areas[triangle] < distance * extent) distance = areas[triangle] / extent;
+            }
+    }
+    return distances;
+}
+
+/// What a change of positions by half a unit in the last place makes of the residual.
+double SquareLevel::rounding(const std::vector<double>& distances) const {
+    double sum = 0;
+    for (const Index axis : axes())
+        for (Index point = 0; point < node_count() + quad_count(); ++point)
+            sum += std::pow(coordinate(axis, point) / distances[unknown(axis, point)], 2);
+    return 0.5 * std::numeric_limits<double>::epsilon() *
+           std::sqrt(sum / static_cast<double>(distances.size()));
 }
 
 /// Moves the free unknowns from a position by a part of the step; returns the largest change.
@@ -154,29 +198,60 @@ double SquareLevel::move(const Points& nodes, const Points& centres, const std::
     return update;
 }
 
+/// Whether the areas have changed by a factor of `most` and less, and none is inverted.
+static bool is_gentle(const std::vector<double>& before, const std::vector<double>& after, double most) {
+    for (Index i = 0; i < before.size(); ++i)
+        if (!(after[i] > 0) || after[i] > most * before[i] || before[i] > most * after[i]) return false;
+    return true;
+}
+static double largest_change(const std::vector<double>& before, const std::vector<double>& after) {
+    double change = 0;
+    for (Index i = 0; i < before.size(); ++i)
+        change = std::max(change, std::abs(std::log(after[i] / before[i])));
+    return change;
+}
+
 SquareMeshNewton SquareLevel::newton(const LayerDensities& densities) {
-    constexpr double shortest = 1e-3;
+    constexpr double most = 7.4;      ///< factor by which areas may change
+    constexpr double shortest = 1e-6; ///< time step
     sampler_.means(densities, nodes_, centres_, means_);
     const Residual r = residual();
-    SquareMeshNewton result{.residual = r.norm()};
+    const std::vector<double> before = areas(), distances = distances_to_inversion(before);
+    SquareMeshNewton result{.residual = r.norm(), .rounding = rounding(distances)};
     const Vec3 middle = 0.25 * (domain_[0] + domain_[1] + domain_[2] + domain_[3]);
-    const std::vector<double> step =
-        newton_direction(r, sampler_.derivatives(densities, nodes_, centres_, middle));
-    const bool usable = !step.empty() && std::all_of(step.begin(), step.end(),
-                                                     [](double value) { return std::isfinite(value); });
+    const auto slopes = sampler_.derivatives(densities, nodes_, centres_, middle);
     const Points nodes = nodes_, centres = centres_;
-    for (double factor = 1; usable && factor > shortest; factor *= 0.5) {
-        result.update = move(nodes, centres, step, factor);
-        if (is_inverted()) continue;
-        sampler_.means(densities, nodes_, centres_, means_);
-        if (residual().norm() < (1 - 0.1 * factor) * result.residual) {
-            result.factor = factor;
-            return result;
+    const bool inverted = !is_gentle(before, before, most);
+    while (!inverted && time_step_ > shortest) {
+        const bool is_newton = time_step_ >= newtons_time_step;
+        std::vector<double> shift(is_newton ? 0 : distances.size());
+        for (Index i = 0; i < shift.size(); ++i) shift[i] = 1 / (time_step_ * distances[i]);
+        const std::vector<double> step = newton_direction(r, slopes, shift);
+        const bool usable = !step.empty() && std::all_of(step.begin(), step.end(),
+                                                         [](double value) { return std::isfinite(value); });
+        if (usable) {
+            result.update = move(nodes, centres, step, 1);
+            const std::vector<double> after = areas();
+            if (is_gentle(before, after, most) && inverted_triangles(nodes_, n_) == 0 &&
+                (!is_newton || falls_below(std::max(result.residual, 4 * result.rounding), densities))) {
+                result.factor = is_newton ? 1 : time_step_ / (1 + time_step_);
+                const double change = largest_change(before, after) / std::log(most);
+                if (change < 0.5) time_step_ *= change < 0.025 ? 1000 : std::min(8.0, 0.7 / change);
+                time_step_ = std::min(time_step_, newtons_time_step);
+                return result;
+            }
         }
+        time_step_ = is_newton ? 1 : time_step_ / 4;
     }
     nodes_ = nodes, centres_ = centres;
+    if (!inverted) time_step_ = 0.01;
     result.update = solve(densities).update;
     return result;
+}
+
+bool SquareLevel::falls_below(double norm, const LayerDensities& densities) {
+    sample(densities);
+    return residual().norm() <= norm;
 }
 
 } // namespace gaspard

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,8 +44,9 @@ class QuadrilateralMeshPde final : public Method {
             return reference == "on" || (reference == "auto" && domain_->cells() <= cells);
         };
         measures_errors_ = up_to(cells_with_errors);
-        solves_ = reference == "off" || up_to(cells_with_solution);
+        computes_solution_ = reference == "off" || up_to(cells_with_solution);
         converges_ = values.text("finish") == "converged";
+        solves_before_ = values.integer("inner_solves");
         next_.reset();
     }
 
@@ -61,6 +64,7 @@ class QuadrilateralMeshPde final : public Method {
 
     Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token) override {
         levels_.begin();
+        solves_ = 0;
         const Points parameters = parameters_of(state);
         SquareMeshPde at = uniform(cells_of(parameters));
         at.set_positions(parametric_ ? parameters : domain_->positions(parameters));
@@ -81,17 +85,21 @@ class QuadrilateralMeshPde final : public Method {
                 at->refine();
             }
             at->solve(densities_of(data));
+            solves_ = 0;
         }
-        double factor = 1;
-        if (converges_ && level == 0 && level == this->level()) {
+        std::optional<SquareMeshNewton> newton;
+        if (converges_ && level == 0 && level == this->level() && ++solves_ > solves_before_) {
             at->set_positions(nodes_, centres_); // Newton's step replaces the solve
-            factor = at->newton(densities_of(data)).factor;
+            newton = at->newton(densities_of(data));
         }
         Evaluation evaluation = look(data, std::move(*at));
         state = state_of(nodes_);
-        evaluation.step_size = factor;
+        evaluation.step_size = newton ? newton->factor : 1;
         evaluation.ending = levels_.ending(level);
-        if (converges_ && level == 0) evaluation.ending = Ending::by_criterion;
+        if (converges_ && level == 0) {
+            const bool done = newton && newton->converged(0); // as far as rounding lets it
+            evaluation.ending = done ? Ending::complete : Ending::by_criterion;
+        }
         return evaluation;
     }
 
@@ -119,7 +127,7 @@ class QuadrilateralMeshPde final : public Method {
     std::vector<std::vector<double>> fields(const ProblemData& data) override {
         take_problem(data);
         std::vector<std::vector<double>> all(layer_fields().size());
-        if (problem_ && solves_ && is_solvable()) {
+        if (problem_ && computes_solution_ && is_solvable()) {
             all[0] = solved().solution.values;
             all[2] = solved_on_uniform().solution.values;
         }
@@ -228,7 +236,9 @@ class QuadrilateralMeshPde final : public Method {
     MeshPdeForm form_ = MeshPdeForm::componentwise;
     bool parametric_ = true; ///< the unknowns are (s, t), not positions
     DensitySamples samples_ = DensitySamples::degree_4;
-    bool measures_errors_ = true, solves_ = true, converges_ = true;
+    bool measures_errors_ = true, computes_solution_ = true, converges_ = true;
+    std::int64_t solves_before_ = 0; ///< on the last mesh, before Newton's method
+    std::int64_t solves_ = 0;        ///< made there
     // The iterate last evaluated, and the next one:
     Points nodes_, centres_, positions_;
     std::optional<SquareMeshPde> next_;

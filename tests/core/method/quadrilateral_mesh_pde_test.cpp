@@ -65,6 +65,18 @@ TEST_F(QuadrilateralMeshPde, ConvergesByNewtonsMethod) {
     EXPECT_EQ(*made.history().back().tangled_cells, 0U);
 }
 
+// In one direction and at corners for thin layers; the error is not that of the five solves of the paper.
+TEST_F(QuadrilateralMeshPde, ConvergesInColumns) {
+    gaspard::Run made = run("layer-quadrilateral", {"method.finish=converged", "method.samples=corners",
+                                                    "domain.cells=32", "pde.eps=1e-6"});
+    made.solve();
+    const StepReport& last = made.history().back();
+    EXPECT_EQ(made.status(), RunStatus::converged);
+    EXPECT_LT(last.residual, 1e-8);
+    EXPECT_EQ(*last.tangled_cells, 0U);
+    EXPECT_NEAR(*last.value("energy_error"), 5.442e-5, 2e-8);
+}
+
 // Of a rotated and stretched square: nodes of a side stay on it, corners stay.
 TEST_F(QuadrilateralMeshPde, NodesSlideAlongSidesOfAnyDirection) {
     for (const char* form : {"both", "vertical"}) {

@@ -1,0 +1,38 @@
+// Converged meshes of Hill, Madden (2021) on 64 x 64 quadrilaterals, with densities at corners.
+#include "core/layer/square_mesh_pde.hpp"
+#include "core/published/hill_problems.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+/// Algorithm 3, then newton(); the steps it takes.
+int converge(const HillSquare& problem, double eps) {
+    constexpr int cells = 64;
+    const SquareMeshPdeOptions& o = problem.options;
+    SquareMeshPde pde(o.form, DensitySamples::corners, o.corners, coarsest_cells(cells, o.start_cells));
+    while (pde.cells() < cells) {
+        for (int i = 0; i < o.inner; ++i) pde.solve(problem.densities);
+        pde.refine();
+    }
+    for (int i = 0; i < o.final; ++i) pde.solve(problem.densities);
+    const SquareConvergence result = converge_square(pde, problem.densities);
+    EXPECT_TRUE(result.converged) << eps;
+    EXPECT_EQ(inverted_triangles(pde.nodes(), cells), 0U) << eps;
+    EXPECT_LT(pde.solve(problem.densities).update, 1e-8) << eps;
+    return result.steps;
+}
+
+TEST(HillConverged, InColumnsOfTheIrregularDomain) {
+    for (const double eps : {1e-2, 1e-4, 1e-6, 1e-8})
+        EXPECT_LT(converge(hill_irregular(eps), eps), 250) << eps;
+}
+
+TEST(HillConverged, InBothDirectionsForVaryingDiffusion) {
+    for (const double eps : {1e-2, 1e-4, 1e-6, 1e-8})
+        EXPECT_LT(converge(hill_varying(eps, Diffusion::squared), eps), 60) << eps;
+}
+
+} // namespace
+} // namespace gaspard
