@@ -250,7 +250,7 @@ SquareMeshNewton SquareLevel::newton(const LayerDensities& densities) {
 }
 
 bool SquareLevel::falls_below(double norm, const LayerDensities& densities) {
-    sample(densities);
+    sampler_.means(densities, nodes_, centres_, means_);
     return residual().norm() <= norm;
 }
 
