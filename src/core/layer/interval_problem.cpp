@@ -63,8 +63,9 @@ Element<m> element(const IntervalProblem& problem, const IntervalCoefficients& a
                              dj = phi.slope[static_cast<std::size_t>(j)];
                 auto& block = e.a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
                 for (int k = 0; k < m; ++k) {
-                    block(k, k) += w * (problem.diffusion[static_cast<std::size_t>(k)] / h * di * dj +
-                                        convection[k] * vi * dj);
+                    const double added = at.added_diffusion.empty() ? 0 : at.added_diffusion[cell * m + k];
+                    const double diffusion = problem.diffusion[static_cast<std::size_t>(k)] + added;
+                    block(k, k) += w * (diffusion / h * di * dj + convection[k] * vi * dj);
                     for (int l = 0; l < m; ++l) block(k, l) += w * h * reaction[k * m + l] * vi * vj;
                 }
             }
@@ -159,6 +160,21 @@ IntervalSolution solve_interval(const IntervalProblem& problem, const IntervalCo
             if (!std::isfinite(nodes[i]))
                 throw InputError("the solution is not finite; check the coefficients of the problem");
     return solution;
+}
+
+IntervalSolution solve_fitted(const IntervalProblem& problem, std::span<const double> x) {
+    IntervalCoefficients at = coefficients_on(problem, x);
+    const std::size_t m = problem.components();
+    at.added_diffusion.resize((x.size() - 1) * m);
+    for (std::size_t cell = 0; cell + 1 < x.size(); ++cell)
+        for (std::size_t k = 0; k < m; ++k) {
+            double c = 0;
+            for (std::size_t g = 0; g < gauss_at.size(); ++g)
+                c += gauss_weight[g] * at.convection[(cell * gauss_at.size() + g) * m + k];
+            const double e = problem.diffusion[k], p = std::abs(c) * (x[cell + 1] - x[cell]) / (2 * e);
+            at.added_diffusion[cell * m + k] = p < 1e-3 ? e * p * p / 3 : e * (p / std::tanh(p) - 1);
+        }
+    return solve_interval(problem, at, x, 1);
 }
 
 double reference_error(const IntervalProblem& problem, std::span<const double> x, const IntervalSolution& p1,

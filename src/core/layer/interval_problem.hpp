@@ -19,6 +19,7 @@ namespace gaspard {
 /// The coefficients at points, one after the other: of each c (m), r (m x m, by rows), f (m).
 struct IntervalCoefficients {
     std::vector<double> convection, reaction, source;
+    std::vector<double> added_diffusion{}; ///< to e, on each cell (m); empty: none
 };
 
 struct IntervalProblem {
@@ -43,6 +44,11 @@ IntervalCoefficients coefficients_on(const IntervalProblem& problem, std::span<c
 IntervalSolution solve_interval(const IntervalProblem& problem, const IntervalCoefficients& at,
                                 std::span<const double> x, int order);
 IntervalSolution solve_interval(const IntervalProblem& problem, std::span<const double> x, int order);
+
+/// The solution of order 1 with exponential fitting: on a cell of width h with the mean convection c, the
+/// diffusion is e P coth P with P = c h / (2 e). It does not oscillate on coarse meshes (with constant c, f
+/// and r = 0 it is exact at the nodes of a uniform one), and is Galerkin's where h is small or c = 0.
+IntervalSolution solve_fitted(const IntervalProblem& problem, std::span<const double> x);
 
 /// ||p2 - p1||_E of a solution of order 2 and one of order 1 on the same mesh: the paper's error.
 double reference_error(const IntervalProblem& problem, std::span<const double> x, const IntervalSolution& p1,

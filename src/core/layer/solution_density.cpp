@@ -169,7 +169,7 @@ std::vector<double> mesh_from_solution(const IntervalProblem& problem, Interval 
     std::vector<double> x = uniform_interval(interval, coarsest_cells(cells, options.start_cells));
     for (;;) {
         for (int k = 0; k < options.steps; ++k) {
-            const auto solution = solve_interval(problem, x, 1);
+            const auto solution = solve_fitted(problem, x);
             x = next_interval_mesh(solution_densities(options, problem, x, solution), interval);
         }
         if (x.size() > static_cast<Index>(cells)) return x;

@@ -1,7 +1,7 @@
 // Meshes of an interval that are adapted to the computed solution, without knowledge of eps
-// (layer/solution_density.hpp): each step solves the problem in P1 and makes one step of the mesh PDE with
-// densities from that solution. Meshes are refined as in method/mesh_levels.hpp. The monitor is not used but
-// for diagnostics.
+// (layer/solution_density.hpp): each step solves the problem in P1, with exponential fitting, and makes one
+// step of the mesh PDE with densities from that solution. Meshes are refined as in method/mesh_levels.hpp.
+// The monitor is not used but for diagnostics. The solution that is reported is Galerkin's.
 #include "core/base/error.hpp"
 #include "core/layer/solution_density.hpp"
 #include "core/mesh/discretisation_as.hpp"
@@ -42,7 +42,7 @@ class SolutionAdapted final : public IntervalIteration {
     std::vector<double> densities(const ProblemData& data, const std::vector<double>& mesh) override {
         look_at(data, mesh);
         if (!problem()) throw InputError("method solution-adapted needs a problem to solve; set pde.type");
-        return solution_densities(options_, *problem(), mesh, solve_interval(*problem(), mesh, 1));
+        return solution_densities(options_, *problem(), mesh, solve_fitted(*problem(), mesh));
     }
 
   private:

@@ -80,5 +80,28 @@ TEST(IntervalProblem, ExactErrorSeesALayerThatTheReferenceMisses) {
     EXPECT_GT(exact, 1.25 * reference_error(problem, x, p1, p2));
 }
 
+// -e u'' + c u' = 1, c = 1 and -1, has a closed form; fitting is exact at the nodes of a uniform mesh.
+TEST(IntervalProblem, ExponentialFittingIsExactAtNodes) {
+    const std::vector<double> x = uniform_interval({}, 8);
+    for (const double e : {1.0, 1e-2, 1e-6})
+        for (const double c : {1.0, -1.0}) {
+            const auto problem = scalar_problem(e, [c](double) { return std::array{c, 0.0, 1.0}; });
+            const auto fitted = solve_fitted(problem, x).nodes[0];
+            for (std::size_t i = 0; i < x.size(); ++i) {
+                const double t = c > 0 ? x[i] : 1 - x[i];
+                const double u = t - std::exp((t - 1) / e) * std::expm1(-t / e) / std::expm1(-1 / e);
+                EXPECT_NEAR(fitted[i], u, 1e-12) << e << ' ' << c << ' ' << i;
+            }
+        }
+    const auto stiff = scalar_problem(1e-2, [](double) { return std::array{1.0, 0.0, 1.0}; });
+    EXPECT_GT(std::abs(solve_interval(stiff, x, 1).nodes[0][7] - 0.875), 0.1) << "Galerkin's is not";
+}
+
+TEST(IntervalProblem, ExponentialFittingIsGalerkinsMethodWithoutConvection) {
+    const std::vector<double> x = {0, 0.1, 0.4, 0.5, 0.95, 1};
+    EXPECT_EQ(solve_fitted(reaction_diffusion(1e-2), x).nodes,
+              solve_interval(reaction_diffusion(1e-2), x, 1).nodes);
+}
+
 } // namespace
 } // namespace gaspard

@@ -68,6 +68,28 @@ TEST(SolutionDensity, EstimatesTheErrorOfAResolvedLayer) {
     }
 }
 
+// On 8 cells Galerkin's solution oscillates everywhere. A density for exp(-(1 - x)/eps), of the form of (18),
+// gives 1.33 / N.
+TEST(SolutionDensity, FindsALayerOfConvection) {
+    for (const double eps : {1e-2, 1e-6, 1e-8}) {
+        const IntervalProblem problem = {{eps}, [](std::span<const double>, IntervalCoefficients& at) {
+                                             std::fill(at.convection.begin(), at.convection.end(), 1.0);
+                                             std::fill(at.source.begin(), at.source.end(), 1.0);
+                                         }};
+        for (const int cells : {32, 128}) {
+            const auto error = [&](SolutionDensity density) {
+                const auto x = mesh_from_solution(problem, {}, cells, {density});
+                return reference_error(problem, x, solve_interval(problem, x, 1),
+                                       solve_interval(problem, x, 2)) *
+                       cells / 1.33;
+            };
+            EXPECT_LT(error(SolutionDensity::arc_length), 1.6) << eps << ' ' << cells;
+            EXPECT_LT(error(SolutionDensity::curvature), 1) << eps << ' ' << cells;
+            EXPECT_LT(error(SolutionDensity::estimate), 1) << eps << ' ' << cells;
+        }
+    }
+}
+
 // Slopes 1, 4, 2 on cells of width 1, 1/2, 1/2; u'' is 4 and 4 at the inner nodes.
 TEST(SolutionDensity, IsThatOfTheFormulas) {
     const std::vector<double> x = {0, 1, 1.5, 2};

@@ -12,18 +12,18 @@
 namespace gaspard {
 namespace {
 
-using Numbers = std::vector<double>;
+using Levels = std::vector<double>;
 
 TEST(ContourLevels, AreMultiplesOfTheSmallestRoundStepThatIsLargeEnough) {
     const ContourLevels ten = contour_levels({0, 1.63}, 10);
-    EXPECT_EQ(ten.values, (Numbers{0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.4, 1.6}));
+    EXPECT_EQ(ten.values, (Levels{0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.4, 1.6}));
     EXPECT_EQ(ten.text, "every 0.2");
     EXPECT_EQ(contour_levels({0, 1.63}, 16).values.size(), 16U) << "steps of 0.1";
     EXPECT_EQ(contour_levels({0, 1.63}, 15).values.size(), 8U);
-    EXPECT_EQ(contour_levels({-3, 3}, 5).values, (Numbers{-2, -1, 0, 1, 2})) << "the ends are none";
-    EXPECT_EQ(contour_levels({2e-9, 9e-9}, 2).values, (Numbers{5e-9}));
-    EXPECT_EQ(contour_levels({2.1e-9, 9e-9}, 4).values, (Numbers{4e-9, 6e-9, 8e-9}));
-    EXPECT_EQ(contour_levels({1e5, 4.5e5}, 4).values, (Numbers{2e5, 3e5, 4e5}));
+    EXPECT_EQ(contour_levels({-3, 3}, 5).values, (Levels{-2, -1, 0, 1, 2})) << "the ends are none";
+    EXPECT_EQ(contour_levels({2e-9, 9e-9}, 2).values, (Levels{5e-9}));
+    EXPECT_EQ(contour_levels({2.1e-9, 9e-9}, 4).values, (Levels{4e-9, 6e-9, 8e-9}));
+    EXPECT_EQ(contour_levels({1e5, 4.5e5}, 4).values, (Levels{2e5, 3e5, 4e5}));
     for (int most = 1; most <= 100; ++most) {
         const std::size_t count = contour_levels({-0.37, 12.9}, most).values.size();
         EXPECT_LE(count, static_cast<std::size_t>(most));
@@ -33,17 +33,17 @@ TEST(ContourLevels, AreMultiplesOfTheSmallestRoundStepThatIsLargeEnough) {
 
 TEST(ContourLevels, OfALogarithmicRangeArePowersOfTenAndTheirMultiples) {
     EXPECT_EQ(contour_levels({1, 100, true}, 20).values,
-              (Numbers{2, 3, 4, 5, 6, 7, 8, 9, 10, 20, 30, 40, 50, 60, 70, 80, 90}));
+              (Levels{2, 3, 4, 5, 6, 7, 8, 9, 10, 20, 30, 40, 50, 60, 70, 80, 90}));
     const ContourLevels some = contour_levels({0.5, 300, true}, 10);
-    EXPECT_EQ(some.values, (Numbers{1, 2, 5, 10, 20, 50, 100, 200}));
+    EXPECT_EQ(some.values, (Levels{1, 2, 5, 10, 20, 50, 100, 200}));
     EXPECT_EQ(some.text, "at 1, 2, 5, 10");
     const ContourLevels few = contour_levels({0.5, 300, true}, 4);
-    EXPECT_EQ(few.values, (Numbers{1, 10, 100}));
+    EXPECT_EQ(few.values, (Levels{1, 10, 100}));
     EXPECT_EQ(few.text, "every decade");
     const ContourLevels sparse = contour_levels({2e-9, 3, true}, 5);
-    EXPECT_EQ(sparse.values, (Numbers{1e-8, 1e-6, 1e-4, 1e-2, 1}));
+    EXPECT_EQ(sparse.values, (Levels{1e-8, 1e-6, 1e-4, 1e-2, 1}));
     EXPECT_EQ(sparse.text, "every 2 decades");
-    EXPECT_EQ(contour_levels({2, 7, true}, 5).values, (Numbers{3, 4, 5, 6})) << "within a decade";
+    EXPECT_EQ(contour_levels({2, 7, true}, 5).values, (Levels{3, 4, 5, 6})) << "within a decade";
 }
 
 TEST(ContourLevels, ThereAreNoneInARangeWithoutAnythingBetween) {
@@ -71,12 +71,12 @@ class ContourLines : public testing::Test {
     }
     Mesh mesh_;
     Points x_;
-    Numbers values_;
+    Levels values_;
     Tessellation shape_;
 };
 
 TEST_F(ContourLines, OfALinearFunctionAreStraight) {
-    const Numbers levels = {1.5, 2, 3.25, 4.4};
+    const Levels levels = {1.5, 2, 3.25, 4.4};
     const auto lines = contour_lines(shape_, values_, levels);
     std::map<std::uint32_t, int> count;
     for (const ContourSegment& segment : lines) {
@@ -99,10 +99,10 @@ TEST_F(ContourLines, OfALinearFunctionAreStraight) {
 
 TEST_F(ContourLines, RunAlongEdgesOnWhichTheFieldHasTheLevel) {
     for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = std::abs(mesh_.nodes.x[i] - 3.0 / 7) - 0.5;
-    const Numbers ridge = {-0.5};
+    const Levels ridge = {-0.5};
     EXPECT_TRUE(contour_lines(shape_, values_, ridge).empty()) << "a minimum is reached, but not crossed";
     for (double& value : values_) value = -value;
-    const Numbers top = {0.5};
+    const Levels top = {0.5};
     double length = 0;
     for (const ContourSegment& segment : contour_lines(shape_, values_, top)) {
         const Vec3 from = segment.from.in(mesh_.nodes), to = segment.to.in(mesh_.nodes);
@@ -113,11 +113,11 @@ TEST_F(ContourLines, RunAlongEdgesOnWhichTheFieldHasTheLevel) {
 }
 
 TEST_F(ContourLines, AreNotDrawnByRoundingOrWhereValuesAreMissing) {
-    const Numbers zero = {0};
+    const Levels zero = {0};
     for (std::size_t i = 0; i < values_.size(); ++i)
         values_[i] = mesh_.nodes.x[i] > 0.5 ? mesh_.nodes.x[i] : (i % 2 == 0 ? 1e-15 : -1e-15);
     EXPECT_TRUE(contour_lines(shape_, values_, zero).empty());
-    const Numbers half = {0.3};
+    const Levels half = {0.3};
     const std::size_t count = contour_lines(shape_, values_, half).size();
     EXPECT_GE(count, 14U);
     values_[27] = std::nan("");
@@ -136,10 +136,10 @@ TEST(ContourLinesOnCurvedCells, LieOnTheTrianglesThatAreDrawn) {
     mesh.nodes.y = {0, 0, 1, 1, 0, 0.5, 1, 0.5, 0.5};
     mesh.cells = {0, 1, 2, 3, 4, 5, 6, 7, 8};
     const Tessellation shape = tessellate(mesh, 16);
-    Numbers nodes;
+    Levels nodes;
     for (std::size_t i = 0; i < 9; ++i) nodes.push_back(dot(mesh.nodes[i], mesh.nodes[i]));
     const Points shown = shown_points(shape, mesh.nodes);
-    const Numbers values = shown_values(shape, nodes), levels = {0.49};
+    const Levels values = shown_values(shape, nodes), levels = {0.49};
     const auto lines = contour_lines(shape, values, levels);
     EXPECT_GE(lines.size(), 16U);
     for (const ContourSegment& segment : lines)
