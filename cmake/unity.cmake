@@ -1,7 +1,8 @@
 # gaspard_unity(TARGET): with GASPARD_UNITY, TARGET is compiled as batches of sources, since most of the time to compile
 # one goes into headers and templates that its neighbours use as well. The sources of a folder that belong to TARGET are
 # divided into batches of nearly equal size, in alphabetical order: a new file changes those of its own folder alone.
-# Names in anonymous namespaces are therefore unique within a folder. Sources that have a group already keep it.
+# Names in anonymous namespaces are therefore unique within a folder. Sources that have a group already keep it, and those
+# with SKIP_UNITY_BUILD_INCLUSION are compiled alone.
 set(GASPARD_UNITY_SIZE 8) # most sources of a batch
 
 function(gaspard_unity target)
@@ -18,7 +19,8 @@ function(gaspard_unity target)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${base} NORMALIZE OUTPUT_VARIABLE path)
     cmake_path(IS_PREFIX PROJECT_BINARY_DIR ${path} generated)
     get_source_file_property(group ${path} UNITY_GROUP)
-    if(generated OR group)
+    get_source_file_property(alone ${path} SKIP_UNITY_BUILD_INCLUSION)
+    if(generated OR group OR alone)
       continue()
     endif()
     cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE name)

@@ -1,4 +1,4 @@
-// The class of a discretisation is determined by the capability table: its rows and the methods that they list
+// The class of a discretisation is determined by the capability table: its rows and the methods they list
 // know it.
 #pragma once
 
