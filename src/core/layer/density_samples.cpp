@@ -133,7 +133,7 @@ void DensitySampler::evaluate(const LayerDensities& densities, const Points& at,
 }
 
 void DensitySampler::means(const LayerDensities& densities, const Points& nodes, const Points& centres,
-                           std::array<std::vector<double>, 2>& means) const {
+                           TriangleDensities& means) const {
     for (auto& mean : means) mean.resize(4 * n_ * n_);
     std::vector<double> sums(n_);
     sweep(

@@ -26,10 +26,10 @@ class DensitySampler {
     /// Of n x n quadrilaterals.
     DensitySampler(int n, DensitySamples samples);
 
-    /// Means of both densities, [4 q + t] for triangle t of quadrilateral q. Throws InputError where a
+    /// Means of both densities. Throws InputError where a
     /// density is not positive and finite.
     void means(const LayerDensities& densities, const Points& nodes, const Points& centres,
-               std::array<std::vector<double>, 2>& means) const;
+               TriangleDensities& means) const;
 
     /// Derivatives of the means by the positions of the corners, [axis][coordinate][4 q + t][corner], by
     /// differences. The shift is small beside the thinnest layer and large beside the spacing of numbers; it

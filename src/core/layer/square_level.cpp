@@ -80,7 +80,13 @@ Vec3 SquareLevel::at(int i, int j, Vec3 xi) const {
 }
 
 SquareMeshSolve SquareLevel::solve(const LayerDensities& densities) {
-    sampler_.means(densities, nodes_, centres_, means_);
+    TriangleDensities means;
+    sampler_.means(densities, nodes_, centres_, means);
+    return solve(std::move(means));
+}
+
+SquareMeshSolve SquareLevel::solve(TriangleDensities means) {
+    means_ = std::move(means);
     SquareMeshSolve result;
     const bool both = form_ == MeshPdeForm::componentwise;
     for (const Index axis : {Index{0}, Index{1}}) {

@@ -27,6 +27,7 @@ class SquareLevel {
     /// A mesh of twice as many cells with the same iterate, which is linear on its triangles.
     SquareLevel refined() const;
     SquareMeshSolve solve(const LayerDensities& densities);
+    SquareMeshSolve solve(TriangleDensities means);
     SquareMeshNewton newton(const LayerDensities& densities);
 
   private:
@@ -74,7 +75,7 @@ class SquareLevel {
     std::array<Vec3, 4> domain_; ///< corners of the computational domain
     Points nodes_, centres_;
     DensitySampler sampler_;
-    std::array<std::vector<double>, 2> means_;          ///< of triangles, by quadrilaterals
+    TriangleDensities means_;
     std::vector<std::array<double, 4>> centre_weights_; ///< of the last axis
     std::array<NinePointSolver, 2> solvers_;
     static constexpr double newtons_time_step = 1e8; ///< from where steps are Newton's

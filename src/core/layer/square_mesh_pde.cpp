@@ -32,6 +32,17 @@ int SquareMeshPde::cells() const { return level_->n(); }
 const Points& SquareMeshPde::nodes() const { return level_->nodes(); }
 const Points& SquareMeshPde::centres() const { return level_->centres(); }
 SquareMeshSolve SquareMeshPde::solve(const LayerDensities& densities) { return level_->solve(densities); }
+SquareMeshSolve SquareMeshPde::solve(TriangleDensities densities) {
+    for (const auto& m : densities) {
+        if (m.size() != 4 * level_->centres().size())
+            throw InputError("the mesh has " + std::to_string(4 * level_->centres().size()) +
+                             " triangles, not " + std::to_string(m.size()));
+        for (const double value : m)
+            if (!(value > 0) || !std::isfinite(value))
+                throw InputError("the density of the mesh must be positive and finite");
+    }
+    return level_->solve(std::move(densities));
+}
 SquareMeshNewton SquareMeshPde::newton(const LayerDensities& densities) { return level_->newton(densities); }
 void SquareMeshPde::refine() { *level_ = level_->refined(); }
 

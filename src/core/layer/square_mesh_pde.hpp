@@ -29,6 +29,11 @@ namespace gaspard {
 /// Densities M_11 and M_22 at points; each positive and finite.
 using LayerDensities = std::function<void(const Points& x, std::span<double> m11, std::span<double> m22)>;
 
+/// Mean densities M_11 and M_22 of the triangles of a crossed mesh of n x n quadrilaterals, by rows: [4 q +
+/// t] for the triangle t = 0, ..., 3 of quadrilateral q, below, on the right, above, and on the left of its
+/// centre.
+using TriangleDensities = std::array<std::vector<double>, 2>;
+
 enum class MeshPdeForm { componentwise, one_direction };
 /// Where a triangle samples the densities: at its corners, or at the fifteen points of a polynomial of degree
 /// 4, which is integrated exactly. Both see the edges of the domain.
@@ -48,7 +53,7 @@ struct SquareMeshSolve {
 struct SquareMeshNewton {
     double residual = 0; ///< before the step: root mean square of ln(inflow / outflow) over the equations
     double update = 0;   ///< the largest change of a coordinate, centres included
-    double factor = 0; ///< 1: Newton's step; tau / (1 + tau): damped; 0: a solve of the fixed point instead
+    double factor = 0;   ///< 1: Newton's step; tau / (1 + tau): damped; 0: a solve of the fixed point instead
     double rounding = 0; ///< what rounding of the positions leaves of the residual
     /// A step of Newton's method without effect.
     bool converged(double tolerance) const {
@@ -79,6 +84,9 @@ class SquareMeshPde {
     /// One step of the fixed point: the solution for the densities at the iterate. Throws InputError if a
     /// density is not positive and finite.
     SquareMeshSolve solve(const LayerDensities& densities);
+    /// The same for densities that belong to the triangles, wherever they move. Throws InputError if one is
+    /// not positive and finite, or their number is wrong.
+    SquareMeshSolve solve(TriangleDensities densities);
     /// One step of Newton's method for the fixed point of solve(), by sparse elimination, damped so that no
     /// triangle is inverted (square_newton.cpp). With densities of layers thinner than 1e-4 at corners it
     /// finds the fixed point for both forms; of degree 4 there are many, and finding one may take long for

@@ -100,6 +100,7 @@ static std::vector<ParameterRow> mesh_pde_rows() {
          .help =
              "on an interval: the residual divided by the integral of ρ; off: as Hill and Madden print it"});
     for (ParameterRow& row : quadrilateral_rows()) rows.push_back(std::move(row));
+    rows.push_back(reference_row());
     return rows;
 }
 

@@ -3,9 +3,11 @@
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/layer/layer_pde.hpp"
+#include "core/layer/plane_solution_density.hpp"
 #include "core/layer/square_mesh_pde.hpp"
 #include "core/method/interval_method.hpp"
 #include "core/method/mesh_levels.hpp"
+#include "core/method/solution_adapted.hpp"
 #include "core/monitor/tensor.hpp"
 
 #include <algorithm>
@@ -26,26 +28,29 @@ constexpr int cells_with_errors = 64;    ///< most for which method.reference = 
 constexpr int cells_with_solution = 256; ///< most for which it solves the problem
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
+/// Where the densities are from.
+enum class DensitySource { monitor, solution };
+
 class QuadrilateralMeshPde final : public Method {
   public:
-    QuadrilateralMeshPde(std::shared_ptr<const QuadrilateralDomain> domain, const Values& values)
-        : domain_(std::move(domain)) {
+    QuadrilateralMeshPde(std::shared_ptr<const QuadrilateralDomain> domain, DensitySource source,
+                         const Values& values)
+        : domain_(std::move(domain)), source_(source) {
         configure(values);
     }
 
     void configure(const Values& values) override {
-        const bool vertical = values.text("form") == "vertical";
-        parametric_ = !vertical || !domain_->has_vertical_sides();
         levels_.configure(values, domain_->cells(), true);
-        form_ = vertical ? MeshPdeForm::one_direction : MeshPdeForm::componentwise;
-        samples_ = values.text("samples") == "corners" ? DensitySamples::corners : DensitySamples::degree_4;
+        if (source_ == DensitySource::solution)
+            configure_densities(values);
+        else
+            configure_equation(values);
         const std::string& reference = values.text("reference");
         const auto up_to = [&](int cells) {
             return reference == "on" || (reference == "auto" && domain_->cells() <= cells);
         };
         measures_errors_ = up_to(cells_with_errors);
         computes_solution_ = reference == "off" || up_to(cells_with_solution);
-        converges_ = values.text("finish") == "converged";
         solves_before_ = values.integer("inner_solves");
         next_.reset();
     }
@@ -69,7 +74,7 @@ class QuadrilateralMeshPde final : public Method {
         SquareMeshPde at = uniform(cells_of(parameters));
         at.set_positions(parametric_ ? parameters : domain_->positions(parameters));
         Evaluation evaluation = look(data, std::move(at));
-        if (level() > 0) evaluation.ending = Ending::not_yet;
+        if (level() > 0 || source_ == DensitySource::solution) evaluation.ending = Ending::not_yet;
         return evaluation;
     }
 
@@ -140,6 +145,49 @@ class QuadrilateralMeshPde final : public Method {
         std::optional<double> error{};
     };
 
+    void configure_equation(const Values& values) {
+        const bool vertical = values.text("form") == "vertical";
+        parametric_ = !vertical || !domain_->has_vertical_sides();
+        form_ = vertical ? MeshPdeForm::one_direction : MeshPdeForm::componentwise;
+        samples_ = values.text("samples") == "corners" ? DensitySamples::corners : DensitySamples::degree_4;
+        converges_ = values.text("finish") == "converged";
+    }
+    void configure_densities(const Values& values) {
+        if (levels_.cells(levels_.coarsest()) < 2)
+            throw InputError("on a quadrilateral, method.start_cells must be at least 2");
+        solution_options_ = solution_options(values);
+        if (solution_options_.density == SolutionDensity::estimate)
+            throw InputError("method.density = estimate is for intervals; on a quadrilateral, use arc-length "
+                             "or curvature");
+        form_ = MeshPdeForm::componentwise;
+        parametric_ = true;
+        converges_ = false;
+    }
+
+    /// One solve, for densities at the iterate.
+    SquareMeshSolve advance(SquareMeshPde& at, const ProblemData& data) {
+        if (source_ == DensitySource::monitor) return at.solve(densities_of(data));
+        take_problem(data);
+        if (!problem_) throw InputError("method solution-adapted needs a problem to solve; set pde.type");
+        const Points nodes = at.nodes(), centres = at.centres();
+        const TriangleSolution solution =
+            solve_triangles(*problem_, domain_->positions(nodes), at.cells(), 1);
+        SquareMeshSolve solve =
+            at.solve(plane_solution_densities(solution_options_, nodes, at.cells(), solution));
+        const Points ahead = at.nodes(), centres_ahead = at.centres();
+        for (double part = 0.5; is_inverted(at) && part > 1e-6; part *= 0.5) // the next solution needs areas
+            at.set_positions(between(nodes, ahead, part), between(centres, centres_ahead, part));
+        return solve;
+    }
+    bool is_inverted(const SquareMeshPde& at) const {
+        return inverted_triangles(domain_->positions(at.nodes()), at.cells()) > 0;
+    }
+    static Points between(const Points& a, const Points& b, double part) {
+        Points points(a.size());
+        for (std::size_t i = 0; i < a.size(); ++i) points.set(i, (1 - part) * a[i] + part * b[i]);
+        return points;
+    }
+
     std::string layout() const { return std::string(quad_layout) + std::to_string(domain_->cells()); }
     /// States hold (s, t), whatever the form, which may change while a state stays.
     State state_of(const Points& nodes) const {
@@ -193,7 +241,7 @@ class QuadrilateralMeshPde final : public Method {
         centres_ = at.centres();
         positions_.resize(0);
         solved_.reset();
-        const SquareMeshSolve solve = at.solve(densities_of(data));
+        const SquareMeshSolve solve = advance(at, data);
         next_ = std::move(at);
         const double size = parametric_ ? 1 : longest_side(bounding_box(*domain_->control_points()));
         return {.residual = solve.update / size,
@@ -232,6 +280,8 @@ class QuadrilateralMeshPde final : public Method {
     }
 
     std::shared_ptr<const QuadrilateralDomain> domain_;
+    DensitySource source_;
+    SolutionMeshOptions solution_options_;
     MeshLevels levels_;
     MeshPdeForm form_ = MeshPdeForm::componentwise;
     bool parametric_ = true; ///< the unknowns are (s, t), not positions
@@ -265,19 +315,28 @@ std::vector<ParameterRow> quadrilateral_rows() {
          .default_value = std::string("degree-4"),
          .choices = {"degree-4", "corners"},
          .help = "on a quadrilateral: where triangles sample M, as a polynomial of degree 4 or at their "
-                 "corners, which is faster"},
-        {.key = "reference",
-         .label = "Measure errors",
-         .kind = ParameterKind::choice,
-         .default_value = std::string("auto"),
-         .choices = {"auto", "on", "off"},
-         .help = "on a quadrilateral: the energy error of the solution, against one of order 2, which takes "
-                 "long on fine meshes; auto: up to 64 cells per side, and no solution beyond 256"}};
+                 "corners, which is faster"}};
+}
+
+ParameterRow reference_row() {
+    return {.key = "reference",
+            .label = "Measure errors",
+            .kind = ParameterKind::choice,
+            .default_value = std::string("auto"),
+            .choices = {"auto", "on", "off"},
+            .help =
+                "on a quadrilateral: the energy error of the solution, against one of order 2, which takes "
+                "long on fine meshes; auto: up to 64 cells per side, and no solution beyond 256"};
 }
 
 std::unique_ptr<Method> quadrilateral_mesh_pde(std::shared_ptr<const QuadrilateralDomain> domain,
                                                const Values& values) {
-    return std::make_unique<QuadrilateralMeshPde>(std::move(domain), values);
+    return std::make_unique<QuadrilateralMeshPde>(std::move(domain), DensitySource::monitor, values);
+}
+
+std::unique_ptr<Method> quadrilateral_solution_adapted(std::shared_ptr<const QuadrilateralDomain> domain,
+                                                       const Values& values) {
+    return std::make_unique<QuadrilateralMeshPde>(std::move(domain), DensitySource::solution, values);
 }
 
 } // namespace gaspard

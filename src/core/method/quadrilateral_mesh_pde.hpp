@@ -20,7 +20,14 @@ namespace gaspard {
 
 /// The rows of the form.
 std::vector<ParameterRow> quadrilateral_rows();
+/// Row for the solution of order 2 that errors are measured against.
+ParameterRow reference_row();
 std::unique_ptr<Method> quadrilateral_mesh_pde(std::shared_ptr<const QuadrilateralDomain> domain,
                                                const Values& values);
+
+/// The method "solution-adapted": the form (29) with densities from the computed solution
+/// (layer/plane_solution_density.hpp); only a part of a step that would invert triangles.
+std::unique_ptr<Method> quadrilateral_solution_adapted(std::shared_ptr<const QuadrilateralDomain> domain,
+                                                       const Values& values);
 
 } // namespace gaspard

@@ -98,7 +98,7 @@ Capability quadrilateral_capability() {
     return {.domain = "quadrilateral",
             .boundaries = {},
             .monitors = {"layer-tensor", "layer", "constant", "formula"},
-            .methods = {"mesh-pde"},
+            .methods = {"mesh-pde", "solution-adapted"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 return make_quadrilateral(context.scenario.domain.values);
             },
