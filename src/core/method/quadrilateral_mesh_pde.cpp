@@ -89,7 +89,7 @@ class QuadrilateralMeshPde final : public Method {
                 at->set_positions(nodes_, centres_); // of the iterate, whose next one is of no use
                 at->refine();
             }
-            at->solve(densities_of(data));
+            advance(*at, data);
             solves_ = 0;
         }
         std::optional<SquareMeshNewton> newton;
