@@ -84,7 +84,7 @@ TEST_F(QuadrilateralMeshPde, SolutionAdaptedDoesNotUseTheMonitor) {
 
 TEST_F(QuadrilateralMeshPde, SolutionAdaptedNeedsAProblemAndADensityOfItsOwn) {
     const auto of = [&](const std::string& setting) {
-        return complaint("layer-2d", {"method.type=solution-adapted", setting});
+        return complaint("layer-2d", {"method.type=solution-adapted", "monitor.eps=0.1", setting});
     };
     EXPECT_NE(of("pde.type=none").find("needs a problem to solve; set pde.type"), std::string::npos);
     EXPECT_NE(of("method.density=estimate").find("use arc-length or curvature"), std::string::npos);
