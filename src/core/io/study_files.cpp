@@ -40,7 +40,7 @@ Axis axis_of(const StudyPlan& plan) {
     const ParameterRow* row = study_row(plan.scenario, plan.over.key);
     if (!row) return {plan.over.key};
     return {row->symbol.empty() ? row->label : row->symbol,
-            has_orders(plan) && row->kind != ParameterKind::choice};
+            has_orders(plan) && row->kind != ParameterKind::choice && row->minimum > 0};
 }
 
 /// The curve of one line, and its bounds.
@@ -72,6 +72,8 @@ std::string study_csv(const StudyPlan& plan, std::span<const StudyPoint> points)
     const bool lines = !plan.lines.key.empty();
     std::vector<std::string> head{plan.over.key, plan.measure, order_name(plan), "bound", "iterations",
                                   "status",      "note"};
+    const bool counts = plan.measure == "iterations"; // which has a column of its own
+    if (counts) std::erase(head, "iterations"), head.insert(head.begin() + 1, plan.measure);
     if (lines) head.insert(head.begin(), plan.lines.key);
     std::string text = join(head, ",") + '\n';
     for (std::size_t line = 0; line < plan.line_count(); ++line)
@@ -85,6 +87,7 @@ std::string study_csv(const StudyPlan& plan, std::span<const StudyPoint> points)
                                            cell(study_value(*point, "iterations")),
                                            status_of(*point),
                                            csv_text(study_note(*point))};
+            if (counts) cells.erase(cells.begin() + 4);
             if (lines) cells.insert(cells.begin(), csv_text(plan.lines.values[line]));
             text += join(cells, ",") + '\n';
         }

@@ -148,6 +148,12 @@ IntervalSolution solve_interval(const IntervalProblem& problem, std::span<const 
     return solve_interval(problem, coefficients_on(problem, x), x, order);
 }
 
+void check_solution_size(double largest) {
+    if (!(largest <= 1e140))
+        throw InputError("the solution is not finite, or so large that its energy is not; check the "
+                         "coefficients of the problem");
+}
+
 IntervalSolution solve_interval(const IntervalProblem& problem, const IntervalCoefficients& at,
                                 std::span<const double> x, int order) {
     GASPARD_CHECK(order == 1 || order == 2);
@@ -156,9 +162,7 @@ IntervalSolution solve_interval(const IntervalProblem& problem, const IntervalCo
     IntervalSolution solution =
         problem.components() == 1 ? solve<1>(problem, at, x, order) : solve<2>(problem, at, x, order);
     for (const auto& nodes : solution.nodes)
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            if (!std::isfinite(nodes[i]))
-                throw InputError("the solution is not finite; check the coefficients of the problem");
+        for (const double value : nodes) check_solution_size(std::abs(value));
     return solution;
 }
 

@@ -9,7 +9,6 @@
 //   ||v||_E^2 = sum_k ( e_k ||v_k'||^2 + ||v_k||^2 ).
 #pragma once
 
-
 #include <functional>
 #include <span>
 #include <vector>
@@ -29,6 +28,9 @@ struct IntervalProblem {
 
     std::size_t components() const { return diffusion.size(); }
 };
+
+/// Throws InputError if values of a solution up to `largest` are not finite, or their energy would overflow.
+void check_solution_size(double largest);
 
 /// A piecewise polynomial, by components. Values at the nodes of the mesh and, of order 2, at the midpoints
 /// of cells.

@@ -35,8 +35,8 @@ using LayerDensities = std::function<void(const Points& x, std::span<double> m11
 using TriangleDensities = std::array<std::vector<double>, 2>;
 
 enum class MeshPdeForm { componentwise, one_direction };
-/// Where a triangle samples the densities: at its corners, or at the fifteen points of a polynomial of degree
-/// 4, which is integrated exactly. Both see the edges of the domain.
+/// Where a triangle samples the densities: at its corners, or at the points of the closed rule of degree 4,
+/// twelve of which have a weight. Both see the edges of the domain.
 enum class DensitySamples { corners, degree_4 };
 
 /// The coarsest mesh in the sequence cells, cells/2, ... of numbers of at least `start_cells`, as long as

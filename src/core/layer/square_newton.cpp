@@ -105,7 +105,7 @@ std::vector<double> SquareLevel::newton_direction(const Residual& r,
                                                   const std::vector<double>& shift) const {
     const auto size = static_cast<Eigen::Index>(r.in.size());
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(4 * quad_count() * axes().size() * axes().size() * 12);
+    entries.reserve(4 * quad_count() * axes().size() * 9 * (1 + axes().size()));
     const auto add = [&](Index row, Index column, double value) {
         entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
     };

@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/layer/interval_problem.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
@@ -81,8 +82,8 @@ void for_each_triangle(const TriangleProblem& problem, const Points& x, int cell
         for (Index k = 0; k < row.size(); ++k) {
             const Triangle& t = row[k] = triangle_at(x, n, k / 2, j, k % 2 == 0);
             for (Index p = 0; p < rule.size(); ++p)
-                points.set(k * rule.size() + p, rule[p].a * t.corner[0] + rule[p].b * t.corner[1] +
-                                                    rule[p].c * t.corner[2]);
+                points.set(k * rule.size() + p,
+                           rule[p].a * t.corner[0] + rule[p].b * t.corner[1] + rule[p].c * t.corner[2]);
         }
         problem.coefficients(points, at);
         for (Index k = 0; k < row.size(); ++k)
@@ -142,6 +143,7 @@ TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x
     Eigen::VectorXd load = Eigen::VectorXd::Zero(unknowns);
     const Index count = order == 1 ? 3 : 6;
     bool symmetric = true;
+    bool unique = std::any_of(problem.held.begin(), problem.held.end(), [](bool held) { return held; });
     for_each_triangle(problem, x, cells, [&](const Triangle& t, RuleCoefficients at) {
         if (!(t.area > 0)) throw InputError("the mesh has an inverted triangle");
         std::array<std::array<double, 6>, 6> a{};
@@ -149,6 +151,7 @@ TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x
             const RulePoint& p = rule[g];
             const TriangleCoefficients& c = at[g];
             symmetric = symmetric && c.c1 == 0 && c.c2 == 0;
+            unique = unique || c.r != 0;
             const Shapes s = shapes(t, p, order);
             const double w = p.weight * t.area;
             for (Index k = 0; k < count; ++k) {
@@ -164,6 +167,7 @@ TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x
                 if (const int row = number[t.node[k]], column = number[t.node[l]]; row >= 0 && column >= 0)
                     entries.emplace_back(row, column, a[k][l]);
     });
+    if (!unique) throw InputError("without a side that is held and without reaction, u is not unique");
     Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
     matrix.setFromTriplets(entries.begin(), entries.end());
     Eigen::VectorXd u;
@@ -175,7 +179,7 @@ TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x
         Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(matrix);
         u = factors.solve(load);
     }
-    if (!u.allFinite()) throw InputError("the solution is not finite; check the coefficients of the problem");
+    check_solution_size(u.lpNorm<Eigen::Infinity>());
     TriangleSolution solution{order, {}};
     const Index fine = 2 * static_cast<Index>(cells) + 1, step = order == 1 ? 2 : 1;
     for (Index j = 0; j < fine; j += step)

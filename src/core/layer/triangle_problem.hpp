@@ -39,7 +39,8 @@ struct TriangleSolution {
     std::vector<double> values;
 };
 
-/// `x`: the (N + 1)^2 nodes by rows; triangles have right diagonals and positive areas.
+/// `x`: the (N + 1)^2 nodes by rows; triangles have right diagonals and positive areas. Throws InputError if
+/// a coefficient or the solution is not finite, or there is neither a side that is held nor reaction.
 TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x, int cells, int order);
 
 /// ||p2 - p1||_E of a solution of order 2 and one of order 1 on the same mesh: the paper's error.

@@ -95,6 +95,7 @@ MethodType solution_adapted_method() {
                                  "change that the next "
                                  "solve makes"},
             .fields = layer_fields(),
+        .colour = "solution",
             .make = [](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
                 if (auto plane = std::dynamic_pointer_cast<const QuadrilateralDomain>(context.discretisation))
                     return quadrilateral_solution_adapted(std::move(plane), values);

@@ -19,9 +19,9 @@ void ErrorStudy::follow(const Scenario& scenario, StudyVariable variable, bool r
         }
     }
     if (current()) return;
-    study_.cancel();
+    cut_short();
     if (!rests || !wanted_) return;
-    begun_ = wanted_;
+    begun_ = wanted_, incomplete_ = false;
     study_.begin([catalogue = catalogue_, plan = *wanted_](const auto& change, const std::stop_token& stop) {
         run_study(
             catalogue, plan, study_threads(),
@@ -32,9 +32,13 @@ void ErrorStudy::follow(const Scenario& scenario, StudyVariable variable, bool r
     });
 }
 
-void ErrorStudy::leave() {
-    if (begun_ && !study_.result().done) begun_.reset(); // to begin anew
+void ErrorStudy::cut_short() {
+    if (begun_ && !study_.result().done) incomplete_ = true; // to begin anew, whatever its thread says later
     study_.cancel();
+}
+
+void ErrorStudy::leave() {
+    cut_short();
     seen_.reset(), wanted_.reset();
 }
 

@@ -32,14 +32,17 @@ class ErrorStudy {
     /// Of result(); null if none was begun.
     const StudyPlan* plan() const { return begun_ ? &*begun_ : nullptr; }
     /// Whether the result is, or will be, that of what is followed.
-    bool current() const { return begun_ && wanted_ && same_study(*begun_, *wanted_); }
+    bool current() const { return begun_ && !incomplete_ && wanted_ && same_study(*begun_, *wanted_); }
     Result result() const { return study_.result(); }
 
   private:
+    void cut_short();
+
     std::shared_ptr<const Catalogue> catalogue_;
     std::optional<Scenario> seen_{}; ///< of wanted_
     StudyVariable variable_ = StudyVariable::cells;
     std::optional<StudyPlan> wanted_{}, begun_{};
+    bool incomplete_ = false; ///< begun_ was cancelled at work
     BackgroundStudy<Result> study_;
 };
 

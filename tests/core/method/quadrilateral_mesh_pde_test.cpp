@@ -82,6 +82,19 @@ TEST_F(QuadrilateralMeshPde, SolutionAdaptedDoesNotUseTheMonitor) {
     EXPECT_EQ(errors[0], errors[1]);
 }
 
+TEST_F(QuadrilateralMeshPde, RefusesSolutionsWithoutAnEnergyAndProblemsWithoutASolution) {
+    for (const char* name : {"layer-1d", "layer-2d"})
+        for (const char* source : {"1e155", "1e308"})
+            EXPECT_NE(complaint(name, {std::string("pde.source=") + source}).find("so large that its energy"),
+                      std::string::npos)
+                << name << ' ' << source;
+    std::vector<std::string> free = {"pde.hold_left=false", "pde.hold_right=false", "pde.hold_bottom=false",
+                                     "pde.hold_top=false"};
+    EXPECT_EQ(complaint("layer-2d", free), "") << "reaction makes it unique";
+    free.emplace_back("pde.reaction=0");
+    EXPECT_NE(complaint("layer-2d", free).find("u is not unique"), std::string::npos);
+}
+
 TEST_F(QuadrilateralMeshPde, SolutionAdaptedNeedsAProblemAndADensityOfItsOwn) {
     const auto of = [&](const std::string& setting) {
         return complaint("layer-2d", {"method.type=solution-adapted", "monitor.eps=0.1", setting});

@@ -87,6 +87,25 @@ TEST_F(ErrorStudyTest, AnotherEpsMovesThePresentPointOnly) {
     EXPECT_EQ(study().result().points.size(), 40U);
 }
 
+// As a drag does that ends where it began, before the run rests.
+TEST_F(ErrorStudyTest, BeginsAnewWhenTheValuesReturnWhileItIsCancelled) {
+    const Scenario scenario = find_scenario(*catalogue, "layer-1d");
+    Scenario other = scenario;
+    apply_settings(*catalogue, other, {"monitor.sigma=4"});
+    ErrorStudy own(catalogue, {});
+    const auto points_reach = [&](std::size_t count) {
+        return wait_until([&] {
+            own.follow(scenario, StudyVariable::cells, true);
+            return own.result().points.size() >= count;
+        });
+    };
+    ASSERT_TRUE(points_reach(1));
+    own.follow(other, StudyVariable::cells, false);
+    EXPECT_FALSE(own.current());
+    EXPECT_TRUE(points_reach(40));
+    EXPECT_TRUE(own.current());
+}
+
 TEST_F(ErrorStudyTest, ADragAcrossItSetsTheParameterAsOneEdit) {
     choose("sigma");
     ASSERT_TRUE(finished());
