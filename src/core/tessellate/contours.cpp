@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -44,7 +45,10 @@ std::optional<std::vector<double>> multiples(const ColourRange& range, int facto
 }
 
 ContourLevels linear_levels(const ColourRange& range, int most) {
-    int exponent = static_cast<int>(std::floor(std::log10((range.high - range.low) / (most + 1.0)))) - 1;
+    // Of a range of denormal numbers the quotient may be 0.
+    const double least =
+        std::max((range.high - range.low) / (most + 1.0), std::numeric_limits<double>::min());
+    int exponent = static_cast<int>(std::floor(std::log10(least))) - 1;
     for (;; ++exponent)
         for (const int factor : {1, 2, 5})
             if (auto found = multiples(range, factor, exponent, most)) {
