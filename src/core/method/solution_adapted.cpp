@@ -92,10 +92,9 @@ MethodType solution_adapted_method() {
                          .symbol = "‖res‖",
                          .scale = ParameterScale::logarithmic,
                          .help = "on an interval the L2 norm of the residual, on a quadrilateral the largest "
-                                 "change that the next "
-                                 "solve makes"},
+                                 "change that the next solve makes"},
             .fields = layer_fields(),
-        .colour = "solution",
+            .colour = "solution",
             .make = [](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
                 if (auto plane = std::dynamic_pointer_cast<const QuadrilateralDomain>(context.discretisation))
                     return quadrilateral_solution_adapted(std::move(plane), values);

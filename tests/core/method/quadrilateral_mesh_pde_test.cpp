@@ -95,6 +95,14 @@ TEST_F(QuadrilateralMeshPde, RefusesSolutionsWithoutAnEnergyAndProblemsWithoutAS
     EXPECT_NE(complaint("layer-2d", free).find("u is not unique"), std::string::npos);
 }
 
+TEST_F(QuadrilateralMeshPde, EitherMethodShowsTheSolution) {
+    for (const char* method : {"mesh-pde", "solution-adapted"}) {
+        Scenario scenario = find_scenario(*catalogue, "layer-2d");
+        apply_settings(*catalogue, scenario, {std::string("method.type=") + method});
+        EXPECT_EQ(scenario.view.text("color"), "solution") << method;
+    }
+}
+
 TEST_F(QuadrilateralMeshPde, SolutionAdaptedNeedsAProblemAndADensityOfItsOwn) {
     const auto of = [&](const std::string& setting) {
         return complaint("layer-2d", {"method.type=solution-adapted", "monitor.eps=0.1", setting});
