@@ -279,6 +279,7 @@ void SolverThread::execute(Command command, std::stop_token stop) {
             self.following_ = false;
             self.publish(stop); // the rest of the old history
             self.run_->reset();
+            self.update([](SolverStatus& status) { status.run = RunStatus::running; });
         }
         void operator()(ChangeCommand& change) {
             if (!stop.stop_requested()) self.change(std::move(change), stop);
@@ -354,7 +355,10 @@ void SolverThread::answer(std::uint64_t number, bool refused) {
     update([&](SolverStatus& status) {
         status.answered = number;
         status.refused = refused;
-        if (scenario) status.scenario = std::move(scenario);
+        if (scenario) {
+            status.scenario = std::move(scenario);
+            if (!refused) status.run = RunStatus::running; // ended only once its reports have been sent
+        }
         status.activity.clear();
     });
 }

@@ -93,6 +93,30 @@ TEST_F(SolverThreadTest, ResetBeginsANewHistory) {
     EXPECT_EQ(thread.latest()->x, thread.latest()->mesh->nodes);
 }
 
+// Whoever waits for the end of a run with new values must not take the end of the one before for it.
+TEST_F(SolverThreadTest, ChangedOrResetRunHasNotEndedBeforeItsReportsAreSent) {
+    SolverThread* solver = nullptr;
+    std::atomic<bool> watched = false;
+    std::vector<RunStatus> seen;
+    const auto watch = [&](const Snapshot&) {
+        if (watched.exchange(false)) seen.push_back(solver->status().run);
+    };
+    SolverThread thread(catalogue, scenario(), {.before_publishing = watch});
+    solver = &thread;
+    const auto rests = [&] { return thread.status().run == RunStatus::converged; };
+    ASSERT_TRUE(eventually(rests));
+    settle(thread);
+    watched = true;
+    thread.post(ChangeCommand{scenario({"monitor.amplitude=12"}), 1});
+    ASSERT_TRUE(eventually([&] { return thread.status().answered == 1 && rests(); }));
+    settle(thread);
+    watched = true;
+    thread.post(ResetCommand{});
+    ASSERT_TRUE(eventually([&] { return !watched && rests(); }));
+    settle(thread);
+    EXPECT_EQ(seen, (std::vector<RunStatus>{RunStatus::running, RunStatus::running}));
+}
+
 TEST_F(SolverThreadTest, NobodyTakingReportsHoldsTheRunBackAndLosesNothing) {
     constexpr std::size_t capacity = 4;
     SolverThread thread(catalogue, scenario(), {.report_capacity = capacity});
