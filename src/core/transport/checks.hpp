@@ -1,0 +1,24 @@
+// Checks of the numbers that describe a curve.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "core/base/parameter.hpp"
+#include "core/transport/convex_curve.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace gaspard {
+
+/// `what` begins the sentence: "the semi-axis a".
+inline void check_length(double length, const std::string& what) {
+    if (!(length >= shortest_length && length <= longest_length))
+        throw InputError(what + " must be between " + format_number(shortest_length) + " and " +
+                         format_number(longest_length) + ", not " + format_number(length));
+}
+
+inline void check_finite(double number, const std::string& what) {
+    if (!std::isfinite(number)) throw InputError(what + " must be a finite number");
+}
+
+} // namespace gaspard
