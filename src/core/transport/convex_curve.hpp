@@ -62,12 +62,12 @@ inline constexpr double shortest_length = 1e-6, longest_length = 1e6;
 
 // All throw InputError, one sentence, if a number is not finite or a length is out of range.
 
-/// Semi-axes a and b, of which a has the given angle with the x axis, in degrees. t is the eccentric anomaly
-/// divided by 2 pi.
+/// Semi-axes a and b, of which a has the given angle with the x axis, in degrees. t is proportional to the length
+/// of the curve from the end of a on; for a disk it is the angle divided by 2 pi.
 std::shared_ptr<const ConvexCurve> ellipse(Vec3 centre, double a, double b, double angle = 0);
 
 /// The superellipse |x / a|^p + |y / b|^p = 1 with p in [2, 20], turned by the angle in degrees. t is
-/// proportional to the length of the curve from (a, 0) on.
+/// as for an ellipse.
 std::shared_ptr<const ConvexCurve> rounded_rectangle(Vec3 centre, double a, double b, double p,
                                                      double angle = 0);
 

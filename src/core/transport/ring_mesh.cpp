@@ -1,6 +1,7 @@
 #include "core/transport/ring_mesh.hpp"
 
 #include "core/base/check.hpp"
+#include "core/transport/delaunay_flips.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,7 @@ RingMesh ring_mesh(const ConvexCurve& curve, int rings) {
         }
         add_ring(mesh.cells, i);
     }
+    flip_to_delaunay(mesh);
     return result;
 }
 

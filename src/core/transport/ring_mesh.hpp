@@ -20,7 +20,8 @@ struct RingMesh {
 ///
 ///     x_ij = c + (i / n) (gamma(j / (6 i)) - c).
 ///
-/// Of the unit disk it is the mesh of DOLFIN's UnitDiscMesh (degree 1) with the same numbers of nodes.
+/// Edges between rings are chosen by flip_to_delaunay(), as rings of long domains are far apart at their ends. Of the
+/// unit disk it is the mesh of DOLFIN's UnitDiscMesh (degree 1), with the same numbers of nodes and triangles.
 RingMesh ring_mesh(const ConvexCurve& curve, int rings);
 
 struct TriangleQuality {

@@ -36,13 +36,58 @@ struct Axes {
     Vec3 gradient(double du, double dv) const { return du / (a * a) * first + dv / (b * b) * second; }
 };
 
-class SuperellipseBase : public ConvexCurve {
-  protected:
-    SuperellipseBase(const Axes& axes, double p) : ConvexCurve(measures(axes, p)), axes_(axes) {}
-    const Axes& axes() const { return axes_; }
+/// The first quadrant of the superellipse with semi-axes 1 at the polar angle phi.
+struct Quadrant {
+    double p;
+
+    struct Place {
+        double x, y, dx, dy;
+    };
+    Place at(double phi) const {
+        const double c = std::max(std::cos(phi), 0.0), s = std::sin(phi);
+        if (p == 2) return {c, s, -s, c};
+        const double c1 = std::pow(c, p - 1), s1 = std::pow(s, p - 1), sum = c * c1 + s * s1;
+        const double scale = std::pow(sum, -1 / p), slope = scale / sum;
+        return {scale * c, scale * s, -slope * s1, slope * c1};
+    }
+};
+
+class Superellipse final : public ConvexCurve {
+  public:
+    Superellipse(const Axes& axes, double p)
+        : ConvexCurve(measures_of(axes, p)), axes_(axes), quadrant_{p},
+          length_(
+              [q = Quadrant{p}, a = axes.a, b = axes.b](double phi) {
+                  const auto place = q.at(phi);
+                  return std::hypot(a * place.dx, b * place.dy);
+              },
+              {0, std::numbers::pi / 4, std::numbers::pi / 2}) {}
+
+    Vec3 point(double t) const override {
+        const auto place = at(t);
+        return axes_.centre + axes_.world(place.x, place.y);
+    }
+    Vec3 tangent(double t) const override {
+        const auto place = at(t);
+        const Vec3 direction = axes_.world(place.dx, place.dy);
+        return 4 * length_.total() / norm(direction) * direction;
+    }
+    Gauge gauge(Vec3 p) const override {
+        const Vec3 q = axes_.local(p);
+        const double u = std::abs(q.x), v = std::abs(q.y), most = std::max(u, v);
+        if (most == 0) return {0, axes_.gradient(1, 0)};
+        if (quadrant_.p == 2) {
+            const double radius = std::sqrt(u * u + v * v);
+            return {radius, axes_.gradient(q.x / radius, q.y / radius)};
+        }
+        const double root = std::pow(1 + std::pow(std::min(u, v) / most, quadrant_.p), 1 / quadrant_.p);
+        const double value = most * root, power = quadrant_.p - 1;
+        return {value, axes_.gradient(std::copysign(std::pow(u / value, power), q.x),
+                                      std::copysign(std::pow(v / value, power), q.y))};
+    }
 
   private:
-    static Measures measures(const Axes& axes, double p) {
+    static Measures measures_of(const Axes& axes, double p) {
         const double corner = std::tgamma(1 + 1 / p);
         // Dirichlet's integrals; for an ellipse pi a b and 1/4.
         const double area = 4 * axes.a * axes.b * corner * corner / std::tgamma(1 + 2 / p);
@@ -64,74 +109,6 @@ class SuperellipseBase : public ConvexCurve {
                 .box = {axes.centre - half, axes.centre + half}};
     }
 
-    Axes axes_;
-};
-
-class Ellipse final : public SuperellipseBase {
-  public:
-    explicit Ellipse(const Axes& axes) : SuperellipseBase(axes, 2) {}
-
-    Vec3 point(double t) const override {
-        const double turn = 2 * std::numbers::pi * t;
-        return axes().centre + axes().world(std::cos(turn), std::sin(turn));
-    }
-    Vec3 tangent(double t) const override {
-        const double turn = 2 * std::numbers::pi * t;
-        return 2 * std::numbers::pi * axes().world(-std::sin(turn), std::cos(turn));
-    }
-    Gauge gauge(Vec3 p) const override {
-        const Vec3 q = axes().local(p);
-        const double value = std::sqrt(q.x * q.x + q.y * q.y);
-        if (value == 0) return {0, axes().gradient(1, 0)};
-        return {value, axes().gradient(q.x / value, q.y / value)};
-    }
-};
-
-/// The first quadrant of the superellipse with semi-axes 1 at the polar angle phi.
-struct Quadrant {
-    double p;
-
-    struct Place {
-        double x, y, dx, dy;
-    };
-    Place at(double phi) const {
-        const double c = std::max(std::cos(phi), 0.0), s = std::sin(phi);
-        const double c1 = std::pow(c, p - 1), s1 = std::pow(s, p - 1), sum = c * c1 + s * s1;
-        const double scale = std::pow(sum, -1 / p), slope = scale / sum;
-        return {scale * c, scale * s, -slope * s1, slope * c1};
-    }
-};
-
-class Superellipse final : public SuperellipseBase {
-  public:
-    Superellipse(const Axes& axes, double p)
-        : SuperellipseBase(axes, p), quadrant_{p}, length_(
-                                                       [q = Quadrant{p}, a = axes.a, b = axes.b](double phi) {
-                                                           const auto place = q.at(phi);
-                                                           return std::hypot(a * place.dx, b * place.dy);
-                                                       },
-                                                       {0, std::numbers::pi / 4, std::numbers::pi / 2}) {}
-
-    Vec3 point(double t) const override {
-        const auto place = at(t);
-        return axes().centre + axes().world(place.x, place.y);
-    }
-    Vec3 tangent(double t) const override {
-        const auto place = at(t);
-        const Vec3 direction = axes().world(place.dx, place.dy);
-        return 4 * length_.total() / norm(direction) * direction;
-    }
-    Gauge gauge(Vec3 p) const override {
-        const Vec3 q = axes().local(p);
-        const double u = std::abs(q.x), v = std::abs(q.y), most = std::max(u, v);
-        if (most == 0) return {0, axes().gradient(1, 0)};
-        const double root = std::pow(1 + std::pow(std::min(u, v) / most, quadrant_.p), 1 / quadrant_.p);
-        const double value = most * root, power = quadrant_.p - 1;
-        return {value, axes().gradient(std::copysign(std::pow(u / value, power), q.x),
-                                       std::copysign(std::pow(v / value, power), q.y))};
-    }
-
-  private:
     /// By reflections of the first quadrant.
     Quadrant::Place at(double t) const {
         const double quarters = 4 * (t - std::floor(t));
@@ -143,6 +120,7 @@ class Superellipse final : public SuperellipseBase {
         return {x * place.x, y * place.y, sense * x * place.dx, sense * y * place.dy};
     }
 
+    Axes axes_;
     Quadrant quadrant_;
     ArcLength length_;
 };
@@ -150,7 +128,7 @@ class Superellipse final : public SuperellipseBase {
 } // namespace
 
 std::shared_ptr<const ConvexCurve> ellipse(Vec3 centre, double a, double b, double angle) {
-    return std::make_shared<const Ellipse>(Axes(centre, a, b, angle));
+    return std::make_shared<const Superellipse>(Axes(centre, a, b, angle), 2);
 }
 
 std::shared_ptr<const ConvexCurve> rounded_rectangle(Vec3 centre, double a, double b, double p,
