@@ -11,10 +11,15 @@
 namespace gaspard {
 
 /// `what` begins the sentence: "the semi-axis a".
-inline void check_length(double length, const std::string& what) {
-    if (!(length >= shortest_length && length <= longest_length))
+inline void check_length(double length, const std::string& what, double longest = longest_length) {
+    if (!(length >= shortest_length && length <= longest))
         throw InputError(what + " must be between " + format_number(shortest_length) + " and " +
-                         format_number(longest_length) + ", not " + format_number(length));
+                         format_number(longest) + ", not " + format_number(length));
+}
+
+/// The longest side of a box.
+inline void check_size(double size, const std::string& what) {
+    check_length(size, "the size of the " + what, 2 * longest_length);
 }
 
 inline void check_finite(double number, const std::string& what) {

@@ -57,7 +57,7 @@ class ConvexCurve {
     Measures measures_;
 };
 
-/// The range of lengths that curves may have.
+/// The range of lengths that curves may have; of the longest side of their box twice that.
 inline constexpr double shortest_length = 1e-6, longest_length = 1e6;
 
 // All throw InputError, one sentence, if a number is not finite or a length is out of range.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace gaspard {
 
@@ -33,9 +34,14 @@ std::optional<std::string> crossing(const Points& p, const VertexName& name) {
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = i + 2; j < n; ++j)
             if ((j + 1) % p.size() != i && sides_meet(p, i, j))
-                return "the polygon crosses itself: its sides after " + name(i) + " and after " + name(j) +
-                       " meet";
+                return "crosses itself: its sides after " + name(i) + " and after " + name(j) + " meet";
     return std::nullopt;
+}
+
+double area_of_hull(const Points& p, const std::vector<std::size_t>& hull) {
+    Points corners(hull.size());
+    for (std::size_t i = 0; i < hull.size(); ++i) corners.set(i, p[hull[i]]);
+    return signed_area(corners);
 }
 
 /// The numbers of the hull in the order of the polygon, from the smallest on; empty if that is another order.
@@ -100,7 +106,7 @@ double signed_area(const Points& polygon) {
     double sum = 0;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
         sum += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]).z;
-    return sum;
+    return sum / 2;
 }
 
 std::optional<std::string> convexity_fault(const Points& polygon, double tolerance, const VertexName& name) {
@@ -108,22 +114,19 @@ std::optional<std::string> convexity_fault(const Points& polygon, double toleran
     const double allowed = tolerance * size_of(polygon);
     for (std::size_t i = 0; i < n; ++i)
         if (norm(polygon[(i + 1) % n] - polygon[i]) <= 1e-12 * size_of(polygon))
-            return name(i) + " and " + name((i + 1) % n) + " are the same point";
+            return "has the same point twice: " + name(i) + " and " + name((i + 1) % n);
     const auto hull = convex_hull(polygon);
-    double width = 0;
-    for (std::size_t i = 0; i < n && hull.size() > 2; ++i)
-        width = std::max(width, std::abs(height(polygon[hull[0]], polygon[hull[1]], polygon[i])));
-    if (!(width > std::max(allowed, 1e-9 * size_of(polygon))))
-        return "the polygon has no area, all its vertices lie on one line";
+    if (!(area_of_hull(polygon, hull) > std::max(3 * allowed, 1e-9 * size_of(polygon)) * size_of(polygon)))
+        return "has no area, all its points lie on one line";
     const auto ordered = in_order(hull);
     if (ordered.empty()) {
         if (auto fault = crossing(polygon, name)) return fault;
-        return "the polygon crosses itself";
+        return "crosses itself";
     }
     const auto at = dent(polygon, ordered, allowed);
     if (!at) return std::nullopt;
     if (auto fault = crossing(polygon, name)) return fault;
-    return "the polygon is not convex at " + name(*at);
+    return "is not convex at " + name(*at);
 }
 
 std::vector<std::size_t> true_corners(const Points& polygon, double tolerance) {
@@ -155,8 +158,9 @@ void check_convex(const Points& polygon, double tolerance, const std::string& no
     for (std::size_t i = 0; i < polygon.size(); ++i)
         for (const double coordinate : {polygon.x[i], polygon.y[i]})
             check_finite(coordinate, "each coordinate of " + noun + " " + std::to_string(i + 1));
-    if (const double size = size_of(polygon); size > 0) check_length(size, "the size of the curve");
-    if (const auto fault = convexity_fault(polygon, tolerance, name)) throw InputError(*fault);
+    if (const double size = size_of(polygon); size > 0) check_size(size, "curve");
+    if (const auto fault = convexity_fault(polygon, tolerance, name))
+        throw InputError("the polygon " + *fault);
 }
 
 } // namespace gaspard

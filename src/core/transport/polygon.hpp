@@ -20,13 +20,13 @@ VertexName counted_vertex(const Points& points, const std::string& noun);
 /// The corners of the convex hull, anticlockwise, without those on straight sides; equal points count once.
 std::vector<std::size_t> convex_hull(const Points& points);
 
-/// Twice the signed area by the trapezoidal rule about the first vertex; positive if anticlockwise.
+/// Positive if anticlockwise.
 double signed_area(const Points& polygon);
 
-/// What keeps a polygon of at least three vertices from being convex, of either orientation: "corner 2 at
-/// (...) and corner 3 at (...) are the same point", "... lie on one line", "the polygon crosses itself ...",
-/// "the polygon is not convex at corner 3 at (...)". Vertices may lie on straight sides. The distances of
-/// vertices from the hull that count as none are `tolerance` times the size of the polygon.
+/// What keeps a polygon of at least three vertices from being convex, of either orientation: it "has the same point
+/// twice: corner 2 at ... and corner 3 at ...", "has no area, ...", "crosses itself: ...", "is not convex at corner
+/// 3 at ...". Vertices may lie on straight sides. Distances from the hull up to `tolerance` times the size count as
+/// none.
 std::optional<std::string> convexity_fault(const Points& polygon, double tolerance, const VertexName& name);
 
 /// The vertices of a convex polygon, anticlockwise, without those within `tolerance` times its size of a straight
