@@ -22,9 +22,10 @@ inline constexpr double boundary_tolerance = 1e-6;
 /// orientation (all are reversed if they are clockwise), with one boundary, a convex polygon. Triangles then
 /// do not overlap: a map of degree 1 without folds is one-to-one.
 ///
-/// Throws InputError, one sentence that counts nodes and triangles from 0, if cells are not such triangles, a node
-/// is in none or not finite, the surface is closed, not a manifold, not flat, in several parts, or has a hole, a
-/// triangle is degenerate or reversed against another one, or the boundary crosses itself or is not convex.
+/// Throws InputError, one sentence that counts nodes and triangles from 0, if cells are not such triangles, a
+/// node is in none or not finite, the surface is closed, not a manifold, not flat, in several parts, or has a
+/// hole, a triangle is degenerate or reversed against another one, or the boundary crosses itself or is not
+/// convex.
 ConvexMesh convex_mesh(Mesh mesh);
 
 /// The boundary polygon with corners rounded by the given radius, as for rounded_polygon(); nodes within

@@ -1,9 +1,10 @@
-// The periodic cubic spline with the second derivatives M at its knots, h_k the distance of points k and k + 1:
+// The periodic cubic spline with second derivatives M at its knots, h_k the distance of points k and k + 1:
 //
-//   h_{k-1} M_{k-1} + 2 (h_{k-1} + h_k) M_k + h_k M_{k+1} = 6 ((p_{k+1} - p_k) / h_k - (p_k - p_{k-1}) / h_{k-1}).
+//   h_{k-1} M_{k-1} + 2 (h_{k-1} + h_k) M_k + h_k M_{k+1}
+//       = 6 ((p_{k+1} - p_k) / h_k - (p_k - p_{k-1}) / h_{k-1}).
 //
-// Of a cubic c0 + c1 s + c2 s^2 + c3 s^3, gamma' x gamma'' = 2 c1 x c2 + 6 (c1 x c3) s + 6 (c2 x c3) s^2 has the sign
-// of the curvature, so that convexity is decided by the least value of a parabola.
+// Of a cubic c0 + c1 s + c2 s^2 + c3 s^3, gamma' x gamma'' = 2 c1 x c2 + 6 (c1 x c3) s + 6 (c2 x c3) s^2 has
+// the sign of the curvature, so that convexity is decided by the least value of a parabola.
 #include "core/linear/tridiagonal.hpp"
 #include "core/transport/checks.hpp"
 #include "core/transport/piecewise_curve.hpp"

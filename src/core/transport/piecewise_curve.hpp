@@ -9,8 +9,8 @@
 
 namespace gaspard {
 
-/// A line or cubic c0 + c1 s + c2 s^2 + c3 s^3, or an arc c0 + radius (cos, sin)(start + s sweep), s in [0, 1].
-/// It is convex, and turns left by less than pi.
+/// A line or cubic c0 + c1 s + c2 s^2 + c3 s^3, or an arc c0 + radius (cos, sin)(start + s sweep), with s in
+/// [0, 1]. It is convex, and turns left by less than pi.
 struct CurvePiece {
     enum class Kind { line, cubic, arc } kind = Kind::line;
     std::array<Vec3, 4> c{};

@@ -52,7 +52,7 @@ std::vector<std::size_t> in_order(std::vector<std::size_t> hull) {
     return hull;
 }
 
-/// The vertex farthest inside the hull if it is beyond the tolerance, or one where the polygon runs backwards.
+/// The vertex farthest inside the hull, if beyond the tolerance, or one where the polygon runs backwards.
 std::optional<std::size_t> dent(const Points& p, const std::vector<std::size_t>& ordered, double allowed) {
     std::size_t worst = 0;
     double deepest = allowed;

@@ -15,7 +15,7 @@ namespace {
 /// The number of the first node of ring i.
 std::int32_t ring_start(std::int32_t i) { return i == 0 ? 0 : 1 + 3 * i * (i - 1); }
 
-/// Between rings i - 1 and i: per sixth, i triangles with an edge on the outer ring and i - 1 with one on the inner.
+/// Between rings i - 1 and i: per sixth, i triangles with an edge on ring i and i - 1 with one on ring i - 1.
 void add_ring(std::vector<std::int32_t>& cells, std::int32_t i) {
     const auto outer = [&](std::int32_t j) { return ring_start(i) + j % (6 * i); };
     const auto inner = [&](std::int32_t j) { return i == 1 ? 0 : ring_start(i - 1) + j % (6 * (i - 1)); };

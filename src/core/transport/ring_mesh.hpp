@@ -15,13 +15,14 @@ struct RingMesh {
     std::vector<std::int32_t> boundary_nodes; ///< the last ring, anticlockwise
 };
 
-/// 6 n^2 triangles of 1 + 3 n (n + 1) nodes, n = `rings` >= 1. Node 0 is the centre; then ring i of n follows with 6 i
-/// nodes, anticlockwise,
+/// 6 n^2 triangles of 1 + 3 n (n + 1) nodes, n = `rings` >= 1. Node 0 is the centre; then ring i of n follows
+/// with 6 i nodes, anticlockwise,
 ///
 ///     x_ij = c + (i / n) (gamma(j / (6 i)) - c).
 ///
-/// Edges between rings are chosen by flip_to_delaunay(), as rings of long domains are far apart at their ends. Of the
-/// unit disk it is the mesh of DOLFIN's UnitDiscMesh (degree 1), with the same numbers of nodes and triangles.
+/// Edges between rings are chosen by flip_to_delaunay(), as rings of long domains are far apart at their
+/// ends. Of the unit disk it is the mesh of DOLFIN's UnitDiscMesh (degree 1), with the same numbers of nodes
+/// and triangles.
 RingMesh ring_mesh(const ConvexCurve& curve, int rings);
 
 struct TriangleQuality {

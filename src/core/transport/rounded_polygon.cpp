@@ -12,8 +12,8 @@ namespace gaspard {
 
 namespace {
 
-/// A corner with the angle by which the polygon turns there; its arc of radius R begins and ends at the distance
-/// R reach from it.
+/// A corner with the angle by which the polygon turns there; its arc of radius R begins and ends at the
+/// distance R reach from it.
 struct RoundedCorner {
     Vec3 at, before, after; ///< the corner; unit vectors along the sides
     double angle, reach;

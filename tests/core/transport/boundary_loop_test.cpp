@@ -35,7 +35,7 @@ Mesh strip(const std::vector<Vec3>& inner, const std::vector<Vec3>& outer) {
     return mesh;
 }
 
-/// An anticlockwise strip around the origin by the given turns, which narrows by a part of its width per turn.
+/// A strip around the origin that approaches it, so that it overlaps itself after one turn.
 Mesh spiral(double turns) {
     std::vector<Vec3> inner, outer;
     const auto disk = ellipse({}, 1, 1);

@@ -1,6 +1,5 @@
 // Gauges, tangents and moments of convex curves, and what is refused.
 #include "core/base/error.hpp"
-#include "core/fem/gauss.hpp"
 #include "core/transport/convex_curve.hpp"
 #include "support/convex_curves.hpp"
 #include "support/messages.hpp"
@@ -117,7 +116,7 @@ TEST(ConvexCurve, ItHasEqualLengths) {
     }
 }
 
-/// By midpoints of many intervals of t; for smooth curves of spectral accuracy.
+/// By the midpoints of many intervals of t.
 TEST(ConvexCurve, ItsMomentsAreThoseOfItsPoints) {
     for (const auto& [name, curve] : all_curves()) {
         constexpr int n = 20000;
