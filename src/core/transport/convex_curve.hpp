@@ -34,8 +34,8 @@ class ConvexCurve {
 
     virtual Vec3 point(double t) const = 0;
     virtual Vec3 tangent(double t) const = 0; ///< d point / dt
-    /// To a few units in the last place of p - c. At the centroid the value is 0 and the gradient that of some
-    /// direction.
+    /// To a few units in the last place of p - c. At the centroid the value is 0, and the gradient that of
+    /// some direction.
     virtual Gauge gauge(Vec3 p) const = 0;
 
     double area() const { return measures_.area; }
