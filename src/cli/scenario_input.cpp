@@ -64,7 +64,7 @@ void check_data(const Catalogue& catalogue, const ScenarioInput& input) {
         const auto& rows = section.values.rows();
         return std::any_of(rows.begin(), rows.end(), redefines_rows);
     };
-    if (!depends(scenario.monitor) && !depends(scenario.target)) return;
+    if (!depends(scenario.monitor) && !depends(scenario.source)) return;
     const auto discretisation = prepare(check(catalogue, scenario), {}, {});
     make_problem_data(catalogue, scenario, nullptr,
                       {.space = space_of(catalogue, scenario),

@@ -78,7 +78,7 @@ Json values_json(const Scenario& scenario) {
     json["domain"] = section_json(scenario.domain);
     json["monitor"] = section_json(scenario.monitor);
     json["method"] = section_json(scenario.method);
-    for (const Section* section : {&scenario.target, &scenario.pde})
+    for (const Section* section : {&scenario.source, &scenario.pde})
         if (!section->type.empty()) json[section->values.section()] = section_json(*section);
     return json;
 }

@@ -24,8 +24,7 @@ bool take_number(std::string_view& text, double& number) {
 
 } // namespace
 
-Points parse_control_points(std::string_view text, std::size_t count, const std::string& key,
-                            const std::string& owner) {
+Points parse_points(std::string_view text, const std::string& key) {
     Points control;
     for (const std::string_view part : split(text, ",")) {
         std::string_view one = part;
@@ -37,6 +36,12 @@ Points parse_control_points(std::string_view text, std::size_t count, const std:
         control.resize(control.size() + 1);
         control.set(control.size() - 1, point);
     }
+    return control;
+}
+
+Points parse_control_points(std::string_view text, std::size_t count, const std::string& key,
+                            const std::string& owner) {
+    Points control = parse_points(text, key);
     if (control.size() != count)
         throw InputError(key + " lists " + std::to_string(control.size()) + " points, but " + owner +
                          " has " + std::to_string(count));

@@ -10,6 +10,8 @@
 
 namespace gaspard {
 
+/// Throws InputError, with the key, unless the text is a list of points of two finite numbers.
+Points parse_points(std::string_view text, const std::string& key);
 /// Throws InputError, with the key and what it belongs to, unless the text lists exactly `count` points of
 /// two finite numbers.
 Points parse_control_points(std::string_view text, std::size_t count,

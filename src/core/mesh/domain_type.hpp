@@ -22,10 +22,15 @@ struct DomainType {
     std::string label;
     std::string help;
     std::vector<ParameterRow> rows;
+    /// Further rows that depend on the values of `rows`, which have the role defines_rows (base/growing_values.hpp);
+    /// empty: none.
+    std::function<std::vector<ParameterRow>(const Values&)> further_rows{};
     /// `content`: what `read` has returned for these values; null if the type has no `read` or the file is
     /// not read yet. Does not throw: if the file is invalid, which the run reports, the ranges of monitors
     /// are as wide as possible.
     std::function<Space(const Values&, const DomainContent& content)> space;
+    /// Of transport between two domains: the source, where `space` is the target; empty: they are the same.
+    std::function<Space(const Values&, const DomainContent& content)> source_space{};
     /// Reads the files of a domain that lies where they say; `folder` is the base of relative paths. Does not
     /// throw: errors are part of the content, and `Capability::prepare` throws them.
     std::function<DomainContent(const Values&, const std::filesystem::path& folder)> read{};

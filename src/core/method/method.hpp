@@ -137,5 +137,6 @@ MethodType mesh_pde_method();
 MethodType bakhvalov_method();
 MethodType shishkin_method();
 MethodType equidistribute_method();
+MethodType nvfem_method();
 
 } // namespace GASPARD_API

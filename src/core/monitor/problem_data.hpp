@@ -1,7 +1,7 @@
 // The data of a problem apart from its domain, as methods get it; made and checked once per scenario.
 //
 //   mesh equidistribution   m(x) > 0, the monitor
-//   optimal transport       m(x) on the source domain, target(y) on the target domain
+//   optimal transport       m(x) on the target domain, source(xi) on the source domain
 //   mesh PDE                a symmetric positive definite tensor M(x); then m = sqrt(det M)
 //   a PDE on the mesh       its coefficients, as the values of the section "pde"
 #pragma once
@@ -22,7 +22,7 @@ struct ProblemData {
     /// relaxation divided by it. A power of two; 1 unless squares of the caller's monitor would overflow.
     double unit = 1;
     std::shared_ptr<const TensorMonitor> tensor{}; ///< null: the problem has a scalar monitor
-    std::shared_ptr<const Monitor> target{};       ///< density on the target domain; null: constant
+    std::shared_ptr<const Monitor> source{};       ///< density on the source domain; null: constant
     std::string pde_type{};                        ///< of PdeType; empty: the problem has no section pde
     std::shared_ptr<const Values> pde{};           ///< its values; null: the problem has no section pde
     std::shared_ptr<const MonitorReport> report{}; ///< of the scalar monitor; null: it says nothing

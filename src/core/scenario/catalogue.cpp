@@ -15,6 +15,7 @@
 #include "core/scenario/output_rows.hpp"
 #include "core/scenario/problem_on.hpp"
 #include "core/scenario/view_rows.hpp"
+#include "core/transport/transport_domain.hpp"
 
 #include <algorithm>
 
@@ -105,6 +106,20 @@ Capability quadrilateral_capability() {
             .pdes = {"none", "reaction-diffusion-2d", "convection-diffusion-2d"}};
 }
 
+Capability transport_capability() {
+    const std::vector<std::string> densities = {"constant",      "ring",         "bell",
+                                                "ring-and-bell", "random-bells", "random-waves",
+                                                "formula",       "image",        "field"};
+    return {.domain = "convex",
+            .boundaries = {},
+            .monitors = densities,
+            .methods = {"nvfem"},
+            .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
+                return make_transport_domain(context.scenario.domain.values);
+            },
+            .sources = densities};
+}
+
 } // namespace
 
 const DomainType& Catalogue::domain(std::string_view name) const {
@@ -124,8 +139,8 @@ Catalogue builtin_catalogue() {
         .monitors = monitor_types(),
         .methods = {relaxation_method(), accelerated_method(), quasi_newton_method(), newton_method(),
                     automatic_method(), picard_method(), picard_mixed_method(), mesh_pde_method(),
-                    bakhvalov_method(), shishkin_method(), equidistribute_method(),
-                    solution_adapted_method()},
+                    bakhvalov_method(), shishkin_method(), equidistribute_method(), solution_adapted_method(),
+                    nvfem_method()},
         .pdes = {no_pde(), reaction_diffusion_pde(), coupled_pde(), convection_diffusion_pde(),
                  plane_reaction_diffusion_pde(), plane_convection_diffusion_pde()},
         .capabilities = {plane_capability(), sphere_capability(cubed_sphere_domain(), cubed_sphere_grid),
@@ -139,11 +154,17 @@ Catalogue builtin_catalogue() {
     catalogue.capabilities.push_back(interval_capability());
     catalogue.domains.push_back(quadrilateral_domain());
     catalogue.capabilities.push_back(quadrilateral_capability());
+    catalogue.domains.push_back(transport_domain());
+    catalogue.capabilities.push_back(transport_capability());
     return catalogue;
 }
 
 Section domain_section(const Catalogue& catalogue, std::string_view type) {
-    return {std::string(type), Values("domain", catalogue.domain(type).rows)};
+    const DomainType& domain = catalogue.domain(type);
+    const auto further = [&](const Values& values) {
+        return domain.further_rows ? domain.further_rows(values) : std::vector<ParameterRow>();
+    };
+    return {std::string(type), grown_values("domain", domain.rows, further, [](Values&) {})};
 }
 
 Section monitor_section(const Catalogue& catalogue, std::string_view type, const Space& space,
@@ -200,7 +221,7 @@ const Capability* find_capability(const Catalogue& catalogue, const Scenario& sc
             (row.boundaries.empty() || contains(row.boundaries, scenario.domain.values.text("boundary"))) &&
             (scenario.monitor.type == own_monitor ? takes_scalars(catalogue, row)
                                                   : contains(row.monitors, scenario.monitor.type)) &&
-            contains(row.methods, scenario.method.type) && fits(row.targets, scenario.target) &&
+            contains(row.methods, scenario.method.type) && fits(row.sources, scenario.source) &&
             fits(row.pdes, scenario.pde))
             return &row;
     return nullptr;
@@ -232,11 +253,11 @@ Problem check(const Catalogue& catalogue, Scenario scenario, const Monitor* own)
     return {std::move(scenario), capability};
 }
 
-/// What a target density says, after what the monitor says.
-static void add_target_notes(ProblemData& data, const std::shared_ptr<const MonitorReport>& target) {
-    if (!target || target->notes.empty()) return;
+/// What a source density says, after what the monitor says.
+static void add_source_notes(ProblemData& data, const std::shared_ptr<const MonitorReport>& source) {
+    if (!source || source->notes.empty()) return;
     MonitorReport report = data.report ? *data.report : MonitorReport{};
-    for (const std::string& note : target->notes) report.notes.push_back("Target: " + note);
+    for (const std::string& note : source->notes) report.notes.push_back("Source: " + note);
     data.report = std::make_shared<const MonitorReport>(std::move(report));
 }
 
@@ -250,9 +271,9 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
         ProblemData scaled = own_problem(std::move(monitor), extent_of(mesh, context.space, box), mesh.nodes);
         return scaled.unit == 1 ? plain : scaled;
     };
-    const auto make = [&](const Section& section) {
+    const auto make = [&](const Section& section, const MonitorContext& place) {
         const MonitorType& type = catalogue.monitor(section.type);
-        MonitorContext with_pde = context;
+        MonitorContext with_pde = place;
         if (!scenario.pde.type.empty()) with_pde.pde = &scenario.pde.values;
         return type.make_tensor ? tensor_problem(type.make_tensor(section.values, with_pde))
                                 : in_its_unit(make_on(type, section.values, with_pde));
@@ -263,11 +284,13 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
         const bool box = !catalogue.domain(scenario.domain.type).spline_patch;
         return own_problem(std::move(own), extent_of(mesh, context.space, box), mesh.nodes);
     };
-    ProblemData data = own ? make_own() : make(scenario.monitor);
-    if (!scenario.target.type.empty()) {
-        const ProblemData target = make(scenario.target);
-        data.target = target.monitor;
-        add_target_notes(data, target.report);
+    ProblemData data = own ? make_own() : make(scenario.monitor, context);
+    if (!scenario.source.type.empty()) {
+        MonitorContext on_source = context;
+        on_source.space = source_space_of(catalogue, scenario);
+        const ProblemData source = make(scenario.source, on_source);
+        data.source = source.monitor;
+        add_source_notes(data, source.report);
     }
     if (!scenario.pde.type.empty()) {
         data.pde_type = scenario.pde.type;
@@ -277,7 +300,7 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
 }
 
 bool same_problem_data(const Scenario& a, const Scenario& b) {
-    return a.domain == b.domain && a.monitor == b.monitor && a.target == b.target && a.pde == b.pde &&
+    return a.domain == b.domain && a.monitor == b.monitor && a.source == b.source && a.pde == b.pde &&
            a.folder == b.folder;
 }
 

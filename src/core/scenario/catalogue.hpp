@@ -39,7 +39,7 @@ struct Capability {
     std::function<std::shared_ptr<const Discretisation>(const PrepareContext&)> prepare;
     /// Makes the nonlinear problem on that discretisation; empty if the methods do not use one.
     std::function<std::unique_ptr<NonlinearProblem>(std::shared_ptr<const Discretisation>)> problem{};
-    std::vector<std::string> targets{}; ///< types of section monitor.target; empty: no such section
+    std::vector<std::string> sources{}; ///< types of section monitor.source; empty: no such section
     std::vector<std::string> pdes{};    ///< types of section pde; empty: no such section
 };
 
@@ -62,7 +62,7 @@ struct Catalogue {
 Catalogue builtin_catalogue();
 
 /// A section with the default values of a type. The rows of a monitor depend on the space; `section` is
-/// "monitor" or "monitor.target".
+/// "monitor" or "monitor.source".
 Section domain_section(const Catalogue& catalogue, std::string_view type);
 Section monitor_section(const Catalogue& catalogue, std::string_view type, const Space& space = {},
                         const std::string& section = "monitor");
@@ -77,6 +77,8 @@ Scenario default_scenario(const Catalogue& catalogue);
 
 /// The space of the scenario's domain, as far as it is known (locate_domain).
 Space space_of(const Catalogue& catalogue, const Scenario& scenario);
+/// Where the density of monitor.source lies.
+Space source_space_of(const Catalogue& catalogue, const Scenario& scenario);
 /// Reads the files of the domain, if they are not read yet, and updates the rows: ranges and values of
 /// monitors fit the size and the place of a patch. Files that are invalid are reported when the domain is
 /// made.
@@ -84,7 +86,7 @@ void locate_domain(const Catalogue& catalogue, Scenario& scenario);
 /// Whether locate_domain() would not read anything.
 bool is_located(const Catalogue& catalogue, const Scenario& scenario);
 /// Updates the rows of every section: monitors depend on the space of the domain, further rows on values, and
-/// the sections monitor.target and pde on domain and method. Values set by the user are kept if the key still
+/// the sections monitor.source and pde on domain and method. Values set by the user are kept if the key still
 /// exists and allows them; on a domain of another size they are scaled. Reads no file.
 void update_rows(const Catalogue& catalogue, Scenario& scenario);
 /// The same while values are being typed: a monitor whose texts are invalid keeps its rows, and the run says

@@ -17,7 +17,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::array sections = {&Scenario::domain, &Scenario::monitor, &Scenario::target, &Scenario::method,
+constexpr std::array sections = {&Scenario::domain, &Scenario::monitor, &Scenario::source, &Scenario::method,
                                  &Scenario::pde};
 
 /// Replaces the path of every file.

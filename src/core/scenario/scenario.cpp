@@ -59,7 +59,7 @@ std::string with_ending(std::string text, std::string_view ending, bool modified
 std::vector<std::string> modified_keys(const Scenario& named, const Scenario& scenario) {
     std::vector<std::string> keys;
     for (const auto section :
-         {&Scenario::domain, &Scenario::monitor, &Scenario::target, &Scenario::method, &Scenario::pde})
+         {&Scenario::domain, &Scenario::monitor, &Scenario::source, &Scenario::method, &Scenario::pde})
         add_modified({named.*section, named.folder}, {scenario.*section, scenario.folder}, keys);
     return keys;
 }

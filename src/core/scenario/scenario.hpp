@@ -14,7 +14,7 @@
 
 namespace gaspard GASPARD_API {
 
-/// A section whose rows depend on its type: domain, monitor, monitor.target, method, pde.
+/// A section whose rows depend on its type: domain, monitor, monitor.source, method, pde.
 struct Section {
     std::string type; ///< empty: the problem has no such section
     Values values;
@@ -35,7 +35,7 @@ struct Scenario {
     std::string title;       ///< one line, shown to the user
     std::string description; ///< one line
     Section domain, monitor, method;
-    Section target{}; ///< "monitor.target": the density on the target domain
+    Section source{}; ///< "monitor.source": the density on the source domain
     Section pde{};    ///< "pde": the PDE that is solved on the mesh
     Values view, output;
     /// Base of relative paths among the values (ParameterRole::file): the folder of the scenario's file;

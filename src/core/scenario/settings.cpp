@@ -17,18 +17,18 @@ namespace {
 
 // Sections that only some problems have, and names reserved for future sections. If a problem does not have
 // the section, keys in it produce a specific error.
-const std::vector<std::string> reserved = {"domain.target", "monitor.target", "pde", "time"};
+const std::vector<std::string> reserved = {"domain.target", "monitor.source", "pde", "time"};
 
 bool starts_with_key(std::string_view key, std::string_view prefix) {
     return key == prefix ||
            (key.starts_with(prefix) && key.size() > prefix.size() && key[prefix.size()] == '.');
 }
 
-/// The sections with a type in this scenario; monitor.target precedes monitor, which is a prefix of its name.
+/// The sections with a type in this scenario; monitor.source precedes monitor, which is a prefix of its name.
 std::vector<Section*> typed_sections(Scenario& scenario) {
     std::vector<Section*> sections;
     for (Section* section :
-         {&scenario.target, &scenario.domain, &scenario.monitor, &scenario.method, &scenario.pde})
+         {&scenario.source, &scenario.domain, &scenario.monitor, &scenario.method, &scenario.pde})
         if (!section->type.empty()) sections.push_back(section);
     return sections;
 }
@@ -81,7 +81,8 @@ void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, st
     if (section == "domain") {
         std::vector<std::string> owners;
         for (const auto& type : catalogue.domains)
-            if (has_row(type.rows, key)) owners.push_back("'" + type.name + "'");
+            if (has_row(domain_section(catalogue, type.name).values.rows(), key))
+                owners.push_back("'" + type.name + "'");
         if (!owners.empty()) refuse(scenario.domain.values, ", but for " + join(owners, " and "));
     }
     if (section == "monitor" && scenario.monitor.type != own_monitor)
@@ -159,6 +160,14 @@ void update_monitor_rows(const Catalogue& catalogue, const Space& space, Section
     if (!same_rows(values.rows(), section.values.rows())) section.values = std::move(values);
 }
 
+void update_domain_rows(const Catalogue& catalogue, Section& domain) {
+    const DomainType& type = catalogue.domain(domain.type);
+    if (!type.further_rows) return;
+    Values values = grown_values("domain", type.rows, type.further_rows,
+                                 [&](Values& known) { carry_over(domain.values, known); });
+    if (!same_rows(values.rows(), domain.values.rows())) domain.values = std::move(values);
+}
+
 /// A path on the command line is relative to the working directory, also if the scenario has a folder.
 std::string working_path(const Scenario& scenario, const Values& values, const std::string& key,
                          const std::string& text) {
@@ -207,6 +216,12 @@ Space space_of(const Catalogue& catalogue, const Scenario& scenario) {
     return known_place(catalogue, scenario).space;
 }
 
+Space source_space_of(const Catalogue& catalogue, const Scenario& scenario) {
+    const DomainType& type = catalogue.domain(scenario.domain.type);
+    return type.source_space ? type.source_space(scenario.domain.values, scenario.place.content)
+                             : space_of(catalogue, scenario);
+}
+
 bool is_located(const Catalogue& catalogue, const Scenario& scenario) {
     return !catalogue.domain(scenario.domain.type).read || scenario.place.files == files_key(scenario);
 }
@@ -219,39 +234,40 @@ void locate_domain(const Catalogue& catalogue, Scenario& scenario) {
     update_rows(catalogue, scenario);
 }
 
-/// `update(section)` updates the rows of a section of monitors.
+/// `update(section, space)` updates the rows of a section of monitors.
 template <class Update>
 static void update_sections(const Catalogue& catalogue, Scenario& scenario, const Update& update) {
+    update_domain_rows(catalogue, scenario.domain);
     scenario.place = known_place(catalogue, scenario);
-    const Space& space = scenario.place.space;
-    std::vector<std::string> targets, pdes;
+    const Space of_source = source_space_of(catalogue, scenario);
+    std::vector<std::string> sources, pdes;
     for (const Capability& row : catalogue.capabilities) {
         if (row.domain != scenario.domain.type) continue;
         if (std::find(row.methods.begin(), row.methods.end(), scenario.method.type) == row.methods.end())
             continue;
-        targets.insert(targets.end(), row.targets.begin(), row.targets.end());
+        sources.insert(sources.end(), row.sources.begin(), row.sources.end());
         pdes.insert(pdes.end(), row.pdes.begin(), row.pdes.end());
     }
-    update_optional(scenario.target, targets, [&](const std::string& type) {
-        return monitor_section(catalogue, type, space, "monitor.target");
+    update_optional(scenario.source, sources, [&](const std::string& type) {
+        return monitor_section(catalogue, type, of_source, "monitor.source");
     });
     update_optional(scenario.pde, pdes,
                     [&](const std::string& type) { return pde_section(catalogue, type); });
-    update(scenario.monitor);
-    update(scenario.target);
+    update(scenario.monitor, scenario.place.space);
+    update(scenario.source, of_source);
     update_view_rows(catalogue, scenario, scenario.view);
 }
 
 void update_rows(const Catalogue& catalogue, Scenario& scenario) {
-    update_sections(catalogue, scenario, [&](Section& section) {
-        update_monitor_rows(catalogue, scenario.place.space, section);
+    update_sections(catalogue, scenario, [&](Section& section, const Space& space) {
+        update_monitor_rows(catalogue, space, section);
     });
 }
 
 void update_typed_rows(const Catalogue& catalogue, Scenario& scenario) {
-    update_sections(catalogue, scenario, [&](Section& section) {
+    update_sections(catalogue, scenario, [&](Section& section, const Space& space) {
         try {
-            update_monitor_rows(catalogue, scenario.place.space, section);
+            update_monitor_rows(catalogue, space, section);
         } catch (const InputError&) { // keep the rows
         }
     });
@@ -303,8 +319,13 @@ void check_key(const Catalogue& catalogue, Scenario& scenario, std::string_view 
 void check_section(Scenario& scenario, std::string_view key) {
     const auto sections = typed_sections(scenario);
     const auto present = [&](const std::string& name) {
-        return std::any_of(sections.begin(), sections.end(),
-                           [&](const Section* section) { return section->values.section() == name; });
+        return std::any_of(sections.begin(), sections.end(), [&](const Section* section) {
+            const auto& rows = section->values.rows();
+            return section->values.section() == name ||
+                   std::any_of(rows.begin(), rows.end(), [&](const ParameterRow& row) { // a part of a section
+                       return starts_with_key(section->values.section() + "." + row.key, name);
+                   });
+        });
     };
     for (const auto& name : reserved)
         if (starts_with_key(key, name) && !present(name))

@@ -30,13 +30,14 @@ Value to_value(const toml::node& node, const std::string& key) {
 
 using Entries = std::deque<std::pair<std::string, const toml::node*>>;
 
-/// The keys of a table. Tables in a monitor's, such as [monitor.u], are parts of it, whose keys begin with
-/// their name; monitor.target is a section of its own.
+/// The keys of a table. Tables in a monitor's or a domain's, such as [monitor.u], are parts of it, whose keys
+/// begin with their name; monitor.source is a section of its own.
 void add_entries(Entries& entries, const toml::table& table, const std::string& section) {
     for (const auto& [key, node] : table) {
         const std::string name = section + "." + std::string(key.str());
-        const auto* part = section.starts_with("monitor") ? node.as_table() : nullptr;
-        if (name == "monitor.target" && part) continue;
+        const bool has_parts = section.starts_with("monitor") || section.starts_with("domain");
+        const auto* part = has_parts ? node.as_table() : nullptr;
+        if (name == "monitor.source" && part) continue;
         if (part && !part->empty())
             add_entries(entries, *part, name);
         else
@@ -158,7 +159,7 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
         if (name == "domain") locate_domain(catalogue, scenario);
         if (name != "monitor") continue;
         if (const auto* table = document[name]["target"].as_table())
-            read_section(catalogue, scenario, *table, "monitor.target", origin, found);
+            read_section(catalogue, scenario, *table, "monitor.source", origin, found);
     }
     if (source != nullptr) *source = std::move(found);
     return scenario;
@@ -190,7 +191,7 @@ std::string to_toml(const Scenario& scenario) {
     out << "title = " << quoted(scenario.title) << "\n";
     out << "description = " << quoted(scenario.description) << "\n";
     write_section(out, scenario.domain.type, scenario.domain.values);
-    for (const Section* section : {&scenario.monitor, &scenario.target, &scenario.method, &scenario.pde})
+    for (const Section* section : {&scenario.monitor, &scenario.source, &scenario.method, &scenario.pde})
         if (!section->values.section().empty()) write_section(out, section->type, section->values);
     write_section(out, {}, scenario.view);
     write_section(out, {}, scenario.output);

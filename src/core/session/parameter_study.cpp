@@ -93,7 +93,7 @@ std::vector<std::string> available_measures(const std::shared_ptr<const Catalogu
 bool same_study(const StudyPlan& a, const StudyPlan& b) {
     const Scenario &one = a.scenario, &other = b.scenario;
     return a.over == b.over && a.lines == b.lines && a.measure == b.measure && one.domain == other.domain &&
-           one.monitor == other.monitor && one.target == other.target && one.pde == other.pde &&
+           one.monitor == other.monitor && one.source == other.source && one.pde == other.pde &&
            one.method == other.method && one.folder == other.folder;
 }
 

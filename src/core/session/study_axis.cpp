@@ -19,7 +19,7 @@ constexpr std::size_t most_values = 1000;
 
 const Values* values_of(const Scenario& scenario, std::string_view key) {
     for (const Section* section :
-         {&scenario.target, &scenario.domain, &scenario.monitor, &scenario.method, &scenario.pde}) {
+         {&scenario.source, &scenario.domain, &scenario.monitor, &scenario.method, &scenario.pde}) {
         const std::string& name = section->values.section();
         const bool inside = key.size() > name.size() && key.starts_with(name) && key[name.size()] == '.';
         if (!section->type.empty() && inside && section->values.has(key.substr(name.size() + 1)))

@@ -27,7 +27,7 @@ void CellStudy::begin(const Scenario& scenario) {
 
 bool CellStudy::describes(const Scenario& scenario) const {
     return known_ && scenario.domain == scenario_.domain && scenario.monitor == scenario_.monitor &&
-           scenario.target == scenario_.target && scenario.pde == scenario_.pde &&
+           scenario.source == scenario_.source && scenario.pde == scenario_.pde &&
            scenario.method == scenario_.method;
 }
 

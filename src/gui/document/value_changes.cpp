@@ -66,7 +66,7 @@ std::vector<ValueChange> value_changes(const Scenario& before, const Scenario& a
     std::vector<ValueChange> changes;
     add_changes("domain", before.domain, after.domain, changes);
     add_changes("monitor", before.monitor, after.monitor, changes);
-    add_changes("monitor.target", before.target, after.target, changes);
+    add_changes("monitor.source", before.source, after.source, changes);
     add_changes("method", before.method, after.method, changes);
     add_changes("pde", before.pde, after.pde, changes);
     return changes;

@@ -34,7 +34,7 @@ void draw_table(const std::vector<ComparisonRow>& rows, const Theme& theme, Item
 
 /// Whether the same mesh is to be found, by whatever method.
 bool same_problem(const Scenario& a, const Scenario& b) {
-    return a.domain == b.domain && a.monitor == b.monitor && a.target == b.target && a.pde == b.pde;
+    return a.domain == b.domain && a.monitor == b.monitor && a.source == b.source && a.pde == b.pde;
 }
 
 } // namespace

@@ -16,8 +16,8 @@ auto& find_section(AnyScenario& scenario, SectionKind kind) {
         return scenario.domain;
     case SectionKind::monitor:
         return scenario.monitor;
-    case SectionKind::target:
-        return scenario.target;
+    case SectionKind::source:
+        return scenario.source;
     case SectionKind::method:
         return scenario.method;
     case SectionKind::pde:
@@ -34,7 +34,7 @@ Section fresh_section(const Catalogue& catalogue, const Scenario& opened, Sectio
         return domain_section(catalogue, type);
     case SectionKind::monitor:
         return monitor_section(catalogue, type); // with the plane's rows; update_rows() adapts them
-    case SectionKind::target:
+    case SectionKind::source:
         return monitor_section(catalogue, type, {}, section_key(kind));
     case SectionKind::method:
         return method_section(catalogue, type);
@@ -55,8 +55,8 @@ const char* section_key(SectionKind kind) {
         return "domain";
     case SectionKind::monitor:
         return "monitor";
-    case SectionKind::target:
-        return "monitor.target";
+    case SectionKind::source:
+        return "monitor.source";
     case SectionKind::method:
         return "method";
     case SectionKind::pde:
@@ -72,7 +72,7 @@ std::vector<TypeEntry> type_entries(const Catalogue& catalogue, SectionKind kind
     };
     if (kind == SectionKind::domain)
         add(catalogue.domains);
-    else if (kind == SectionKind::monitor || kind == SectionKind::target)
+    else if (kind == SectionKind::monitor || kind == SectionKind::source)
         add(catalogue.monitors);
     else if (kind == SectionKind::method)
         add(catalogue.methods);
@@ -87,8 +87,8 @@ const char* section_title(SectionKind kind) {
         return "Domain";
     case SectionKind::monitor:
         return "Monitor";
-    case SectionKind::target:
-        return "Target density";
+    case SectionKind::source:
+        return "Source density";
     case SectionKind::method:
         return "Method";
     case SectionKind::pde:

@@ -10,16 +10,16 @@
 
 namespace gaspard {
 
-enum class SectionKind { domain, monitor, target, method, pde };
+enum class SectionKind { domain, monitor, source, method, pde };
 /// From the problem to how it is solved, as the panel shows them.
 inline constexpr SectionKind all_sections[] = {SectionKind::domain, SectionKind::pde, SectionKind::monitor,
-                                               SectionKind::target, SectionKind::method};
+                                               SectionKind::source, SectionKind::method};
 
 /// "Domain", as a heading.
 const char* section_title(SectionKind kind);
-/// "monitor.target", as in the keys of values.
+/// "monitor.source", as in the keys of values.
 const char* section_key(SectionKind kind);
-/// Whether the scenario has such a section; target and pde are there only for some problems.
+/// Whether the scenario has such a section; source and pde are there only for some problems.
 bool has_section(const Scenario& scenario, SectionKind kind);
 Section& section_of(Scenario& scenario, SectionKind kind);
 const Section& section_of(const Scenario& scenario, SectionKind kind);

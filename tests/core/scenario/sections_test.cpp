@@ -1,4 +1,4 @@
-// Sections and rows that only some problems have: monitor.target, pde, and rows that follow from values.
+// Sections and rows that only some problems have: monitor.source, pde, and rows that follow from values.
 #include "core/base/error.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/comparison.hpp"
@@ -108,7 +108,7 @@ class SectionsTest : public testing::Test {
         std::erase(plane.methods, "quasi-newton");
         with_pde.methods = {"quasi-newton"};
         with_pde.pdes = {"heat"};
-        with_pde.targets = {"constant", "bell"};
+        with_pde.sources = {"constant", "bell"};
         all->capabilities.push_back(with_pde);
         catalogue = all;
     }
@@ -124,31 +124,31 @@ class SectionsTest : public testing::Test {
 
 TEST_F(SectionsTest, AreThereOnlyForProblemsThatHaveThem) {
     EXPECT_THROW(with({"pde.conductivity=2"}), InputError);
-    EXPECT_THROW(with({"monitor.target.type=bell"}), InputError);
+    EXPECT_THROW(with({"monitor.source.type=bell"}), InputError);
     const Scenario scenario =
-        with({"pde.conductivity=2", "monitor.target.amplitude=7", "monitor.target.type=bell",
+        with({"pde.conductivity=2", "monitor.source.amplitude=7", "monitor.source.type=bell",
               "method.type=quasi-newton", "domain.cells=8"});
     EXPECT_EQ(scenario.pde.type, "heat");
     EXPECT_EQ(scenario.pde.values.real("conductivity"), 2);
-    EXPECT_EQ(scenario.target.type, "bell");
-    EXPECT_EQ(scenario.target.values.real("amplitude"), 7);
+    EXPECT_EQ(scenario.source.type, "bell");
+    EXPECT_EQ(scenario.source.values.real("amplitude"), 7);
     EXPECT_EQ(parse_scenario(*catalogue, to_toml(scenario), "untitled.toml"), scenario);
     Scenario other = scenario;
     set_value(*catalogue, other, "method.type", std::string("relaxation"));
     EXPECT_TRUE(other.pde.type.empty());
-    EXPECT_TRUE(other.target.type.empty());
+    EXPECT_TRUE(other.source.type.empty());
     EXPECT_THROW(parse_scenario(*catalogue, "[pde]\n", "test.toml"), InputError);
-    EXPECT_THROW(parse_scenario(*catalogue, "[monitor.target]\ntype = \"bell\"\n", "test.toml"), InputError);
+    EXPECT_THROW(parse_scenario(*catalogue, "[monitor.source]\ntype = \"bell\"\n", "test.toml"), InputError);
 }
 
 TEST_F(SectionsTest, MethodsGetThemAsProblemData) {
-    const Scenario scenario = with({"method.type=quasi-newton", "monitor.target.type=bell"});
+    const Scenario scenario = with({"method.type=quasi-newton", "monitor.source.type=bell"});
     const ProblemData data = make_problem_data(*catalogue, scenario, nullptr, {});
-    ASSERT_TRUE(data.target && data.pde && !data.tensor);
+    ASSERT_TRUE(data.source && data.pde && !data.tensor);
     Points x(1);
     x.set(0, {0.5, 0.5, 0});
     std::vector<double> value(1);
-    data.target->values(x, value);
+    data.source->values(x, value);
     EXPECT_EQ(value[0], 51);
     EXPECT_EQ(data.pde->real("conductivity"), 1);
 }

@@ -301,7 +301,7 @@ TEST_F(PanelTest, AnotherDomainBringsWhatGoesWithIt) {
 
 TEST_F(PanelTest, OptionalSectionsAreThereIfTheProblemHasThem) {
     settle();
-    EXPECT_EQ(items.count("pde.type") + items.count("monitor.target.type"), 0U);
+    EXPECT_EQ(items.count("pde.type") + items.count("monitor.source.type"), 0U);
     catalogue.pdes.push_back({.name = "heat",
                               .label = "Heat",
                               .help = "diffusion",
@@ -312,13 +312,13 @@ TEST_F(PanelTest, OptionalSectionsAreThereIfTheProblemHasThem) {
                                         .maximum = 10,
                                         .default_value = 1.0}}});
     catalogue.capabilities.front().pdes = {"heat"};
-    catalogue.capabilities.front().targets = {"bell", "constant"};
+    catalogue.capabilities.front().sources = {"bell", "constant"};
     update_rows(catalogue, scenario);
     settle();
     EXPECT_EQ(items.count("pde.conductivity"), 1U);
-    EXPECT_EQ(items.count("monitor.target.amplitude"), 1U);
-    pick("monitor.target.type", "constant");
-    EXPECT_EQ(scenario.target.type, "constant");
+    EXPECT_EQ(items.count("monitor.source.amplitude"), 1U);
+    pick("monitor.source.type", "constant");
+    EXPECT_EQ(scenario.source.type, "constant");
     EXPECT_EQ(scenario.monitor.type, "ring");
 }
 

@@ -1,0 +1,185 @@
+#include "core/method/transport_equation.hpp"
+
+#include "core/base/check.hpp"
+#include "core/base/eigenvalues.hpp"
+#include "core/method/power_monitor.hpp"
+#include "core/transport/recovered_function.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+constexpr int fewest_rings = 6;      ///< of a coarser mesh
+constexpr double damped_step = 0.25; ///< along direction(), whose operator is not the exact linearisation
+
+std::string layout_of(const TransportDomain& domain) {
+    const auto& setup = domain.setup();
+    return "transport P" + std::to_string(setup.degree) +
+           (setup.curved && setup.degree > 1 ? " curved" : "") + " n=" + std::to_string(setup.rings) +
+           " from " + setup.source_name;
+}
+
+} // namespace
+
+TransportEquation::TransportEquation(std::shared_ptr<const TransportDomain> domain, Recovery recovery,
+                                     std::stop_token stop)
+    : NonlinearProblem(layout_of(*domain), domain->unknowns(), "u"), domain_(std::move(domain)),
+      form_(std::make_shared<const NonvariationalSpace>(domain_->elements(), recovery, stop),
+            domain_->setup().source, domain_->setup().target),
+      preconditioner_(form_.shared_space()), start_(form_.start()), balanced_(form_.space().size()),
+      stop_(std::move(stop)) {
+    move(start_);
+}
+
+std::optional<State> TransportEquation::adopt(const State& other, const Discretisation* of) {
+    if (other.arrays.size() != 1 || other.arrays[0].name != "u") return std::nullopt;
+    const auto& u = other.arrays[0].values;
+    if (other.layout == layout() && u.size() == size()) return other;
+    const auto* there = dynamic_cast<const TransportDomain*>(of);
+    if (!there || there->unknowns() != u.size() || other.layout != layout_of(*there) ||
+        there->setup().source_name != domain_->setup().source_name)
+        return std::nullopt;
+    TransportEquation from(std::make_shared<const TransportDomain>(*there), form_.space().recovery());
+    return adopt(from, u);
+}
+
+State TransportEquation::adopt(NonlinearProblem& other, std::span<const double> unknowns) {
+    auto& from = dynamic_cast<TransportEquation&>(other);
+    std::vector<double> u = recovered_values(from.form_.space(), unknowns.first(from.size() - 1),
+                                             form_.space().elements().nodes());
+    double mean = 0;
+    const auto loads = form_.space().loads();
+    for (std::size_t i = 0; i < u.size(); ++i) mean += u[i] * loads[i] / form_.space().area();
+    for (double& value : u) value -= mean;
+    u.push_back(unknowns.back());
+    return state_of(std::move(u));
+}
+
+std::unique_ptr<NonlinearProblem> TransportEquation::coarser(const Progress&, std::stop_token stop) const {
+    TransportDomain::Setup setup = domain_->setup();
+    setup.rings = (setup.rings + 1) / 2;
+    if (setup.rings < fewest_rings) return nullptr;
+    return std::make_unique<TransportEquation>(std::make_shared<const TransportDomain>(std::move(setup)),
+                                               form_.space().recovery(), std::move(stop));
+}
+
+Evaluation TransportEquation::evaluate(const ProblemData& data, std::span<const double> unknowns) {
+    form_.evaluate({data.source, data.monitor}, unknowns);
+    factorised_ = false;
+    take_positions(form_.derivatives());
+    return {.residual = form_.normalised_residual(),
+            .series = {form_.theta() * data.unit, unknowns.back(), form_.convexity(), form_.boundary_defect(),
+                       form_.boundary_scale()}};
+}
+
+void TransportEquation::move(std::span<const double> unknowns) {
+    form_.space().differentiate(unknowns.first(size() - 1), derivatives_);
+    take_positions(derivatives_);
+}
+
+void TransportEquation::take_positions(std::span<const double> derivatives) {
+    const std::vector<double> at = domain_->at_mesh_nodes(derivatives, derivative_count);
+    positions_.resize(at.size() / derivative_count);
+    for (std::size_t i = 0; i < positions_.size(); ++i)
+        positions_.set(i, {at[derivative_count * i + g1], at[derivative_count * i + g2], 0});
+}
+
+std::vector<SeriesInfo> TransportEquation::series() const {
+    return {
+        {.name = "theta",
+         .label = "Mass ratio",
+         .symbol = "θ",
+         .help = "the mass of the target's density, divided by that of the source's"},
+        {.name = "multiplier",
+         .label = "Multiplier",
+         .symbol = "c",
+         .help =
+             "the constant that is added to the equation, so that its integral vanishes; tends to 0 with h"},
+        {.name = "convexity",
+         .label = "Convexity",
+         .symbol = "λ_min",
+         .help = "the smallest eigenvalue of the Hessian, averaged around a node; positive: u is convex"},
+        {.name = "boundary_defect",
+         .label = "Boundary defect",
+         .symbol = "|b|/|∇b|",
+         .unit = "length",
+         .scale = ParameterScale::logarithmic,
+         .help = "the largest distance of the image of a boundary node from the target's boundary"},
+        {.name = "boundary_scale",
+         .label = "Scale of b",
+         .symbol = "s",
+         .help = "the factor of the boundary condition, chosen so that its derivative is the conormal one"}};
+}
+
+IterateShape TransportEquation::shape() const {
+    return {.admissibility = form_.convexity(), .stable_step = damped_step, .condition = 1};
+}
+
+void TransportEquation::direction(std::span<double> d) {
+    if (!std::exchange(factorised_, true)) preconditioner_.factorise(form_.derivatives(), stop_);
+    precondition(form_.residual(), d);
+}
+
+void TransportEquation::linearise(const ProblemData&, Linearised) {
+    form_.linearise();
+    if (!std::exchange(factorised_, true)) preconditioner_.factorise(form_.derivatives(), stop_);
+}
+
+// S has the kernel of the constants, nearly; c and the mean of w follow from the rows for them.
+void TransportEquation::precondition(std::span<const double> r, std::span<double> w) {
+    const std::size_t n = form_.space().size();
+    const auto loads = form_.space().loads();
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i) sum += r[i];
+    const double c = -sum / form_.space().area();
+    for (std::size_t i = 0; i < n; ++i) balanced_[i] = r[i] + c * loads[i];
+    preconditioner_.solve(balanced_, w.first(n));
+    double mean = r[n];
+    for (std::size_t i = 0; i < n; ++i) mean += w[i] * loads[i];
+    mean /= form_.space().area();
+    for (std::size_t i = 0; i < n; ++i) w[i] -= mean;
+    w[n] = c;
+}
+
+ProblemData TransportEquation::continued(const ProblemData& data, double t) const {
+    ProblemData result = data;
+    result.monitor = std::make_shared<PowerMonitor>(data.monitor, t);
+    if (data.source) result.source = std::make_shared<PowerMonitor>(data.source, t);
+    return result;
+}
+
+std::string TransportEquation::name_of_continued(double t) const {
+    return "densities to the power " + format_number(t);
+}
+
+std::vector<std::vector<double>> TransportEquation::fields() const {
+    const auto derivatives = form_.derivatives();
+    const std::size_t n = form_.space().size();
+    std::vector<double> convexity(n), defect = form_.boundary_defects();
+    for (std::size_t i = 0; i < n; ++i) {
+        const double* d = derivatives.data() + derivative_count * i;
+        convexity[i] = symmetric_eigenvalues(d[h11], d[h12], d[h22]).smallest;
+    }
+    return {domain_->at_mesh_nodes(convexity, 1), domain_->at_mesh_nodes(defect, 1)};
+}
+
+std::vector<FieldInfo> nvfem_fields() {
+    return {
+        {.name = "convexity",
+         .label = "Convexity",
+         .symbol = "λ_min",
+         .help =
+             "the smaller eigenvalue of the recovered Hessian of u; the map folds where it is not positive"},
+        {.name = "boundary_defect",
+         .label = "Boundary defect",
+         .symbol = "|b|/|∇b|",
+         .unit = "length",
+         .help = "of boundary nodes, the distance of their image from the target's boundary; 0 inside"}};
+}
+
+} // namespace gaspard

@@ -1,0 +1,116 @@
+#include "core/transport/convex_shape.hpp"
+
+#include "core/base/error.hpp"
+#include "core/mesh/control_points.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace gaspard {
+
+namespace {
+
+const std::string choices[] = {"ellipse", "rounded-rectangle", "curve", "polygon"};
+
+ParameterRow length_row(std::string key, std::string label, std::string symbol, double value,
+                        std::string help) {
+    return {.key = std::move(key),
+            .label = std::move(label),
+            .symbol = std::move(symbol),
+            .unit = "length",
+            .minimum = shortest_length,
+            .maximum = longest_length,
+            .slider = SliderRange{0.1, 4},
+            .default_value = value,
+            .help = std::move(help)};
+}
+
+} // namespace
+
+std::vector<ParameterRow> shape_choice_rows(const std::string& prefix, const std::string& whose) {
+    return {
+        {.key = prefix + "shape",
+         .label = whose + " shape",
+         .kind = ParameterKind::choice,
+         .default_value = choices[0],
+         .choices = {std::begin(choices), std::end(choices)},
+         .help =
+             "an ellipse or disk, a rectangle with round sides, a smooth curve through points, or a polygon "
+             "with round corners",
+         .role = ParameterRole::defines_rows}};
+}
+
+std::vector<ParameterRow> shape_rows(const Values& values, const std::string& prefix,
+                                     const std::string& whose) {
+    const std::string& shape = values.text(prefix + "shape");
+    std::vector<ParameterRow> rows;
+    if (shape == choices[0] || shape == choices[1]) {
+        rows.push_back(length_row(prefix + "a", whose + " half width", "a", 1,
+                                  "half of the longest extent in the direction of the angle"));
+        rows.push_back(length_row(prefix + "b", whose + " half height", "b", 1, "half of the extent across"));
+        if (shape == choices[1])
+            rows.push_back(
+                {.key = prefix + "exponent",
+                 .label = whose + " exponent",
+                 .symbol = "p",
+                 .minimum = 2,
+                 .maximum = 20,
+                 .default_value = 4.0,
+                 .help = "|x/a|^p + |y/b|^p = 1: 2 is an ellipse, large values are nearly a rectangle"});
+        rows.push_back({.key = prefix + "angle",
+                        .label = whose + " angle",
+                        .unit = "degrees",
+                        .minimum = -180,
+                        .maximum = 180,
+                        .default_value = 0.0,
+                        .help = "between the x axis and the half width",
+                        .periodic = true});
+        for (const char* axis : {"x", "y"})
+            rows.push_back({.key = prefix + axis,
+                            .label = whose + " centre " + axis,
+                            .unit = "length",
+                            .minimum = -longest_length,
+                            .maximum = longest_length,
+                            .slider = SliderRange{-2, 2},
+                            .default_value = 0.0,
+                            .help = "coordinate of the centre"});
+        return rows;
+    }
+    const bool polygon = shape == choices[3];
+    rows.push_back(
+        {.key = prefix + "points",
+         .label = whose + " points",
+         .kind = ParameterKind::text,
+         .default_value = std::string(polygon ? "-1 -1, 1 -1, 1 1, -1 1"
+                                              : "1.1 0, 0.6 0.9, -0.5 0.8, -1 0, -0.4 -0.9, 0.6 -0.8"),
+         .help = "\"x y, x y, ...\", 3 to 200 points of a convex curve in their order; drag them in the "
+                 "window",
+         .role = ParameterRole::control_points});
+    if (polygon)
+        rows.push_back(length_row(prefix + "corner_radius", whose + " corner radius", "r", 0.2,
+                                  "radius of the arcs that replace the corners"));
+    return rows;
+}
+
+std::shared_ptr<const ConvexCurve> make_shape(const Values& values, const std::string& prefix) {
+    const std::string& shape = values.text(prefix + "shape");
+    const auto real = [&](const char* key) { return values.real(prefix + key); };
+    try {
+        if (shape == choices[0])
+            return ellipse({real("x"), real("y"), 0}, real("a"), real("b"), real("angle"));
+        if (shape == choices[1])
+            return rounded_rectangle({real("x"), real("y"), 0}, real("a"), real("b"), real("exponent"),
+                                     real("angle"));
+        const Points points = parse_points(values.text(prefix + "points"), "domain." + prefix + "points");
+        if (points.size() < 3 || points.size() > 200)
+            throw InputError("a curve needs 3 to 200 points, not " + std::to_string(points.size()));
+        return shape == choices[2] ? closed_spline(points) : rounded_polygon(points, real("corner_radius"));
+    } catch (const InputError& error) {
+        const std::string key =
+            "domain." + prefix + (shape == choices[2] || shape == choices[3] ? "points" : "shape");
+        const std::string what = error.what();
+        throw InputError(what.find("domain.") == std::string::npos ? key + ": " + what : what);
+    }
+}
+
+} // namespace gaspard

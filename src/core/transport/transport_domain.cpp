@@ -1,0 +1,171 @@
+#include "core/transport/transport_domain.hpp"
+
+#include "core/base/error.hpp"
+#include "core/transport/convex_shape.hpp"
+#include "core/transport/ring_mesh.hpp"
+
+#include <array>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+const std::string target_prefix = "target.";
+
+/// The places of the nodes of a triangle of order 2, as the mesh numbers them.
+constexpr std::array<std::array<double, 2>, 6> quadratic_nodes = {
+    {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}};
+
+/// What identifies the source: the values of its shape.
+std::string name_of_source(const Values& values) {
+    std::string name;
+    for (const ParameterRow& row : values.rows()) {
+        const bool of_mesh = row.key == "cells" || row.key == "degree" || row.key == "edges";
+        if (of_mesh || row.key.starts_with(target_prefix)) continue;
+        name += (name.empty() ? "" : " ") + format_value(values.at(row.key));
+    }
+    return name;
+}
+
+Box box_of(const Values& values, const std::string& prefix) {
+    return make_shape(values, prefix)->bounding_box();
+}
+
+} // namespace
+
+TransportDomain::TransportDomain(Setup setup) : setup_(std::move(setup)), elements_(make_elements()) {
+    make_mesh();
+}
+
+LagrangeTriangles TransportDomain::make_elements() {
+    const RingMesh rings = ring_mesh(*setup_.source, setup_.rings);
+    BoundarySides boundary{.nodes = rings.boundary_nodes};
+    if (setup_.curved) {
+        const auto& t = rings.boundary_parameters;
+        boundary.point = [&](std::size_t side, double s) {
+            const double from = t[side], to = side + 1 < t.size() ? t[side + 1] : t[0] + 1;
+            return setup_.source->point(from + s * (to - from));
+        };
+    }
+    return {rings.mesh, boundary, setup_.degree};
+}
+
+void TransportDomain::make_mesh() {
+    const int order = setup_.degree == 1 ? 1 : 2;
+    Mesh mesh{
+        .kind = {CellShape::triangle, order}, .space_dimension = 2, .nodes = elements_.nodes(), .cells = {}};
+    if (setup_.degree < 3) {
+        for (std::size_t c = 0; c < elements_.cell_count(); ++c)
+            mesh.cells.insert(mesh.cells.end(), elements_.cell(c).begin(), elements_.cell(c).end());
+        mesh_ = std::make_shared<const Mesh>(std::move(mesh));
+        return;
+    }
+    // The corners come first; a middle of an edge takes the place of the first node on the edge.
+    std::vector<std::int32_t> number(elements_.nodes().size(), -1);
+    for (std::size_t c = 0; c < elements_.cell_count(); ++c)
+        for (std::size_t i = 0; i < quadratic_nodes.size(); ++i) {
+            const auto cell = elements_.cell(c);
+            const std::size_t first = 3 + 2 * (i - 3);
+            const auto node =
+                static_cast<std::size_t>(i < 3 ? cell[i] : std::min(cell[first], cell[first + 1]));
+            if (number[node] < 0) {
+                number[node] = static_cast<std::int32_t>(shown_.size() / 2);
+                shown_.insert(shown_.end(), {c, i});
+            }
+            mesh.cells.push_back(number[node]);
+        }
+    mesh.nodes = Points(shown_.size() / 2);
+    const std::vector<double> x = at_mesh_nodes(elements_.nodes().x, 1),
+                              y = at_mesh_nodes(elements_.nodes().y, 1);
+    for (std::size_t i = 0; i < x.size(); ++i) mesh.nodes.set(i, {x[i], y[i], 0});
+    mesh_ = std::make_shared<const Mesh>(std::move(mesh));
+}
+
+std::vector<double> TransportDomain::at_mesh_nodes(std::span<const double> values, std::size_t count) const {
+    if (shown_.empty()) return {values.begin(), values.end()};
+    static const auto shapes = [] {
+        std::array<TriangleShapes, quadratic_nodes.size()> all;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[i] = triangle_shapes(3, quadratic_nodes[i][0], quadratic_nodes[i][1]);
+        return all;
+    }();
+    std::vector<double> at(count * shown_.size() / 2, 0.0);
+    for (std::size_t i = 0; i < shown_.size() / 2; ++i) {
+        const auto cell = elements_.cell(shown_[2 * i]);
+        const auto& weights = shapes[shown_[2 * i + 1]].values;
+        for (std::size_t a = 0; a < cell.size(); ++a)
+            for (std::size_t c = 0; c < count; ++c)
+                at[count * i + c] += weights[a] * values[count * static_cast<std::size_t>(cell[a]) + c];
+    }
+    return at;
+}
+
+DomainType transport_domain() {
+    std::vector<ParameterRow> rows = {
+        {.key = "cells",
+         .label = "Rings",
+         .symbol = "n",
+         .kind = ParameterKind::integer,
+         .minimum = 2,
+         .maximum = 128,
+         .scale = ParameterScale::logarithmic,
+         .slider = SliderRange{4, 64},
+         .default_value = std::int64_t{24},
+         .help = "the mesh of the source has n rings around its centre, of 6 n² triangles"},
+        {.key = "degree",
+         .label = "Degree",
+         .symbol = "k",
+         .kind = ParameterKind::integer,
+         .minimum = 1,
+         .maximum = highest_triangle_degree,
+         .default_value = std::int64_t{1},
+         .help = "of the finite elements, for the potential, its gradient and its Hessian"},
+        {.key = "edges",
+         .label = "Boundary edges",
+         .kind = ParameterKind::choice,
+         .default_value = std::string("curved"),
+         .choices = {"curved", "straight"},
+         .help = "with degree 2 or 3: isoparametric triangles whose edges follow the boundary, or straight "
+                 "ones as "
+                 "in the paper"}};
+    for (const auto& [prefix, whose] :
+         {std::pair<std::string, std::string>{"", "Source"}, {target_prefix, "Target"}})
+        for (ParameterRow& row : shape_choice_rows(prefix, whose)) rows.push_back(std::move(row));
+    const auto space = [](const std::string& prefix) {
+        return [prefix](const Values& values, const DomainContent&) {
+            Space found{.dimension = 2};
+            try {
+                const Box box = box_of(values, prefix);
+                found.box = box, found.reach = {box}, found.middle = box.centre();
+            } catch (const InputError&) { // which the run reports
+            }
+            return found;
+        };
+    };
+    return {.name = "convex",
+            .label = "Convex domains",
+            .help = "a map from one convex domain to another, from boundary to boundary",
+            .rows = std::move(rows),
+            .further_rows =
+                [](const Values& values) {
+                    std::vector<ParameterRow> further = shape_rows(values, "", "Source");
+                    for (ParameterRow& row : shape_rows(values, target_prefix, "Target"))
+                        further.push_back(std::move(row));
+                    return further;
+                },
+            .space = space(target_prefix),
+            .source_space = space("")};
+}
+
+std::shared_ptr<const TransportDomain> make_transport_domain(const Values& values) {
+    return std::make_shared<const TransportDomain>(
+        TransportDomain::Setup{.source = make_shape(values, ""),
+                               .target = make_shape(values, target_prefix),
+                               .rings = static_cast<int>(values.integer("cells")),
+                               .degree = static_cast<int>(values.integer("degree")),
+                               .curved = values.text("edges") == "curved",
+                               .source_name = name_of_source(values)});
+}
+
+} // namespace gaspard

@@ -1,0 +1,52 @@
+// Two convex domains, the source and the target, and a mesh of the source: triangles in rings
+// (transport/ring_mesh.hpp) with Lagrange elements of degree 1, 2 or 3, straight or isoparametric.
+//
+// The mesh of the run has cells of order 1 (degree 1) or 2; those of degree 3 are shown by the values at the corners
+// and the middles of edges.
+#pragma once
+
+#include "core/mesh/discretisation.hpp"
+#include "core/mesh/domain_type.hpp"
+#include "core/transport/convex_curve.hpp"
+#include "core/transport/lagrange_triangles.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+
+namespace gaspard {
+
+class TransportDomain final : public Discretisation {
+  public:
+    struct Setup {
+        std::shared_ptr<const ConvexCurve> source, target;
+        int rings = 16;
+        int degree = 1;
+        bool curved = true;
+        std::string source_name; ///< identifies the source: two domains with equal names have equal sources
+    };
+    explicit TransportDomain(Setup setup);
+
+    std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
+    std::size_t unknowns() const override { return elements_.nodes().size() + 1; }
+
+    const Setup& setup() const { return setup_; }
+    const LagrangeTriangles& elements() const { return elements_; }
+    /// The nodes of the mesh of the run, from values at the nodes of the elements, `count` numbers each.
+    std::vector<double> at_mesh_nodes(std::span<const double> values, std::size_t count) const;
+
+  private:
+    LagrangeTriangles make_elements();
+    void make_mesh();
+
+    Setup setup_;
+    LagrangeTriangles elements_;
+    std::shared_ptr<const Mesh> mesh_;
+    std::vector<std::size_t> shown_; ///< degree 3: for the mesh's nodes 2 x (cell, place), see at_mesh_nodes
+};
+
+DomainType transport_domain();
+/// Throws InputError.
+std::shared_ptr<const TransportDomain> make_transport_domain(const Values& values);
+
+} // namespace gaspard
