@@ -28,6 +28,9 @@ class Discretisation {
     virtual std::shared_ptr<const Mesh> mesh() const = 0;
     /// The control points of a planar patch if the user may move them; otherwise null.
     virtual std::shared_ptr<const Points> control_points() const { return nullptr; }
+    /// Of transport to another domain: points of its boundary, in their order; null: the mesh stays in its
+    /// own.
+    virtual std::shared_ptr<const Points> target_outline() const { return nullptr; }
     /// The patches of the domain's file if it has several; otherwise null.
     virtual std::shared_ptr<const PatchList> patches() const { return nullptr; }
     /// The parameters of points of a patch; null on other domains.

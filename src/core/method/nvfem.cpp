@@ -1,5 +1,6 @@
-// The nonvariational finite element method of Kawecki, Lakkis, Pryer (2018): Newton's method for the transport
-// equation (transport_equation.hpp), damped, with continuation in powers of the densities, on nested meshes.
+// The nonvariational finite element method of Kawecki, Lakkis, Pryer (2018): Newton's method for the
+// transport equation (transport_equation.hpp), damped, with continuation in powers of the densities, on
+// nested meshes.
 #include "core/mesh/discretisation_as.hpp"
 #include "core/method/nested.hpp"
 #include "core/method/transport_equation.hpp"

@@ -158,7 +158,7 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
             read_section(catalogue, scenario, *table, name, origin, found);
         if (name == "domain") locate_domain(catalogue, scenario);
         if (name != "monitor") continue;
-        if (const auto* table = document[name]["target"].as_table())
+        if (const auto* table = document[name]["source"].as_table())
             read_section(catalogue, scenario, *table, "monitor.source", origin, found);
     }
     if (source != nullptr) *source = std::move(found);

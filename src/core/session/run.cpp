@@ -343,7 +343,7 @@ RunStatus Run::judge(Course& course, const StepReport& report, Ending ending, st
         const Values& domain = course.problem.scenario.domain.values;
         note = "the iteration diverged; ";
         if (const auto remedy = find_remedy(domain)) note += describe(domain, *remedy) + " or ";
-        note += "a smaller step may help";
+        note += method.has("step_size") ? "a smaller step may help" : "a finer mesh or a weaker monitor may help";
         return RunStatus::diverged;
     }
     if (report.iteration - by.judged_from >= method.integer("max_iterations"))
@@ -496,6 +496,7 @@ std::shared_ptr<const Snapshot> Run::snapshot(Diagnostics at_most) {
     snapshot->tangled = now_.tangled;
     snapshot->exact = now_.exact;
     snapshot->control = now_.discretisation->control_points();
+    snapshot->target = now_.discretisation->target_outline();
     snapshot->patches = now_.discretisation->patches();
     snapshot->monitor_report = now_.data.report;
     Field monitor{mesh_colour("monitor"), std::vector<double>(snapshot->x.size())};

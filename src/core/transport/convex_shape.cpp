@@ -10,7 +10,7 @@ namespace gaspard {
 
 namespace {
 
-const std::string choices[] = {"ellipse", "rounded-rectangle", "curve", "polygon"};
+constexpr const char* choices[] = {"ellipse", "rounded-rectangle", "curve", "polygon"};
 
 ParameterRow length_row(std::string key, std::string label, std::string symbol, double value,
                         std::string help) {
@@ -27,17 +27,17 @@ ParameterRow length_row(std::string key, std::string label, std::string symbol, 
 
 } // namespace
 
-std::vector<ParameterRow> shape_choice_rows(const std::string& prefix, const std::string& whose) {
+ParameterRow shape_choice_row(const std::string& prefix, const std::string& whose) {
     return {
-        {.key = prefix + "shape",
-         .label = whose + " shape",
-         .kind = ParameterKind::choice,
-         .default_value = choices[0],
-         .choices = {std::begin(choices), std::end(choices)},
-         .help =
-             "an ellipse or disk, a rectangle with round sides, a smooth curve through points, or a polygon "
-             "with round corners",
-         .role = ParameterRole::defines_rows}};
+        .key = prefix + "shape",
+        .label = whose + " shape",
+        .kind = ParameterKind::choice,
+        .default_value = std::string(choices[0]),
+        .choices = {std::begin(choices), std::end(choices)},
+        .help =
+            "an ellipse or disk, a rectangle with round sides, a smooth curve through points, or a polygon "
+            "with round corners",
+        .role = ParameterRole::defines_rows};
 }
 
 std::vector<ParameterRow> shape_rows(const Values& values, const std::string& prefix,
@@ -73,7 +73,9 @@ std::vector<ParameterRow> shape_rows(const Values& values, const std::string& pr
                             .maximum = longest_length,
                             .slider = SliderRange{-2, 2},
                             .default_value = 0.0,
-                            .help = "coordinate of the centre"});
+                            .help = "coordinate of the centre",
+                            .role = axis == std::string("x") ? ParameterRole::x : ParameterRole::y,
+                            .point = prefix + "centre"});
         return rows;
     }
     const bool polygon = shape == choices[3];
@@ -90,6 +92,10 @@ std::vector<ParameterRow> shape_rows(const Values& values, const std::string& pr
         rows.push_back(length_row(prefix + "corner_radius", whose + " corner radius", "r", 0.2,
                                   "radius of the arcs that replace the corners"));
     return rows;
+}
+
+bool is_of_source(const Values& domain, const std::string& key) {
+    return domain.has(target_prefix + "shape") && !key.starts_with(target_prefix);
 }
 
 std::shared_ptr<const ConvexCurve> make_shape(const Values& values, const std::string& prefix) {

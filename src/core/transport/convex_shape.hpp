@@ -10,11 +10,16 @@
 
 namespace gaspard {
 
-/// The rows of a shape, with a prefix ("target."): first the one that chooses the shape, on which the others depend.
-std::vector<ParameterRow> shape_choice_rows(const std::string& prefix, const std::string& whose);
-/// The rows of the shape that is chosen. `values` has those of shape_choice_rows().
+inline const std::string target_prefix = "target.";
+
+/// The row that chooses a shape; its key has a prefix: none, or target_prefix.
+ParameterRow shape_choice_row(const std::string& prefix, const std::string& whose);
+/// The rows of the shape that is chosen. `values` has those of shape_choice_row().
 std::vector<ParameterRow> shape_rows(const Values& values, const std::string& prefix,
                                      const std::string& whose);
+
+/// Whether a domain's key belongs to the source, where it has a source and a target.
+bool is_of_source(const Values& domain, const std::string& key);
 
 /// The curve of these values. Throws InputError that names the key.
 std::shared_ptr<const ConvexCurve> make_shape(const Values& values, const std::string& prefix);

@@ -4,8 +4,8 @@
 //   (G_a, v)  = (d_a u, v)                                    recovered gradient (73)
 //   (H_ab, v) = -(g_a, d_b v) + <g_a, n_b v>, symmetrised     Hessian: g = G by (75), g = grad u by (39)
 //
-// Both are eliminated: u alone is unknown. With recovery, as G is continuous, (75) is (H_ab, v) = (d_b G_a, v).
-// The mass matrix is factorised once. Arrays of several numbers per node keep those of a node together.
+// Both are eliminated: u alone is unknown. With recovery, as G is continuous, (75) is (H_ab, v) = (d_b G_a,
+// v). The mass matrix is factorised once. Arrays of several numbers per node keep those of a node together.
 #pragma once
 
 #include "core/linear/cell_cholesky.hpp"

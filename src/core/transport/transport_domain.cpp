@@ -11,8 +11,6 @@ namespace gaspard {
 
 namespace {
 
-const std::string target_prefix = "target.";
-
 /// The places of the nodes of a triangle of order 2, as the mesh numbers them.
 constexpr std::array<std::array<double, 2>, 6> quadratic_nodes = {
     {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}};
@@ -36,6 +34,11 @@ Box box_of(const Values& values, const std::string& prefix) {
 
 TransportDomain::TransportDomain(Setup setup) : setup_(std::move(setup)), elements_(make_elements()) {
     make_mesh();
+    constexpr std::size_t corners = 360;
+    Points outline(corners);
+    for (std::size_t i = 0; i < corners; ++i)
+        outline.set(i, setup_.target->point(static_cast<double>(i) / corners));
+    outline_ = std::make_shared<const Points>(std::move(outline));
 }
 
 LagrangeTriangles TransportDomain::make_elements() {
@@ -129,9 +132,7 @@ DomainType transport_domain() {
          .help = "with degree 2 or 3: isoparametric triangles whose edges follow the boundary, or straight "
                  "ones as "
                  "in the paper"}};
-    for (const auto& [prefix, whose] :
-         {std::pair<std::string, std::string>{"", "Source"}, {target_prefix, "Target"}})
-        for (ParameterRow& row : shape_choice_rows(prefix, whose)) rows.push_back(std::move(row));
+    rows.push_back(shape_choice_row("", "Source"));
     const auto space = [](const std::string& prefix) {
         return [prefix](const Values& values, const DomainContent&) {
             Space found{.dimension = 2};
@@ -150,6 +151,8 @@ DomainType transport_domain() {
             .further_rows =
                 [](const Values& values) {
                     std::vector<ParameterRow> further = shape_rows(values, "", "Source");
+                    further.push_back(shape_choice_row(target_prefix, "Target"));
+                    if (!values.has(further.back().key)) return further; // the next call has it
                     for (ParameterRow& row : shape_rows(values, target_prefix, "Target"))
                         further.push_back(std::move(row));
                     return further;

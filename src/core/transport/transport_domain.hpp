@@ -1,8 +1,8 @@
 // Two convex domains, the source and the target, and a mesh of the source: triangles in rings
 // (transport/ring_mesh.hpp) with Lagrange elements of degree 1, 2 or 3, straight or isoparametric.
 //
-// The mesh of the run has cells of order 1 (degree 1) or 2; those of degree 3 are shown by the values at the corners
-// and the middles of edges.
+// The mesh of the run has cells of order 1 (degree 1) or 2; those of degree 3 are shown by the values at the
+// corners and the middles of edges.
 #pragma once
 
 #include "core/mesh/discretisation.hpp"
@@ -28,6 +28,7 @@ class TransportDomain final : public Discretisation {
     explicit TransportDomain(Setup setup);
 
     std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
+    std::shared_ptr<const Points> target_outline() const override { return outline_; }
     std::size_t unknowns() const override { return elements_.nodes().size() + 1; }
 
     const Setup& setup() const { return setup_; }
@@ -42,6 +43,7 @@ class TransportDomain final : public Discretisation {
     Setup setup_;
     LagrangeTriangles elements_;
     std::shared_ptr<const Mesh> mesh_;
+    std::shared_ptr<const Points> outline_; ///< of the target
     std::vector<std::size_t> shown_; ///< degree 3: for the mesh's nodes 2 x (cell, place), see at_mesh_nodes
 };
 

@@ -53,7 +53,7 @@ void Application::frame() {
     if (with_handles) {
         handles = monitor_handles(run().scenario);
         if (run().snapshot)
-            for (auto& one : control_handles(run().scenario, *run().snapshot))
+            for (auto& one : domain_handles(run().scenario, *run().snapshot))
                 handles.push_back(std::move(one));
     }
     viewport_pane_.offer_handles(std::move(handles));

@@ -53,6 +53,7 @@ std::shared_ptr<Points> SceneBuilder::available() {
 }
 
 void SceneBuilder::take_positions(const Snapshot& snapshot) {
+    target_box_ = snapshot.target ? bounding_box(*snapshot.target) : computational_box_;
     const std::shared_ptr<Points> shown = available();
     put_shown_points(*last_.tessellation, snapshot.x, *shown);
     physical_ = shown;
@@ -66,7 +67,7 @@ void SceneBuilder::take_elevation(double factor) {
     if (last_.colouring != nullptr) nodes = elevations(*mesh_, *last_.colouring, factor);
     last_.elevation = nodes.empty() ? 0 : factor;
     last_.computational = computational_, last_.physical = physical_;
-    Box computational = computational_box_, physical = bounding_box(*physical_);
+    Box computational = merge(computational_box_, target_box_), physical = bounding_box(*physical_);
     last_.burst = physical.size() > 1.5 * computational.size();
     if (!nodes.empty()) {
         const std::vector<double> z = shown_values(*last_.tessellation, nodes);

@@ -51,7 +51,8 @@ struct MeshScene {
     std::optional<MapProjection> projection; ///< the scene is a projection of that ball; its blend is 1
     Box box;                                 ///< around both meshes
     bool burst = false;   ///< the physical mesh is far larger than the computational one: it has diverged
-    Box home_box;         ///< what "home" shows: both meshes, or the computational one if the other has burst
+    /// What "home" shows: both meshes, or the computational one and its target if the other has burst.
+    Box home_box;
     double blend = 1;     ///< 0 shows xi, 1 shows x
     double elevation = 0; ///< factor of the heights of a plane mesh, which is then a surface; 0: flat
     bool lines = true;    ///< the cells' edges
@@ -92,7 +93,7 @@ class SceneBuilder {
 
     std::shared_ptr<TessellationCache> cache_;
     std::shared_ptr<const Mesh> mesh_;
-    Box computational_box_; ///< of the flat mesh, as the two below
+    Box computational_box_, target_box_; ///< of the flat mesh, as the two below; where it is to lie
     std::shared_ptr<const Points> computational_, physical_;
     double elevation_ = 0; ///< what was asked for
     ColouringMaker colouring_maker_;

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/mesh/control_points.hpp"
+#include "core/transport/convex_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,10 +37,8 @@ void put(Values& values, const std::string& key, double value) {
     values.set(key, std::clamp(value, row.minimum, row.maximum));
 }
 
-} // namespace
-
-std::vector<Handle> monitor_handles(const Scenario& scenario) {
-    const Values& values = scenario.monitor.values;
+/// Of the points that pairs of rows are coordinates of.
+std::vector<Handle> point_handles(const Values& values) {
     std::vector<Handle> handles;
     // The other coordinate of its point.
     const auto with = [&](const ParameterRow& first, ParameterRole role) {
@@ -63,20 +62,37 @@ std::vector<Handle> monitor_handles(const Scenario& scenario) {
     return handles;
 }
 
-std::vector<Handle> control_handles(const Scenario& scenario, const Snapshot& snapshot) {
-    const Values& values = scenario.domain.values;
-    const ParameterRow* row = find_role(values.rows(), ParameterRole::control_points);
-    if (!snapshot.control || !row) return {};
-    auto control = snapshot.control;
+/// The points that a row lists, of the snapshot where it lists none; null where they cannot be moved.
+std::shared_ptr<const Points> points_of(const std::string& text, const Snapshot& snapshot) {
+    const auto& control = snapshot.control;
+    if (text.empty()) return control;
     try {
-        if (const std::string& text = values.text(row->key); !text.empty())
-            control = std::make_shared<const Points>(parse_control_points(text, control->size()));
+        Points points = control ? parse_control_points(text, control->size()) : parse_points(text, "points");
+        return std::make_shared<const Points>(std::move(points));
     } catch (const InputError&) { // it is being typed, or of another patch
-        return {};
+        return nullptr;
     }
-    std::vector<Handle> handles;
-    for (std::size_t i = 0; i < control->size(); ++i)
-        handles.push_back({row->key, {}, false, (*control)[i], control, i});
+}
+
+} // namespace
+
+std::vector<Handle> monitor_handles(const Scenario& scenario) {
+    return point_handles(scenario.monitor.values);
+}
+
+std::vector<Handle> domain_handles(const Scenario& scenario, const Snapshot& snapshot) {
+    const Values& values = scenario.domain.values;
+    std::vector<Handle> handles = point_handles(values);
+    for (const ParameterRow& row : values.rows()) {
+        if (row.role != ParameterRole::control_points) continue;
+        const auto control = points_of(values.text(row.key), snapshot);
+        for (std::size_t i = 0; control && i < control->size(); ++i)
+            handles.push_back({row.key, {}, false, (*control)[i], control, i});
+    }
+    for (Handle& handle : handles) {
+        handle.of_domain = true;
+        handle.of_source = is_of_source(values, handle.first);
+    }
     return handles;
 }
 
@@ -89,7 +105,7 @@ Scenario with_handle_at(const Scenario& scenario, const Handle& handle, Vec3 pla
         moved.domain.values.set(handle.first, format_control_points(control));
         return moved;
     }
-    Values& values = moved.monitor.values;
+    Values& values = handle.of_domain ? moved.domain.values : moved.monitor.values;
     if (handle.on_sphere) {
         const double latitude = std::atan2(place.z, std::hypot(place.x, place.y)) / degree;
         put(values, handle.first, rounded(latitude, 100));
@@ -105,7 +121,7 @@ Scenario with_handle_at(const Scenario& scenario, const Handle& handle, Vec3 pla
 
 std::optional<Pixel> pixel_of(const Handle& handle, const PlannedView& shown) {
     const MeshScene& scene = shown.scene;
-    if (scene.blend <= 0) return std::nullopt;
+    if (handle.of_source != (scene.blend <= 0)) return std::nullopt;
     if (scene.projection && handle.on_sphere)
         return to_pixel(shown.camera, shown.size(), to_map(*scene.projection, handle.place));
     if (handle.on_sphere != (scene.ball > 0)) return std::nullopt;

@@ -1,6 +1,6 @@
 // Places that the mouse can drag: centres and poles of a monitor, as far as its values have any (in the plane
-// "..._x" and "..._y", on a sphere "..._latitude" and "..._longitude" in degrees), and the control points of
-// a patch in the plane.
+// "..._x" and "..._y", on a sphere "..._latitude" and "..._longitude" in degrees), and of the domain the
+// control points of a patch in the plane, the centres and the points of convex domains.
 #pragma once
 
 #include "core/scenario/scenario.hpp"
@@ -16,18 +16,22 @@ struct Handle {
     std::string first, second; ///< keys: x and y, or latitude and longitude
     bool on_sphere = false;
     Vec3 place;                              ///< in the plane, or of unit length
-    std::shared_ptr<const Points> control{}; ///< all of the patch, where this is a control point
+    std::shared_ptr<const Points> control{}; ///< all of the curve or patch, where this is a control point
     std::size_t number = 0;                  ///< which of them
+    bool of_domain = false;                  ///< keys of the domain, not of the monitor
+    bool of_source = false;                  ///< of the domain from which a map goes to another one
 };
 
 std::vector<Handle> monitor_handles(const Scenario& scenario);
-/// Of the patch that a snapshot is of, or as the scenario has moved its points since.
-std::vector<Handle> control_handles(const Scenario& scenario, const Snapshot& snapshot);
+/// Of the domain: the centres of shapes; control points of the patch that a snapshot is of, or as the
+/// scenario has moved them since; points of curves.
+std::vector<Handle> domain_handles(const Scenario& scenario, const Snapshot& snapshot);
 /// The scenario with a handle's place moved: beyond the border of a periodic plane it comes in at the other
 /// side, at a wall it stays.
 Scenario with_handle_at(const Scenario& scenario, const Handle& handle, Vec3 place);
 
-/// The position of a handle in a scene; nothing on the far side of a globe, or if only xi is shown.
+/// The position of a handle in a scene; nothing on the far side of a globe, or if only xi is shown, where
+/// those of the source are.
 std::optional<Pixel> pixel_of(const Handle& handle, const PlannedView& shown);
 /// The place of a handle for a pixel; for pixels beside a globe the nearest point of its limb,
 /// beside a projection nothing.

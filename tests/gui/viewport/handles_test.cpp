@@ -102,17 +102,17 @@ TEST_F(HandleTest, APixelMeansThePlaceThatIsSeenThere) {
 TEST_F(HandleTest, ControlPointsOfAPatchInThePlane) {
     const auto scenario = with("spline-circle", {"domain.type=spline-patch"});
     Snapshot snapshot = ring_snapshot(4);
-    EXPECT_TRUE(control_handles(scenario, snapshot).empty()) << "of another domain";
+    EXPECT_TRUE(domain_handles(scenario, snapshot).empty()) << "of another domain";
     Points corners(4);
     corners.set(1, {1, 0, 0}), corners.set(2, {0, 1, 0}), corners.set(3, {1, 1, 0});
     snapshot.control = std::make_shared<const Points>(corners);
-    const auto handles = control_handles(scenario, snapshot);
+    const auto handles = domain_handles(scenario, snapshot);
     ASSERT_EQ(handles.size(), 4U);
     EXPECT_EQ(item_name(handles[3]), "handle.control_points.3");
     const Scenario moved = with_handle_at(scenario, handles[3], {1.23456789, 0.5, 0});
     EXPECT_EQ(moved.domain.values.text("control_points"), "0 0, 1 0, 0 1, 1.2346 0.5");
     // The next drag goes on from there, also while the snapshot is still the old one.
-    EXPECT_EQ(control_handles(moved, snapshot)[3].place, (Vec3{1.2346, 0.5, 0}));
+    EXPECT_EQ(domain_handles(moved, snapshot)[3].place, (Vec3{1.2346, 0.5, 0}));
     Points wide = corners, tiny = corners;
     wide.set(3, {5000, 1000, 0}), tiny.set(1, {1e-5, 0, 0}), tiny.set(2, {0, 1e-5, 0}), tiny.set(3, {});
     Handle other = handles[3];
@@ -125,7 +125,7 @@ TEST_F(HandleTest, ControlPointsOfAPatchInThePlane) {
     EXPECT_NEAR(read[3].x, 1.23456789e-5, 1e-9) << "a small patch can be shaped as well";
     EXPECT_NEAR(read[3].y, 2e-6, 1e-9);
     EXPECT_TRUE(
-        control_handles(with("spline-circle", {"domain.type=spline-patch", "domain.control_points=1 2"}),
+        domain_handles(with("spline-circle", {"domain.type=spline-patch", "domain.control_points=1 2"}),
                         snapshot)
             .empty());
     const PlannedView shown = plan(snapshot).views[0];
@@ -143,7 +143,7 @@ class HeldHandleTest : public HandleTest {
         Snapshot snapshot = ring_snapshot(4);
         snapshot.control = std::make_shared<const Points>(corners);
         scenario_ = with("spline-circle", {"domain.type=spline-patch"});
-        handles_ = control_handles(scenario_, snapshot);
+        handles_ = domain_handles(scenario_, snapshot);
         run_.snapshot = std::make_shared<const Snapshot>(std::move(snapshot));
         run_.scenario = run_.opened = scenario_;
         viewport_.view = view_;
