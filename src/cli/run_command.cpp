@@ -174,7 +174,10 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
                     run.interrupt();
                     break;
                 }
-                line.show(run.step(interrupt.token()));
+                try {
+                    line.show(run.step(interrupt.token()));
+                } catch (const Interrupted&) { // in the middle: the iterate before it is there
+                }
             }
         }
         if (!arguments.quiet) print_outcome(run, folder, other_values);
