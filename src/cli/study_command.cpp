@@ -150,11 +150,13 @@ int study_command(std::shared_ptr<const Catalogue> catalogue, const StudyArgumen
         std::fprintf(stderr, "gaspard: interrupted before the first run; nothing was written\n");
         return code;
     }
+    const bool draws = !arguments.no_render && !stopped;
+    if (!draws) remove_others(folder, names, {"study.csv", "study.json", "study.svg"}, "study.json");
     write_atomically(folder / "study.json", study_json(plan, points)); // first: what the others are about
     write_atomically(folder / "study.csv", study_csv(plan, points));
     const Plot plot = study_plot(plan, points);
     write_svg(folder / "study.svg", plot);
-    if (!arguments.no_render && !stopped) write_png(folder / "study.png", render_panels({plot}, 1, 900, 675));
+    if (draws) write_png(folder / "study.png", render_panels({plot}, 1, 900, 675));
     std::printf("files in %s\n", folder.string().c_str());
     return code;
 }
