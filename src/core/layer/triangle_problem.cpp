@@ -40,6 +40,7 @@ constexpr std::array<RulePoint, 12> rule = {{{a1, b1, b1, w1},
 /// A triangle: its corners and, in numbers of the fine grid of (2N + 1)^2 points, its six nodes (corners,
 /// then the midpoints opposite to them).
 struct Triangle {
+    bool lower = true; ///< of the two of its quadrilateral
     std::array<Vec3, 3> corner;
     std::array<Index, 6> node;
     double area = 0;
@@ -52,6 +53,7 @@ Triangle triangle_at(const Points& x, Index n, Index i, Index j, bool lower) {
         lower ? std::array<std::array<Index, 2>, 3>{{{i, j}, {i + 1, j}, {i + 1, j + 1}}}
               : std::array<std::array<Index, 2>, 3>{{{i, j}, {i + 1, j + 1}, {i, j + 1}}};
     Triangle t;
+    t.lower = lower;
     for (Index k = 0; k < 3; ++k) {
         const auto &p = at[(k + 1) % 3], &q = at[(k + 2) % 3];
         t.corner[k] = x[at[k][1] * (n + 1) + at[k][0]];
@@ -204,8 +206,35 @@ pointwise(std::function<TriangleCoefficients(double x, double y)> coefficients) 
     };
 }
 
-TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x, int cells, int order,
-                                 const std::stop_token& stop) {
+/// A symmetric tensor of diffusion.
+struct AddedDiffusion {
+    double xx = 0, xy = 0, yy = 0;
+};
+
+/// Of exponential fitting along the two lines of the grid that bound a triangle: with the edges t_1 and t_2
+/// there, c = a_1 t_1 + a_2 t_2 flows with a_i |t_i| along the one of length |t_i|.
+static AddedDiffusion fitting_of(const Triangle& t, const TriangleCoefficients& c) {
+    const auto& x = t.corner;
+    const std::array<Vec3, 2> edges = t.lower ? std::array<Vec3, 2>{x[1] - x[0], x[2] - x[1]}
+                                              : std::array<Vec3, 2>{x[1] - x[2], x[2] - x[0]};
+    const Vec3 flow{c.c1, c.c2, 0};
+    const double across = cross(edges[0], edges[1]).z;
+    const std::array<double, 2> share = {cross(flow, edges[1]).z / across, cross(edges[0], flow).z / across};
+    AddedDiffusion added;
+    for (Index i = 0; i < 2; ++i) {
+        const double length = norm(edges[i]);
+        const Vec3 along = (1 / length) * edges[i];
+        const double e = c.k1 * along.x * along.x + c.k2 * along.y * along.y;
+        const double more = fitting_diffusion(e, share[i] * length, length);
+        added.xx += more * along.x * along.x;
+        added.xy += more * along.x * along.y;
+        added.yy += more * along.y * along.y;
+    }
+    return added;
+}
+
+static TriangleSolution solve(const TriangleProblem& problem, const Points& x, int cells, int order,
+                              bool fitted, const std::stop_token& stop) {
     GASPARD_CHECK(order == 1 || order == 2);
     const GridUnknowns unknowns(cells, order);
     GridSystem system(unknowns, problem.held, cells);
@@ -218,6 +247,7 @@ TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x
         for (Index g = 0; g < rule.size(); ++g) {
             const RulePoint& p = rule[g];
             const TriangleCoefficients& c = at[g];
+            const AddedDiffusion d = fitted ? fitting_of(t, c) : AddedDiffusion();
             unique = unique || c.r != 0;
             const Shapes s = shapes(t, p, order);
             const double w = p.weight * t.area;
@@ -225,7 +255,9 @@ TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x
                 f[k] += w * c.f * s.value[k];
                 for (Index l = 0; l < count; ++l)
                     a[k][l] +=
-                        w * (c.k1 * s.slope[k].x * s.slope[l].x + c.k2 * s.slope[k].y * s.slope[l].y +
+                        w * ((c.k1 + d.xx) * s.slope[k].x * s.slope[l].x +
+                             d.xy * (s.slope[k].x * s.slope[l].y + s.slope[k].y * s.slope[l].x) +
+                             (c.k2 + d.yy) * s.slope[k].y * s.slope[l].y +
                              s.value[k] * (c.c1 * s.slope[l].x + c.c2 * s.slope[l].y + c.r * s.value[l]));
             }
         }
@@ -235,6 +267,16 @@ TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x
     TriangleSolution solution{order, system.solved(stop)};
     for (const double u : solution.values) check_solution_size(std::abs(u));
     return solution;
+}
+
+TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x, int cells, int order,
+                                 const std::stop_token& stop) {
+    return solve(problem, x, cells, order, false, stop);
+}
+
+TriangleSolution solve_fitted(const TriangleProblem& problem, const Points& x, int cells,
+                              const std::stop_token& stop) {
+    return solve(problem, x, cells, 1, true, stop);
 }
 
 double reference_error(const TriangleProblem& problem, const Points& x, int cells, const TriangleSolution& p1,

@@ -46,6 +46,11 @@ struct TriangleSolution {
 TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x, int cells, int order,
                                  const std::stop_token& stop = {});
 
+/// Of order 1, with the diffusion along the lines of the grid fitted to the flow along them, as on an
+/// interval (interval_problem.hpp), so that the solution does not oscillate where convection dominates.
+TriangleSolution solve_fitted(const TriangleProblem& problem, const Points& x, int cells,
+                              const std::stop_token& stop = {});
+
 /// ||p2 - p1||_E of a solution of order 2 and one of order 1 on the same mesh: the paper's error.
 double reference_error(const TriangleProblem& problem, const Points& x, int cells, const TriangleSolution& p1,
                        const TriangleSolution& p2, const std::stop_token& stop = {});

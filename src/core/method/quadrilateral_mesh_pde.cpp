@@ -79,6 +79,7 @@ class QuadrilateralMeshPde final : public Method {
         const std::size_t level = levels_.next(this->level());
         std::optional<SquareMeshPde> at = std::exchange(next_, std::nullopt);
         GASPARD_CHECK(at.has_value());
+        double part = part_;
         if (level != this->level()) {
             if (level > this->level()) {
                 at = uniform(levels_.cells(level));
@@ -87,6 +88,7 @@ class QuadrilateralMeshPde final : public Method {
                 at->refine();
             }
             advance(*at, data, stop);
+            part = part_;
             solves_ = 0;
         }
         std::optional<SquareMeshNewton> newton;
@@ -96,7 +98,7 @@ class QuadrilateralMeshPde final : public Method {
         }
         Evaluation evaluation = look(data, std::move(*at), stop);
         state = state_of(nodes_);
-        evaluation.step_size = newton ? newton->factor : 1;
+        evaluation.step_size = newton ? newton->factor : part;
         evaluation.ending = levels_.ending(level);
         if (converges_ && level == 0) {
             const bool done = newton && newton->converged(0); // as far as rounding lets it
@@ -164,17 +166,20 @@ class QuadrilateralMeshPde final : public Method {
 
     /// One solve, for densities at the iterate.
     SquareMeshSolve advance(SquareMeshPde& at, const ProblemData& data, const std::stop_token& stop) {
+        part_ = 1;
         if (source_ == DensitySource::monitor) return at.solve(densities_of(data, stop));
         take_problem(data);
         if (!problem_) throw InputError("method solution-adapted needs a problem to solve; set pde.type");
         const Points nodes = at.nodes(), centres = at.centres();
         const TriangleSolution solution =
-            solve_triangles(*problem_, domain_->positions(nodes), at.cells(), 1, stop);
+            solve_fitted(*problem_, domain_->positions(nodes), at.cells(), stop);
         SquareMeshSolve solve =
             at.solve(plane_solution_densities(solution_options_, nodes, at.cells(), solution));
         const Points ahead = at.nodes(), centres_ahead = at.centres();
-        for (double part = 0.5; is_inverted(at) && part > 1e-6; part *= 0.5) // the next solution needs areas
-            at.set_positions(between(nodes, ahead, part), between(centres, centres_ahead, part));
+        while (is_inverted(at) && part_ > 1e-6) { // the next solution needs areas
+            part_ /= 2;
+            at.set_positions(between(nodes, ahead, part_), between(centres, centres_ahead, part_));
+        }
         return solve;
     }
     bool is_inverted(const SquareMeshPde& at) const {
@@ -252,6 +257,11 @@ class QuadrilateralMeshPde final : public Method {
         if (data.pde == pde_values_ && data.pde_type == pde_type_) return;
         std::optional<TriangleProblem> made;
         if (data.pde) made = plane_pde(data.pde_type, *data.pde);
+        if (made) { // the points of the rule miss the sides
+            const Points& nodes = domain_->mesh()->nodes;
+            std::vector<TriangleCoefficients> at(nodes.size());
+            made->coefficients(nodes, at);
+        }
         pde_values_ = data.pde;
         pde_type_ = data.pde_type;
         problem_ = std::move(made);
@@ -293,6 +303,7 @@ class QuadrilateralMeshPde final : public Method {
     // The iterate last evaluated, and the next one:
     Points nodes_, centres_, positions_;
     std::optional<SquareMeshPde> next_;
+    double part_ = 1; ///< of the solve that led to next_; less where all of it would invert triangles
     std::shared_ptr<const Values> pde_values_; ///< of which problem_ was made
     std::string pde_type_;
     std::optional<TriangleProblem> problem_;
