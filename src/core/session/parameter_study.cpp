@@ -4,11 +4,13 @@
 #include "core/base/join.hpp"
 #include "core/base/number_text.hpp"
 #include "core/layer/layer_pde.hpp"
+#include "core/method/interval_method.hpp"
 #include "core/method/quadrilateral_mesh_pde.hpp"
 #include "core/session/interpolation_study.hpp"
 #include "core/session/run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -36,6 +38,10 @@ std::optional<double> bound_of(const Scenario& scenario) {
     const auto cells = static_cast<double>(domain.integer("cells"));
     const auto bound = energy_bound(scenario.pde.type, scenario.pde.values, cells);
     return bound ? std::optional(bound->value) : std::nullopt;
+}
+
+std::string label_of(const SeriesInfo& info) {
+    return info.plot ? info.plot->label + ", " + info.plot->part : info.label;
 }
 
 std::vector<std::string> measures_of(const StepReport& report) {
@@ -153,9 +159,18 @@ std::string measure_label(std::span<const StudyPoint> points, std::string_view m
         const SeriesTable& table = *point.report->series;
         const auto place = table.find(measure);
         if (!place) continue;
-        const SeriesInfo& info = table.all()[*place];
-        return info.plot ? info.plot->label + ", " + info.plot->part : info.label;
+        return label_of(table.all()[*place]);
     }
+    for (const SeriesInfo& info : energy_error_series()) // before the first run, or if all fail
+        if (info.name == measure) return label_of(info);
+    if (const auto place = common_series()->find(measure)) return label_of(common_series()->all()[*place]);
+    static constexpr std::array<std::pair<std::string_view, const char*>, 4> others{
+        {{"iterations", "Iterations"},
+         {"seconds", "Time in seconds"},
+         {"cpu_seconds", "CPU time in seconds"},
+         {"tangled_cells", "Tangled cells"}}};
+    for (const auto& [name, label] : others)
+        if (name == measure) return label;
     return std::string(measure);
 }
 

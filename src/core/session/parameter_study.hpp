@@ -49,7 +49,7 @@ struct StudyPoint {
 /// A series of the last report by its name, or "iterations", "seconds", "cpu_seconds", "tangled_cells"; NaN
 /// where it is not known.
 double study_value(const StudyPoint& point, std::string_view measure);
-/// "Energy error", for people; the name itself where no point knows it.
+/// "Energy error, P2 reference", for people; the name itself where neither a point nor this program knows it.
 std::string measure_label(std::span<const StudyPoint> points, std::string_view measure);
 /// "4 iterations, iteration-limit" or the complaint of a run that did not converge; of others the absence.
 std::string study_note(const StudyPoint& point);

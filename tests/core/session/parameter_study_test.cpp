@@ -6,6 +6,7 @@
 #include "core/session/run.hpp"
 #include "support/messages.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -128,6 +129,11 @@ TEST_F(ParameterStudy, SaysOnceWhyErrorsAreNotMeasured) {
         const auto points = solved(plan(scenario, over, {}, measure));
         for (const StudyPoint& point : points)
             EXPECT_EQ(std::isnan(study_value(point, measure)), !study_note(point).empty());
+        const Plot plot = study_plot(plan(scenario, over, {}, measure), points);
+        const bool none = std::all_of(points.begin(), points.end(),
+                                      [](const StudyPoint& point) { return !point.absence.empty(); });
+        EXPECT_EQ(plot.y.label.ends_with(", not measured"), none);
+        EXPECT_EQ(plot.curves.size(), none ? 1U : 3U) << "no bound of nothing";
         return study_absences(points);
     };
     const Texts coarse{"pde.eps=0.1", "method.final_solves=1"};
@@ -238,6 +244,10 @@ TEST_F(ParameterStudy, HasATableARecordAndAPlot) {
     const Plot plot = study_plot(errors, points);
     ASSERT_EQ(plot.curves.size(), 5U) << "two lines, their bounds and an entry of the legend";
     EXPECT_EQ(plot.curves[1].label, "ε = 10⁻⁴");
+    EXPECT_EQ(plot.curves[3].label, "") << "no entry of its own";
+    EXPECT_EQ(plot.curves[3].name, "ε = 10⁻⁴: √ε / N");
+    EXPECT_EQ(study_plot(errors, {}).y.label, plot.y.label) << "before the first run";
+    EXPECT_EQ(measure_label({}, "cpu_seconds"), "CPU time in seconds");
     EXPECT_EQ(plot.curves[1].x, (std::vector<double>{16, 32}));
     EXPECT_TRUE(plot.curves[1].markers);
     EXPECT_EQ(plot.curves[3].colour, plot.curves[1].colour);
