@@ -1,8 +1,8 @@
 #include "gui/base/plot_text.hpp"
+#include "gui/headless_ui.hpp"
 #include "gui/plot/plot_legend.hpp"
 #include "gui/plot/plot_read_out.hpp"
 #include "gui/plot/plot_widget.hpp"
-#include "gui/headless_ui.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
