@@ -118,7 +118,12 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
     bool failed = false;
     bool recorded = false;
     const auto record = [&] { // before the files that it is about
-        if (!recorded) write_atomically(folder / "comparison.json", record_json(scenario));
+        if (recorded) return;
+        std::vector<std::string> written = comparison_file_names(methods), possible;
+        if (arguments.no_render) std::erase(written, "comparison.png");
+        for (const MethodType& method : catalogue->methods) possible.push_back(method.name);
+        remove_others(folder, comparison_file_names(possible), written, "comparison.json");
+        write_atomically(folder / "comparison.json", record_json(scenario));
         recorded = true;
     };
     // Sequentially, so that CPU times are comparable.

@@ -174,12 +174,18 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
                     run.interrupt();
                     break;
                 }
-                line.show(run.step(interrupt.token()));
+                try {
+                    line.show(run.step(interrupt.token()));
+                } catch (const Interrupted&) { // in the middle: the iterate before it is there
+                }
             }
         }
         if (!arguments.quiet) print_outcome(run, folder, other_values);
         const std::stop_token stop = interrupt.restart(); // what was interrupted is written, too
         std::exception_ptr failure;                       // rethrown after the other files are written
+        std::vector<std::string> possible = possible_run_file_names();
+        possible.emplace_back("view.png");
+        if (other_values) remove_others(folder, possible, names, "summary.json");
         try {
             try {
                 write_run_files(folder, run, input.formats, {}, stop);

@@ -79,8 +79,9 @@ class Table {
         for (std::size_t line = 0; line < plan_.line_count(); ++line) print(points, line, last.place);
         std::printf("\n");
         for (std::size_t line = 0; line < plan_.line_count(); ++line) {
-            const std::string note = study_note(*find_point(points, line, last.place));
-            if (note.empty()) continue;
+            const StudyPoint& point = *find_point(points, line, last.place);
+            const std::string note = study_note(point);
+            if (note.empty() || note == point.absence) continue; // said once, below the table
             const std::string name = plan_.lines.key.empty() ? "" : head(line) + ", ";
             std::printf("%s%s=%s: %s\n", name.c_str(), plan_.over.key.c_str(),
                         plan_.over.values[last.place].c_str(), note.c_str());
@@ -142,17 +143,20 @@ int study_command(std::shared_ptr<const Catalogue> catalogue, const StudyArgumen
     run_study(
         catalogue, plan, threads,
         [&](StudyPoint point) { points.push_back(std::move(point)), table.add(points); }, interrupt.token());
+    for (const std::string& absence : study_absences(points)) std::printf("-: %s\n", absence.c_str());
     const bool stopped = interrupt.token().stop_requested();
     const int code = stopped ? exit_code(RunStatus::interrupted) : code_of(points);
     if (points.empty()) {
         std::fprintf(stderr, "gaspard: interrupted before the first run; nothing was written\n");
         return code;
     }
+    const bool draws = !arguments.no_render && !stopped;
+    if (!draws) remove_others(folder, names, {"study.csv", "study.json", "study.svg"}, "study.json");
     write_atomically(folder / "study.json", study_json(plan, points)); // first: what the others are about
     write_atomically(folder / "study.csv", study_csv(plan, points));
     const Plot plot = study_plot(plan, points);
     write_svg(folder / "study.svg", plot);
-    if (!arguments.no_render && !stopped) write_png(folder / "study.png", render_panels({plot}, 1, 900, 675));
+    if (draws) write_png(folder / "study.png", render_panels({plot}, 1, 900, 675));
     std::printf("files in %s\n", folder.string().c_str());
     return code;
 }

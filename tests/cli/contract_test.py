@@ -19,7 +19,7 @@ import xml.etree.ElementTree
 PROGRAM = None
 DOCS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "docs")
 QUICK = ["--set", "domain.cells=12"]
-ALL_FORMATS = "obj,glb,obj-curved,glb-curved,vtu,msh,ply,ugrid,patch,svg"
+ALL_FORMATS = "obj,glb,obj-curved,glb-curved,vtu,msh,ply,csv,ugrid,patch,svg"
 PLANE_FORMATS = ALL_FORMATS.replace("patch,", "")
 
 
@@ -120,6 +120,12 @@ class Runs(Contract):
         result = self.run_quick()
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("replace those of a run with other values", result.stdout)
+        open(self.path("view.png"), "w").close()
+        result = self.run_quick("--formats", "csv")
+        self.assertEqual(set(os.listdir(self.out)), {*before, "adapted.csv", "view.png"}, "of the same values")
+        self.assertEqual(self.run_quick("--formats", "csv", "--set", "monitor.amplitude=2").returncode, 0)
+        self.assertEqual(set(os.listdir(self.out)), {"summary.json", "history.csv", "state.bin", "adapted.csv"})
+        self.assertEqual(self.run_quick().returncode, 0)
         result = self.run_quick()
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertNotIn("replace", result.stdout)
@@ -632,6 +638,7 @@ class Information(Contract):
         self.assertEqual((result.returncode, result.stdout), (2, ""))
         self.assertIn("'plane-ring'", result.stderr)
         self.assertEqual(gaspard(*other, "--overwrite").returncode, 0)
+        self.assertEqual(set(os.listdir(self.out)), {"comparison.csv", "comparison.json", "auto.csv"})
         shutil.rmtree(self.out)
         for methods, part in (("newtn", "newton"), ("auto,auto", "twice"), ("", "method")):
             self.refused(gaspard("compare", "plane-ring", "--methods", methods, "--out", self.out), part)
@@ -770,6 +777,7 @@ class Information(Contract):
         before = self.bytes("study.csv")
         again = self.study("--over", "domain.cells=16:64", "--lines", "pde.eps=1,1e-4", "--no-render")
         self.assertEqual((again.returncode, self.bytes("study.csv")), (0, before))
+        self.assertFalse(os.path.exists(self.path("study.png")), "not that of an earlier study")
         other = self.study("--no-render", name="layer-1d-convection")
         self.assertEqual((other.returncode, other.stdout), (2, ""))
         self.assertIn("'layer-1d'", other.stderr)

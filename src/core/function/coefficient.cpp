@@ -18,6 +18,12 @@ static Expression parse(const Values& values, const std::string& key, const Spac
     }
 }
 
+/// " at x = 0.5" or " at (0.5, 1)".
+static std::string place(const Points& x, std::size_t i, int dimension) {
+    return dimension == 1 ? " at x = " + format_number(x.x[i])
+                          : " at (" + format_number(x.x[i]) + ", " + format_number(x.y[i]) + ")";
+}
+
 Coefficient coefficient(const Values& values, const std::string& key, int dimension,
                         const std::map<std::string, double>& names) {
     const Expression expression = parse(values, key, {.dimension = dimension});
@@ -34,12 +40,23 @@ Coefficient coefficient(const Values& values, const std::string& key, int dimens
         parameters.push_back(found->second);
     }
     auto function = std::make_shared<const ExpressionFunction>(expression, parameters);
-    return [function, name = key_name(values, key)](const Points& x, std::span<double> out) {
+    return [function, name = key_name(values, key), dimension](const Points& x, std::span<double> out) {
         function->values(x, {}, out);
         for (std::size_t i = 0; i < out.size(); ++i)
-            if (!std::isfinite(out[i]))
-                throw InputError(name + " is not finite at (" + format_number(x.x[i]) + ", " +
-                                 format_number(x.y[i]) + ")");
+            if (!std::isfinite(out[i])) throw InputError(name + " is not finite" + place(x, i, dimension));
+    };
+}
+
+Coefficient coefficient_from_zero(const Values& values, const std::string& key, int dimension,
+                                  const std::map<std::string, double>& names) {
+    constexpr double rounding = 1e-12; // sin(pi*x) at 1
+    return [any = coefficient(values, key, dimension, names), name = key_name(values, key),
+            dimension](const Points& x, std::span<double> out) {
+        any(x, out);
+        for (std::size_t i = 0; i < out.size(); ++i)
+            if (out[i] < -rounding)
+                throw InputError(name + " is " + format_number(out[i]) + place(x, i, dimension) +
+                                 "; it must not be negative");
     };
 }
 

@@ -21,6 +21,10 @@ using Coefficient = std::function<void(const Points& x, std::span<double> values
 Coefficient coefficient(const Values& values, const std::string& key, int dimension,
                         const std::map<std::string, double>& names);
 
+/// The same, which throws InputError also where it is negative.
+Coefficient coefficient_from_zero(const Values& values, const std::string& key, int dimension,
+                                  const std::map<std::string, double>& names);
+
 /// Row for a formula of a coefficient.
 ParameterRow coefficient_row(const char* key, const char* label, const char* symbol, const char* formula,
                              const char* help);

@@ -55,6 +55,10 @@ void write_ply_file(const std::filesystem::path& folder, const RunResult& result
     write_ply(folder / "adapted.ply", result.snapshot);
 }
 
+void write_csv_file(const std::filesystem::path& folder, const RunResult& result) {
+    write_csv(folder / "adapted.csv", result.snapshot);
+}
+
 void write_ugrid_files(const std::filesystem::path& folder, const RunResult& result) {
     const Snapshot& snapshot = result.snapshot;
     write_ugrid(folder / "computational.ugrid.nc", snapshot, snapshot.mesh->nodes, "computational mesh");
@@ -148,6 +152,11 @@ const std::vector<Format>& formats() {
          "binary PLY with straight-edged cells: vertices with the monitor and its colour",
          {"adapted.ply"},
          &write_ply_file},
+        {"csv",
+         "text, one line per node: its coordinates on both meshes and all fields of nodes, for tables and "
+         "plots",
+         {"adapted.csv"},
+         &write_csv_file},
         {"ugrid",
          "UGRID 1.0 in NetCDF with straight-edged cells and all fields; longitude and latitude on spheres",
          {"computational.ugrid.nc", "adapted.ugrid.nc"},

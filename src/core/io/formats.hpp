@@ -49,6 +49,10 @@ void write_msh(const std::filesystem::path& file, const Snapshot& snapshot, cons
 /// for lines, the boundary for solids.
 void write_ply(const std::filesystem::path& file, const Snapshot& snapshot);
 
+/// CSV with a header, one line per node: node (from 0), xi_1, xi_2, xi_3 and x, y, z (as many as the space
+/// has dimensions), and the nodal fields; decimals read back to the same doubles.
+void write_csv(const std::filesystem::path& file, const Snapshot& snapshot);
+
 /// UGRID 1.0 in NetCDF: corners and straight edges at the given positions (xi or x), exact doubles, with the
 /// nodal fields at corners, the cell fields and the measure of each cell. If all nodes xi have the same
 /// distance from the origin, also longitude and latitude.

@@ -145,6 +145,13 @@ std::vector<std::string> run_file_names(const Run& run, const std::vector<const 
     return names;
 }
 
+std::vector<std::string> possible_run_file_names() {
+    std::vector<std::string> names{"history.csv", "summary.json", "state.bin", "map.json"};
+    for (const Format& format : formats())
+        names.insert(names.end(), format.files.begin(), format.files.end());
+    return names;
+}
+
 bool holds_other_values(const std::filesystem::path& folder, const Scenario& scenario) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(folder / "summary.json", ignored)) return false;

@@ -20,6 +20,8 @@ std::string history_csv(const std::vector<StepReport>& history);
 std::string summary_json(Run& run, std::stop_token stop = {});
 /// The names of the files that write_run_files() writes.
 std::vector<std::string> run_file_names(const Run& run, const std::vector<const Format*>& formats);
+/// Those that some run may have written, of any domain and with any formats.
+std::vector<std::string> possible_run_file_names();
 /// Whether the summary.json in a folder has other values of domain, monitor, method or PDE than the scenario.
 bool holds_other_values(const std::filesystem::path& folder, const Scenario& scenario);
 /// Writes all of them into a folder, which is made with its parents if it is not there, each under a

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
@@ -58,6 +59,20 @@ void check_replaceable(const std::filesystem::path& folder, const std::vector<st
         (other ? "it belongs to a run of scenario '" + *other + "'"
                : "no " + record + " says that it belongs to a run of scenario '" + scenario + "'") +
         "; choose another folder with --out, or add --overwrite");
+}
+
+std::vector<std::string> remove_others(const std::filesystem::path& folder,
+                                       const std::vector<std::string>& all,
+                                       const std::vector<std::string>& written, const std::string& record) {
+    std::vector<std::string> removed;
+    if (!scenario_of(folder / record)) return removed; // files of other programs, perhaps
+    std::error_code ignored;                           // one that cannot be removed stays
+    for (const std::string& name : all)
+        if (std::find(written.begin(), written.end(), name) == written.end() &&
+            std::filesystem::is_regular_file(folder / name, ignored) &&
+            std::filesystem::remove(folder / name, ignored))
+            removed.push_back(name);
+    return removed;
 }
 
 std::filesystem::path free_folder(const std::filesystem::path& base, const std::vector<std::string>& names) {

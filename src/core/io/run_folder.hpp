@@ -24,6 +24,12 @@ void check_no_folders(const std::filesystem::path& folder, const std::vector<std
 void check_replaceable(const std::filesystem::path& folder, const std::vector<std::string>& names,
                        const std::string& record, const std::string& scenario);
 
+/// Removes the files of the names `all` that a folder with a `record` has, except those of `written`: they
+/// are of an earlier run and would pass for those of this one. Returns their names.
+std::vector<std::string> remove_others(const std::filesystem::path& folder,
+                                       const std::vector<std::string>& all,
+                                       const std::vector<std::string>& written, const std::string& record);
+
 /// `base`, or the first of "base-2", "base-3", ... that has no file of these names.
 std::filesystem::path free_folder(const std::filesystem::path& base, const std::vector<std::string>& names);
 

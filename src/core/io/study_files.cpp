@@ -6,6 +6,7 @@
 #include "core/layer/layer_pde.hpp"
 #include "core/tessellate/ticks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -48,11 +49,12 @@ std::pair<Curve, Curve> curves_of(const StudyPlan& plan, std::span<const StudyPo
                                   std::size_t line) {
     const std::size_t colour = line % neutral_colour;
     Curve values{line_label(plan, line), {}, {}, true, colour}, bounds{"", {}, {}, false, colour, true};
+    bounds.name = (values.label.empty() ? "" : values.label + ": ") + bound_formula(plan.scenario);
     for (std::size_t place = 0; place < plan.over.values.size(); ++place) {
         const StudyPoint* point = find_point(points, line, place);
         if (!point) continue;
         values.x.push_back(point->x), values.y.push_back(study_value(*point, plan.measure));
-        if (point->bound && bounds_apply(plan))
+        if (point->bound && bounds_apply(plan) && point->absence.empty()) // a bound of nothing misleads
             bounds.x.push_back(point->x), bounds.y.push_back(*point->bound);
     }
     return {std::move(values), std::move(bounds)};
@@ -134,6 +136,9 @@ Plot study_plot(const StudyPlan& plan, std::span<const StudyPoint> points) {
         if (!bound.x.empty()) bounds.push_back(std::move(bound));
     }
     plot.y = {measure_label(points, plan.measure), all_positive(plot.curves)};
+    if (!points.empty() && std::all_of(points.begin(), points.end(),
+                                       [](const StudyPoint& point) { return !point.absence.empty(); }))
+        plot.y.label += ", not measured";
     if (!bounds.empty()) {
         bounds.push_back(
             {bound_formula(plan.scenario), {}, {}, false, neutral_colour, true}); // for the legend

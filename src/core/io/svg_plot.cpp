@@ -312,26 +312,67 @@ Area legend_box(const Mapping& map, double width, double height, double pad) {
     return best;
 }
 
-std::string svg_legend(const Mapping& map) {
-    constexpr double line = 1.3 * svg_font_size, sample = 14, pad = 4;
+namespace legend {
+constexpr double line = 1.3 * svg_font_size, sample = 14, pad = 4;
+}
+
+/// An entry with its left end here, at half the height of its line.
+std::string svg_legend_entry(const Plot& plot, std::size_t curve, PagePoint at) {
+    SvgPath path;
+    path.move(at);
+    path.line({at.x + legend::sample, at.y});
+    return "<path fill=\"none\" stroke=\"" + colour_of(plot, curve) + "\" stroke-width=\"1.2\" d=\"" +
+           path.data() + "\"/>\n" +
+           svg_text({at.x + legend::pad + legend::sample, at.y + 0.36 * svg_font_size}, Anchor::start,
+                    plot.curves[curve].label, "fill=\"#222\"");
+}
+
+/// Calls `put(curve, place)` for the entries in lines of this width; returns the height.
+template <class Put>
+double legend_in_lines(const Plot& plot, double width, const Put& put) {
+    PagePoint at{0, legend::line / 2};
+    for (const std::size_t curve : named_curves(plot)) {
+        const double needed = legend::sample + 3 * legend::pad + svg_text_width(plot.curves[curve].label);
+        if (at.x > 0 && at.x + needed - 2 * legend::pad > width) at = {0, at.y + legend::line};
+        put(curve, at);
+        at.x += needed;
+    }
+    return at.y + legend::line / 2;
+}
+
+Area legend_area(const Mapping& map) {
     double width = 0;
     const auto named = named_curves(map.plot);
     for (const std::size_t c : named) width = std::max(width, svg_text_width(map.plot.curves[c].label));
-    const double height = line * static_cast<double>(named.size()) + pad;
-    const auto [left, top, right, bottom] = legend_box(map, width + sample + 3 * pad, height, pad);
-    std::string text = "<rect x=\"" + svg_number(left) + "\" y=\"" + svg_number(top) + "\" width=\"" +
-                       svg_number(right - left) + "\" height=\"" + svg_number(bottom - top) +
-                       "\" fill=\"#fff\" fill-opacity=\".85\"/>\n";
-    for (std::size_t row = 0; row < named.size(); ++row) {
-        const double middle = top + pad / 2 + line * (static_cast<double>(row) + 0.5);
-        SvgPath path;
-        path.move({left + pad, middle});
-        path.line({left + pad + sample, middle});
-        text += "<path fill=\"none\" stroke=\"" + colour_of(map.plot, named[row]) +
-                "\" stroke-width=\"1.2\" d=\"" + path.data() + "\"/>\n";
-        text += svg_text({left + 2 * pad + sample, middle + 0.36 * svg_font_size}, Anchor::start,
-                         map.plot.curves[named[row]].label, "fill=\"#222\"");
+    return legend_box(map, width + legend::sample + 3 * legend::pad,
+                      legend::line * static_cast<double>(named.size()) + legend::pad, legend::pad);
+}
+
+/// The height of lines above the curves, for more than four names if a box inside would hide curves.
+double legend_height_above(const Mapping& map) {
+    if (named_curves(map.plot).size() <= 4 || hidden_by(legend_area(map), map) == 0) return 0;
+    const double height = legend_in_lines(map.plot, map.area.width(), [](std::size_t, PagePoint) {});
+    return height < 0.4 * map.area.height() ? height : 0;
+}
+
+std::string svg_legend(const Mapping& map, double height_above) {
+    std::string text;
+    if (height_above > 0) {
+        const double top = map.area.top - height_above - svg_font_size / 2;
+        legend_in_lines(map.plot, map.area.width(), [&](std::size_t curve, PagePoint at) {
+            text += svg_legend_entry(map.plot, curve, {map.area.left + at.x, top + at.y});
+        });
+        return text;
     }
+    const auto [left, top, right, bottom] = legend_area(map);
+    text = "<rect x=\"" + svg_number(left) + "\" y=\"" + svg_number(top) + "\" width=\"" +
+           svg_number(right - left) + "\" height=\"" + svg_number(bottom - top) +
+           "\" fill=\"#fff\" fill-opacity=\".85\"/>\n";
+    const auto named = named_curves(map.plot);
+    for (std::size_t row = 0; row < named.size(); ++row)
+        text += svg_legend_entry(
+            map.plot, named[row],
+            {left + legend::pad, top + legend::pad / 2 + legend::line * (static_cast<double>(row) + 0.5)});
     return text;
 }
 
@@ -346,6 +387,7 @@ struct Layout {
     AxisRange x_range, y_range;
     std::vector<Tick> x, y;
     Area area{};
+    double legend_above = 0; ///< height of its lines above the area; 0: a box inside
 };
 
 Layout layout_of(const Plot& plot, double width, double height) {
@@ -357,6 +399,8 @@ Layout layout_of(const Plot& plot, double width, double height) {
         fitting_ticks(plot.x, made.x_range, static_cast<int>(width / (5 * svg_font_size)), width, width_of);
     const Tick* last = made.x.empty() ? nullptr : plot.x.reversed ? &made.x.front() : &made.x.back();
     made.area = area_of(plot, width, height, widest(made.y), last ? svg_text_width(last->label) : 0);
+    made.legend_above = legend_height_above({plot, made.area, made.x_range, made.y_range});
+    made.area.top += made.legend_above;
     return made;
 }
 
@@ -374,7 +418,7 @@ std::string svg_content(const Plot& plot, const Layout& layout, double height) {
     for (std::size_t i = 0; i < plot.rows.size(); ++i)
         content += svg_row(plot.rows[i], i, map, curve_colours[plot.rows[i].colour % curve_colours.size()]);
     content += svg_labels(map, layout.x, layout.y, height);
-    if (named_curves(plot).size() > 1) content += svg_legend(map);
+    if (named_curves(plot).size() > 1) content += svg_legend(map, layout.legend_above);
     return content;
 }
 

@@ -131,17 +131,22 @@ IntervalSolution solve(const IntervalProblem& problem, const IntervalCoefficient
 
 } // namespace
 
-IntervalCoefficients coefficients_on(const IntervalProblem& problem, std::span<const double> x) {
-    GASPARD_CHECK(x.size() >= 2);
-    const std::size_t m = problem.components(), cells = x.size() - 1, count = cells * gauss_at.size();
-    std::vector<double> points(count);
-    for (std::size_t i = 0; i < cells; ++i)
-        for (std::size_t g = 0; g < gauss_at.size(); ++g)
-            points[i * gauss_at.size() + g] = x[i] + (x[i + 1] - x[i]) * gauss_at[g];
+IntervalCoefficients coefficients_at(const IntervalProblem& problem, std::span<const double> points) {
+    const std::size_t m = problem.components(), count = points.size();
     IntervalCoefficients at{std::vector<double>(count * m), std::vector<double>(count * m * m),
                             std::vector<double>(count * m)};
     problem.coefficients(points, at);
     return at;
+}
+
+IntervalCoefficients coefficients_on(const IntervalProblem& problem, std::span<const double> x) {
+    GASPARD_CHECK(x.size() >= 2);
+    const std::size_t cells = x.size() - 1, count = cells * gauss_at.size();
+    std::vector<double> points(count);
+    for (std::size_t i = 0; i < cells; ++i)
+        for (std::size_t g = 0; g < gauss_at.size(); ++g)
+            points[i * gauss_at.size() + g] = x[i] + (x[i + 1] - x[i]) * gauss_at[g];
+    return coefficients_at(problem, points);
 }
 
 IntervalSolution solve_interval(const IntervalProblem& problem, std::span<const double> x, int order) {
@@ -166,6 +171,12 @@ IntervalSolution solve_interval(const IntervalProblem& problem, const IntervalCo
     return solution;
 }
 
+double fitting_diffusion(double e, double c, double h) {
+    if (c == 0) return 0;
+    const double p = std::abs(c) * h / (2 * e);
+    return p < 1e-3 ? e * p * p / 3 : e * (p / std::tanh(p) - 1);
+}
+
 IntervalSolution solve_fitted(const IntervalProblem& problem, std::span<const double> x) {
     IntervalCoefficients at = coefficients_on(problem, x);
     const std::size_t m = problem.components();
@@ -175,8 +186,8 @@ IntervalSolution solve_fitted(const IntervalProblem& problem, std::span<const do
             double c = 0;
             for (std::size_t g = 0; g < gauss_at.size(); ++g)
                 c += gauss_weight[g] * at.convection[(cell * gauss_at.size() + g) * m + k];
-            const double e = problem.diffusion[k], p = std::abs(c) * (x[cell + 1] - x[cell]) / (2 * e);
-            at.added_diffusion[cell * m + k] = p < 1e-3 ? e * p * p / 3 : e * (p / std::tanh(p) - 1);
+            at.added_diffusion[cell * m + k] =
+                fitting_diffusion(problem.diffusion[k], c, x[cell + 1] - x[cell]);
         }
     return solve_interval(problem, at, x, 1);
 }

@@ -39,13 +39,18 @@ struct IntervalSolution {
     std::vector<std::vector<double>> nodes, middles;
 };
 
-/// The coefficients of a problem where the integrals on a mesh need them, for solutions of both orders.
+/// The coefficients of a problem at points.
+IntervalCoefficients coefficients_at(const IntervalProblem& problem, std::span<const double> points);
+/// Where the integrals on a mesh need them, for solutions of both orders.
 IntervalCoefficients coefficients_on(const IntervalProblem& problem, std::span<const double> x);
 
 /// Throws InputError if a coefficient or the solution is not finite. `at`: coefficients_on() this mesh.
 IntervalSolution solve_interval(const IntervalProblem& problem, const IntervalCoefficients& at,
                                 std::span<const double> x, int order);
 IntervalSolution solve_interval(const IntervalProblem& problem, std::span<const double> x, int order);
+
+/// e (P coth P - 1), P = |c| h / (2 e): what exponential fitting adds to the diffusion e > 0.
+double fitting_diffusion(double e, double c, double h);
 
 /// The solution of order 1 with exponential fitting: on a cell of width h with the mean convection c, the
 /// diffusion is e P coth P with P = c h / (2 e). It does not oscillate on coarse meshes (with constant c, f

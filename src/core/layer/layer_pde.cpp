@@ -60,7 +60,7 @@ IntervalExact exact_convection_diffusion(double eps, Interval on) {
 IntervalPde reaction_diffusion(const Values& values, Interval on) {
     const double eps = values.real("eps");
     const std::map<std::string, double> names = {{"eps", eps}};
-    IntervalPde pde{scalar(eps * eps, {}, coefficient(values, "reaction", 1, names),
+    IntervalPde pde{scalar(eps * eps, {}, coefficient_from_zero(values, "reaction", 1, names),
                            coefficient(values, "source", 1, names))};
     if (has_default(values, {"reaction", "source"})) pde.exact = exact_reaction_diffusion(eps, on);
     return pde;
@@ -86,7 +86,8 @@ IntervalPde coupled(const Values& values) {
         const std::string row = std::to_string(i + 1);
         source[i] = coefficient(values, "source_" + row, 1, names);
         for (std::size_t j = 0; j < 2; ++j)
-            reaction[2 * i + j] = coefficient(values, "reaction_" + row + std::to_string(j + 1), 1, names);
+            reaction[2 * i + j] = (i == j ? coefficient_from_zero : coefficient)(
+                values, "reaction_" + row + std::to_string(j + 1), 1, names);
     }
     return {{{eps1 * eps1, eps2 * eps2}, [=](std::span<const double> x, IntervalCoefficients& at) {
                  const Points points = on_line(x);
@@ -160,13 +161,20 @@ std::optional<IntervalPde> interval_pde(const std::string& type, const Values& v
     return std::nullopt;
 }
 
+EnergyBound one_layer_bound(double eps, double n) { return {std::sqrt(eps) / n, "√ε / N"}; }
+
+EnergyBound two_layers_bound(double eps1, double eps2, double n) {
+    return {(std::sqrt(eps1) + std::sqrt(eps2)) / n + 1 / (n * n), "(√ε₁ + √ε₂) / N + 1 / N²"};
+}
+
+EnergyBound plane_layers_bound(double eps, double n) {
+    return {std::sqrt(eps) / n + 1 / (n * n), "√ε / N + 1 / N²"};
+}
+
 std::optional<EnergyBound> energy_bound(const std::string& type, const Values& values, double n) {
-    const auto root = [&](const char* key) { return std::sqrt(values.real(key)); };
-    if (type == reaction_diffusion_pde().name) return EnergyBound{root("eps") / n, "√ε / N"};
-    if (type == coupled_pde().name)
-        return EnergyBound{(root("eps1") + root("eps2")) / n + 1 / (n * n), "(√ε₁ + √ε₂) / N + 1 / N²"};
-    if (type == plane_reaction_diffusion_pde().name)
-        return EnergyBound{root("eps") / n + 1 / (n * n), "√ε / N + 1 / N²"};
+    if (type == reaction_diffusion_pde().name) return one_layer_bound(values.real("eps"), n);
+    if (type == coupled_pde().name) return two_layers_bound(values.real("eps1"), values.real("eps2"), n);
+    if (type == plane_reaction_diffusion_pde().name) return plane_layers_bound(values.real("eps"), n);
     if (type == convection_diffusion_pde().name || type == plane_convection_diffusion_pde().name)
         return EnergyBound{1 / n, "1 / N"};
     return std::nullopt;

@@ -11,7 +11,8 @@
 //   convection-diffusion-2d -eps (u_xx + u_yy) + c_1 u_x + c_2 u_y + r u = f
 //
 // with p = 2, or p = 1 as (35) is printed; u = 0 on the sides that are held, free on others. Coefficients are
-// formulas in the coordinates and eps.
+// formulas in the coordinates and eps. Without convection r, or each r_kk, must not be negative: solutions
+// would oscillate, on lengths of eps, or not be unique. Nor may (eps k)^p be.
 #pragma once
 
 #include "core/layer/interval_mesh.hpp"
@@ -54,7 +55,10 @@ struct EnergyBound {
     double value = 0;
     std::string formula; ///< "√ε / N"
 };
-/// nullopt for no_pde().
+EnergyBound one_layer_bound(double eps, double n);
+EnergyBound two_layers_bound(double eps1, double eps2, double n);
+EnergyBound plane_layers_bound(double eps, double n);
+/// Of these, that of a problem; nullopt for no_pde().
 std::optional<EnergyBound> energy_bound(const std::string& type, const Values& values, double n);
 
 } // namespace gaspard

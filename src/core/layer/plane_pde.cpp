@@ -53,17 +53,22 @@ class Evaluation {
 TriangleProblem reaction_diffusion(const Values& values) {
     const double eps = values.real("eps");
     const bool squared = values.boolean("squared");
-    const auto formula = [&](const char* key) { return coefficient(values, key, 2, {{"eps", eps}}); };
+    const std::map<std::string, double> names = {{"eps", eps}};
+    const auto width = [&](const char* key) {
+        return (squared ? coefficient : coefficient_from_zero)(values, key, 2, names);
+    };
     const auto diffusion = [=](double k) { return squared ? eps * k * (eps * k) : eps * k; };
-    return {[=, kx = formula("diffusion_x"), ky = formula("diffusion_y"), r = formula("reaction"),
-             f = formula("source")](const Points& x, std::span<TriangleCoefficients> all) {
-                Evaluation set(x, all);
-                set(kx, [&](auto& at, double k) { at.k1 = diffusion(k); });
-                set(ky, [&](auto& at, double k) { at.k2 = diffusion(k); });
-                set(r, [](auto& at, double value) { at.r = value; });
-                set(f, [](auto& at, double value) { at.f = value; });
-            },
-            held_sides(values)};
+    return {
+        [=, kx = width("diffusion_x"), ky = width("diffusion_y"),
+         r = coefficient_from_zero(values, "reaction", 2, names),
+         f = coefficient(values, "source", 2, names)](const Points& x, std::span<TriangleCoefficients> all) {
+            Evaluation set(x, all);
+            set(kx, [&](auto& at, double k) { at.k1 = diffusion(k); });
+            set(ky, [&](auto& at, double k) { at.k2 = diffusion(k); });
+            set(r, [](auto& at, double value) { at.r = value; });
+            set(f, [](auto& at, double value) { at.f = value; });
+        },
+        held_sides(values)};
 }
 
 TriangleProblem convection_diffusion(const Values& values) {

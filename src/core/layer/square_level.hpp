@@ -4,7 +4,12 @@
 
 #include "core/layer/density_samples.hpp"
 #include "core/layer/square_mesh_pde.hpp"
+#include "core/linear/cell_lu.hpp"
 #include "core/linear/nine_point.hpp"
+
+#include <memory>
+#include <span>
+#include <stop_token>
 
 namespace gaspard {
 
@@ -28,20 +33,29 @@ class SquareLevel {
     SquareLevel refined() const;
     SquareMeshSolve solve(const LayerDensities& densities);
     SquareMeshSolve solve(TriangleDensities means);
-    SquareMeshNewton newton(const LayerDensities& densities);
+    SquareMeshNewton newton(const LayerDensities& densities, const std::stop_token& stop);
 
   private:
     struct Residual; // square_newton.cpp
     Residual residual() const;
     double move(const Points& nodes, const Points& centres, const std::vector<double>& step, double factor);
+    void newton_matrix(Index quad, const Residual& r, const DensitySampler::Derivatives& derivatives,
+                       const std::vector<double>& shift, std::span<double> matrix) const;
     std::vector<double> newton_direction(const Residual& r, const DensitySampler::Derivatives& derivatives,
-                                         const std::vector<double>& shift) const;
+                                         const std::vector<double>& shift, const std::stop_token& stop);
+    struct Elimination {
+        CellUnknowns unknowns;
+        Dissection dissection;
+    };
+    const Elimination& elimination();
     std::vector<double> areas() const;
     std::vector<double> distances_to_inversion(const std::vector<double>& areas) const;
     double rounding(const std::vector<double>& distances) const;
     bool falls_below(double norm, const LayerDensities& densities);
     Index unknown(Index axis, Index point) const;
+    std::array<Index, 5> quad_points(Index quad) const;
     std::array<Index, 3> triangle_points(Index triangle) const;
+    double quads_at(Index point) const;
     /// Stiffness matrices of the triangles of a quadrilateral, for a density of 1.
     using QuadStiffness = std::array<std::array<std::array<double, 3>, 3>, 4>;
     QuadStiffness stiffness(int i, int j) const;
@@ -78,6 +92,7 @@ class SquareLevel {
     TriangleDensities means_;
     std::vector<std::array<double, 4>> centre_weights_; ///< of the last axis
     std::array<NinePointSolver, 2> solvers_;
+    std::shared_ptr<const Elimination> elimination_; ///< of newton(); null before
     static constexpr double newtons_time_step = 1e8; ///< from where steps are Newton's
     double time_step_ = newtons_time_step;           ///< of the next newton()
 };

@@ -43,7 +43,9 @@ SquareMeshSolve SquareMeshPde::solve(TriangleDensities densities) {
     }
     return level_->solve(std::move(densities));
 }
-SquareMeshNewton SquareMeshPde::newton(const LayerDensities& densities) { return level_->newton(densities); }
+SquareMeshNewton SquareMeshPde::newton(const LayerDensities& densities, const std::stop_token& stop) {
+    return level_->newton(densities, stop);
+}
 void SquareMeshPde::refine() { *level_ = level_->refined(); }
 
 static void check_positions(const Points& x, Index count, const char* what) {

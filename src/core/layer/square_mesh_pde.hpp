@@ -22,6 +22,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace gaspard {
@@ -90,8 +91,8 @@ class SquareMeshPde {
     /// One step of Newton's method for the fixed point of solve(), by sparse elimination, damped so that no
     /// triangle is inverted (square_newton.cpp). With densities of layers thinner than 1e-4 at corners it
     /// finds the fixed point for both forms; of degree 4 there are many, and finding one may take long for
-    /// one_direction.
-    SquareMeshNewton newton(const LayerDensities& densities);
+    /// one_direction. Throws Interrupted when a stop is requested.
+    SquareMeshNewton newton(const LayerDensities& densities, const std::stop_token& stop = {});
     /// Halves the cells; the iterate stays the same function.
     void refine();
 

@@ -22,8 +22,6 @@
 // the layer, and for (34), whose columns choose one by one, paths between them are long.
 #include "core/layer/square_level.hpp"
 
-#include <Eigen/Sparse>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -51,10 +49,15 @@ Index SquareLevel::unknown(Index axis, Index point) const {
     return (form_ == MeshPdeForm::componentwise ? axis : 0) * (node_count() + quad_count()) + point;
 }
 
-/// Corners as points: nodes, then centres.
+/// Its corners and its centre as points: nodes, then centres.
+std::array<Index, 5> SquareLevel::quad_points(Index quad) const {
+    const auto n = static_cast<Index>(n_);
+    const Index p = quad / n * (n + 1) + quad % n;
+    return {p, p + 1, p + n + 1, p + n + 2, node_count() + quad};
+}
+
 std::array<Index, 3> SquareLevel::triangle_points(Index triangle) const {
-    const Index q = triangle / 4, n = static_cast<Index>(n_), i = q % n, j = q / n, p = j * (n + 1) + i;
-    const std::array<Index, 5> points = {p, p + 1, p + n + 1, p + n + 2, node_count() + q};
+    const std::array<Index, 5> points = quad_points(triangle / 4);
     std::array<Index, 3> of{};
     for (Index k = 0; k < 3; ++k) of[k] = points[crossed_triangles[triangle % 4][k]];
     return of;
@@ -68,6 +71,14 @@ double SquareLevel::coordinate(Index axis, Index point) const {
     const Points& of = point < node_count() ? nodes_ : centres_;
     const Index at = point < node_count() ? point : point - node_count();
     return axis == 0 ? of.x[at] : of.y[at];
+}
+
+/// How many quadrilaterals have the point.
+double SquareLevel::quads_at(Index point) const {
+    if (point >= node_count()) return 1;
+    const auto n = static_cast<Index>(n_);
+    const auto along = [n](Index k) { return k == 0 || k == n ? 1 : 2; };
+    return along(point % (n + 1)) * along(point / (n + 1));
 }
 
 bool SquareLevel::is_fixed_point(Index axis, Index point) const {
@@ -99,45 +110,73 @@ SquareLevel::Residual SquareLevel::residual() const {
     return r;
 }
 
+/// The equations of one quadrilateral, over the unknowns of its points. A fixed unknown has an equation of
+/// its own. A diagonal entry of `shift` is divided among the quadrilaterals of the point.
+void SquareLevel::newton_matrix(Index quad, const Residual& r, const DensitySampler::Derivatives& derivatives,
+                                const std::vector<double>& shift, std::span<double> matrix) const {
+    const std::vector<Index> all = axes();
+    const std::array<Index, 5> points = quad_points(quad);
+    const Index size = 5 * all.size();
+    const auto stiff =
+        stiffness(static_cast<int>(quad) % n_, static_cast<int>(quad) / n_); // for a density of 1
+    std::fill(matrix.begin(), matrix.end(), 0.0);
+    for (Index x = 0; x < all.size(); ++x)
+        for (Index p = 0; p < 5; ++p) {
+            double& diagonal = matrix[(5 * x + p) * (size + 1)];
+            if (is_fixed_point(all[x], points[p]))
+                diagonal = 1;
+            else if (!shift.empty())
+                diagonal = shift[unknown(all[x], points[p])] / quads_at(points[p]);
+        }
+    for (Index t = 0; t < 4; ++t)
+        for (Index x = 0; x < all.size(); ++x)
+            for (Index a = 0; a < 3; ++a) {
+                const std::array<Index, 3>& corner = crossed_triangles[t];
+                const Index point = points[corner[a]], triangle = 4 * quad + t;
+                if (is_fixed_point(all[x], point)) continue;
+                double flow = 0;
+                for (Index b = 0; b < 3; ++b) flow += stiff[t][a][b] * coordinate(all[x], points[corner[b]]);
+                const double scale = 1 / (flow > 0 ? r.in : r.out)[unknown(all[x], point)];
+                double* row = matrix.data() + (5 * x + corner[a]) * size;
+                for (Index b = 0; b < 3; ++b) {
+                    row[5 * x + corner[b]] += scale * means_[all[x]][triangle] * stiff[t][a][b];
+                    for (Index y = 0; y < all.size(); ++y)
+                        row[5 * y + corner[b]] += scale * flow * derivatives[all[x]][all[y]][triangle][b];
+                }
+            }
+}
+
+/// Made once; the unknowns of each quadrilateral, by axes those of its points.
+const SquareLevel::Elimination& SquareLevel::elimination() {
+    if (!elimination_) {
+        CellUnknowns unknowns{axes().size() * (node_count() + quad_count()), 5 * axes().size(), {}};
+        Points middles(quad_count());
+        for (Index q = 0; q < quad_count(); ++q) {
+            const auto n = static_cast<Index>(n_);
+            middles.set(q, {static_cast<double>(q % n), static_cast<double>(q / n), 0});
+            for (const Index axis : axes())
+                for (const Index point : quad_points(q))
+                    unknowns.numbers.push_back(static_cast<std::int32_t>(unknown(axis, point)));
+        }
+        Dissection dissection = dissect(unknowns, middles);
+        elimination_ =
+            std::make_shared<const Elimination>(Elimination{std::move(unknowns), std::move(dissection)});
+    }
+    return *elimination_;
+}
+
 /// The step by unknowns; `shift` is added to the diagonal.
 std::vector<double> SquareLevel::newton_direction(const Residual& r,
                                                   const DensitySampler::Derivatives& derivatives,
-                                                  const std::vector<double>& shift) const {
-    const auto size = static_cast<Eigen::Index>(r.in.size());
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(4 * quad_count() * axes().size() * 9 * (1 + axes().size()));
-    const auto add = [&](Index row, Index column, double value) {
-        entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
-    };
-    for (Index triangle = 0; triangle < 4 * quad_count(); ++triangle) {
-        const auto points = triangle_points(triangle);
-        const int q = static_cast<int>(triangle / 4);
-        const auto k = stiffness(q % n_, q / n_)[triangle % 4];
-        for (const Index axis : axes())
-            for (Index a = 0; a < 3; ++a) {
-                if (is_fixed_point(axis, points[a])) continue;
-                double flow = 0;
-                for (Index b = 0; b < 3; ++b) flow += k[a][b] * coordinate(axis, points[b]);
-                const Index row = unknown(axis, points[a]);
-                const double scale = 1 / (flow > 0 ? r.in : r.out)[row];
-                for (Index b = 0; b < 3; ++b) {
-                    add(row, unknown(axis, points[b]), scale * means_[axis][triangle] * k[a][b]);
-                    for (const Index c : axes())
-                        add(row, unknown(c, points[b]), scale * flow * derivatives[axis][c][triangle][b]);
-                }
-            }
-    }
-    for (const Index axis : axes())
-        for (Index point = 0; point < node_count(); ++point)
-            if (is_fixed_point(axis, point)) add(unknown(axis, point), unknown(axis, point), 1);
-    for (Index i = 0; i < shift.size(); ++i) add(i, i, shift[i]);
-    Eigen::SparseMatrix<double> matrix(size, size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(matrix);
-    if (lu.info() != Eigen::Success) return {};
-    const std::vector<double> f = r.values();
-    const Eigen::VectorXd step = lu.solve(-Eigen::Map<const Eigen::VectorXd>(f.data(), size));
-    return {step.data(), step.data() + size};
+                                                  const std::vector<double>& shift,
+                                                  const std::stop_token& stop) {
+    const auto& [unknowns, dissection] = elimination();
+    std::vector<double> f = r.values();
+    for (double& value : f) value = -value;
+    return solve_by_parts(
+        unknowns, dissection,
+        [&](Index quad, std::span<double> matrix) { newton_matrix(quad, r, derivatives, shift, matrix); }, f,
+        stop);
 }
 
 /// Twice the areas of the triangles.
@@ -211,7 +250,7 @@ static double largest_change(const std::vector<double>& before, const std::vecto
     return change;
 }
 
-SquareMeshNewton SquareLevel::newton(const LayerDensities& densities) {
+SquareMeshNewton SquareLevel::newton(const LayerDensities& densities, const std::stop_token& stop) {
     constexpr double most = 7.4;      ///< factor by which areas may change
     constexpr double shortest = 1e-6; ///< time step
     sampler_.means(densities, nodes_, centres_, means_);
@@ -226,9 +265,9 @@ SquareMeshNewton SquareLevel::newton(const LayerDensities& densities) {
         const bool is_newton = time_step_ >= newtons_time_step;
         std::vector<double> shift(is_newton ? 0 : distances.size());
         for (Index i = 0; i < shift.size(); ++i) shift[i] = 1 / (time_step_ * distances[i]);
-        const std::vector<double> step = newton_direction(r, slopes, shift);
-        const bool usable = !step.empty() && std::all_of(step.begin(), step.end(),
-                                                         [](double value) { return std::isfinite(value); });
+        const std::vector<double> step = newton_direction(r, slopes, shift, stop);
+        const bool usable =
+            std::all_of(step.begin(), step.end(), [](double value) { return std::isfinite(value); });
         if (usable) {
             result.update = move(nodes, centres, step, 1);
             const std::vector<double> after = areas();

@@ -3,9 +3,8 @@
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/layer/interval_problem.hpp"
+#include "core/linear/cell_lu.hpp"
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -41,6 +40,7 @@ constexpr std::array<RulePoint, 12> rule = {{{a1, b1, b1, w1},
 /// A triangle: its corners and, in numbers of the fine grid of (2N + 1)^2 points, its six nodes (corners,
 /// then the midpoints opposite to them).
 struct Triangle {
+    bool lower = true; ///< of the two of its quadrilateral
     std::array<Vec3, 3> corner;
     std::array<Index, 6> node;
     double area = 0;
@@ -53,6 +53,7 @@ Triangle triangle_at(const Points& x, Index n, Index i, Index j, bool lower) {
         lower ? std::array<std::array<Index, 2>, 3>{{{i, j}, {i + 1, j}, {i + 1, j + 1}}}
               : std::array<std::array<Index, 2>, 3>{{{i, j}, {i + 1, j + 1}, {i, j + 1}}};
     Triangle t;
+    t.lower = lower;
     for (Index k = 0; k < 3; ++k) {
         const auto &p = at[(k + 1) % 3], &q = at[(k + 2) % 3];
         t.corner[k] = x[at[k][1] * (n + 1) + at[k][0]];
@@ -73,12 +74,14 @@ using RuleCoefficients = std::span<const TriangleCoefficients, rule.size()>;
 /// Calls `visit(triangle, coefficients at the points of the rule)`; formulas are evaluated by rows of the
 /// grid.
 template <class Visit>
-void for_each_triangle(const TriangleProblem& problem, const Points& x, int cells, const Visit& visit) {
+void for_each_triangle(const TriangleProblem& problem, const Points& x, int cells,
+                       const std::stop_token& stop, const Visit& visit) {
     const auto n = static_cast<Index>(cells);
     std::vector<Triangle> row(2 * n);
     Points points(row.size() * rule.size());
     std::vector<TriangleCoefficients> at(points.size());
     for (Index j = 0; j < n; ++j) {
+        if (stop.stop_requested()) throw Interrupted();
         for (Index k = 0; k < row.size(); ++k) {
             const Triangle& t = row[k] = triangle_at(x, n, k / 2, j, k % 2 == 0);
             for (Index p = 0; p < rule.size(); ++p)
@@ -109,21 +112,90 @@ Shapes shapes(const Triangle& t, const RulePoint& p, int order) {
     return s;
 }
 
-/// Numbers of the unknowns by points of the fine grid; -1 where there is none.
-std::vector<int> numbering(const TriangleProblem& problem, int cells, int order) {
-    const int last = 2 * cells;
-    std::vector<int> number(static_cast<Index>(last + 1) * static_cast<Index>(last + 1), -1);
-    int next = 0;
-    for (int j = 0; j <= last; ++j)
-        for (int i = 0; i <= last; ++i) {
-            if (order == 1 && (i % 2 != 0 || j % 2 != 0)) continue;
-            if ((i == 0 && problem.held[0]) || (i == last && problem.held[1]) ||
-                (j == 0 && problem.held[2]) || (j == last && problem.held[3]))
+/// The unknowns of a grid: its nodes, of order 2 all points of the fine grid; held ones are among them.
+class GridUnknowns {
+  public:
+    GridUnknowns(int cells, int order)
+        : fine_(2 * static_cast<Index>(cells) + 1), step_(order == 1 ? 2 : 1), along_(order == 1 ? 2 : 3) {}
+
+    Index side() const { return (fine_ - 1) / step_ + 1; }
+    Index count() const { return side() * side(); }
+    Index per_cell() const { return along_ * along_; }
+    /// Of a point of the fine grid.
+    Index number(Index point) const { return point / fine_ / step_ * side() + point % fine_ / step_; }
+    /// Of a point of the fine grid, in the quadrilateral with this lower left one.
+    Index local(Index point, Index corner) const {
+        const Index i = point % fine_ - corner % fine_, j = point / fine_ - corner / fine_;
+        return j / step_ * along_ + i / step_;
+    }
+    bool is_held(Index point, const std::array<bool, 4>& held) const {
+        const Index i = point % fine_, j = point / fine_, last = fine_ - 1;
+        return (i == 0 && held[0]) || (i == last && held[1]) || (j == 0 && held[2]) || (j == last && held[3]);
+    }
+    /// Of the quadrilateral with this lower left point of the fine grid.
+    Index quad(Index corner) const { return corner / fine_ / 2 * ((fine_ - 1) / 2) + corner % fine_ / 2; }
+    CellUnknowns of_cells() const {
+        CellUnknowns unknowns{count(), per_cell(), {}};
+        const Index n = (fine_ - 1) / 2;
+        for (Index q = 0; q < n * n; ++q)
+            for (Index k = 0; k < per_cell(); ++k)
+                unknowns.numbers.push_back(static_cast<std::int32_t>(number(
+                    (2 * (q / n) + step_ * (k / along_)) * fine_ + 2 * (q % n) + step_ * (k % along_))));
+        return unknowns;
+    }
+    Points middles() const {
+        const Index n = (fine_ - 1) / 2;
+        Points middles(n * n);
+        for (Index q = 0; q < n * n; ++q)
+            middles.set(q, {static_cast<double>(q % n), static_cast<double>(q / n), 0});
+        return middles;
+    }
+
+  private:
+    Index fine_, step_, along_; ///< points of the fine grid along a side; between unknowns; in a cell
+};
+
+/// The equations, by quadrilaterals. That of a value that is held is u = 0.
+class GridSystem {
+  public:
+    GridSystem(const GridUnknowns& unknowns, const std::array<bool, 4>& held, int cells)
+        : unknowns_(unknowns), held_(held), matrices_(static_cast<Index>(cells) * static_cast<Index>(cells) *
+                                                      unknowns.per_cell() * unknowns.per_cell()),
+          load_(unknowns.count()) {}
+
+    void add(const Triangle& t, Index count, const std::array<std::array<double, 6>, 6>& a,
+             const std::array<double, 6>& f) {
+        const Index size = unknowns_.per_cell();
+        double* matrix = matrices_.data() + unknowns_.quad(t.node[0]) * size * size;
+        for (Index k = 0; k < count; ++k) {
+            const Index row = unknowns_.local(t.node[k], t.node[0]);
+            if (unknowns_.is_held(t.node[k], held_)) {
+                matrix[row * (size + 1)] = 1;
                 continue;
-            number[static_cast<Index>(j) * static_cast<Index>(last + 1) + static_cast<Index>(i)] = next++;
+            }
+            load_[unknowns_.number(t.node[k])] += f[k];
+            for (Index l = 0; l < count; ++l)
+                if (!unknowns_.is_held(t.node[l], held_))
+                    matrix[row * size + unknowns_.local(t.node[l], t.node[0])] += a[k][l];
         }
-    return number;
-}
+    }
+    std::vector<double> solved(const std::stop_token& stop) const {
+        const CellUnknowns cells = unknowns_.of_cells();
+        const Index size = cells.per_cell * cells.per_cell;
+        return solve_by_parts(
+            cells, dissect(cells, unknowns_.middles()),
+            [&](Index cell, std::span<double> matrix) {
+                std::copy_n(matrices_.begin() + static_cast<std::ptrdiff_t>(cell * size), size,
+                            matrix.begin());
+            },
+            load_, stop);
+    }
+
+  private:
+    const GridUnknowns& unknowns_;
+    std::array<bool, 4> held_;
+    std::vector<double> matrices_, load_;
+};
 
 } // namespace
 
@@ -134,64 +206,81 @@ pointwise(std::function<TriangleCoefficients(double x, double y)> coefficients) 
     };
 }
 
-TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x, int cells, int order) {
+/// A symmetric tensor of diffusion.
+struct AddedDiffusion {
+    double xx = 0, xy = 0, yy = 0;
+};
+
+/// Of exponential fitting along the two lines of the grid that bound a triangle: with the edges t_1 and t_2
+/// there, c = a_1 t_1 + a_2 t_2 flows with a_i |t_i| along the one of length |t_i|.
+static AddedDiffusion fitting_of(const Triangle& t, const TriangleCoefficients& c) {
+    const auto& x = t.corner;
+    const std::array<Vec3, 2> edges = t.lower ? std::array<Vec3, 2>{x[1] - x[0], x[2] - x[1]}
+                                              : std::array<Vec3, 2>{x[1] - x[2], x[2] - x[0]};
+    const Vec3 flow{c.c1, c.c2, 0};
+    const double across = cross(edges[0], edges[1]).z;
+    const std::array<double, 2> share = {cross(flow, edges[1]).z / across, cross(edges[0], flow).z / across};
+    AddedDiffusion added;
+    for (Index i = 0; i < 2; ++i) {
+        const double length = norm(edges[i]);
+        const Vec3 along = (1 / length) * edges[i];
+        const double e = c.k1 * along.x * along.x + c.k2 * along.y * along.y;
+        const double more = fitting_diffusion(e, share[i] * length, length);
+        added.xx += more * along.x * along.x;
+        added.xy += more * along.x * along.y;
+        added.yy += more * along.y * along.y;
+    }
+    return added;
+}
+
+static TriangleSolution solve(const TriangleProblem& problem, const Points& x, int cells, int order,
+                              bool fitted, const std::stop_token& stop) {
     GASPARD_CHECK(order == 1 || order == 2);
-    const std::vector<int> number = numbering(problem, cells, order);
-    const int unknowns =
-        static_cast<int>(std::count_if(number.begin(), number.end(), [](int k) { return k >= 0; }));
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(unknowns);
+    const GridUnknowns unknowns(cells, order);
+    GridSystem system(unknowns, problem.held, cells);
     const Index count = order == 1 ? 3 : 6;
-    bool symmetric = true;
     bool unique = std::any_of(problem.held.begin(), problem.held.end(), [](bool held) { return held; });
-    for_each_triangle(problem, x, cells, [&](const Triangle& t, RuleCoefficients at) {
+    for_each_triangle(problem, x, cells, stop, [&](const Triangle& t, RuleCoefficients at) {
         if (!(t.area > 0)) throw InputError("the mesh has an inverted triangle");
         std::array<std::array<double, 6>, 6> a{};
+        std::array<double, 6> f{};
         for (Index g = 0; g < rule.size(); ++g) {
             const RulePoint& p = rule[g];
             const TriangleCoefficients& c = at[g];
-            symmetric = symmetric && c.c1 == 0 && c.c2 == 0;
+            const AddedDiffusion d = fitted ? fitting_of(t, c) : AddedDiffusion();
             unique = unique || c.r != 0;
             const Shapes s = shapes(t, p, order);
             const double w = p.weight * t.area;
             for (Index k = 0; k < count; ++k) {
-                if (const int row = number[t.node[k]]; row >= 0) load[row] += w * c.f * s.value[k];
+                f[k] += w * c.f * s.value[k];
                 for (Index l = 0; l < count; ++l)
                     a[k][l] +=
-                        w * (c.k1 * s.slope[k].x * s.slope[l].x + c.k2 * s.slope[k].y * s.slope[l].y +
+                        w * ((c.k1 + d.xx) * s.slope[k].x * s.slope[l].x +
+                             d.xy * (s.slope[k].x * s.slope[l].y + s.slope[k].y * s.slope[l].x) +
+                             (c.k2 + d.yy) * s.slope[k].y * s.slope[l].y +
                              s.value[k] * (c.c1 * s.slope[l].x + c.c2 * s.slope[l].y + c.r * s.value[l]));
             }
         }
-        for (Index k = 0; k < count; ++k)
-            for (Index l = 0; l < count; ++l)
-                if (const int row = number[t.node[k]], column = number[t.node[l]]; row >= 0 && column >= 0)
-                    entries.emplace_back(row, column, a[k][l]);
+        system.add(t, count, a, f);
     });
     if (!unique) throw InputError("without a side that is held and without reaction, u is not unique");
-    Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    Eigen::VectorXd u;
-    if (symmetric) {
-        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(matrix);
-        u = factors.solve(load);
-    } else {
-        matrix.makeCompressed();
-        Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(matrix);
-        u = factors.solve(load);
-    }
-    check_solution_size(u.lpNorm<Eigen::Infinity>());
-    TriangleSolution solution{order, {}};
-    const Index fine = 2 * static_cast<Index>(cells) + 1, step = order == 1 ? 2 : 1;
-    for (Index j = 0; j < fine; j += step)
-        for (Index i = 0; i < fine; i += step) {
-            const int k = number[j * fine + i];
-            solution.values.push_back(k < 0 ? 0.0 : u[k]);
-        }
+    TriangleSolution solution{order, system.solved(stop)};
+    for (const double u : solution.values) check_solution_size(std::abs(u));
     return solution;
 }
 
+TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x, int cells, int order,
+                                 const std::stop_token& stop) {
+    return solve(problem, x, cells, order, false, stop);
+}
+
+TriangleSolution solve_fitted(const TriangleProblem& problem, const Points& x, int cells,
+                              const std::stop_token& stop) {
+    return solve(problem, x, cells, 1, true, stop);
+}
+
 double reference_error(const TriangleProblem& problem, const Points& x, int cells, const TriangleSolution& p1,
-                       const TriangleSolution& p2) {
+                       const TriangleSolution& p2, const std::stop_token& stop) {
     GASPARD_CHECK(p1.order == 1 && p2.order == 2);
     const Index n = static_cast<Index>(cells), fine = 2 * n + 1;
     std::vector<double> difference = p2.values;
@@ -200,7 +289,7 @@ double reference_error(const TriangleProblem& problem, const Points& x, int cell
         for (Index i = 0; i < fine; ++i) // midpoints lie on sides or on the right diagonal
             difference[j * fine + i] -= 0.5 * (coarse(i / 2, j / 2) + coarse((i + 1) / 2, (j + 1) / 2));
     double square = 0;
-    for_each_triangle(problem, x, cells, [&](const Triangle& t, RuleCoefficients at) {
+    for_each_triangle(problem, x, cells, stop, [&](const Triangle& t, RuleCoefficients at) {
         for (Index g = 0; g < rule.size(); ++g) {
             const RulePoint& p = rule[g];
             const TriangleCoefficients& c = at[g];

@@ -14,6 +14,7 @@
 #include <array>
 #include <functional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace gaspard {
@@ -40,11 +41,18 @@ struct TriangleSolution {
 };
 
 /// `x`: the (N + 1)^2 nodes by rows; triangles have right diagonals and positive areas. Throws InputError if
-/// a coefficient or the solution is not finite, or there is neither a side that is held nor reaction.
-TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x, int cells, int order);
+/// a coefficient or the solution is not finite, or there is neither a side that is held nor reaction;
+/// Interrupted when a stop is requested.
+TriangleSolution solve_triangles(const TriangleProblem& problem, const Points& x, int cells, int order,
+                                 const std::stop_token& stop = {});
+
+/// Of order 1, with the diffusion along the lines of the grid fitted to the flow along them, as on an
+/// interval (interval_problem.hpp), so that the solution does not oscillate where convection dominates.
+TriangleSolution solve_fitted(const TriangleProblem& problem, const Points& x, int cells,
+                              const std::stop_token& stop = {});
 
 /// ||p2 - p1||_E of a solution of order 2 and one of order 1 on the same mesh: the paper's error.
 double reference_error(const TriangleProblem& problem, const Points& x, int cells, const TriangleSolution& p1,
-                       const TriangleSolution& p2);
+                       const TriangleSolution& p2, const std::stop_token& stop = {});
 
 } // namespace gaspard

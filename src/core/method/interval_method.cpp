@@ -87,6 +87,7 @@ void IntervalMethod::take_problem(const ProblemData& data) {
     if (data.pde == pde_values_ && data.pde_type == pde_type_) return;
     std::optional<IntervalPde> made;
     if (data.pde) made = interval_pde(data.pde_type, *data.pde, domain_->interval());
+    if (made) coefficients_at(made->problem, domain_->mesh()->nodes.x); // Gauss points miss the ends
     pde_values_ = data.pde;
     pde_type_ = data.pde_type;
     pde_ = std::move(made);

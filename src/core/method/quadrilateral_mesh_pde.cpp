@@ -46,11 +46,8 @@ class QuadrilateralMeshPde final : public Method {
         else
             configure_equation(values);
         const std::string& reference = values.text("reference");
-        const auto up_to = [&](int cells) {
-            return reference == "on" || (reference == "auto" && domain_->cells() <= cells);
-        };
-        measures_errors_ = up_to(cells_with_errors);
-        computes_solution_ = reference == "off" || up_to(cells_with_solution);
+        measures_errors_ = why_without_errors(reference, domain_->cells()).empty();
+        computes_solution_ = reference != "auto" || domain_->cells() <= cells_with_solution;
         solves_before_ = values.integer("inner_solves");
         next_.reset();
     }
@@ -67,21 +64,22 @@ class QuadrilateralMeshPde final : public Method {
         return state;
     }
 
-    Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token) override {
+    Evaluation evaluate(const ProblemData& data, const State& state, std::stop_token stop) override {
         levels_.begin();
         solves_ = 0;
         const Points parameters = parameters_of(state);
         SquareMeshPde at = uniform(cells_of(parameters));
         at.set_positions(parametric_ ? parameters : domain_->positions(parameters));
-        Evaluation evaluation = look(data, std::move(at));
+        Evaluation evaluation = look(data, std::move(at), stop);
         if (level() > 0 || source_ == DensitySource::solution) evaluation.ending = Ending::not_yet;
         return evaluation;
     }
 
-    Evaluation step(const ProblemData& data, State& state, std::stop_token) override {
+    Evaluation step(const ProblemData& data, State& state, std::stop_token stop) override {
         const std::size_t level = levels_.next(this->level());
         std::optional<SquareMeshPde> at = std::exchange(next_, std::nullopt);
         GASPARD_CHECK(at.has_value());
+        double part = part_;
         if (level != this->level()) {
             if (level > this->level()) {
                 at = uniform(levels_.cells(level));
@@ -89,17 +87,18 @@ class QuadrilateralMeshPde final : public Method {
                 at->set_positions(nodes_, centres_); // of the iterate, whose next one is of no use
                 at->refine();
             }
-            advance(*at, data);
+            advance(*at, data, stop);
+            part = part_;
             solves_ = 0;
         }
         std::optional<SquareMeshNewton> newton;
         if (converges_ && level == 0 && level == this->level() && ++solves_ > solves_before_) {
             at->set_positions(nodes_, centres_); // Newton's step replaces the solve
-            newton = at->newton(densities_of(data));
+            newton = at->newton(densities_of(data, stop), stop);
         }
-        Evaluation evaluation = look(data, std::move(*at));
+        Evaluation evaluation = look(data, std::move(*at), stop);
         state = state_of(nodes_);
-        evaluation.step_size = newton ? newton->factor : 1;
+        evaluation.step_size = newton ? newton->factor : part;
         evaluation.ending = levels_.ending(level);
         if (converges_ && level == 0) {
             const bool done = newton && newton->converged(0); // as far as rounding lets it
@@ -126,15 +125,16 @@ class QuadrilateralMeshPde final : public Method {
     std::vector<double> measures(const ProblemData& data) override {
         take_problem(data);
         if (!problem_ || !measures_errors_ || !is_solvable()) return {absent, absent, absent, absent};
-        return {solved().error.value_or(absent), absent, solved_on_uniform().error.value_or(absent), absent};
+        const Solved &here = solved(data.stop), &uniform = solved_on_uniform(data.stop);
+        return {here.error.value_or(absent), absent, uniform.error.value_or(absent), absent};
     }
 
     std::vector<std::vector<double>> fields(const ProblemData& data) override {
         take_problem(data);
         std::vector<std::vector<double>> all(layer_fields().size());
         if (problem_ && computes_solution_ && is_solvable()) {
-            all[0] = solved().solution.values;
-            all[2] = solved_on_uniform().solution.values;
+            all[0] = solved(data.stop).solution.values;
+            all[2] = solved_on_uniform(data.stop).solution.values;
         }
         return all;
     }
@@ -165,18 +165,21 @@ class QuadrilateralMeshPde final : public Method {
     }
 
     /// One solve, for densities at the iterate.
-    SquareMeshSolve advance(SquareMeshPde& at, const ProblemData& data) {
-        if (source_ == DensitySource::monitor) return at.solve(densities_of(data));
+    SquareMeshSolve advance(SquareMeshPde& at, const ProblemData& data, const std::stop_token& stop) {
+        part_ = 1;
+        if (source_ == DensitySource::monitor) return at.solve(densities_of(data, stop));
         take_problem(data);
         if (!problem_) throw InputError("method solution-adapted needs a problem to solve; set pde.type");
         const Points nodes = at.nodes(), centres = at.centres();
         const TriangleSolution solution =
-            solve_triangles(*problem_, domain_->positions(nodes), at.cells(), 1);
+            solve_fitted(*problem_, domain_->positions(nodes), at.cells(), stop);
         SquareMeshSolve solve =
             at.solve(plane_solution_densities(solution_options_, nodes, at.cells(), solution));
         const Points ahead = at.nodes(), centres_ahead = at.centres();
-        for (double part = 0.5; is_inverted(at) && part > 1e-6; part *= 0.5) // the next solution needs areas
-            at.set_positions(between(nodes, ahead, part), between(centres, centres_ahead, part));
+        while (is_inverted(at) && part_ > 1e-6) { // the next solution needs areas
+            part_ /= 2;
+            at.set_positions(between(nodes, ahead, part_), between(centres, centres_ahead, part_));
+        }
         return solve;
     }
     bool is_inverted(const SquareMeshPde& at) const {
@@ -220,8 +223,9 @@ class QuadrilateralMeshPde final : public Method {
         return {form_, samples_, corners, cells};
     }
 
-    LayerDensities densities_of(const ProblemData& data) const {
-        return [this, &data](const Points& at, std::span<double> first, std::span<double> second) {
+    LayerDensities densities_of(const ProblemData& data, const std::stop_token& stop) const {
+        return [this, &data, stop](const Points& at, std::span<double> first, std::span<double> second) {
+            if (stop.stop_requested()) throw Interrupted(); // once per row of cells
             const Points x = parametric_ ? domain_->positions(at) : at;
             if (!data.tensor) {
                 data.monitor->values(x, first);
@@ -235,13 +239,13 @@ class QuadrilateralMeshPde final : public Method {
     }
 
     /// Makes `at` the iterate and computes the next one.
-    Evaluation look(const ProblemData& data, SquareMeshPde at) {
+    Evaluation look(const ProblemData& data, SquareMeshPde at, const std::stop_token& stop) {
         take_problem(data);
         nodes_ = at.nodes();
         centres_ = at.centres();
         positions_.resize(0);
         solved_.reset();
-        const SquareMeshSolve solve = advance(at, data);
+        const SquareMeshSolve solve = advance(at, data, stop);
         next_ = std::move(at);
         const double size = parametric_ ? 1 : longest_side(bounding_box(*domain_->control_points()));
         return {.residual = solve.update / size,
@@ -253,6 +257,11 @@ class QuadrilateralMeshPde final : public Method {
         if (data.pde == pde_values_ && data.pde_type == pde_type_) return;
         std::optional<TriangleProblem> made;
         if (data.pde) made = plane_pde(data.pde_type, *data.pde);
+        if (made) { // the points of the rule miss the sides
+            const Points& nodes = domain_->mesh()->nodes;
+            std::vector<TriangleCoefficients> at(nodes.size());
+            made->coefficients(nodes, at);
+        }
         pde_values_ = data.pde;
         pde_type_ = data.pde_type;
         problem_ = std::move(made);
@@ -262,20 +271,22 @@ class QuadrilateralMeshPde final : public Method {
 
     /// Finite elements need triangles that are not inverted.
     bool is_solvable() { return inverted_triangles(positions(), domain_->cells()) == 0; }
-    Solved solved_on(const Points& x) const { return {solve_triangles(*problem_, x, domain_->cells(), 1)}; }
-    void add_error(Solved& solved, const Points& x) const {
+    Solved solved_on(const Points& x, const std::stop_token& stop) const {
+        return {solve_triangles(*problem_, x, domain_->cells(), 1, stop)};
+    }
+    void add_error(Solved& solved, const Points& x, const std::stop_token& stop) const {
         if (!measures_errors_ || solved.error) return;
         solved.error = reference_error(*problem_, x, domain_->cells(), solved.solution,
-                                       solve_triangles(*problem_, x, domain_->cells(), 2));
+                                       solve_triangles(*problem_, x, domain_->cells(), 2, stop), stop);
     }
-    const Solved& solved() {
-        if (!solved_) solved_ = solved_on(positions());
-        add_error(*solved_, positions());
+    const Solved& solved(const std::stop_token& stop) {
+        if (!solved_) solved_ = solved_on(positions(), stop);
+        add_error(*solved_, positions(), stop);
         return *solved_;
     }
-    const Solved& solved_on_uniform() {
-        if (!uniform_) uniform_ = solved_on(domain_->mesh()->nodes);
-        add_error(*uniform_, domain_->mesh()->nodes);
+    const Solved& solved_on_uniform(const std::stop_token& stop) {
+        if (!uniform_) uniform_ = solved_on(domain_->mesh()->nodes, stop);
+        add_error(*uniform_, domain_->mesh()->nodes, stop);
         return *uniform_;
     }
 
@@ -292,6 +303,7 @@ class QuadrilateralMeshPde final : public Method {
     // The iterate last evaluated, and the next one:
     Points nodes_, centres_, positions_;
     std::optional<SquareMeshPde> next_;
+    double part_ = 1; ///< of the solve that led to next_; less where all of it would invert triangles
     std::shared_ptr<const Values> pde_values_; ///< of which problem_ was made
     std::string pde_type_;
     std::optional<TriangleProblem> problem_;
@@ -327,6 +339,13 @@ ParameterRow reference_row() {
             .help =
                 "on a quadrilateral: the energy error of the solution, against one of order 2, which takes "
                 "long on fine meshes; auto: up to 64 cells per side, and no solution beyond 256"};
+}
+
+std::string why_without_errors(const std::string& reference, int cells) {
+    if (reference == "off") return "method.reference=off measures no errors; auto and on do";
+    if (reference == "on" || cells <= cells_with_errors) return {};
+    return "errors beyond " + std::to_string(cells_with_errors) +
+           " cells per side are measured only with method.reference=on";
 }
 
 std::unique_ptr<Method> quadrilateral_mesh_pde(std::shared_ptr<const QuadrilateralDomain> domain,

@@ -15,6 +15,7 @@
 #include "core/method/method.hpp"
 
 #include <memory>
+#include <string>
 
 namespace gaspard {
 
@@ -22,6 +23,9 @@ namespace gaspard {
 std::vector<ParameterRow> quadrilateral_rows();
 /// Row for the solution of order 2 that errors are measured against.
 ParameterRow reference_row();
+/// Why method.reference measures no errors with so many cells per side: a sentence without a full stop; empty
+/// if it measures them.
+std::string why_without_errors(const std::string& reference, int cells);
 std::unique_ptr<Method> quadrilateral_mesh_pde(std::shared_ptr<const QuadrilateralDomain> domain,
                                                const Values& values);
 

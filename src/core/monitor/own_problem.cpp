@@ -223,6 +223,7 @@ ProblemData own_problem(std::shared_ptr<const Monitor> own, const DomainExtent& 
 }
 
 ProblemData stoppable(ProblemData data, std::stop_token stop) {
+    data.stop = stop;
     if (stop.stop_possible())
         data.monitor = std::make_shared<StoppableMonitor>(std::move(data.monitor), std::move(stop));
     return data;

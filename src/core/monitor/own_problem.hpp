@@ -50,7 +50,7 @@ void difference_gradients(const Monitor& monitor, const DomainExtent& extent, co
 /// Checks the monitor (Monitor::check), and chooses ProblemData::unit from its values at some of the nodes.
 /// Throws InputError; so do the values of the result.
 ProblemData own_problem(std::shared_ptr<const Monitor> own, const DomainExtent& extent, const Points& nodes);
-/// The same data with a monitor that throws Interrupted when asked to stop.
+/// The same data with this token, and a monitor that throws Interrupted when asked to stop.
 ProblemData stoppable(ProblemData data, std::stop_token stop);
 
 } // namespace gaspard

@@ -10,6 +10,7 @@
 #include "core/monitor/tensor.hpp"
 
 #include <memory>
+#include <stop_token>
 #include <string>
 
 namespace gaspard GASPARD_API {
@@ -26,6 +27,7 @@ struct ProblemData {
     std::string pde_type{};                        ///< of PdeType; empty: the problem has no section pde
     std::shared_ptr<const Values> pde{};           ///< its values; null: the problem has no section pde
     std::shared_ptr<const MonitorReport> report{}; ///< of the scalar monitor; null: it says nothing
+    std::stop_token stop{}; ///< Method::measures() that take long throw Interrupted when it is requested
 };
 
 /// Problem data of a scalar monitor. Throws InputError if the monitor is not positive (Monitor::check).

@@ -137,14 +137,14 @@ Reproduction figure4(const Workshop& workshop) {
     Reproduction result;
     visit(workshop, "ε", [&](const Case& at) {
         const Errors found = errors(hill_scalar(*workshop.catalogue, at.eps), at.cells);
-        const double bound = std::sqrt(at.eps) / at.cells;
+        const double bound = one_layer_bound(at.eps, at.cells).value;
         if (at.column == 0) reference.begin(eps_title("ε", at.eps)), exact.begin(eps_title("ε", at.eps));
         reference.add(at.cells, found.to_reference, bound), exact.add(at.cells, found.to_exact, bound);
         result.rows.push_back({at.title, "energy error", found.to_reference});
         result.rows.push_back({at.title, "exact energy error", found.to_exact});
         result.rows.push_back({at.title, "ε^(1/2) / N", bound});
     });
-    const std::string bound = "√ε / N";
+    const std::string bound = one_layer_bound(1, 1).formula;
     result.figure = Figure{"Errors of the scalar problem",
                            {{"P2 reference", reference.plot(bound)}, {"Exact solution", exact.plot(bound)}}};
     return result;
@@ -156,14 +156,14 @@ Reproduction figure7(const Workshop& workshop) {
     visit(workshop, "ε2", [&](const Case& at) {
         const double error =
             errors(hill_coupled(*workshop.catalogue, eps1_of_system, at.eps), at.cells).to_reference;
-        const double n = at.cells, bound = (std::sqrt(eps1_of_system) + std::sqrt(at.eps)) / n + 1 / (n * n);
+        const double bound = two_layers_bound(eps1_of_system, at.eps, at.cells).value;
         if (at.column == 0) series.begin(eps_title("ε2", at.eps));
         series.add(at.cells, error, bound);
         result.rows.push_back({at.title, "energy error", error});
         result.rows.push_back({at.title, "bound (26), C = 1", bound});
     });
     result.figure =
-        Figure{"Errors of the coupled system", {{"System", series.plot("(√ε1 + √ε2) / N + 1 / N²")}}};
+        Figure{"Errors of the coupled system", {{"System", series.plot(two_layers_bound(1, 1, 1).formula)}}};
     return result;
 }
 

@@ -78,8 +78,8 @@ SquareError solved(const HillSquare& square, int cells) {
 struct ErrorPlot {
     std::string title, quantity;
     std::function<HillSquare(double)> problem;
-    std::function<double(double eps, double n)> bound;
-    std::string bound_label, note{};
+    EnergyBound (*bound)(double eps, double n);
+    std::string note{};
 };
 
 Plot errors(const ErrorPlot& plot, const Workshop& workshop, std::vector<PublishedRow>& rows) {
@@ -91,18 +91,17 @@ Plot errors(const ErrorPlot& plot, const Workshop& workshop, std::vector<Publish
             const std::string title = eps_title("ε", eps) + ", N = " + std::to_string(cells);
             workshop.announce(title);
             const SquareError found = solved(plot.problem(eps), cells);
-            series.add(cells, found.error, plot.bound(eps, cells));
+            series.add(cells, found.error, plot.bound(eps, cells).value);
             rows.push_back({title, plot.quantity, found.error, std::nullopt, plot.note});
             if (plot.note.empty())
                 rows.push_back({title, "inverted triangles", static_cast<double>(found.inverted)});
         }
     }
-    return series.plot(plot.bound_label);
+    return series.plot(plot.bound(1, 1).formula);
 }
 
 Reproduction figure11(const Workshop& workshop) {
-    const ErrorPlot plot{"Error to the P2 solution", "energy error", hill_irregular,
-                         [](double eps, double n) { return std::sqrt(eps) / n; }, "√ε / N"};
+    const ErrorPlot plot{"Error to the P2 solution", "energy error", hill_irregular, one_layer_bound};
     Reproduction result;
     Plot drawn = errors(plot, workshop, result.rows);
     result.figure = Figure{"Errors on the irregular domain", {{plot.title, std::move(drawn)}}};
@@ -110,14 +109,12 @@ Reproduction figure11(const Workshop& workshop) {
 }
 
 Reproduction figure14(const Workshop& workshop) {
-    const auto bound = [](double eps, double n) { return std::sqrt(eps) / n + 1 / (n * n); };
     const auto with = [](Diffusion diffusion) {
         return [diffusion](double eps) { return hill_varying(eps, diffusion); };
     };
     const ErrorPlot plots[] = {
-        {"Squared diffusion", "energy error", with(Diffusion::squared), bound, "√ε / N + 1 / N²"},
-        {"Diffusion as printed", "energy error, as printed", with(Diffusion::as_printed), bound,
-         "√ε / N + 1 / N²",
+        {"Squared diffusion", "energy error", with(Diffusion::squared), plane_layers_bound},
+        {"Diffusion as printed", "energy error, as printed", with(Diffusion::as_printed), plane_layers_bound,
          "(35a) lacks the exponent 2 of (25a) on the diffusion: its layers are wider than those of the "
          "mesh"}};
     Reproduction result{{}, Figure{"Errors for varying diffusion", {}}};

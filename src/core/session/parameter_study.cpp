@@ -4,10 +4,13 @@
 #include "core/base/join.hpp"
 #include "core/base/number_text.hpp"
 #include "core/layer/layer_pde.hpp"
+#include "core/method/interval_method.hpp"
+#include "core/method/quadrilateral_mesh_pde.hpp"
 #include "core/session/interpolation_study.hpp"
 #include "core/session/run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -37,6 +40,10 @@ std::optional<double> bound_of(const Scenario& scenario) {
     return bound ? std::optional(bound->value) : std::nullopt;
 }
 
+std::string label_of(const SeriesInfo& info) {
+    return info.plot ? info.plot->label + ", " + info.plot->part : info.label;
+}
+
 std::vector<std::string> measures_of(const StepReport& report) {
     std::vector<std::string> names;
     for (const SeriesInfo& one : report.series->all()) names.push_back(one.name);
@@ -53,6 +60,19 @@ StepReport last_report(Run& run, const std::string& measure, const std::stop_tok
     return run.history().back();
 }
 
+/// Why there is no such error; empty if it is not an error of a solution, or the reason is not known.
+std::string absence_of(const Scenario& scenario, const std::string& measure) {
+    if (!measure.ends_with("energy_error")) return {};
+    if (scenario.pde.values.rows().empty())
+        return "without a problem to solve there are no errors; set pde.type";
+    const Values& method = scenario.method.values;
+    if (method.has("reference")) {
+        const auto cells = static_cast<int>(scenario.domain.values.integer("cells"));
+        if (std::string why = why_without_errors(method.text("reference"), cells); !why.empty()) return why;
+    }
+    return measure.ends_with("exact_energy_error") ? "no closed form of the solution is known" : "";
+}
+
 /// False if it was stopped.
 bool solve_point(const std::shared_ptr<const Catalogue>& catalogue, const StudyPlan& plan, int threads,
                  StudyPoint& point, const std::stop_token& stop) {
@@ -60,10 +80,12 @@ bool solve_point(const std::shared_ptr<const Catalogue>& catalogue, const StudyP
         Scenario scenario = study_scenario(*catalogue, plan, point.line, point.place);
         scenario.method.values.set("diagnostics", std::string("full"));
         point.bound = bound_of(scenario);
+        const std::string absence = absence_of(scenario, plan.measure);
         Run run(catalogue, std::move(scenario), {.threads = threads}, {}, stop);
         run.solve(stop);
         if (run.status() == RunStatus::interrupted) return false;
         point.report = last_report(run, plan.measure, stop);
+        if (std::isnan(study_value(point, plan.measure))) point.absence = absence;
     } catch (const Interrupted&) {
         return false;
     } catch (const InputError& error) {
@@ -137,17 +159,35 @@ std::string measure_label(std::span<const StudyPoint> points, std::string_view m
         const SeriesTable& table = *point.report->series;
         const auto place = table.find(measure);
         if (!place) continue;
-        const SeriesInfo& info = table.all()[*place];
-        return info.plot ? info.plot->label + ", " + info.plot->part : info.label;
+        return label_of(table.all()[*place]);
     }
+    for (const SeriesInfo& info : energy_error_series()) // before the first run, or if all fail
+        if (info.name == measure) return label_of(info);
+    if (const auto place = common_series()->find(measure)) return label_of(common_series()->all()[*place]);
+    static constexpr std::array<std::pair<std::string_view, const char*>, 4> others{
+        {{"iterations", "Iterations"},
+         {"seconds", "Time in seconds"},
+         {"cpu_seconds", "CPU time in seconds"},
+         {"tangled_cells", "Tangled cells"}}};
+    for (const auto& [name, label] : others)
+        if (name == measure) return label;
     return std::string(measure);
 }
 
 std::string study_note(const StudyPoint& point) {
     if (!point.report) return point.complaint;
-    if (point.report->status == RunStatus::converged) return {};
+    if (point.report->status == RunStatus::converged) return point.absence;
     return std::string(status_name(point.report->status)) + " after " +
            std::to_string(point.report->iteration) + " iterations";
+}
+
+std::vector<std::string> study_absences(std::span<const StudyPoint> points) {
+    std::vector<std::string> all;
+    for (const StudyPoint& point : points)
+        if (!point.absence.empty() && study_note(point) == point.absence &&
+            std::find(all.begin(), all.end(), point.absence) == all.end())
+            all.push_back(point.absence);
+    return all;
 }
 
 bool has_orders(const StudyPlan& plan) {

@@ -44,14 +44,17 @@ struct StudyPoint {
     std::optional<double> bound{};      ///< of the energy error (core/layer/layer_pde.hpp)
     std::string complaint{};            ///< why it could not be run
     bool refused = false;               ///< the complaint is about the input
+    std::string absence{};              ///< why the run has no value of the measure, where that is known
 };
 /// A series of the last report by its name, or "iterations", "seconds", "cpu_seconds", "tangled_cells"; NaN
 /// where it is not known.
 double study_value(const StudyPoint& point, std::string_view measure);
-/// "Energy error", for people; the name itself where no point knows it.
+/// "Energy error, P2 reference", for people; the name itself where neither a point nor this program knows it.
 std::string measure_label(std::span<const StudyPoint> points, std::string_view measure);
-/// "4 iterations, iteration-limit" or the complaint of a run that did not converge; empty if it did.
+/// "4 iterations, iteration-limit" or the complaint of a run that did not converge; of others the absence.
 std::string study_note(const StudyPoint& point);
+/// What the runs that converged say of values that are absent, each sentence once.
+std::vector<std::string> study_absences(std::span<const StudyPoint> points);
 
 /// The exponent p of value ~ x^p between two points of a line; where cells vary the order of convergence, so
 /// that it is positive if the value falls. NaN where it is not defined.

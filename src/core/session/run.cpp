@@ -91,11 +91,12 @@ static Scenario on_patch(const Catalogue& catalogue, Scenario scenario, const Sp
 
 Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptions options,
          const Progress& progress, std::stop_token stop)
-    : catalogue_(std::move(catalogue)), threads_(options.threads), now_{.problem = check(*catalogue_,
-                                                                   on_patch(*catalogue_, std::move(scenario),
-                                                                            options.patch.get()),
-                                                                   options.monitor.get()),
-                                                  .own = std::move(options.monitor)} {
+    : catalogue_(std::move(catalogue)),
+      threads_(options.threads), now_{.problem = check(
+                                          *catalogue_,
+                                          on_patch(*catalogue_, std::move(scenario), options.patch.get()),
+                                          options.monitor.get()),
+                                      .own = std::move(options.monitor)} {
     const Stopwatch watch;
     now_.discretisation = prepare(now_.problem, progress, stop);
     now_.data = make_problem_data(*catalogue_, now_.problem.scenario, now_.own,
@@ -224,10 +225,14 @@ bool Run::returns() const {
 
 const StepReport& Run::solve(std::stop_token stop) {
     while (status() == RunStatus::running) {
-        if (stop.stop_requested())
+        if (stop.stop_requested()) {
             interrupt();
-        else
+            continue;
+        }
+        try {
             step(stop);
+        } catch (const Interrupted&) { // by `stop`, and the iterate before it is there
+        }
     }
     return history_.back();
 }
@@ -238,6 +243,7 @@ const StepReport& Run::step(std::stop_token stop) {
     const Timer timer(now_);
     last_finite_ = now_.state;
     const Judging judging = now_.judging;
+    now_.data.stop = stop; // of the measures, too
     try {
         Evaluation evaluation = now_.method->step(now_.data, now_.state, stop);
         std::string note = evaluation.note;
@@ -245,7 +251,9 @@ const StepReport& Run::step(std::stop_token stop) {
         StepReport next = report(now_, evaluation, history_.back().iteration + 1, std::move(note));
         timer.add_to(next, history_.back(), now_);
         history_.push_back(std::move(next));
+        now_.data.stop = {};
     } catch (...) { // undo the incomplete step
+        now_.data.stop = {};
         now_.state = last_finite_;
         now_.judging = judging;
         now_.measured.reset();

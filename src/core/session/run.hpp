@@ -52,7 +52,8 @@ class Run {
     // was before the call.
 
     /// Makes one iteration and returns its report with the new status. Requires status() to be running.
-    /// Throws InputError if the caller's monitor is not positive and finite somewhere.
+    /// Throws InputError if the caller's monitor is not positive and finite somewhere, and Interrupted if
+    /// asked to stop in the middle of a step that takes long.
     const StepReport& step(std::stop_token stop = {});
     /// Steps until the status is final (interrupted if asked to stop). Returns the last report.
     const StepReport& solve(std::stop_token stop = {});

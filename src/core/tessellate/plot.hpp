@@ -17,6 +17,7 @@ struct Curve {
     /// Between its points y is linear in x, and drawn so on logarithmic axes, too; from a point at x = 0 on.
     /// Else points are connected by straight lines on the page.
     bool linear = false;
+    std::string name{}; ///< what a read-out calls a curve without a label
 };
 
 struct Axis {

@@ -42,7 +42,9 @@ std::string state_text(const ErrorStudy& study, const ErrorStudy::Result& result
     if (!result.done) return std::to_string(done) + " of " + std::to_string(all) + " runs";
     const auto failed = std::count_if(result.points.begin(), result.points.end(),
                                       [](const StudyPoint& point) { return !point.complaint.empty(); });
-    return failed > 0 ? std::to_string(failed) + " of " + std::to_string(all) + " runs failed" : "";
+    if (failed > 0) return std::to_string(failed) + " of " + std::to_string(all) + " runs failed";
+    const std::vector<std::string> absences = study_absences(result.points);
+    return absences.empty() ? std::string() : absences.front();
 }
 
 Plot with_axes(Plot plot, const PlotChoice& choice) {

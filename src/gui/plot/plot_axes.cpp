@@ -1,6 +1,7 @@
 #include "gui/plot/plot_axes.hpp"
 
 #include "gui/base/plot_text.hpp"
+#include "gui/plot/plot_legend.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +69,11 @@ void draw_rows(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, c
     }
 }
 
+/// In as many lines as it needs.
+ImVec2 title_size(std::string_view title, const ScreenRect& rect) {
+    return ImGui::CalcTextSize(title.data(), title.data() + title.size(), false, rect.width());
+}
+
 void draw_labels(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, ScreenRect rect,
                  const Theme& theme, float scale) {
     const float line = ImGui::GetFontSize(), gap = 5 * scale;
@@ -77,8 +83,12 @@ void draw_labels(ImDrawList& list, const PlotView& plot, const PlotFrame& frame,
         list.AddText(at, packed(colour), text.data(), text.data() + text.size());
     };
     if (!plot.title.empty()) {
-        write({middle - text_size(plot.title).x / 2, top}, theme.text, plot.title);
-        top += line + gap;
+        const ImVec2 size = title_size(plot.title, rect);
+        const float left =
+            std::clamp(middle - size.x / 2, rect.min.x, std::max(rect.min.x, rect.max.x - size.x));
+        list.AddText(ImGui::GetFont(), line, {left, top}, packed(theme.text), plot.title.data(),
+                     plot.title.data() + plot.title.size(), rect.width());
+        top += size.y + gap;
     }
     const float ticks = plot.left > 0 ? plot.left : label_width(frame.y_ticks) + gap;
     const float left = std::max(rect.min.x, frame.area.min.x - ticks);
@@ -166,8 +176,10 @@ PlotFrame make_frame(const PlotView& plot, ScreenRect rect, const PlotZoom& zoom
     PlotFrame frame;
     frame.x = plot.x, frame.y = plot.y;
     frame.area = rect;
-    if (!plot.title.empty()) frame.area.min.y += line + gap;
+    if (!plot.title.empty()) frame.area.min.y += title_size(plot.title, rect).y + gap;
     if (!plot.y.label.empty()) frame.area.min.y += line + gap;
+    if (const ImVec2 names = legend_strip(plot, frame.area, scale); names.y > 0)
+        frame.legend_width = names.x, frame.area.min.y += names.y;
     frame.area.min.y += line / 2; // half of the uppermost label
     frame.area.max.y -= line + gap;
     if (!plot.x.label.empty()) frame.area.max.y -= line + gap / 2;

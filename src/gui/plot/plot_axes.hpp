@@ -35,8 +35,9 @@ struct PlotFrame {
     Axis x, y;
     AxisRange x_range, y_range;
     std::vector<Tick> x_ticks, y_ticks;
-    ScreenRect area; ///< of the curves
-    float strip = 0; ///< height of the rows of nodes below it
+    ScreenRect area;        ///< of the curves
+    float strip = 0;        ///< height of the rows of nodes below it
+    float legend_width = 0; ///< of the names above it (plot_legend.hpp); 0: a box inside has them
 
     bool drawable() const { return area.width() >= 8 && area.height() >= 8; }
     double pixel_x(double value) const { return pixel_of_x(to_axis(x, value)); }

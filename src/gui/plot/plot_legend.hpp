@@ -1,9 +1,14 @@
-// The names of a plot's curves, in the corner where they hide least of the curves.
+// The names of a plot's curves, in the corner where they hide least of the curves; of more than four curves
+// in a small plot, in lines above them.
 #pragma once
 
 #include "gui/plot/plot_curves.hpp"
 
 namespace gaspard {
+
+/// Size of the lines of names above the curves of a plot that may take `area`; zero where a box inside is
+/// small enough.
+ImVec2 legend_strip(const PlotView& plot, ScreenRect area, float scale);
 
 /// Draws nothing for a single curve or without space. `paths`: of the plot's curves.
 void draw_legend(ImDrawList& list, const PlotView& plot, const std::vector<PixelPath>& paths,

@@ -59,7 +59,7 @@ std::vector<ReadOutLine> read_out(const PlotView& plot, const PlotFrame& frame,
     for (const PointedAt& point : points) {
         if (lines.size() > most) break;
         const CurveView& curve = plot.curves[point.curve];
-        std::string name = shortened(curve.label, available);
+        std::string name = shortened(curve.label.empty() ? std::string(curve.name) : curve.label, available);
         if (!curve.part.empty()) name.append(" ").append(curve.part);
         std::string value = short_number(curve.y[point.index], 5);
         if (std::abs(frame.pixel_x(curve.x[point.index]) - static_cast<double>(pixel_x)) > 2)

@@ -21,6 +21,7 @@ struct CurveView {
     bool markers = false;               ///< a disc on every point
     bool behind = false;                ///< thinner, and below those that are not
     bool linear = false;                ///< as in Curve
+    std::string_view name{};            ///< as in Curve
 };
 
 struct RowView {
@@ -55,7 +56,8 @@ inline PlotView view_of(const Plot& plot) {
                                .colour = curve.colour.value_or(i),
                                .markers = curve.markers,
                                .behind = curve.behind,
-                               .linear = curve.linear});
+                               .linear = curve.linear,
+                               .name = curve.name});
     }
     for (const PlotRow& row : plot.rows) view.rows.push_back({row.x, row.colour});
     for (const PlotMark& mark : plot.marks) view.marks.push_back({.x = mark.x, .label = mark.label});

@@ -232,11 +232,11 @@ TEST(Formats, TheTableListsTheFilesOfEachFormat) {
         EXPECT_EQ(folder.content(), expected) << format.name;
         EXPECT_FALSE(format.help.empty());
     }
-    EXPECT_EQ(expected,
-              (std::vector<std::string>{
-                  "adapted-curved.glb", "adapted-curved.obj", "adapted.glb", "adapted.msh", "adapted.obj",
-                  "adapted.ply", "adapted.svg", "adapted.ugrid.nc", "adapted.vtu", "computational-curved.obj",
-                  "computational.obj", "computational.ugrid.nc", "equidistribution.svg", "residual.svg"}));
+    EXPECT_EQ(expected, (std::vector<std::string>{
+                            "adapted-curved.glb", "adapted-curved.obj", "adapted.csv", "adapted.glb",
+                            "adapted.msh", "adapted.obj", "adapted.ply", "adapted.svg", "adapted.ugrid.nc",
+                            "adapted.vtu", "computational-curved.obj", "computational.obj",
+                            "computational.ugrid.nc", "equidistribution.svg", "residual.svg"}));
     expect_positions(read_obj(folder / "computational.obj"), mesh->nodes);
     expect_positions(read_obj(folder / "adapted.obj"), snapshot.x);
 }
@@ -248,7 +248,7 @@ TEST(Formats, ListsAreParsedAndUnknownNamesReportedWithTheNearest) {
     EXPECT_EQ(both[1]->name, "obj");
     EXPECT_EQ(message_of<InputError>([] { parse_formats("obj,glbb"); }),
               "unknown format 'glbb' (did you mean 'glb'?); allowed: obj, glb, obj-curved, glb-curved, "
-              "vtu, msh, ply, ugrid, patch, svg");
+              "vtu, msh, ply, csv, ugrid, patch, svg");
     for (const char* wrong : {"", "obj,", ",obj", "obj glb", "OBJ"})
         EXPECT_THROW(parse_formats(wrong), InputError) << wrong;
 }

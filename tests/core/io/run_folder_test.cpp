@@ -40,6 +40,20 @@ TEST_F(RunFolderTest, FilesOfTheSameScenarioMayBeReplacedAndNoOthers) {
     EXPECT_NO_THROW(check());
 }
 
+TEST_F(RunFolderTest, FilesOfAnEarlierRunThatAreNotReplacedAreRemoved) {
+    const auto removed = [&] {
+        return remove_others(folder, {"a.csv", "b.png", "c.svg", "record.json"}, {"a.csv", "record.json"},
+                             "record.json");
+    };
+    for (const char* name : {"a.csv", "b.png", "other.png"}) put(name, "");
+    std::filesystem::create_directory(folder / "c.svg");
+    EXPECT_TRUE(removed().empty()) << "nothing says that they are of a run";
+    put("record.json", "{\"scenario\": \"his\"}");
+    EXPECT_EQ(removed(), std::vector<std::string>{"b.png"});
+    for (const char* name : {"a.csv", "c.svg", "record.json", "other.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+}
+
 TEST_F(RunFolderTest, AFreeFolderHasNoneOfTheNames) {
     const auto base = folder / "ring";
     EXPECT_EQ(free_folder(base, {"a.csv"}), base);

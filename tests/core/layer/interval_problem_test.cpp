@@ -99,8 +99,9 @@ TEST(IntervalProblem, ExponentialFittingIsExactAtNodes) {
 
 TEST(IntervalProblem, ExponentialFittingIsGalerkinsMethodWithoutConvection) {
     const std::vector<double> x = {0, 0.1, 0.4, 0.5, 0.95, 1};
-    EXPECT_EQ(solve_fitted(reaction_diffusion(1e-2), x).nodes,
-              solve_interval(reaction_diffusion(1e-2), x, 1).nodes);
+    const auto fitted = solve_fitted(reaction_diffusion(1e-2), x).nodes[0],
+               galerkin = solve_interval(reaction_diffusion(1e-2), x, 1).nodes[0];
+    for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(fitted[i], galerkin[i], 1e-14) << i;
 }
 
 } // namespace

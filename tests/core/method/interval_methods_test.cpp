@@ -256,7 +256,8 @@ TEST_F(IntervalMethods, InvalidInputIsOneSentence) {
               std::string::npos);
     EXPECT_EQ(complaint({"pde.reaction=k*x"}),
               "pde.reaction: unknown name 'k' (did you mean 'x'?); known: x, eps");
-    EXPECT_EQ(complaint({"pde.source=1/x", "domain.start=-1"}), "");
+    EXPECT_EQ(complaint({"pde.source=1/x", "domain.start=-1"}), "pde.source is not finite at x = 0");
+    EXPECT_EQ(complaint({"pde.source=1/(x + 2)", "domain.start=-1"}), "");
     EXPECT_NE(complaint({"monitor.type=formula", "monitor.expression=x - 0.5"}), "");
     EXPECT_NE(complaint({"method.type=bakhvalov", "method.layers=both", "domain.cells=33"}), "");
 }

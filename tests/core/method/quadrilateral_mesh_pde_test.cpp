@@ -71,6 +71,72 @@ TEST_F(QuadrilateralMeshPde, SolutionAdaptedFindsLayersOfAnyWidth) {
     }
 }
 
+// A step of Newton's method, a solve for densities, a step whose result is measured.
+TEST_F(QuadrilateralMeshPde, StepsAreStoppedAndLeaveTheIterateBefore) {
+    for (const std::vector<std::string>& settings :
+         {std::vector<std::string>{"method.finish=converged"}, {"method.type=solution-adapted"}, {}}) {
+        gaspard::Run made = run("layer-2d", settings);
+        for (int k = 0; k < 16; ++k) made.step();
+        const Points before = made.snapshot()->x;
+        const std::size_t reports = made.history().size();
+        std::stop_source source;
+        source.request_stop();
+        ASSERT_EQ(made.status(), RunStatus::running);
+        EXPECT_THROW(made.step(source.get_token()), Interrupted);
+        EXPECT_EQ(made.history().size(), reports);
+        EXPECT_EQ(made.snapshot()->x, before);
+        EXPECT_EQ(made.solve(source.get_token()).status, RunStatus::interrupted);
+        EXPECT_TRUE(made.history().back().value("energy_error")) << "what is there is measured";
+    }
+}
+
+TEST_F(QuadrilateralMeshPde, RefusesCoefficientsForWhichThePictureWouldBeWrong) {
+    EXPECT_EQ(complaint("layer-2d", {"pde.source=log(x)"}), "pde.source is not finite at (0, 0)");
+    EXPECT_EQ(complaint("layer-2d", {"pde.reaction=x - 0.5"}),
+              "pde.reaction is -0.5 at (0, 0); it must not be negative");
+    EXPECT_EQ(complaint("layer-2d", {"pde.squared=false", "pde.diffusion_y=-1"}),
+              "pde.diffusion_y is -1 at (0, 0); it must not be negative");
+    EXPECT_EQ(complaint("layer-2d", {"pde.diffusion_y=-1"}), "") << "its square is positive";
+    EXPECT_EQ(complaint("layer-2d", {"pde.reaction=sin(pi*x)"}), "") << "-1e-16 at 1 is rounding";
+    EXPECT_EQ(complaint("layer-1d", {"pde.source=log(x)"}), "pde.source is not finite at x = 0");
+    EXPECT_EQ(complaint("layer-1d", {"pde.source=1/(x - 0.5)"}), "pde.source is not finite at x = 0.5");
+    EXPECT_EQ(complaint("layer-1d", {"pde.reaction=-1"}),
+              "pde.reaction is -1 at x = 0; it must not be negative");
+    EXPECT_EQ(complaint("layer-1d-convection", {"pde.reaction=-1"}), "") << "u grows, and is unique";
+}
+
+// Galerkin's solutions on coarse meshes would oscillate. Along x, and with a flow across a slanted side.
+TEST_F(QuadrilateralMeshPde, SolutionAdaptedFindsLayersOfConvection) {
+    for (const char* eps : {"1e-2", "1e-4", "1e-8"}) {
+        const std::string width = std::string("pde.eps=") + eps;
+        gaspard::Run known = run("layer-2d-convection", {width}),
+                     found = run("layer-2d-convection", {width, "method.type=solution-adapted"});
+        const double best = *known.solve().value("energy_error"), own = *found.solve().value("energy_error");
+        EXPECT_LT(own, 1.5 * best) << eps;
+        EXPECT_EQ(*found.history().back().tangled_cells, 0U);
+    }
+    for (const char* eps : {"1e-2", "1e-4", "1e-6"}) {
+        gaspard::Run slanted =
+            run("layer-quadrilateral", {"pde.type=convection-diffusion-2d", "method.type=solution-adapted",
+                                        std::string("pde.eps=") + eps});
+        EXPECT_LT(*slanted.solve().value("energy_error"), 0.06) << eps;
+    }
+}
+
+TEST_F(QuadrilateralMeshPde, SolutionAdaptedShortensStepsThatWouldInvertTriangles) {
+    gaspard::Run made =
+        run("layer-2d", {"method.type=solution-adapted", "method.smoothing=0", "pde.eps=1e-8"});
+    made.solve();
+    EXPECT_EQ(made.status(), RunStatus::converged);
+    const auto shortened = [](const StepReport& report) {
+        return report.iteration > 0 && report.step_size < 1;
+    };
+    const auto& history = made.history();
+    EXPECT_GE(std::count_if(history.begin(), history.end(), shortened), 2);
+    EXPECT_EQ(*history.back().tangled_cells, 0U);
+    EXPECT_TRUE(history.back().value("energy_error")) << "the solution needs areas";
+}
+
 TEST_F(QuadrilateralMeshPde, SolutionAdaptedDoesNotUseTheMonitor) {
     std::vector<double> errors;
     for (const char* eps : {"1e-2", "0.5"}) {

@@ -6,6 +6,7 @@
 #include "core/session/run.hpp"
 #include "support/messages.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -120,6 +121,33 @@ TEST_F(ParameterStudy, HasTheErrorsOfThePaperAndTheirOrder) {
     EXPECT_NEAR(study_value(points[1], "energy_error") / study_value(points[2], "energy_error"), 100, 1);
 }
 
+TEST_F(ParameterStudy, SaysOnceWhyErrorsAreNotMeasured) {
+    const auto absences = [&](const std::string& name, const Texts& settings, const std::string& over,
+                              const std::string& measure = "energy_error") {
+        Scenario scenario = find_scenario(*catalogue, name);
+        apply_settings(*catalogue, scenario, settings);
+        const auto points = solved(plan(scenario, over, {}, measure));
+        for (const StudyPoint& point : points)
+            EXPECT_EQ(std::isnan(study_value(point, measure)), !study_note(point).empty());
+        const Plot plot = study_plot(plan(scenario, over, {}, measure), points);
+        const bool none = std::all_of(points.begin(), points.end(),
+                                      [](const StudyPoint& point) { return !point.absence.empty(); });
+        EXPECT_EQ(plot.y.label.ends_with(", not measured"), none);
+        EXPECT_EQ(plot.curves.size(), none ? 1U : 3U) << "no bound of nothing";
+        return study_absences(points);
+    };
+    const Texts coarse{"pde.eps=0.1", "method.final_solves=1"};
+    EXPECT_EQ(absences("layer-2d", coarse, "domain.cells=8,66,68"),
+              Texts{"errors beyond 64 cells per side are measured only with method.reference=on"});
+    EXPECT_EQ(absences("layer-2d", {"method.reference=off"}, "domain.cells=8"),
+              Texts{"method.reference=off measures no errors; auto and on do"});
+    EXPECT_EQ(absences("layer-2d", {"pde.type=none", "monitor.eps=1e-3"}, "domain.cells=8"),
+              Texts{"without a problem to solve there are no errors; set pde.type"});
+    EXPECT_EQ(absences("layer-2d", coarse, "domain.cells=8", "exact_energy_error"),
+              Texts{"no closed form of the solution is known"});
+    EXPECT_EQ(absences("layer-1d", {}, "domain.cells=8"), Texts{});
+}
+
 TEST_F(ParameterStudy, ErrorsOverEpsHaveItsExponent) {
     const StudyPlan over = plan(layer(), "pde.eps=1e-8,1e-6,1e-4");
     const auto points = solved(over);
@@ -216,6 +244,10 @@ TEST_F(ParameterStudy, HasATableARecordAndAPlot) {
     const Plot plot = study_plot(errors, points);
     ASSERT_EQ(plot.curves.size(), 5U) << "two lines, their bounds and an entry of the legend";
     EXPECT_EQ(plot.curves[1].label, "ε = 10⁻⁴");
+    EXPECT_EQ(plot.curves[3].label, "") << "no entry of its own";
+    EXPECT_EQ(plot.curves[3].name, "ε = 10⁻⁴: √ε / N");
+    EXPECT_EQ(study_plot(errors, {}).y.label, plot.y.label) << "before the first run";
+    EXPECT_EQ(measure_label({}, "cpu_seconds"), "CPU time in seconds");
     EXPECT_EQ(plot.curves[1].x, (std::vector<double>{16, 32}));
     EXPECT_TRUE(plot.curves[1].markers);
     EXPECT_EQ(plot.curves[3].colour, plot.curves[1].colour);

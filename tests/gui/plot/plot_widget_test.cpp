@@ -1,8 +1,8 @@
 #include "gui/base/plot_text.hpp"
+#include "gui/headless_ui.hpp"
 #include "gui/plot/plot_legend.hpp"
 #include "gui/plot/plot_read_out.hpp"
 #include "gui/plot/plot_widget.hpp"
-#include "gui/headless_ui.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -122,6 +122,35 @@ TEST(PlotWidget, HasALegendForSeveralCurves) {
     Plot plot = plot_of({0, 1}, {1, 2});
     plot.curves.push_back({"a long name to be written", {}, {}, false});
     EXPECT_GT(drawn_vertices(plot), drawn_vertices(plot_of({0, 1}, {1, 2})) + 40);
+}
+
+TEST(Legend, OfManyNamesInASmallPlotStandsAboveTheCurves) {
+    HeadlessUi ui;
+    ui.frame([] {
+        Plot plot = plot_of({1, 2}, {1, 2});
+        plot.curves.assign(6, {"ε = 10⁻⁴", {1, 2}, {1, 2}, false});
+        const auto frame = [&](ImVec2 size) { return make_frame(view_of(plot), {{0, 0}, size}, {}, 1); };
+        const PlotFrame small = frame({300, 220}), large = frame({1600, 1200});
+        EXPECT_GT(small.legend_width, 200);
+        EXPECT_EQ(large.legend_width, 0) << "a box inside";
+        EXPECT_GT(small.area.min.y, large.area.min.y + ImGui::GetFontSize());
+        plot.curves.resize(4);
+        EXPECT_EQ(frame({300, 220}).legend_width, 0) << "few";
+        plot.curves.resize(60, plot.curves.front());
+        EXPECT_EQ(frame({300, 220}).legend_width, 0) << "no room";
+    });
+}
+
+TEST(PlotFrame, ALongTitleTakesSeveralLines) {
+    HeadlessUi ui;
+    ui.frame([] {
+        Plot plot = plot_of({1, 2}, {1, 2});
+        plot.title = "short";
+        const auto top = [&] { return make_frame(view_of(plot), {{0, 0}, {300, 220}}, {}, 1).area.min.y; };
+        const float one = top();
+        plot.title = "errors beyond 64 cells per side are measured only with method.reference=on";
+        EXPECT_NEAR(top(), one + ImGui::GetFontSize(), 1);
+    });
 }
 
 TEST(Legend, StandsWhereItHidesLeast) {
