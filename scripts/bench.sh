@@ -21,4 +21,6 @@ python3 "$here/bench/splines.py" "$here/build-bench/bench/bench_splines"
 echo
 python3 "$here/bench/layers.py" "$here/build-bench/bench/bench_layers"
 echo
+python3 "$here/bench/transport.py" "$here/build-bench/bench/bench_transport"
+echo
 "$here/build-bench/bench/measure_orders"

@@ -128,9 +128,11 @@ void Nested::look_at(const ProblemData& data, const std::vector<double>& u) {
     if (level_ > 0) u_of_positions_ = u;
 }
 
-/// Changes to another level; u: unknowns on the current level, which are transferred.
+/// Changes to another level; u: unknowns on the current level, which are transferred. From the start to the
+/// start, which a stepper recognises.
 void Nested::go_to(std::size_t level, const std::vector<double>& u, const ProblemData& data, State& state) {
-    State there = levels_[level]->adopt(here(), u);
+    NonlinearProblem& next = *levels_[level];
+    State there = u == here().start() ? next.state_of(next.start()) : next.adopt(here(), u);
     state = std::move(there); // u may refer to an array of state
     select(level);
     look_at(data, here().unknowns(state));

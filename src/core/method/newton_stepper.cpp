@@ -7,12 +7,14 @@
 // linearisation loses convexity, as McRae et al. found; therefore a continuation in powers of the monitor is
 // used: m^t, from t = 0, for which the uniform mesh is the solution, to t = 1. For each t one Newton step is
 // made. It is accepted if the map stays convex and the residual for m^t is below `close`; then t increases
-// further. Otherwise the step is discarded and the increment of t halved.
+// further. Otherwise the step is discarded and the increment of t halved. Where the start does not solve the problem
+// for t = 0, damped steps for it come first.
 #include "core/linear/gmres.hpp"
 #include "core/method/stepper.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace gaspard {
@@ -88,9 +90,10 @@ class NewtonStepper final : public Stepper {
         for (std::size_t i = 0; i < u.size(); ++i) u[i] = before_[i] + length * update_[i];
     }
 
-    /// Newton step for m itself, with a line search: s is halved until the residual decreases.
-    Iterate directly(const ProblemData& data, std::vector<double>& u, const Iterate& now,
-                     std::stop_token stop) {
+    /// Newton step with a line search: s is halved until the residual decreases. If it does not, u is as before
+    /// and the result empty.
+    std::optional<Iterate> damped(const ProblemData& data, std::vector<double>& u, const Iterate& now,
+                                  std::stop_token stop) {
         const bool solved = solve(data, now.evaluation.residual, stop);
         for (double s = 1; solved && !stop.stop_requested() && s >= shortest; s /= 2) {
             go(u, s);
@@ -101,6 +104,13 @@ class NewtonStepper final : public Stepper {
                 return next;
         }
         u = before_;
+        return std::nullopt;
+    }
+
+    /// Newton step for m itself.
+    Iterate directly(const ProblemData& data, std::vector<double>& u, const Iterate& now,
+                     std::stop_token stop) {
+        if (auto next = damped(data, u, now, stop)) return *std::move(next);
         Iterate same = evaluate(*problem_, data, u);
         if (stop.stop_requested()) return same;
         return give_way(data, u, same);
@@ -131,6 +141,11 @@ class NewtonStepper final : public Stepper {
                 return next;
             }
             u = before_;
+            if (const auto length = towards_first(data, u, stop)) {
+                Iterate of_data = evaluate(*problem_, data, u);
+                of_data.evaluation.step_size = *length;
+                return of_data;
+            }
             advance_ = (t - t_) / 2;
             if (advance_ < least_advance) {
                 tell("continuation stopped at " + problem_->name_of_continued(t_));
@@ -141,6 +156,20 @@ class NewtonStepper final : public Stepper {
         }
         u = before_;
         return evaluate(*problem_, data, u);
+    }
+
+    /// Where the start does not solve the problem for t = 0, as between shapes that no affine map exchanges: a
+    /// damped step towards its solution, and the length of this step.
+    std::optional<double> towards_first(const ProblemData& data, std::vector<double>& u,
+                                        std::stop_token stop) {
+        if (t_ > 0) return std::nullopt;
+        const ProblemData first = problem_->continued(data, 0);
+        const Iterate now = evaluate(*problem_, first, u);
+        if (now.evaluation.residual < aim) return std::nullopt;
+        const auto next = damped(first, u, now, stop);
+        if (!next) return std::nullopt;
+        tell("a step for " + problem_->name_of_continued(0));
+        return next->evaluation.step_size;
     }
 
     /// If no Newton step is accepted: some relaxation steps, which use the Laplacian instead of the

@@ -31,8 +31,7 @@ TransportEquation::TransportEquation(std::shared_ptr<const TransportDomain> doma
     : NonlinearProblem(layout_of(*domain), domain->unknowns(), "u"), domain_(std::move(domain)),
       form_(std::make_shared<const NonvariationalSpace>(domain_->elements(), recovery, stop),
             domain_->setup().source, domain_->setup().target),
-      preconditioner_(form_.shared_space()), start_(form_.start()), balanced_(form_.space().size()),
-      stop_(std::move(stop)) {
+      preconditioner_(form_.shared_space()), start_(form_.start()), stop_(std::move(stop)) {
     move(start_);
 }
 
@@ -128,22 +127,6 @@ void TransportEquation::direction(std::span<double> d) {
 void TransportEquation::linearise(const ProblemData&, Linearised) {
     form_.linearise();
     if (!std::exchange(factorised_, true)) preconditioner_.factorise(form_.derivatives(), stop_);
-}
-
-// S has the kernel of the constants, nearly; c and the mean of w follow from the rows for them.
-void TransportEquation::precondition(std::span<const double> r, std::span<double> w) {
-    const std::size_t n = form_.space().size();
-    const auto loads = form_.space().loads();
-    double sum = 0;
-    for (std::size_t i = 0; i < n; ++i) sum += r[i];
-    const double c = -sum / form_.space().area();
-    for (std::size_t i = 0; i < n; ++i) balanced_[i] = r[i] + c * loads[i];
-    preconditioner_.solve(balanced_, w.first(n));
-    double mean = r[n];
-    for (std::size_t i = 0; i < n; ++i) mean += w[i] * loads[i];
-    mean /= form_.space().area();
-    for (std::size_t i = 0; i < n; ++i) w[i] -= mean;
-    w[n] = c;
 }
 
 ProblemData TransportEquation::continued(const ProblemData& data, double t) const {

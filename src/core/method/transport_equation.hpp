@@ -38,7 +38,9 @@ class TransportEquation final : public NonlinearProblem {
 
     void linearise(const ProblemData& data, Linearised how) override;
     void derivative(std::span<const double> w, std::span<double> out) override { form_.derivative(w, out); }
-    void precondition(std::span<const double> r, std::span<double> w) override;
+    void precondition(std::span<const double> r, std::span<double> w) override {
+        preconditioner_.solve(r, w);
+    }
 
     ProblemData continued(const ProblemData& data, double t) const override;
     std::string name_of_continued(double t) const override;
@@ -57,7 +59,6 @@ class TransportEquation final : public NonlinearProblem {
     Points positions_;
     std::vector<double> derivatives_; ///< of move()
     bool factorised_ = false;         ///< for the unknowns last evaluated
-    std::vector<double> balanced_;
     std::stop_token stop_;
 };
 

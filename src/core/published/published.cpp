@@ -13,6 +13,7 @@ std::vector<Recipe> recipes() {
     std::vector<Recipe> all = mcrae_recipes();
     for (auto& one : bahari_recipes()) all.push_back(std::move(one));
     for (auto& one : hill_recipes()) all.push_back(std::move(one));
+    for (auto& one : kawecki_recipes()) all.push_back(std::move(one));
     return all;
 }
 

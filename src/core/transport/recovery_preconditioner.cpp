@@ -147,9 +147,21 @@ void RecoveryPreconditioner::factorise(std::span<const double> hessians, std::st
 void RecoveryPreconditioner::solve(std::span<const double> r, std::span<double> w) {
     GASPARD_CHECK(factor_.has_value());
     const auto& place = dissection_->permutation;
-    for (std::size_t i = 0; i < w.size(); ++i) ordered_[static_cast<std::size_t>(place[i])] = r[i];
+    const std::size_t n = space_->size();
+    const auto loads = space_->loads();
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i) sum += r[i];
+    const double c = -sum / space_->area();
+    for (std::size_t i = 0; i < n; ++i) ordered_[static_cast<std::size_t>(place[i])] = r[i] + c * loads[i];
     factor_->solve<1>(ordered_);
-    for (std::size_t i = 0; i < w.size(); ++i) w[i] = ordered_[static_cast<std::size_t>(place[i])];
+    double mean = r[n];
+    for (std::size_t i = 0; i < n; ++i) {
+        w[i] = ordered_[static_cast<std::size_t>(place[i])];
+        mean += w[i] * loads[i];
+    }
+    mean /= space_->area();
+    for (std::size_t i = 0; i < n; ++i) w[i] -= mean;
+    w[n] = c;
 }
 
 } // namespace gaspard

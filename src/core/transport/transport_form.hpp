@@ -56,6 +56,7 @@ class TransportForm {
     /// Throws InputError if a density is not positive and finite.
     void evaluate(const TransportDensities& densities, std::span<const double> unknowns);
     // Of the unknowns last evaluated:
+    std::span<const double> unknowns() const { return unknowns_; }
     std::span<const double> residual() const { return residual_; }
     /// |r| / |(mean of det H, v)|.
     double normalised_residual() const;

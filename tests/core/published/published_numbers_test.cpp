@@ -94,5 +94,40 @@ TEST(PublishedNumbers, Figure9IsATangledMesh) {
     EXPECT_LT(snapshot->report.residual, 2); // before divergence
 }
 
+double kawecki_row(const Reproduction& result, const std::string& row, const std::string& quantity) {
+    for (const PublishedRow& one : result.rows)
+        if (one.row == row && one.quantity == quantity) return one.ours;
+    ADD_FAILURE() << row << ", " << quantity;
+    return NAN;
+}
+
+TEST(PublishedNumbers, KaweckisErrorsHaveTheOrdersOfTheText) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const Reproduction result = find_recipe("kawecki-fig1").make(catalogue, [](const std::string&) {}, {});
+    int stated = 0;
+    for (const PublishedRow& row : result.rows) {
+        if (row.published) {
+            ++stated;
+            EXPECT_NEAR(row.ours, row.published->value, 0.1) << row.row << ' ' << row.quantity;
+        }
+        if (row.quantity == "Newton steps") {
+            EXPECT_LE(row.ours, 7) << row.row;
+        }
+    }
+    EXPECT_EQ(stated, 10);
+    ASSERT_EQ(result.figure->panels.size(), 4u);
+    for (const FigurePanel& panel : result.figure->panels)
+        EXPECT_EQ(std::get<Plot>(panel.content).curves.size(), 8u);
+    // By an independent implementation.
+    const auto expect = [&](int rings, const std::string& quantity, double value, int digits) {
+        const std::string row = "P1, recovery, n = " + std::to_string(rings);
+        EXPECT_NEAR(kawecki_row(result, row, quantity), value, printed(value, digits).last_digit) << row;
+    };
+    expect(32, "L2 error", 3.614e-4, 4), expect(64, "L2 error", 8.896e-5, 4);
+    expect(32, "H1 error", .0567, 3), expect(64, "H1 error", .0281, 3);
+    expect(32, "recovered gradient", 8.46e-4, 3), expect(64, "recovered gradient", 2.36e-4, 3);
+    EXPECT_NEAR(kawecki_row(result, "P1, no recovery, n = 64", "order, Hessian"), 0.5, 0.05);
+}
+
 } // namespace
 } // namespace gaspard
