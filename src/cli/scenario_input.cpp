@@ -1,11 +1,13 @@
 #include "cli/scenario_input.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/join.hpp"
 #include "core/io/svg.hpp"
 #include "core/session/run.hpp"
 #include "core/tessellate/check_view.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace gaspard {
 
@@ -87,6 +89,10 @@ void check_with_mesh(const ScenarioInput& input, const Mesh& mesh) {
                 throw InputError("view." + key + ": " + error.what());
             }
     });
+}
+
+void print_removed(const std::vector<std::string>& names) {
+    if (!names.empty()) std::printf("removed %s of the run before\n", join(names, ", ").c_str());
 }
 
 } // namespace gaspard

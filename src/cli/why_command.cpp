@@ -67,6 +67,7 @@ int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& 
     ScenarioInput input = load_input(*catalogue, arguments.scenario, arguments.settings);
     check_input(*catalogue, input);
     const Scenario& scenario = input.scenario;
+    check_comparable(scenario);
     const auto resolutions =
         arguments.cells ? parse_resolutions(scenario, *arguments.cells) : usual_resolutions(scenario);
     const std::filesystem::path folder = arguments.out.empty()
@@ -111,7 +112,7 @@ int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& 
         std::fprintf(stderr, "gaspard: interrupted before the first mesh; nothing was written\n");
         return code;
     }
-    if (!maps) remove_others(folder, names, {"why.csv", "why.json", "why.svg"}, "why.json");
+    if (!maps) print_removed(remove_others(folder, names, {"why.csv", "why.json", "why.svg"}, "why.json"));
     write_atomically(folder / "why.json",
                      why_json(scenario, rows)); // first: it says what the others are about
     write_atomically(folder / "why.csv", why_csv(rows));

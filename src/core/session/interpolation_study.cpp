@@ -83,6 +83,13 @@ Scenario with_resolution(const Catalogue& catalogue, const Scenario& scenario, s
     return changed;
 }
 
+void check_comparable(const Scenario& scenario) {
+    if (scenario.source.type.empty()) return;
+    throw InputError(
+        "interpolation errors are compared with those of a uniform mesh of the same domain, which domain '" +
+        scenario.domain.type + "' does not have: its meshes go from one domain to another");
+}
+
 InterpolationRow interpolation_row(Run& run, const InterpolationRow* before, std::stop_token stop) {
     const auto errors = run.interpolation({.stop = std::move(stop)});
     GASPARD_CHECK(errors != nullptr); // with_resolution() switches them on

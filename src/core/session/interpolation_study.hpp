@@ -30,6 +30,8 @@ std::vector<std::int64_t> parse_resolutions(const Scenario& scenario, std::strin
 /// The scenario at another resolution, measured in full with interpolation errors.
 Scenario with_resolution(const Catalogue& catalogue, const Scenario& scenario, std::int64_t resolution);
 
+/// Throws InputError if the scenario's meshes have no uniform mesh of the same domain to be compared with.
+void check_comparable(const Scenario& scenario);
 /// The results at one resolution. Arrays have one entry per ErrorNorm.
 struct InterpolationRow {
     std::int64_t resolution = 0; ///< value of resolution_key()

@@ -10,7 +10,8 @@ namespace gaspard {
 
 bool Run::interpolates(const Course& course) {
     return course.problem.scenario.method.values.boolean("interpolation") &&
-           diagnostics(course) == Diagnostics::full;
+           diagnostics(course) == Diagnostics::full &&
+           !course.discretisation->target_outline(); // the uniform mesh lies in another domain
 }
 
 std::shared_ptr<const ScalarFunction> Run::solution() const { return solution_of(now_.data); }

@@ -11,6 +11,7 @@ CellStudy::CellStudy(std::shared_ptr<const Catalogue> catalogue, std::function<v
 void CellStudy::begin(const Scenario& scenario) {
     scenario_ = scenario, known_ = true;
     study_.begin([catalogue = catalogue_, scenario](const auto& change, const std::stop_token& stop) {
+        check_comparable(scenario);
         const auto resolutions = usual_resolutions(scenario);
         change([&](Result& result) { result.total = resolutions.size(); });
         std::vector<InterpolationRow> rows;

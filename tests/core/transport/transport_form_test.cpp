@@ -129,7 +129,7 @@ TEST(TransportForm, PreconditionerIsSymmetricAndClose) {
         form.evaluate({}, form.start());
         RecoveryPreconditioner preconditioner(form.shared_space());
         preconditioner.factorise(form.derivatives(), {});
-        const std::size_t n = form.space().size();
+        const std::size_t n = form.size();
         std::vector<double> a(n), b(n), of_a(n), of_b(n);
         for (std::size_t i = 0; i < n; ++i) a[i] = std::sin(double(i)), b[i] = std::cos(2 * double(i));
         preconditioner.solve(a, of_a);
@@ -147,7 +147,7 @@ TEST(TransportForm, AbsurdHessiansCanBeFactorised) {
     preconditioner.factorise(h, {});
     std::fill(h.begin(), h.end(), 0.0);
     preconditioner.factorise(h, {});
-    std::vector<double> r(form.space().size(), 1.0), w(r.size());
+    std::vector<double> r(form.size(), 1.0), w(r.size());
     preconditioner.solve(r, w);
     for (const double value : w) EXPECT_TRUE(std::isfinite(value));
 }
