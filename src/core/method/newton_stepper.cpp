@@ -7,8 +7,8 @@
 // linearisation loses convexity, as McRae et al. found; therefore a continuation in powers of the monitor is
 // used: m^t, from t = 0, for which the uniform mesh is the solution, to t = 1. For each t one Newton step is
 // made. It is accepted if the map stays convex and the residual for m^t is below `close`; then t increases
-// further. Otherwise the step is discarded and the increment of t halved. Where the start does not solve the problem
-// for t = 0, damped steps for it come first.
+// further. Otherwise the step is discarded and the increment of t halved. Where the start does not solve the
+// problem for t = 0, damped steps for it come first.
 #include "core/linear/gmres.hpp"
 #include "core/method/stepper.hpp"
 
@@ -91,8 +91,8 @@ class NewtonStepper final : public Stepper {
         for (std::size_t i = 0; i < u.size(); ++i) u[i] = before_[i] + length * update_[i];
     }
 
-    /// Newton step with a line search: s is halved until the residual decreases. If it does not, u is as before
-    /// and the result empty.
+    /// Newton step with a line search: s is halved until the residual decreases and the share `kept` of the
+    /// convexity is left. If there is no such s, u is as before and the result empty.
     std::optional<Iterate> damped(const ProblemData& data, std::vector<double>& u, const Iterate& now,
                                   double kept, std::stop_token stop) {
         const bool solved = solve(data, now.evaluation.residual, stop);
@@ -159,8 +159,8 @@ class NewtonStepper final : public Stepper {
         return evaluate(*problem_, data, u);
     }
 
-    /// Where the start does not solve the problem for t = 0, as between shapes that no affine map exchanges: a
-    /// damped step towards its solution, and the length of this step.
+    /// Where the start does not solve the problem for t = 0, as between shapes that no affine map exchanges:
+    /// a damped step towards its solution, and the length of this step.
     std::optional<double> towards_first(const ProblemData& data, std::vector<double>& u,
                                         std::stop_token stop) {
         if (t_ > 0) return std::nullopt;
