@@ -1,5 +1,5 @@
-// CPU time of the transport from the unit disk to an ellipse (Kawecki, Lakkis, Pryer, 2018, second experiment) with
-// degree 1 and recovery, on one thread: mesh, operators and Newton's method; the same work as
+// CPU time of the transport from the unit disk to an ellipse (Kawecki, Lakkis, Pryer, 2018, second experiment)
+// with degree 1 and recovery, on one thread: mesh, operators and Newton's method; the same work as
 // bench/peers/kawecki_nvfem_fenics.py.
 //
 // usage: bench_transport N REPEATS

@@ -4,9 +4,9 @@ thread, in one run: degree 1 with gradient recovery, Newton's method from u = |x
 
 usage: bench/transport.py PATH_TO_bench_transport [--repeat R] [--quick]
 
-Both sides run alternately, R times (default 3); the table prints medians. Gaspard's time is that of everything: mesh,
-operators, factorisations, Newton's method. FEniCS's is that of its Newton steps alone, solved by MUMPS, after its
-forms are compiled. --quick leaves out the peer on n = 64. The last row is Gaspard alone.
+Both sides run alternately, R times (default 3); the table prints medians. Times are those of everything from the mesh
+to the solution, but FEniCS compiles its forms before; MUMPS factorises its systems. --quick leaves out the peer on
+n = 64. The last row is Gaspard alone.
 """
 import argparse
 import json
@@ -39,7 +39,7 @@ def peer(rings):
     python = "/usr/bin/python3"  # the one that has Debian's dolfin
     peak, output = peak_and_output([python, PEER, str(rings)])
     found = json.loads(output.splitlines()[-1])
-    return dict(cpu_s=found["newton_cpu_s"], peak=peak, steps=found["steps"], error=found["l2_error"])
+    return dict(cpu_s=found["cpu_s"], peak=peak, steps=found["steps"], error=found["l2_error"])
 
 
 def row(program, rings, repeat, with_peer=True):

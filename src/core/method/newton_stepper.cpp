@@ -7,8 +7,8 @@
 // linearisation loses convexity, as McRae et al. found; therefore a continuation in powers of the monitor is
 // used: m^t, from t = 0, for which the uniform mesh is the solution, to t = 1. For each t one Newton step is
 // made. It is accepted if the map stays convex and the residual for m^t is below `close`; then t increases
-// further. Otherwise the step is discarded and the increment of t halved. Where the start does not solve the problem
-// for t = 0, damped steps for it come first.
+// further. Otherwise the step is discarded and the increment of t halved. Where the start does not solve the
+// problem for t = 0, damped steps for it come first.
 #include "core/linear/gmres.hpp"
 #include "core/method/stepper.hpp"
 
@@ -21,13 +21,14 @@ namespace gaspard {
 
 namespace {
 
-constexpr double convexity_kept = 0.1;     ///< accepted convexity after a step, relative to that before it
-constexpr double close = 0.3;              ///< residual for m^t below which a step is accepted
-constexpr double aim = 0.1;                ///< residual for m^t at which the increment of t aims
-constexpr double shortest = 1.0 / 64;      ///< smallest s in the line search
-constexpr double least_advance = 1e-3;     ///< smallest increment of t
-constexpr double loosest = 0.1;            ///< largest tolerance of the linear solver
-constexpr std::size_t restart_length = 30; ///< of GMRES
+constexpr double convexity_kept = 0.1;       ///< accepted convexity after a step, relative to that before it
+constexpr double convexity_kept_first = 0.3; ///< the same towards the solution for t = 0
+constexpr double close = 0.3;                ///< residual for m^t below which a step is accepted
+constexpr double aim = 0.1;                  ///< residual for m^t at which the increment of t aims
+constexpr double shortest = 1.0 / 64;        ///< smallest s in the line search
+constexpr double least_advance = 1e-3;       ///< smallest increment of t
+constexpr double loosest = 0.1;              ///< largest tolerance of the linear solver
+constexpr std::size_t restart_length = 30;   ///< of GMRES
 constexpr int most_inner = 300, most_inner_far = 100;         ///< max. GMRES iterations near a solution; else
 constexpr int fewest_relaxations = 8, most_relaxations = 128; ///< steps after a failed Newton step
 
@@ -90,16 +91,16 @@ class NewtonStepper final : public Stepper {
         for (std::size_t i = 0; i < u.size(); ++i) u[i] = before_[i] + length * update_[i];
     }
 
-    /// Newton step with a line search: s is halved until the residual decreases. If it does not, u is as before
-    /// and the result empty.
+    /// Newton step with a line search: s is halved until the residual decreases and the share `kept` of the
+    /// convexity is left. If there is no such s, u is as before and the result empty.
     std::optional<Iterate> damped(const ProblemData& data, std::vector<double>& u, const Iterate& now,
-                                  std::stop_token stop) {
+                                  double kept, std::stop_token stop) {
         const bool solved = solve(data, now.evaluation.residual, stop);
         for (double s = 1; solved && !stop.stop_requested() && s >= shortest; s /= 2) {
             go(u, s);
             Iterate next = evaluate(*problem_, data, u);
             next.evaluation.step_size = s;
-            if (next.shape.admissibility > convexity_kept * now.shape.admissibility &&
+            if (next.shape.admissibility > kept * now.shape.admissibility &&
                 next.evaluation.residual < (1 - s / 10) * now.evaluation.residual)
                 return next;
         }
@@ -110,7 +111,7 @@ class NewtonStepper final : public Stepper {
     /// Newton step for m itself.
     Iterate directly(const ProblemData& data, std::vector<double>& u, const Iterate& now,
                      std::stop_token stop) {
-        if (auto next = damped(data, u, now, stop)) return *std::move(next);
+        if (auto next = damped(data, u, now, convexity_kept, stop)) return *std::move(next);
         Iterate same = evaluate(*problem_, data, u);
         if (stop.stop_requested()) return same;
         return give_way(data, u, same);
@@ -158,15 +159,15 @@ class NewtonStepper final : public Stepper {
         return evaluate(*problem_, data, u);
     }
 
-    /// Where the start does not solve the problem for t = 0, as between shapes that no affine map exchanges: a
-    /// damped step towards its solution, and the length of this step.
+    /// Where the start does not solve the problem for t = 0, as between shapes that no affine map exchanges:
+    /// a damped step towards its solution, and the length of this step.
     std::optional<double> towards_first(const ProblemData& data, std::vector<double>& u,
                                         std::stop_token stop) {
         if (t_ > 0) return std::nullopt;
         const ProblemData first = problem_->continued(data, 0);
         const Iterate now = evaluate(*problem_, first, u);
         if (now.evaluation.residual < aim) return std::nullopt;
-        const auto next = damped(first, u, now, stop);
+        const auto next = damped(first, u, now, convexity_kept_first, stop);
         if (!next) return std::nullopt;
         tell("a step for " + problem_->name_of_continued(0));
         return next->evaluation.step_size;

@@ -1,5 +1,5 @@
-// The second experiment of Kawecki, Lakkis, Pryer, "A finite element method for the Monge-Ampere equation with
-// transport boundary conditions" (2018), section 6: uniform densities from the unit disk to the ellipse
+// The second experiment of Kawecki, Lakkis, Pryer, "A finite element method for the Monge-Ampère equation
+// with transport boundary conditions" (2018), section 6: uniform densities from the unit disk to the ellipse
 //
 //   x^2 / 4 + y^2 / 9 <= 1,   u = x^2 + 3 y^2 / 2 - 5/8
 //

@@ -27,8 +27,8 @@ class RecoveryPreconditioner {
     /// Factorises S. `hessians`: as NonvariationalSpace::differentiate gives them; where H is not positive
     /// definite, its eigenvalues are raised. Throws Interrupted.
     void factorise(std::span<const double> hessians, std::stop_token stop);
-    /// Of u at the nodes and c (TransportForm): S w - c (1, v) = r_v and -(w, 1) = r_c. S has the kernel of the
-    /// constants, nearly; c and the mean of w follow from the rows for them.
+    /// Of u at the nodes and c (TransportForm): S w - c (1, v) = r_v and -(w, 1) = r_c. S has the kernel of
+    /// the constants, nearly; c and the mean of w follow from the rows for them.
     void solve(std::span<const double> r, std::span<double> w);
 
   private:

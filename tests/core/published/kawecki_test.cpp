@@ -1,5 +1,5 @@
-// Errors of the second experiment of Kawecki, Lakkis, Pryer (2018). The paper plots them without numbers; those of
-// degree 1 are by an independent implementation (FEniCS).
+// Errors of the second experiment of Kawecki, Lakkis, Pryer (2018). The paper plots them without numbers;
+// those of degree 1 are by an independent implementation (FEniCS).
 #include "core/published/kawecki.hpp"
 #include "core/published/published.hpp"
 #include "core/transport/ring_mesh.hpp"
@@ -106,8 +106,8 @@ Displacement displacement(int rings, int degree) {
     return found;
 }
 
-// Not exactly: the recovered gradient of |x|^2 / 2 differs from x, with one order less at the boundary than on
-// average.
+// Not exactly: the recovered gradient of |x|^2 / 2 differs from x, with one order less at the boundary than
+// on average.
 TEST(Kawecki, EqualDisksGiveTheIdentity) {
     struct Orders {
         int degree;
