@@ -589,7 +589,7 @@ class Information(Contract):
         self.assertEqual(list(rows[0]), ["row", "quantity", "ours", "published", "difference", "note"])
         self.assertEqual((rows[0]["row"], rows[0]["quantity"], rows[0]["ours"]), ("ring, n = 30", "iterations", "189"))
         self.assertGreater(os.path.getsize(self.path("mcrae-fig2.png")), 10000)
-        for name in ("mcrae-fig2", "mcrae-fig3", "mcrae-fig13"):
+        for name in ("mcrae-fig2", "mcrae-fig3", "mcrae-fig13", "kawecki-fig1"):
             self.assertIn(name, gaspard("reproduce").stdout)
 
     def test_columns_of_a_reproduced_table_are_below_each_other(self):
