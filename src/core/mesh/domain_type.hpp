@@ -22,8 +22,8 @@ struct DomainType {
     std::string label;
     std::string help;
     std::vector<ParameterRow> rows;
-    /// Further rows that depend on the values of `rows`, which have the role defines_rows (base/growing_values.hpp);
-    /// empty: none.
+    /// Further rows that depend on the values of `rows`, which have the role defines_rows
+    /// (base/growing_values.hpp); empty: none.
     std::function<std::vector<ParameterRow>(const Values&)> further_rows{};
     /// `content`: what `read` has returned for these values; null if the type has no `read` or the file is
     /// not read yet. Does not throw: if the file is invalid, which the run reports, the ranges of monitors

@@ -1,10 +1,11 @@
-// The Monge-Ampère equation with transport boundary condition (transport/transport_form.hpp) as a nonlinear problem:
+// The Monge-Ampère equation with transport boundary condition (transport/transport_form.hpp) as a nonlinear
+// problem:
 //
 //   x = grad u(xi) from the source domain to the target, boundary to boundary
 //   det D^2 u = theta rho / sigma(grad u),   b(grad u) = 0 on the boundary
 //
-// sigma is the monitor on the target, ProblemData::source is rho on the source. A State holds the array "u": u at the
-// nodes of the elements, then the multiplier c.
+// sigma is the monitor on the target, ProblemData::source is rho on the source. A State holds the array "u":
+// u at the nodes of the elements, then the multiplier c.
 #pragma once
 
 #include "core/method/nonlinear_problem.hpp"
