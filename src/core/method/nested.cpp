@@ -82,7 +82,11 @@ Evaluation Nested::step(const ProblemData& data, State& state, std::stop_token s
     const bool late = iterations_here_ >= coarse_iterations;
     const bool lost = now_.lost || !(update.residual < hopeless);
     const bool arrived = update.residual < enough_ || ((late || lost) && update.residual < restart_residual);
-    if (level_ > 0 && (arrived || late || lost) && !stop.stop_requested()) go_up(arrived, data, state);
+    doubtful_ = doubtful_ && !(now_.shape.admissibility > 0);
+    if (doubtful_ && now_.lost && !stop.stop_requested())
+        restart(level_, data, state);
+    else if (level_ > 0 && (arrived || late || lost) && !stop.stop_requested())
+        go_up(arrived, data, state);
     Evaluation evaluation = now_.evaluation;
     evaluation.step_size = update.step_size;
     evaluation.inner_iterations = update.inner_iterations;
@@ -144,12 +148,18 @@ void Nested::go_up(bool arrived, const ProblemData& data, State& state) {
     const std::size_t next = level_ - 1;
     if (arrived) go_to(next, here().unknowns(state), data, state);
     if (arrived && (now_.shape.admissibility > 0 || now_.evaluation.residual < restart_residual)) {
+        doubtful_ = !(now_.shape.admissibility > 0);
         if (level_ > 0 && now_.evaluation.residual < enough_) go_up(true, data, state); // already solved
         return;
     }
+    restart(next, data, state);
+}
+
+void Nested::restart(std::size_t level, const ProblemData& data, State& state) {
+    doubtful_ = false;
     if (start_.empty()) start_ = levels_[0]->start(); // the run started on a coarser level
     select(0);
-    go_to(next, start_, data, state);
+    go_to(level, start_, data, state);
 }
 
 MethodType nested_method(std::string name, std::string label, std::string help,

@@ -37,6 +37,7 @@ class Nested final : public Method {
     void look_at(const ProblemData& data, const std::vector<double>& u);
     void go_to(std::size_t level, const std::vector<double>& u, const ProblemData& data, State& state);
     void go_up(bool arrived, const ProblemData& data, State& state);
+    void restart(std::size_t level, const ProblemData& data, State& state);
 
     std::vector<std::unique_ptr<NonlinearProblem>> levels_; ///< the first is the finest
     std::unique_ptr<Stepper> stepper_;
@@ -45,6 +46,7 @@ class Nested final : public Method {
     std::size_t level_ = 0;
     int iterations_here_ = 0;
     bool may_go_down_ = false;  ///< set by evaluate(), cleared by step()
+    bool doubtful_ = false;     ///< the map came from a coarser level and has not been convex since
     std::vector<double> start_; ///< unknowns on the finest mesh before coarsening
     Iterate now_;
     bool prolonged_ = false;             ///< the finest mesh's positions are of a coarser one's potential,
