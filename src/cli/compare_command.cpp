@@ -122,7 +122,7 @@ int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArg
         std::vector<std::string> written = comparison_file_names(methods), possible;
         if (arguments.no_render) std::erase(written, "comparison.png");
         for (const MethodType& method : catalogue->methods) possible.push_back(method.name);
-        print_removed(remove_others(folder, comparison_file_names(possible), written, "comparison.json"));
+        print_left_over(left_over(folder, comparison_file_names(possible), written));
         write_atomically(folder / "comparison.json", record_json(scenario));
         recorded = true;
     };

@@ -30,8 +30,7 @@ void print_table(const std::vector<PublishedRow>& rows) {
         char number[40] = "";
         if (const auto by = difference(row)) std::snprintf(number, sizeof number, "%+.2e", *by);
         std::printf("%-*s  %-*s %14.7g %12s %12s  %s\n", first, row.row.c_str(), second, row.quantity.c_str(),
-                    row.ours,
-                    row.published ? format_number(row.published->value).c_str() : "", number,
+                    row.ours, row.published ? format_number(row.published->value).c_str() : "", number,
                     full_note(row).c_str());
         published += row.published ? 1 : 0;
         different += differs(row) ? 1 : 0;

@@ -185,10 +185,7 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
         std::exception_ptr failure;                       // rethrown after the other files are written
         std::vector<std::string> possible = possible_run_file_names();
         possible.emplace_back("view.png");
-        if (other_values) {
-            const auto removed = remove_others(folder, possible, names, "summary.json");
-            if (!arguments.quiet) print_removed(removed);
-        }
+        if (other_values && !arguments.quiet) print_left_over(left_over(folder, possible, names));
         try {
             try {
                 write_run_files(folder, run, input.formats, {}, stop);

@@ -82,8 +82,7 @@ void check_with_mesh(const ScenarioInput& input, const Mesh& mesh) {
         if (std::none_of(input.formats.begin(), input.formats.end(), is_svg)) return;
         const double aspect =
             static_cast<double>(view.integer("height")) / static_cast<double>(view.integer("width"));
-        for (const std::string key : {"camera", "elevation_camera"})
-            try {
+        for (const std::string key : {"camera", "elevation_camera"}) try {
                 check_svg_camera(mesh.nodes, view.text(key), aspect);
             } catch (const InputError& error) {
                 throw InputError("view." + key + ": " + error.what());
@@ -91,8 +90,8 @@ void check_with_mesh(const ScenarioInput& input, const Mesh& mesh) {
     });
 }
 
-void print_removed(const std::vector<std::string>& names) {
-    if (!names.empty()) std::printf("removed %s of the run before\n", join(names, ", ").c_str());
+void print_left_over(const std::vector<std::string>& names) {
+    if (!names.empty()) std::printf("not of this run, but left there: %s\n", join(names, ", ").c_str());
 }
 
 } // namespace gaspard

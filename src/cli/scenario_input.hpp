@@ -37,7 +37,7 @@ void check_data(const Catalogue& catalogue, const ScenarioInput& input);
 /// The checks of the view and the formats that need the mesh.
 void check_with_mesh(const ScenarioInput& input, const Mesh& mesh);
 
-/// Says which files of an earlier run were removed (remove_others).
-void print_removed(const std::vector<std::string>& names);
+/// Says which files in a folder are not of this run (left_over).
+void print_left_over(const std::vector<std::string>& names);
 
 } // namespace gaspard

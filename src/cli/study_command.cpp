@@ -151,8 +151,7 @@ int study_command(std::shared_ptr<const Catalogue> catalogue, const StudyArgumen
         return code;
     }
     const bool draws = !arguments.no_render && !stopped;
-    if (!draws)
-        print_removed(remove_others(folder, names, {"study.csv", "study.json", "study.svg"}, "study.json"));
+    if (!draws) print_left_over(left_over(folder, names, {"study.csv", "study.json", "study.svg"}));
     write_atomically(folder / "study.json", study_json(plan, points)); // first: what the others are about
     write_atomically(folder / "study.csv", study_csv(plan, points));
     const Plot plot = study_plot(plan, points);

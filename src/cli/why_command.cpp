@@ -112,7 +112,7 @@ int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& 
         std::fprintf(stderr, "gaspard: interrupted before the first mesh; nothing was written\n");
         return code;
     }
-    if (!maps) print_removed(remove_others(folder, names, {"why.csv", "why.json", "why.svg"}, "why.json"));
+    if (!maps) print_left_over(left_over(folder, names, {"why.csv", "why.json", "why.svg"}));
     write_atomically(folder / "why.json",
                      why_json(scenario, rows)); // first: it says what the others are about
     write_atomically(folder / "why.csv", why_csv(rows));

@@ -61,18 +61,15 @@ void check_replaceable(const std::filesystem::path& folder, const std::vector<st
         "; choose another folder with --out, or add --overwrite");
 }
 
-std::vector<std::string> remove_others(const std::filesystem::path& folder,
-                                       const std::vector<std::string>& all,
-                                       const std::vector<std::string>& written, const std::string& record) {
-    std::vector<std::string> removed;
-    if (!scenario_of(folder / record)) return removed; // files of other programs, perhaps
-    std::error_code ignored;                           // one that cannot be removed stays
+std::vector<std::string> left_over(const std::filesystem::path& folder, const std::vector<std::string>& all,
+                                   const std::vector<std::string>& written) {
+    std::vector<std::string> names;
+    std::error_code ignored; // one that cannot be seen
     for (const std::string& name : all)
         if (std::find(written.begin(), written.end(), name) == written.end() &&
-            std::filesystem::is_regular_file(folder / name, ignored) &&
-            std::filesystem::remove(folder / name, ignored))
-            removed.push_back(name);
-    return removed;
+            std::filesystem::exists(folder / name, ignored))
+            names.push_back(name);
+    return names;
 }
 
 std::filesystem::path free_folder(const std::filesystem::path& base, const std::vector<std::string>& names) {

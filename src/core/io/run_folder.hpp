@@ -24,11 +24,10 @@ void check_no_folders(const std::filesystem::path& folder, const std::vector<std
 void check_replaceable(const std::filesystem::path& folder, const std::vector<std::string>& names,
                        const std::string& record, const std::string& scenario);
 
-/// Removes the files of the names `all` that a folder with a `record` has, except those of `written`: they
-/// are of an earlier run and would pass for those of this one. Returns their names.
-std::vector<std::string> remove_others(const std::filesystem::path& folder,
-                                       const std::vector<std::string>& all,
-                                       const std::vector<std::string>& written, const std::string& record);
+/// The files of the names `all` that a folder has, except those of `written`: they are of something else, but
+/// may pass for files of this run.
+std::vector<std::string> left_over(const std::filesystem::path& folder, const std::vector<std::string>& all,
+                                   const std::vector<std::string>& written);
 
 /// `base`, or the first of "base-2", "base-3", ... that has no file of these names.
 std::filesystem::path free_folder(const std::filesystem::path& base, const std::vector<std::string>& names);

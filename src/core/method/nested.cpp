@@ -57,6 +57,7 @@ Evaluation Nested::evaluate(const ProblemData& data, const State& state, std::st
     GASPARD_CHECK(of_state != levels_.end());
     select(static_cast<std::size_t>(of_state - levels_.begin()));
     may_go_down_ = true;
+    from_elsewhere_ = here().unknowns(state) != here().start();
     look_at(data, here().unknowns(state));
     if (level_ == 0) return with_level(now_.evaluation, 0);
     // Report the residual on the finest mesh; a small residual on a coarser one must not end the run.
@@ -83,7 +84,13 @@ Evaluation Nested::step(const ProblemData& data, State& state, std::stop_token s
     const bool lost = now_.lost || !(update.residual < hopeless);
     const bool arrived = update.residual < enough_ || ((late || lost) && update.residual < restart_residual);
     doubtful_ = doubtful_ && !(now_.shape.admissibility > 0);
-    if (doubtful_ && now_.lost && !stop.stop_requested())
+    bool anew = false;
+    if (now_.lost && from_elsewhere_ && here().begins_anew() && !stop.stop_requested()) {
+        from_elsewhere_ = false;
+        start_ = levels_[0]->start();
+        restart(levels_.size() - 1, data, state);
+        anew = true;
+    } else if (doubtful_ && now_.lost && !stop.stop_requested())
         restart(level_, data, state);
     else if (level_ > 0 && (arrived || late || lost) && !stop.stop_requested())
         go_up(arrived, data, state);
@@ -91,7 +98,8 @@ Evaluation Nested::step(const ProblemData& data, State& state, std::stop_token s
     evaluation.step_size = update.step_size;
     evaluation.inner_iterations = update.inner_iterations;
     evaluation.note = update.note;
-    evaluation.anew = update.anew;
+    evaluation.anew = update.anew || anew;
+    if (anew) evaluation.note += "; beginning anew from the start";
     return with_level(std::move(evaluation), level_of_update);
 }
 

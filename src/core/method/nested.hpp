@@ -46,6 +46,7 @@ class Nested final : public Method {
     std::size_t level_ = 0;
     int iterations_here_ = 0;
     bool may_go_down_ = false;  ///< set by evaluate(), cleared by step()
+    bool from_elsewhere_ = false; ///< the iteration did not begin with the start
     bool doubtful_ = false;     ///< the map came from a coarser level and has not been convex since
     std::vector<double> start_; ///< unknowns on the finest mesh before coarsening
     Iterate now_;

@@ -185,10 +185,16 @@ class NewtonStepper final : public Stepper {
         return next;
     }
     Iterate relax(const ProblemData& data, std::vector<double>& u, const Iterate& now) {
-        const double length = now.shape.stable_step;
+        double length = now.shape.stable_step;
         problem_->direction(update_);
         go(u, length);
         Iterate next = evaluate(*problem_, data, u);
+        const auto grows = [&] { return !(next.evaluation.residual < now.evaluation.residual); };
+        while (problem_->begins_anew() && grows() && length > 0) {
+            length = length > shortest * now.shape.stable_step ? length / 4 : 0; // 0: stays where it is
+            go(u, length);
+            next = evaluate(*problem_, data, u);
+        }
         next.evaluation.step_size = length / problem_->step_unit(data);
         return next;
     }

@@ -76,6 +76,10 @@ class NonlinearProblem {
     virtual IterateShape shape() const = 0;
     /// d = P^-1 r.
     virtual void direction(std::span<double> d) = 0;
+    /// Whether steps along direction() may diverge however short. Where no Newton step is accepted, methods
+    /// then take only those that do not increase the residual, and begin anew from start() if they came from
+    /// elsewhere.
+    virtual bool begins_anew() const { return false; }
     /// A step u + s d is reported as s / step_unit(data): where r has the unit of m, s has that of 1/m.
     virtual double step_unit(const ProblemData& data) const { return data.unit; }
 

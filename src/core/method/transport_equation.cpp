@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace gaspard {
@@ -17,11 +19,28 @@ namespace {
 constexpr int fewest_rings = 6;      ///< of a coarser mesh
 constexpr double damped_step = 0.25; ///< along direction(), whose operator is not the exact linearisation
 
-std::string layout_of(const TransportDomain& domain) {
-    const auto& setup = domain.setup();
+std::string layout_of(const TransportDomain::Setup& setup) {
     return "transport P" + std::to_string(setup.degree) +
            (setup.curved && setup.degree > 1 ? " curved" : "") + " n=" + std::to_string(setup.rings) +
            " from " + setup.source_name;
+}
+std::string layout_of(const TransportDomain& domain) { return layout_of(domain.setup()); }
+
+/// A layout without its source.
+std::string_view mesh_of(const std::string& layout) {
+    return std::string_view(layout).substr(0, layout.find(" from "));
+}
+
+/// The mesh of the same source that has the layout; the one given if there is none.
+TransportDomain::Setup setup_of(const std::string& layout, const TransportDomain::Setup& like) {
+    TransportDomain::Setup setup = like;
+    for (setup.degree = 1; setup.degree <= highest_triangle_degree; ++setup.degree)
+        for (const bool curved : {true, false})
+            for (setup.rings = fewest_domain_rings; setup.rings <= most_domain_rings; ++setup.rings) {
+                setup.curved = curved;
+                if (layout_of(setup) == layout) return setup;
+            }
+    return like;
 }
 
 } // namespace
@@ -38,12 +57,15 @@ TransportEquation::TransportEquation(std::shared_ptr<const TransportDomain> doma
 std::optional<State> TransportEquation::adopt(const State& other, const Discretisation* of) {
     if (other.arrays.size() != 1 || other.arrays[0].name != "u") return std::nullopt;
     const auto& u = other.arrays[0].values;
-    if (other.layout == layout() && u.size() == size()) return other;
+    if (u.size() == size() && mesh_of(other.layout) == mesh_of(layout()))
+        return state_of(u); // also of another source: then for nodes with the same numbers
     const auto* there = dynamic_cast<const TransportDomain*>(of);
-    if (!there || there->unknowns() != u.size() || other.layout != layout_of(*there) ||
-        there->setup().source_name != domain_->setup().source_name)
+    const auto setup = there ? there->setup() : setup_of(other.layout, domain_->setup());
+    const auto domain = std::make_shared<const TransportDomain>(setup);
+    if (domain->unknowns() != u.size() || other.layout != layout_of(*domain) ||
+        setup.source_name != domain_->setup().source_name)
         return std::nullopt;
-    TransportEquation from(std::make_shared<const TransportDomain>(*there), form_.space().recovery());
+    TransportEquation from(domain, form_.space().recovery());
     return adopt(from, u);
 }
 
@@ -102,7 +124,9 @@ std::vector<SeriesInfo> TransportEquation::series() const {
         {.name = "convexity",
          .label = "Convexity",
          .symbol = "λ_min",
-         .help = "the smallest eigenvalue of the Hessian, averaged around a node; positive: u is convex"},
+         .help =
+             "the smallest eigenvalue of the Hessian, averaged around a node; positive: u is convex, though "
+             "cells of a coarse mesh may fold"},
         {.name = "boundary_defect",
          .label = "Boundary defect",
          .symbol = "|b|/|∇b|",
@@ -137,7 +161,9 @@ ProblemData TransportEquation::continued(const ProblemData& data, double t) cons
 }
 
 std::string TransportEquation::name_of_continued(double t) const {
-    return "densities to the power " + format_number(t);
+    char text[48];
+    std::snprintf(text, sizeof text, "densities to the power %.3g", t);
+    return text;
 }
 
 std::vector<std::vector<double>> TransportEquation::fields() const {
@@ -152,17 +178,17 @@ std::vector<std::vector<double>> TransportEquation::fields() const {
 }
 
 std::vector<FieldInfo> nvfem_fields() {
-    return {
-        {.name = "convexity",
-         .label = "Convexity",
-         .symbol = "λ_min",
-         .help =
-             "the smaller eigenvalue of the recovered Hessian of u; the map folds where it is not positive"},
-        {.name = "boundary_defect",
-         .label = "Boundary defect",
-         .symbol = "|b|/|∇b|",
-         .unit = "length",
-         .help = "of boundary nodes, the distance of their image from the target's boundary; 0 inside"}};
+    return {{.name = "convexity",
+             .label = "Convexity",
+             .symbol = "λ_min",
+             .help = "the smaller eigenvalue of the recovered Hessian of u, which is convex where it is "
+                     "positive; cells of a "
+                     "coarse mesh may fold all the same"},
+            {.name = "boundary_defect",
+             .label = "Boundary defect",
+             .symbol = "|b|/|∇b|",
+             .unit = "length",
+             .help = "of boundary nodes, the distance of their image from the target's boundary; 0 inside"}};
 }
 
 } // namespace gaspard

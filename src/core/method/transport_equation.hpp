@@ -36,6 +36,7 @@ class TransportEquation final : public NonlinearProblem {
     std::span<const double> residual() const override { return form_.residual(); }
     IterateShape shape() const override;
     void direction(std::span<double> d) override;
+    bool begins_anew() const override { return true; }
 
     void linearise(const ProblemData& data, Linearised how) override;
     void derivative(std::span<const double> w, std::span<double> out) override { form_.derivative(w, out); }

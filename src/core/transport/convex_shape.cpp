@@ -4,6 +4,7 @@
 #include "core/mesh/control_points.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace gaspard {
@@ -110,6 +111,9 @@ std::shared_ptr<const ConvexCurve> make_shape(const Values& values, const std::s
         const Points points = parse_points(values.text(prefix + "points"), "domain." + prefix + "points");
         if (points.size() < 3 || points.size() > 200)
             throw InputError("a curve needs 3 to 200 points, not " + std::to_string(points.size()));
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (std::abs(points.x[i]) > longest_length || std::abs(points.y[i]) > longest_length)
+                throw InputError("coordinates must be between -1e6 and 1e6");
         return shape == choices[2] ? closed_spline(points) : rounded_polygon(points, real("corner_radius"));
     } catch (const InputError& error) {
         const std::string key =

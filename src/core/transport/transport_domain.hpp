@@ -16,6 +16,9 @@
 
 namespace gaspard {
 
+/// The range of domain.cells.
+inline constexpr int fewest_domain_rings = 2, most_domain_rings = 128;
+
 class TransportDomain final : public Discretisation {
   public:
     struct Setup {

@@ -31,7 +31,7 @@ std::span<const MouseHelp> mouse_help() {
         {"Drag the view", "Pan; rotate a mesh in space (with Shift, the middle or the right button: pan)."},
         {"Drag the monitor's centre",
          "Move the monitor by its handle, a small circle with a cross; the mesh follows."},
-        {"Drag a control point", "Move a control point of a planar patch, a small square; the mesh follows."},
+        {"Drag a control point", "Move a control point of a planar patch or of a convex domain, a small square; the mesh follows."},
         {"Wheel", "Zoom at the pointer."},
         {"Click", "Click a cell or a node to inspect it; click beside the mesh to clear the selection."},
         {"Double-click", "Center the view on a point; on a globe, rotate the point to the front."},

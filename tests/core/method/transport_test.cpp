@@ -108,6 +108,39 @@ TEST_F(TransportTest, AnotherTargetOrMeshStartsFromThePresentMap) {
     EXPECT_LT(off_ellipse(run, 2, 3.2), 1e-3);
 }
 
+TEST_F(TransportTest, StatesOfOtherMeshesOfTheSourceAreAdopted) {
+    TransportRun coarse = solved({"domain.cells=8", "domain.degree=2"});
+    RunOptions options;
+    options.start = coarse.state();
+    TransportRun run(catalogue, with({"domain.cells=12"}), options);
+    EXPECT_LT(run.history().front().residual, 0.5);
+    EXPECT_THROW(TransportRun(catalogue, with({"domain.a=2"}), options), InputError) << "another source";
+}
+
+TEST_F(TransportTest, SourcesAndTargetsAreDraggedWithoutBeginningAnew) {
+    TransportRun run = solved({"domain.cells=12"});
+    EXPECT_EQ(run.change(with({"domain.cells=12", "domain.a=1.1"})), "");
+    EXPECT_LT(run.history().back().residual, 0.3);
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::converged);
+}
+
+// From the map to one target, Newton's method does not reach the one to another; from the start it does.
+TEST_F(TransportTest, MapsThatAreOfNoUseAreGivenUp) {
+    const auto egg = [&](const std::string& right) {
+        return with(
+            {"domain.cells=40", "domain.target.points=" + right +
+                                    " 0, 0.9 0.9, -0.4 1, -1.2 0.6, -1.4 0, -1.2 -0.6, -0.4 -1, 0.9 -0.9"},
+            "transport-ring");
+    };
+    TransportRun run(catalogue, egg("1.6"));
+    run.solve();
+    ASSERT_EQ(run.status(), RunStatus::converged);
+    run.change(egg("2.045"));
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::converged);
+}
+
 TEST_F(TransportTest, WithoutRecoveryDegreeOneHasNoConvexSolution) {
     TransportRun run(catalogue, with({"method.recovery=false", "method.max_iterations=20"}));
     run.solve();
