@@ -177,6 +177,7 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
                 try {
                     line.show(run.step(interrupt.token()));
                 } catch (const Interrupted&) { // in the middle: the iterate before it is there
+                    if (!interrupt.token().stop_requested()) throw;
                 }
             }
         }

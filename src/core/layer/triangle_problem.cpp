@@ -206,10 +206,14 @@ pointwise(std::function<TriangleCoefficients(double x, double y)> coefficients) 
     };
 }
 
+namespace {
+
 /// A symmetric tensor of diffusion.
 struct AddedDiffusion {
     double xx = 0, xy = 0, yy = 0;
 };
+
+} // namespace
 
 /// Of exponential fitting along the two lines of the grid that bound a triangle: with the edges t_1 and t_2
 /// there, c = a_1 t_1 + a_2 t_2 flows with a_i |t_i| along the one of length |t_i|.

@@ -57,6 +57,8 @@ Evaluation Nested::evaluate(const ProblemData& data, const State& state, std::st
     GASPARD_CHECK(of_state != levels_.end());
     select(static_cast<std::size_t>(of_state - levels_.begin()));
     may_go_down_ = true;
+    doubtful_ = false;
+    start_.clear();
     from_elsewhere_ = here().unknowns(state) != here().start();
     look_at(data, here().unknowns(state));
     if (level_ == 0) return with_level(now_.evaluation, 0);

@@ -125,8 +125,8 @@ class NewtonStepper final : public Stepper {
             const Iterate before = evaluate(*problem_, of_step, u);
             const bool solved = solve(of_step, before.evaluation.residual, stop);
             if (stop.stop_requested()) break;
-            go(u, 1);
-            Iterate next = evaluate(*problem_, of_step, u);
+            if (solved) go(u, 1); // otherwise the update may not be finite
+            Iterate next = solved ? evaluate(*problem_, of_step, u) : before;
             const double residual = next.evaluation.residual;
             if (solved && residual < close &&
                 next.shape.admissibility > convexity_kept * before.shape.admissibility) {
@@ -192,7 +192,10 @@ class NewtonStepper final : public Stepper {
         const auto grows = [&] { return !(next.evaluation.residual < now.evaluation.residual); };
         while (problem_->begins_anew() && grows() && length > 0) {
             length = length > shortest * now.shape.stable_step ? length / 4 : 0; // 0: stays where it is
-            go(u, length);
+            if (length > 0)
+                go(u, length);
+            else
+                u = before_;
             next = evaluate(*problem_, data, u);
         }
         next.evaluation.step_size = length / problem_->step_unit(data);

@@ -48,9 +48,9 @@ TransportDomain::Setup setup_of(const std::string& layout, const TransportDomain
 TransportEquation::TransportEquation(std::shared_ptr<const TransportDomain> domain, Recovery recovery,
                                      std::stop_token stop)
     : NonlinearProblem(layout_of(*domain), domain->unknowns(), "u"), domain_(std::move(domain)),
-      form_(std::make_shared<const NonvariationalSpace>(domain_->elements(), recovery, stop),
+      form_(std::make_shared<const NonvariationalSpace>(domain_->elements(), recovery, std::move(stop)),
             domain_->setup().source, domain_->setup().target),
-      preconditioner_(form_.shared_space()), start_(form_.start()), stop_(std::move(stop)) {
+      preconditioner_(form_.shared_space()), start_(form_.start()) {
     move(start_);
 }
 
@@ -60,7 +60,7 @@ std::optional<State> TransportEquation::adopt(const State& other, const Discreti
     if (u.size() == size() && mesh_of(other.layout) == mesh_of(layout()))
         return state_of(u); // also of another source: then for nodes with the same numbers
     const auto* there = dynamic_cast<const TransportDomain*>(of);
-    const auto setup = there ? there->setup() : setup_of(other.layout, domain_->setup());
+    const auto setup = setup_of(other.layout, there ? there->setup() : domain_->setup());
     const auto domain = std::make_shared<const TransportDomain>(setup);
     if (domain->unknowns() != u.size() || other.layout != layout_of(*domain) ||
         setup.source_name != domain_->setup().source_name)
@@ -92,7 +92,9 @@ std::unique_ptr<NonlinearProblem> TransportEquation::coarser(const Progress&, st
 Evaluation TransportEquation::evaluate(const ProblemData& data, std::span<const double> unknowns) {
     form_.evaluate({data.source, data.monitor}, unknowns);
     factorised_ = false;
-    take_positions(form_.derivatives());
+    derivatives_.assign(form_.derivatives().begin(), form_.derivatives().end());
+    stop_ = data.stop;
+    take_positions();
     return {.residual = form_.normalised_residual(),
             .series = {form_.theta() * data.unit, unknowns.back(), form_.convexity(), form_.boundary_defect(),
                        form_.boundary_scale()}};
@@ -100,11 +102,11 @@ Evaluation TransportEquation::evaluate(const ProblemData& data, std::span<const 
 
 void TransportEquation::move(std::span<const double> unknowns) {
     form_.space().differentiate(unknowns.first(size() - 1), derivatives_);
-    take_positions(derivatives_);
+    take_positions();
 }
 
-void TransportEquation::take_positions(std::span<const double> derivatives) {
-    const std::vector<double> at = domain_->at_mesh_nodes(derivatives, derivative_count);
+void TransportEquation::take_positions() {
+    const std::vector<double> at = domain_->at_mesh_nodes(derivatives_, derivative_count);
     positions_.resize(at.size() / derivative_count);
     for (std::size_t i = 0; i < positions_.size(); ++i)
         positions_.set(i, {at[derivative_count * i + g1], at[derivative_count * i + g2], 0});
@@ -148,7 +150,8 @@ void TransportEquation::direction(std::span<double> d) {
     precondition(form_.residual(), d);
 }
 
-void TransportEquation::linearise(const ProblemData&, Linearised) {
+void TransportEquation::linearise(const ProblemData& data, Linearised) {
+    stop_ = data.stop;
     form_.linearise();
     if (!std::exchange(factorised_, true)) preconditioner_.factorise(form_.derivatives(), stop_);
 }
@@ -167,11 +170,10 @@ std::string TransportEquation::name_of_continued(double t) const {
 }
 
 std::vector<std::vector<double>> TransportEquation::fields() const {
-    const auto derivatives = form_.derivatives();
     const std::size_t n = form_.space().size();
-    std::vector<double> convexity(n), defect = form_.boundary_defects();
+    std::vector<double> convexity(n), defect = form_.boundary_defects(derivatives_);
     for (std::size_t i = 0; i < n; ++i) {
-        const double* d = derivatives.data() + derivative_count * i;
+        const double* d = derivatives_.data() + derivative_count * i;
         convexity[i] = symmetric_eigenvalues(d[h11], d[h12], d[h22]).smallest;
     }
     return {domain_->at_mesh_nodes(convexity, 1), domain_->at_mesh_nodes(defect, 1)};

@@ -48,20 +48,20 @@ class TransportEquation final : public NonlinearProblem {
     std::string name_of_continued(double t) const override;
 
     const TransportForm& form() const { return form_; }
-    /// The values of nvfem_fields(), of the unknowns last evaluated.
+    /// The values of nvfem_fields(), of the unknowns last evaluated or moved to.
     std::vector<std::vector<double>> fields() const;
 
   private:
-    void take_positions(std::span<const double> derivatives);
+    void take_positions();
 
     std::shared_ptr<const TransportDomain> domain_;
     TransportForm form_;
     RecoveryPreconditioner preconditioner_;
     std::vector<double> start_;
     Points positions_;
-    std::vector<double> derivatives_; ///< of move()
+    std::vector<double> derivatives_; ///< behind positions_
     bool factorised_ = false;         ///< for the unknowns last evaluated
-    std::stop_token stop_;
+    std::stop_token stop_;            ///< of the data last seen
 };
 
 /// The smallest eigenvalue of H, and |b| / |grad b| on the boundary.

@@ -224,6 +224,8 @@ ProblemData own_problem(std::shared_ptr<const Monitor> own, const DomainExtent& 
 
 ProblemData stoppable(ProblemData data, std::stop_token stop) {
     data.stop = stop;
+    if (stop.stop_possible() && data.source)
+        data.source = std::make_shared<StoppableMonitor>(std::move(data.source), stop);
     if (stop.stop_possible())
         data.monitor = std::make_shared<StoppableMonitor>(std::move(data.monitor), std::move(stop));
     return data;

@@ -231,7 +231,8 @@ const StepReport& Run::solve(std::stop_token stop) {
         }
         try {
             step(stop);
-        } catch (const Interrupted&) { // by `stop`, and the iterate before it is there
+        } catch (const Interrupted&) { // the iterate before it is there
+            if (!stop.stop_requested()) throw;
         }
     }
     return history_.back();
@@ -257,7 +258,8 @@ const StepReport& Run::step(std::stop_token stop) {
         now_.state = last_finite_;
         now_.judging = judging;
         now_.measured.reset();
-        stale_ = failed_ = true;
+        stale_ = true;
+        failed_ = !stop.stop_requested(); // an interruption is no failure
         throw;
     }
     failed_ = false;
@@ -351,7 +353,8 @@ RunStatus Run::judge(Course& course, const StepReport& report, Ending ending, st
         const Values& domain = course.problem.scenario.domain.values;
         note = "the iteration diverged; ";
         if (const auto remedy = find_remedy(domain)) note += describe(domain, *remedy) + " or ";
-        note += method.has("step_size") ? "a smaller step may help" : "a finer mesh or a weaker monitor may help";
+        note +=
+            method.has("step_size") ? "a smaller step may help" : "a finer mesh or a weaker monitor may help";
         return RunStatus::diverged;
     }
     if (report.iteration - by.judged_from >= method.integer("max_iterations"))

@@ -10,8 +10,9 @@
 namespace gaspard {
 
 ArcLength::ArcLength(std::function<double(double)> speed, const std::vector<double>& breaks)
-    : speed_(std::move(speed)), knots_{breaks.front()}, lengths_{0} {
+    : speed_(std::move(speed)), lengths_{0} {
     GASPARD_CHECK(breaks.size() >= 2);
+    knots_.push_back(breaks.front());
     double estimate = 0;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) estimate += integral(breaks[i], breaks[i + 1]);
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i)

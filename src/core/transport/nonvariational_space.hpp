@@ -68,7 +68,7 @@ class NonvariationalSpace {
     std::span<const SidePoint> side_points(std::size_t side) const {
         return {side_points_.data() + side * side_shapes_[0].size(), side_shapes_[0].size()};
     }
-    /// Positions of all points of cells, or of sides.
+    /// Positions of all points of cells.
     Points positions() const;
 
   private:

@@ -69,10 +69,11 @@ std::vector<CurvePiece> rounded_pieces(const std::vector<RoundedCorner>& corners
         if (dot(end - begin, c.after) > 1e-13 * side_after(corners, k))
             pieces.push_back(line_piece(begin, end));
     }
-    CurvePiece& arc = pieces.front();
-    arc.sweep /= 2;
-    pieces.push_back(arc);
-    pieces.front().start += arc.sweep;
+    CurvePiece half = pieces.front();
+    half.sweep /= 2;
+    pieces.push_back(half); // the first half of the arc comes last
+    half.start += half.sweep;
+    pieces.front() = half;
     return pieces;
 }
 

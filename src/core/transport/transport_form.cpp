@@ -3,6 +3,7 @@
 #include "core/base/check.hpp"
 #include "core/base/eigenvalues.hpp"
 #include "core/base/error.hpp"
+#include "core/base/parameter.hpp"
 #include "core/transport/curve_integral.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ void require_positive(std::span<const double> values, const char* what) {
     for (const double value : values)
         if (!(value > 0) || !std::isfinite(value))
             throw InputError(std::string("the density on the ") + what +
-                             " must be positive and finite everywhere, but is " + std::to_string(value) +
+                             " must be positive and finite everywhere, but is " + format_number(value) +
                              " at some point; add a floor to it");
 }
 
@@ -146,6 +147,7 @@ TransportForm::Boundary TransportForm::boundary(Vec3 p) const {
 
 Vec3 TransportForm::into_target(Vec3 p) const {
     const Vec3 from = p - target_->centre();
+    if (!std::isfinite(from.x + from.y)) return target_->centre(); // the residual is not finite then
     if (norm(from) <= inner_radius_) return p;
     const double gauge = target_->gauge(p).value;
     return gauge <= 1 ? p : target_->centre() + (1 / gauge) * from;
@@ -154,6 +156,7 @@ Vec3 TransportForm::into_target(Vec3 p) const {
 /// Masses, and the source's density at the points.
 void TransportForm::take(const TransportDensities& densities) {
     if (known_ && densities == densities_) return;
+    known_ = false; // until nothing can throw any more
     rho_ = values_of(densities.source, space_->positions(), "source");
     const auto mass = [](const ConvexCurve& curve, const std::shared_ptr<const Monitor>& density,
                          const char* what) {
@@ -302,7 +305,7 @@ double TransportForm::normalised_residual() const {
     return std::sqrt(sum / of_loads) / mean;
 }
 
-std::vector<double> TransportForm::boundary_defects() const {
+std::vector<double> TransportForm::boundary_defects(std::span<const double> derivatives) const {
     const auto degree = static_cast<std::size_t>(space_->elements().degree());
     std::vector<double> defects(space_->size(), 0.0);
     for (const auto& [cell, edge] : space_->elements().sides())
@@ -310,7 +313,7 @@ std::vector<double> TransportForm::boundary_defects() const {
             const auto first = static_cast<std::size_t>(edge);
             const std::size_t at = i == 0 ? first : 3 + first * (degree - 1) + i - 1;
             const auto node = static_cast<std::size_t>(space_->elements().cell(cell)[at]);
-            const double* d = derivatives_.data() + derivative_count * node;
+            const double* d = derivatives.data() + derivative_count * node;
             const Boundary here = boundary({d[g1], d[g2], 0});
             defects[node] = std::abs(here.value) / norm(here.gradient);
         }
@@ -318,7 +321,7 @@ std::vector<double> TransportForm::boundary_defects() const {
 }
 
 double TransportForm::boundary_defect() const {
-    const std::vector<double> defects = boundary_defects();
+    const std::vector<double> defects = boundary_defects(derivatives_);
     return *std::max_element(defects.begin(), defects.end());
 }
 

@@ -58,7 +58,7 @@ class TransportForm {
     // Of the unknowns last evaluated:
     std::span<const double> unknowns() const { return unknowns_; }
     std::span<const double> residual() const { return residual_; }
-    /// |r| / |(mean of det H, v)|.
+    /// |r_v| / |(mean of det H, v)|.
     double normalised_residual() const;
     /// G and H at the nodes.
     std::span<const double> derivatives() const { return derivatives_; }
@@ -68,7 +68,7 @@ class TransportForm {
     double convexity() const { return convexity_; }
     /// |b| / |grad b|, about the distance from the target's boundary, of the images of nodes on the boundary;
     /// 0 for other nodes. And the largest of them.
-    std::vector<double> boundary_defects() const;
+    std::vector<double> boundary_defects(std::span<const double> derivatives) const;
     double boundary_defect() const;
 
     void linearise();

@@ -98,6 +98,8 @@ std::vector<Handle> domain_handles(const Scenario& scenario, const Snapshot& sna
 
 Scenario with_handle_at(const Scenario& scenario, const Handle& handle, Vec3 place) {
     Scenario moved = scenario;
+    const Values& own = handle.of_domain ? scenario.domain.values : scenario.monitor.values;
+    if (!own.has(handle.first)) return moved; // the shape was changed meanwhile
     if (handle.control) {
         Points control = *handle.control;
         const double side = longest_side(bounding_box(control));
