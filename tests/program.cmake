@@ -57,7 +57,7 @@ set_tests_properties(documents_Examples PROPERTIES TIMEOUT 300 LABELS "graphics"
 # What is installed and packaged is enough for others.
 add_test(NAME installed_library COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/library_test.py
   ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR}/examples)
-set_tests_properties(installed_library PROPERTIES TIMEOUT 300 LABELS "graphics" COST 60)
+set_tests_properties(installed_library PROPERTIES TIMEOUT 600 LABELS "graphics" COST 60)
 add_test(NAME debian_packages COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/package_test.py
   ${PROJECT_SOURCE_DIR})
 set_tests_properties(debian_packages PROPERTIES TIMEOUT 1500 LABELS "graphics;long" COST 150)
