@@ -141,6 +141,27 @@ TEST_F(TransportTest, MapsThatAreOfNoUseAreGivenUp) {
     EXPECT_EQ(run.status(), RunStatus::converged);
 }
 
+// While coarser meshes are at work, positions and fields of the finest one belong together.
+TEST_F(TransportTest, FieldsAreThoseOfThePositions) {
+    TransportRun run(catalogue, with({"domain.cells=24", "monitor.type=ring"}));
+    bool moved = false;
+    for (int i = 0; i < 3; ++i) {
+        run.step();
+        const auto snapshot = run.snapshot();
+        double shown = 0;
+        for (const double value : snapshot->field("boundary_defect")->values) shown = std::max(shown, value);
+        double off = 0; // the same of the positions: the target is an ellipse around 0
+        for (std::size_t k = 0; k < snapshot->x.size(); ++k)
+            if (norm(snapshot->mesh->nodes[k]) > 1 - 1e-9) {
+                const double x = snapshot->x.x[k], y = snapshot->x.y[k], g = std::hypot(x / 2, y / 3);
+                off = std::max(off, std::abs(1 - g * g) / 2 / std::hypot(x / 4, y / 9));
+            }
+        EXPECT_NEAR(shown, off, 1e-9);
+        moved = moved || run.history().back().value("level") > 0;
+    }
+    EXPECT_TRUE(moved) << "on a coarser mesh";
+}
+
 TEST_F(TransportTest, WithoutRecoveryDegreeOneHasNoConvexSolution) {
     TransportRun run(catalogue, with({"method.recovery=false", "method.max_iterations=20"}));
     run.solve();

@@ -114,6 +114,18 @@ TEST(TransportForm, DensitiesThatAreNotPositiveAreRefused) {
               std::string::npos);
 }
 
+TEST(TransportForm, RefusedDensityLeavesNothingBehind) {
+    TransportForm form = disk_to_ellipse(4, 1, Recovery::gradient);
+    const auto u = form.start();
+    const TransportDensities good{std::make_shared<WavyDensity>(), nullptr};
+    form.evaluate(good, u);
+    const std::vector<double> before(form.residual().begin(), form.residual().end());
+    EXPECT_THROW(form.evaluate({std::make_shared<LevelDensity>(7), std::make_shared<LevelDensity>(0)}, u),
+                 InputError);
+    form.evaluate(good, u);
+    for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(form.residual()[i], before[i]) << i;
+}
+
 TEST(TransportForm, ConvexityIsNegativeWhereTheFunctionBends) {
     TransportForm form = disk_to_ellipse(6, 2, Recovery::gradient);
     std::vector<double> u(form.size(), 0.0);

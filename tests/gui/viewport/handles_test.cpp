@@ -126,12 +126,25 @@ TEST_F(HandleTest, ControlPointsOfAPatchInThePlane) {
     EXPECT_NEAR(read[3].y, 2e-6, 1e-9);
     EXPECT_TRUE(
         domain_handles(with("spline-circle", {"domain.type=spline-patch", "domain.control_points=1 2"}),
-                        snapshot)
+                       snapshot)
             .empty());
     const PlannedView shown = plan(snapshot).views[0];
     const auto pixel = pixel_of(handles[1], shown);
     ASSERT_TRUE(pixel);
     EXPECT_NEAR(norm(*place_under(handles[1], shown, *pixel) - handles[1].place), 0, 1e-9);
+}
+
+TEST_F(HandleTest, ConvexDomainsHaveCentresAndPointsOfBothSides) {
+    const auto scenario = with("transport-ellipse", {"domain.target.shape=polygon"});
+    const auto handles = domain_handles(scenario, ring_snapshot(4));
+    ASSERT_EQ(handles.size(), 5U) << "the source's centre, four corners";
+    EXPECT_TRUE(handles[0].of_source);
+    EXPECT_FALSE(handles[1].of_source);
+    EXPECT_EQ(with_handle_at(scenario, handles[0], {0.5, 0.25, 0}).domain.values.real("y"), 0.25);
+    EXPECT_EQ(with_handle_at(scenario, handles[1], {-2, -1, 0}).domain.values.text("target.points"),
+              "-2 -1, 1 -1, 1 1, -1 1");
+    const auto curve = with("transport-ellipse", {"domain.shape=curve"});
+    EXPECT_EQ(with_handle_at(curve, handles[0], {0.5, 0.25, 0}), curve) << "the shape was changed meanwhile";
 }
 
 /// A viewport alone, with a handle in each corner of a square.
