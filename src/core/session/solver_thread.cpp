@@ -53,15 +53,16 @@ void SolverThread::update(const std::function<void(SolverStatus&)>& change) {
 }
 
 void SolverThread::say(std::string message, bool error) {
+    if (changing_) return held_.push_back({std::move(message), error});
     update([&](SolverStatus& status) {
         messages_.push_back({std::move(message), error});
         ++status.messages;
     });
 }
 
-std::vector<SolverMessage> SolverThread::take_messages() {
+SolverNews SolverThread::take_news() {
     std::lock_guard lock(mutex_);
-    return std::exchange(messages_, {});
+    return {status_, std::exchange(messages_, {})};
 }
 
 Progress SolverThread::progress() {
@@ -310,6 +311,7 @@ void SolverThread::inspect(const InspectCommand& command) {
 
 void SolverThread::change(ChangeCommand command, std::stop_token stop) {
     bool refused = false;
+    changing_ = true;
     try {
         if (!run_) {
             scenario_ = command.scenario;
@@ -319,9 +321,9 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
             const bool solved = run_->history().back().residual < caught_up &&
                                 run_->scenario().domain == command.scenario.domain;
             refused = !cancellable(stop, [&](const Activity& activity) {
-                const std::string message = run_->change(command.scenario, activity.progress, activity.stop,
-                                                         solved ? needed_.load() : Diagnostics::full,
-                                                         command.reread);
+                const std::string message =
+                    run_->change(command.scenario, activity.progress, activity.stop,
+                                 solved ? needed_.load() : Diagnostics::full, command.reread);
                 if (!message.empty() && !command.anew) say(message); // a restart keeps no map anyway
             });
             if (refused)
@@ -352,7 +354,10 @@ void SolverThread::begin_anew(std::stop_token stop) {
 
 void SolverThread::answer(std::uint64_t number, bool refused) {
     auto scenario = run_ ? std::make_shared<const Scenario>(run_->scenario()) : nullptr;
+    changing_ = false;
     update([&](SolverStatus& status) {
+        status.messages += held_.size();
+        messages_.insert(messages_.end(), held_.begin(), held_.end());
         status.answered = number;
         status.refused = refused;
         if (scenario) {
@@ -361,6 +366,7 @@ void SolverThread::answer(std::uint64_t number, bool refused) {
         }
         status.activity.clear();
     });
+    held_.clear();
 }
 
 } // namespace gaspard

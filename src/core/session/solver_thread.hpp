@@ -75,6 +75,11 @@ struct SolverStatus {
     std::shared_ptr<const Scenario> scenario; ///< current values of the run; null before the first run
 };
 
+struct SolverNews {
+    SolverStatus status;
+    std::vector<SolverMessage> messages;
+};
+
 class SolverThread {
   public:
     struct Options {
@@ -105,8 +110,9 @@ class SolverThread {
     std::shared_ptr<const Snapshot> latest() const { return latest_.get(); }
     /// All reports since the last call, in order.
     std::vector<SolverEvent> drain() { return reports_.drain(); }
-    /// All messages since the last call, in order.
-    std::vector<SolverMessage> take_messages();
+    /// The status and all messages since the last call, in order, of one moment: what is said about a change
+    /// of values comes together with the answer to it.
+    SolverNews take_news();
     SolverStatus status() const;
 
   private:
@@ -149,6 +155,8 @@ class SolverThread {
     Stopwatch since_errors_; ///< time since interpolation errors were last measured
     double errors_rest_ = 0; ///< seconds for which they are not measured again
     bool running_ = false;
+    bool changing_ = false;           ///< a change of values is being executed
+    std::vector<SolverMessage> held_; ///< messages about it, until it is answered
 
     Latest<Snapshot> latest_;
     Channel<SolverEvent> reports_;

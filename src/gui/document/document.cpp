@@ -276,18 +276,17 @@ static Diagnostics needed(const std::vector<DocumentViewport>& viewports, RunId 
 
 bool Document::collect(DocumentRun& run) {
     run.solver->need(needed(viewports_, run.id));
-    SolverStatus status = run.solver->status(); // first: a run that has ended has sent all its reports
+    auto [status, messages] = run.solver->take_news(); // first: a run that has ended has sent all its reports
     const std::vector<SolverEvent> events = run.solver->drain();
     status.scenario = run.solver->status().scenario; // of the last of these events
     auto snapshot = run.solver->latest();
     const bool news = !events.empty() || snapshot != run.snapshot || !same(status, run.status);
-    // A message may come before the answer to the change that it is about.
     const bool dragging = run.changes.only_dragging();
     const bool answered = status.answered != run.changes.answered;
     run.snapshot = std::move(snapshot);
     run.status = std::move(status);
     if (answered) take_answer(run);
-    for (SolverMessage& message : run.solver->take_messages())
+    for (SolverMessage& message : messages)
         run.messages.push_back({std::move(message.text), message.error, dragging});
     for (const SolverEvent& event : events) append(run, event);
     if (run.history.size() <= 1 || !run.marked) // nothing has been solved with other values yet

@@ -195,11 +195,11 @@ TEST_F(SolverThreadTest, AnInputErrorIsASentenceAndTheRunGoesOn) {
     broken.method.type = "magic";
     thread.post(ChangeCommand{broken});
     ASSERT_TRUE(eventually([&] { return thread.status().messages == 1; }));
-    const auto messages = thread.take_messages();
+    const auto messages = thread.take_news().messages;
     ASSERT_EQ(messages.size(), 1U);
     EXPECT_NE(messages[0].text.find("magic"), std::string::npos);
     EXPECT_TRUE(messages[0].error);
-    EXPECT_TRUE(thread.take_messages().empty());
+    EXPECT_TRUE(thread.take_news().messages.empty());
     thread.post(StartCommand{});
     EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
 }
@@ -228,6 +228,29 @@ TEST_F(SolverThreadTest, ARefusedChangeSaysSoAndNamesTheValuesThatRemain) {
     ASSERT_TRUE(eventually([&] { return thread.status().answered == 8; }));
     EXPECT_FALSE(thread.status().refused);
     EXPECT_EQ(thread.status().scenario->monitor.values.real("amplitude"), 15);
+}
+
+TEST_F(SolverThreadTest, WhatIsSaidAboutAChangeComesWithItsAnswer) {
+    SolverThread* solver = nullptr;
+    std::atomic<bool> watched = false;
+    std::vector<std::uint64_t> answered;
+    SolverThread::Options options{.start_running = false};
+    options.notify = [&] {
+        if (!watched) return;
+        const SolverNews news = solver->take_news();
+        if (!news.messages.empty()) answered.push_back(news.status.answered);
+    };
+    SolverThread thread(catalogue, scenario(), options);
+    solver = &thread;
+    watched = true;
+    Scenario broken = scenario();
+    broken.method.type = "magic";
+    thread.post(ChangeCommand{broken, 7});
+    ASSERT_TRUE(eventually([&] { return thread.status().answered == 7; }));
+    watched = false;
+    thread.post(ChangeCommand{scenario(), 8}); // the notice of the answer before has ended
+    ASSERT_TRUE(eventually([&] { return thread.status().answered == 8; }));
+    EXPECT_EQ(answered, std::vector<std::uint64_t>{7});
 }
 
 /// A catalogue whose plane is not prepared before `slow` becomes false.
@@ -308,7 +331,7 @@ TEST_F(SolverThreadTest, AFaultEndsTheRunButNotTheThread) {
     ASSERT_TRUE(eventually([&] { return thread.status().answered == 1; }));
     EXPECT_TRUE(thread.status().refused);
     EXPECT_EQ(thread.status().run, RunStatus::failed);
-    EXPECT_TRUE(thread.take_messages().back().error);
+    EXPECT_TRUE(thread.take_news().messages.back().error);
     thread.drain();
     thread.post(StartCommand{}); // with the values that worked
     EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
@@ -331,7 +354,7 @@ TEST_F(SolverThreadTest, AnOpeningThatIsCancelledOrRefusedLeavesTheRunAsItWas) {
     ASSERT_TRUE(eventually([&] { return thread.status().activity == "waiting"; }));
     thread.cancel();
     ASSERT_TRUE(eventually([&] { return thread.status().answered == 1; }));
-    EXPECT_FALSE(thread.take_messages().back().error) << "the user's own wish is no error";
+    EXPECT_FALSE(thread.take_news().messages.back().error) << "the user's own wish is no error";
     Scenario broken = scenario();
     broken.method.type = "magic";
     thread.post(ChangeCommand{broken, 2, true});
@@ -361,10 +384,10 @@ TEST_F(SolverThreadTest, AnotherScenarioIsNoMapThatCouldNotBeKept) {
     apply_settings(*catalogue, sphere, {"domain.cells=4"});
     thread.post(ChangeCommand{sphere, 1, true});
     ASSERT_TRUE(eventually([&] { return thread.status().answered == 1; }));
-    EXPECT_TRUE(thread.take_messages().empty());
+    EXPECT_TRUE(thread.take_news().messages.empty());
     thread.post(ChangeCommand{scenario(), 2}); // of the same run's values
     ASSERT_TRUE(eventually([&] { return thread.status().answered == 2; }));
-    const auto messages = thread.take_messages();
+    const auto messages = thread.take_news().messages;
     ASSERT_EQ(messages.size(), 1u);
     EXPECT_NE(messages[0].text.find("map"), std::string::npos) << messages[0].text;
 }
