@@ -121,8 +121,6 @@ MethodType mesh_pde_method() {
         .fields = layer_fields(),
         .colour = "solution",
         .make = [](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
-            if (auto plane = std::dynamic_pointer_cast<const QuadrilateralDomain>(context.discretisation))
-                return quadrilateral_mesh_pde(std::move(plane), values);
             auto domain = discretisation_as<IntervalDomain>(context.discretisation);
             return std::make_unique<IntervalMeshPde>(std::move(domain), values);
         }};

@@ -105,6 +105,9 @@ struct MethodContext {
     std::stop_token stop{};
 };
 
+/// Makes a method. May take as long as a factorisation, and be stopped on the way (Interrupted).
+using MethodMaker = std::function<std::unique_ptr<Method>(const MethodContext&, const Values&)>;
+
 /// A type of method as the user sees it.
 struct MethodType {
     std::string name;
@@ -117,8 +120,7 @@ struct MethodType {
     std::string criterion = "residual";
     std::vector<FieldInfo> fields{}; ///< of nodes and cells: colours and files offer them
     std::string colour = "monitor";  ///< what its meshes are coloured by, unless the view says otherwise
-    /// May take as long as a factorisation, and be stopped on the way (Interrupted).
-    std::function<std::unique_ptr<Method>(const MethodContext&, const Values&)> make;
+    MethodMaker make;                ///< on the domains whose Capability has none of its own
 };
 /// Default values of the rows of the method and of common_method_rows().
 Values default_values(const MethodType& type);

@@ -5,6 +5,7 @@
 #include "core/layer/layer_pde.hpp"
 #include "core/layer/plane_solution_density.hpp"
 #include "core/layer/square_mesh_pde.hpp"
+#include "core/mesh/discretisation_as.hpp"
 #include "core/method/interval_method.hpp"
 #include "core/method/mesh_levels.hpp"
 #include "core/method/solution_adapted.hpp"
@@ -348,14 +349,18 @@ std::string why_without_errors(const std::string& reference, int cells) {
            " cells per side are measured only with method.reference=on";
 }
 
-std::unique_ptr<Method> quadrilateral_mesh_pde(std::shared_ptr<const QuadrilateralDomain> domain,
-                                               const Values& values) {
-    return std::make_unique<QuadrilateralMeshPde>(std::move(domain), DensitySource::monitor, values);
+static std::unique_ptr<Method> make_method(const MethodContext& context, DensitySource source,
+                                           const Values& values) {
+    auto domain = discretisation_as<QuadrilateralDomain>(context.discretisation);
+    return std::make_unique<QuadrilateralMeshPde>(std::move(domain), source, values);
 }
 
-std::unique_ptr<Method> quadrilateral_solution_adapted(std::shared_ptr<const QuadrilateralDomain> domain,
-                                                       const Values& values) {
-    return std::make_unique<QuadrilateralMeshPde>(std::move(domain), DensitySource::solution, values);
+std::unique_ptr<Method> quadrilateral_mesh_pde(const MethodContext& context, const Values& values) {
+    return make_method(context, DensitySource::monitor, values);
+}
+
+std::unique_ptr<Method> quadrilateral_solution_adapted(const MethodContext& context, const Values& values) {
+    return make_method(context, DensitySource::solution, values);
 }
 
 } // namespace gaspard

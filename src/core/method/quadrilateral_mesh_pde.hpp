@@ -26,12 +26,11 @@ ParameterRow reference_row();
 /// Why method.reference measures no errors with so many cells per side: a sentence without a full stop; empty
 /// if it measures them.
 std::string why_without_errors(const std::string& reference, int cells);
-std::unique_ptr<Method> quadrilateral_mesh_pde(std::shared_ptr<const QuadrilateralDomain> domain,
-                                               const Values& values);
+/// MethodType::make of "mesh-pde" on a QuadrilateralDomain.
+std::unique_ptr<Method> quadrilateral_mesh_pde(const MethodContext& context, const Values& values);
 
-/// The method "solution-adapted": the form (29) with densities from the computed solution
+/// The same of "solution-adapted": the form (29) with densities from the computed solution
 /// (layer/plane_solution_density.hpp); only a part of a step that would invert triangles.
-std::unique_ptr<Method> quadrilateral_solution_adapted(std::shared_ptr<const QuadrilateralDomain> domain,
-                                                       const Values& values);
+std::unique_ptr<Method> quadrilateral_solution_adapted(const MethodContext& context, const Values& values);
 
 } // namespace gaspard

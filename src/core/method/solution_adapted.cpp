@@ -96,8 +96,6 @@ MethodType solution_adapted_method() {
             .fields = layer_fields(),
             .colour = "solution",
             .make = [](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
-                if (auto plane = std::dynamic_pointer_cast<const QuadrilateralDomain>(context.discretisation))
-                    return quadrilateral_solution_adapted(std::move(plane), values);
                 auto domain = discretisation_as<IntervalDomain>(context.discretisation);
                 return std::make_unique<SolutionAdapted>(std::move(domain), values);
             }};

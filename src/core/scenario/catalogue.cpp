@@ -8,6 +8,7 @@
 #include "core/layer/quadrilateral_domain.hpp"
 #include "core/method/interval_method.hpp"
 #include "core/method/plane_equation.hpp"
+#include "core/method/quadrilateral_mesh_pde.hpp"
 #include "core/method/spline_equation.hpp"
 #include "core/method/surface_equation.hpp"
 #include "core/monitor/own_problem.hpp"
@@ -103,7 +104,9 @@ Capability quadrilateral_capability() {
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 return make_quadrilateral(context.scenario.domain.values);
             },
-            .pdes = {"none", "reaction-diffusion-2d", "convection-diffusion-2d"}};
+            .pdes = {"none", "reaction-diffusion-2d", "convection-diffusion-2d"},
+            .makers = {{"mesh-pde", quadrilateral_mesh_pde},
+                       {"solution-adapted", quadrilateral_solution_adapted}}};
 }
 
 Capability transport_capability() {

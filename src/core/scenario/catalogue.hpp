@@ -12,6 +12,7 @@
 #include "core/scenario/scenario.hpp"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -39,8 +40,9 @@ struct Capability {
     std::function<std::shared_ptr<const Discretisation>(const PrepareContext&)> prepare;
     /// Makes the nonlinear problem on that discretisation; empty if the methods do not use one.
     std::function<std::unique_ptr<NonlinearProblem>(std::shared_ptr<const Discretisation>)> problem{};
-    std::vector<std::string> sources{}; ///< types of section monitor.source; empty: no such section
-    std::vector<std::string> pdes{};    ///< types of section pde; empty: no such section
+    std::vector<std::string> sources{};          ///< types of section monitor.source; empty: no such section
+    std::vector<std::string> pdes{};             ///< types of section pde; empty: no such section
+    std::map<std::string, MethodMaker> makers{}; ///< of the methods that this domain makes in its own way
 };
 
 struct Catalogue {

@@ -61,7 +61,10 @@ std::unique_ptr<Method> Run::make_method(const Course& course, const Progress& p
     if (const auto& make = course.problem.capability->problem)
         context.problem = [make, discretisation = course.discretisation] { return make(discretisation); };
     const Section& section = course.problem.scenario.method;
-    auto method = catalogue_->method(section.type).make(context, section.values);
+    const auto& makers = course.problem.capability->makers;
+    const auto own = makers.find(section.type);
+    const MethodType& type = catalogue_->method(section.type);
+    auto method = (own == makers.end() ? type.make : own->second)(context, section.values);
     method->use_threads(threads_);
     return method;
 }
