@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # Makes Debian packages for all machines of this architecture in build-package/: installs what is missing, builds, and
 # runs CPack. `apt-get install ./build-package/gaspard_*.deb` then installs the program for all users.
-# Builds without precompiled headers, which shows that every source includes what it uses.
 set -euo pipefail
 here=$(cd "$(dirname "$0")/.." && pwd)
 [ $# -eq 0 ] || { echo "usage: scripts/package.sh" >&2; exit 2; }
@@ -10,7 +9,7 @@ folder=$here/build-package
 log=$(mktemp)
 echo "Building in $folder (the first time takes a few minutes) ..."
 { cmake -S "$here" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGASPARD_NATIVE=OFF -DGASPARD_TESTS=OFF \
-    -DCMAKE_INSTALL_PREFIX=/usr -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
+    -DCMAKE_INSTALL_PREFIX=/usr -DGASPARD_UNITY=ON \
   && cmake --build "$folder" && cd "$folder" && rm -f -- *.deb && cpack; } >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
 rm -f "$log"
 ls "$folder"/*.deb

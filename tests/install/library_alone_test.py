@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """The library without the program: configured where GLFW, Dear ImGui, GLM and CLI11 are missing; taken into another
 project by add_subdirectory and by FetchContent; installed from there; found by pkg-config, also after the installed
-folder has been moved. The library is compiled once, in batches without optimisation; scripts/package.sh compiles every
-source alone.
+folder has been moved. The library is compiled in batches without optimisation.
 
 usage: library_alone_test.py SOURCES
 """
