@@ -54,10 +54,6 @@ foreach(group Text Examples)
 endforeach()
 set_tests_properties(documents_Examples PROPERTIES TIMEOUT 300 LABELS "graphics" COST 22)
 
-add_test(NAME sources_alone COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/sources_alone_test.py
-  ${PROJECT_SOURCE_DIR})
-set_tests_properties(sources_alone PROPERTIES TIMEOUT 1500 LABELS long PROCESSORS 2 COST 200)
-
 # What is installed and packaged is enough for others.
 add_test(NAME installed_library COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/library_test.py
   ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR}/examples)
