@@ -47,12 +47,15 @@ std::vector<std::string> settings_of(const RunArguments& arguments) {
 ScenarioInput input_of(const Catalogue& catalogue, const RunArguments& arguments) {
     ScenarioInput input = load_input(catalogue, arguments.scenario, settings_of(arguments));
     if (arguments.seed) {
-        Values& monitor = input.scenario.monitor.values;
-        const ParameterRow* row = find_role(monitor.rows(), ParameterRole::seed);
-        if (!row)
+        bool used = false;
+        for (Values* monitor : {&input.scenario.monitor.values, &input.scenario.source.values})
+            if (const ParameterRow* row = find_role(monitor->rows(), ParameterRole::seed)) {
+                monitor->parse(row->key, *arguments.seed);
+                used = true;
+            }
+        if (!used)
             throw InputError("--seed does not apply: the monitor of scenario '" + input.scenario.name +
                              "' uses no random numbers");
-        monitor.parse(row->key, *arguments.seed);
     }
     note_changes(input); // the seed
     check_input(catalogue, input);

@@ -178,7 +178,9 @@ StudyAxis parse_study_numbers(const Catalogue& catalogue, const Scenario& scenar
     std::vector<std::pair<double, std::string>> numbers;
     for (const std::string& value : axis.values) {
         const auto number = parse_number(value);
-        if (!number) throw InputError(option + ": " + axis.key + " must be numbers, not '" + value + "'");
+        if (!number)
+            throw InputError(option + ": " + axis.key + " must be numbers, not '" + value +
+                             "'; --lines takes other values");
         numbers.emplace_back(*number, value);
     }
     std::sort(numbers.begin(), numbers.end());

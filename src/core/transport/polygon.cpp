@@ -160,7 +160,7 @@ void check_convex(const Points& polygon, double tolerance, const std::string& no
             check_finite(coordinate, "each coordinate of " + noun + " " + std::to_string(i + 1));
     if (const double size = size_of(polygon); size > 0) check_size(size, "curve");
     if (const auto fault = convexity_fault(polygon, tolerance, name))
-        throw InputError("the polygon " + *fault);
+        throw InputError((noun == "corner" ? "the polygon " : "the polygon of the " + noun + "s ") + *fault);
 }
 
 } // namespace gaspard

@@ -280,7 +280,7 @@ TEST(ConvexCurve, RefusesSplinesThatAreNotConvex) {
     const std::string given = message_of<InputError>([] {
         closed_spline(listed_points({{0, 0, 0}, {1, 0, 0}, {0.4, 0.4, 0}, {0, 1, 0}}));
     });
-    EXPECT_EQ(given, "the polygon is not convex at point 3 at (0.4, 0.4)");
+    EXPECT_EQ(given, "the polygon of the points is not convex at point 3 at (0.4, 0.4)");
 }
 
 } // namespace
