@@ -1,12 +1,16 @@
-// CPU time per spline Picard iteration without mesh measurement, for the circle of Example 5.3 on the square;
-// the same work as bench/peers/bahari_numpy/timing.py. Prints one line per case: form, degree, cells,
-// milliseconds.
+// CPU time per spline Picard iteration without mesh measurement, for the circle of Example 5.3 on the square
+// and for the known solution of Examples 5.2 and 7.2 in the cube (std3, mix3); the same work as
+// bench/peers/bahari_numpy/timing.py and timing_solid.py. Prints one line per case: form, degree, cells,
+// milliseconds. With the argument "threads": wall time in the cube with one and two threads.
+#include "core/method/manufactured.hpp"
 #include "core/method/patch_form.hpp"
 #include "support/built_in.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <string_view>
+#include <utility>
 
 namespace {
 
@@ -40,9 +44,32 @@ double milliseconds(Formulation formulation, int degree, std::size_t cells) {
     return 1e3 * best;
 }
 
+/// In the cube; wall time if there is more than one thread.
+double solid_milliseconds(Formulation formulation, std::size_t cells, std::size_t threads, bool wall) {
+    double best = 1e300;
+    for (int round = 0; round < 3; ++round) {
+        const ManufacturedResult result = solve_manufactured(
+            {.formulation = formulation, .cells = cells, .dimension = 3, .threads = threads});
+        best = std::min(best, (wall ? result.seconds : result.cpu_seconds) / result.iterations);
+    }
+    return 1e3 * best;
+}
+
 } // namespace
 
-int main() {
+int main(int count, char** arguments) {
+    const std::pair<Formulation, const char*> solid_forms[] = {{Formulation::standard, "std3"},
+                                                               {Formulation::mixed, "mix3"}};
+    if (count > 1 && std::string_view(arguments[1]) == "threads") {
+        for (const auto& [formulation, name] : solid_forms)
+            for (const std::size_t threads : {1u, 2u})
+                std::printf("%s 32 cells, %zu threads: %.1f ms\n", name, threads,
+                            solid_milliseconds(formulation, 32, threads, true));
+        return 0;
+    }
+    for (const auto& [formulation, name] : solid_forms)
+        for (const std::size_t cells : {16u, 32u, 64u})
+            std::printf("%s 3 %zu %.4f\n", name, cells, solid_milliseconds(formulation, cells, 1, false));
     for (const auto& [formulation, name] :
          {std::pair{Formulation::standard, "std"}, std::pair{Formulation::mixed, "mix"}})
         for (const int degree : {3, 5})

@@ -146,7 +146,7 @@ int dispatch(int argc, char** argv) {
     std::vector<std::string> settings, show_settings;
     std::optional<std::string> size;
     RunArguments run;
-    bool reproduce_without_picture = false;
+    bool reproduce_in_full = false, reproduce_without_picture = false;
     std::string show_scenario;
     ShowOptions show_options;
     app.add_option("SCENARIO", scenario, scenario_help);
@@ -172,6 +172,7 @@ int dispatch(int argc, char** argv) {
     CLI::App* reproduce = app.add_subcommand("reproduce", "Reproduce a published table or figure");
     reproduce->add_option("ID", id, "Table or figure, such as mcrae-fig2 (default: list all)");
     reproduce->add_option("--out", out, "Output folder (default: ./gaspard-out/ID)")->type_name("DIR");
+    reproduce->add_flag("--full", reproduce_in_full, "Also the rows of a table that take minutes");
     reproduce->add_flag("--no-render", reproduce_without_picture, "Do not draw an image");
 
     try {
@@ -203,7 +204,7 @@ int dispatch(int argc, char** argv) {
     if (app.got_subcommand(list)) return list_command(*catalogue, what);
     if (app.got_subcommand(show)) return show_command(*catalogue, show_scenario, show_settings, show_options);
     if (app.got_subcommand(reproduce))
-        return reproduce_command(catalogue, id, out, !reproduce_without_picture);
+        return reproduce_command(catalogue, id, out, reproduce_in_full, !reproduce_without_picture);
     return window_command(catalogue, scenario, settings, size);
 }
 

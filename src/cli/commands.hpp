@@ -63,7 +63,7 @@ struct ShowOptions {
 int show_command(const Catalogue& catalogue, const std::string& scenario,
                  const std::vector<std::string>& settings, const ShowOptions& options);
 int reproduce_command(std::shared_ptr<const Catalogue> catalogue, const std::string& id,
-                      const std::string& out, bool render);
+                      const std::string& out, bool full, bool render);
 int window_command(std::shared_ptr<const Catalogue> catalogue, const std::string& scenario,
                    const std::vector<std::string>& settings, const std::optional<std::string>& size);
 

@@ -57,7 +57,7 @@ Image draw(const Figure& figure) {
 } // namespace
 
 int reproduce_command(std::shared_ptr<const Catalogue> catalogue, const std::string& id,
-                      const std::string& out, bool render) {
+                      const std::string& out, bool full, bool render) {
     if (id.empty()) {
         for (const auto& recipe : recipes())
             std::printf("%-14s %s\n", recipe.id.c_str(), recipe.title.c_str());
@@ -71,7 +71,8 @@ int reproduce_command(std::shared_ptr<const Catalogue> catalogue, const std::str
     const InterruptWatch interrupt;
     try {
         const auto announce = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
-        const Reproduction result = recipe.make(catalogue, announce, interrupt.token());
+        const Reproduction result =
+            (full && recipe.full ? recipe.full : recipe.make)(catalogue, announce, interrupt.token());
         print_table(result.rows);
         write_atomically(folder / (id + ".csv"), published_csv(result.rows));
         if (result.figure && render) write_png(folder / (id + ".png"), draw(*result.figure));

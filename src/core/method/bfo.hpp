@@ -1,17 +1,23 @@
 // The fixed-point iteration of Benamou, Froese and Oberman with splines; Bahari, Habbal, Ratnani,
 // Sonnendruecker (2024), sections 4 and 6:
 //
-//   div Psi^{k+1} = s G(Psi^k),   G = sqrt( (div Psi)^2 + 2 (f(Psi) - det grad Psi) )         (4.2), (6.2)
+//   div Psi^{k+1} = s G(Psi^k),   G = ( (div Psi)^d + delta (f(Psi) - det grad Psi) )^(1/d)   (4.2), (6.2)
 //
 //   s = (flux of Psi through the boundary) / (integral of G)
+//
+// in d = 2 and 3 dimensions with delta = 2 and 27. In three dimensions the paper's numbers follow from 27,
+// not from the d! of its text.
 //
 // s makes the Neumann problem solvable; the paper does not state it, but its numbers agree with it. The
 // standard and the mixed form are in spline/spline_forms.hpp. T denotes the map phi^k -> phi^{k+1}.
 #pragma once
 
 #include "core/base/points.hpp"
+#include "core/base/symmetric.hpp"
+#include "core/base/team.hpp"
 #include "core/spline/spline_forms.hpp"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -22,18 +28,23 @@ namespace gaspard {
 class JacobianSource {
   public:
     virtual ~JacobianSource() = default;
-    /// f at the quadrature points of rows y, y + 1, ...; psi holds Psi at these points (x and y).
+    /// f at the quadrature points of slabs y, y + 1, ... (spline_forms.hpp); psi holds Psi at these points.
+    /// In three dimensions called by several threads at once.
     virtual void values(std::size_t y, const Points& psi, std::span<double> f) const = 0;
-    /// f and its derivatives df/dPsi, in x and y of `gradient`.
+    /// f and its derivatives df/dPsi, in x and y (and z) of `gradient`.
     virtual void gradients(std::size_t y, const Points& psi, std::span<double> f, Points& gradient) const = 0;
 };
 
-class Bfo {
-  public:
-    /// `shift`: epsilon of the paper (standard form). 0 eliminates the constant exactly instead.
-    explicit Bfo(std::shared_ptr<const SplineForm> form, double shift = 0);
+template <std::size_t D>
+class BfoIteration {
+    using Form = TensorForm<D>;
 
-    const SplineForm& form() const { return *form_; }
+  public:
+    /// `shift`: epsilon of the paper (standard form). 0 eliminates the constant exactly instead. More than
+    /// one thread is used in three dimensions only; results do not depend on their number.
+    explicit BfoIteration(std::shared_ptr<const Form> form, double shift = 0, std::size_t threads = 1);
+
+    const Form& form() const { return *form_; }
     double shift() const { return shift_; }
 
     /// Properties of a map, evaluated at the quadrature points.
@@ -41,7 +52,9 @@ class Bfo {
         double convexity = 0; ///< smallest eigenvalue of grad Psi
         /// lambda_min and lambda_max of phi - T(phi), linearised with f fixed:
         ///
-        ///   lambda = 1 - s (eigenvalue of grad Psi) / G
+        ///   lambda = 1 - s (eigenvalue of A),   A = ((div Psi)^(d-1) I - delta/d cof grad Psi) / G^(d-1)
+        ///
+        /// In two dimensions A = grad Psi / G.
         double slowest = 0, fastest = 0;
     };
     /// next = T(phi). An empty phi stands for Psi = 0 everywhere, also at the boundary: the start of the
@@ -62,30 +75,61 @@ class Bfo {
     /// out = -dr/dphi w, exact for the discrete problem.
     void derivative(std::span<const double> w, std::span<double> out);
 
-  private:
-    /// Number of rows of quadrature points per band; bands are processed one at a time.
-    std::size_t band() const { return form_->line().upper.degree + std::size_t{1}; }
-    /// Computes G at the `count` points of a band.
-    void fill_g(std::size_t count);
-    void clear_rows(std::size_t count);
-    void read_rows(std::size_t y, std::size_t rows, const SplineForm::Workspace& workspace);
+    double other_cpu_seconds() const { return team_->other_cpu_seconds(); }
 
-    std::shared_ptr<const SplineForm> form_;
+  private:
+    static constexpr std::size_t entries = D * (D + 1) / 2; ///< of the upper triangle of grad Psi
+
+    /// Slabs of quadrature points that are processed at once: Psi, df/dPsi, grad Psi, f, G.
+    struct Band {
+        std::size_t first = 0, slabs = 0;
+        Points psi, slope;
+        std::array<std::vector<double>, entries> h;
+        std::vector<double> f, g;
+
+        std::size_t size() const { return psi.size(); }
+        Symmetric<D> hessian(std::size_t i) const {
+            Symmetric<D> all;
+            for (std::size_t e = 0; e < entries; ++e) all[e] = h[e][i];
+            return all;
+        }
+    };
+    /// A fixed part of the slabs, so that sums do not depend on the number of threads.
+    struct Part {
+        std::size_t begin = 0, end = 0;  ///< slabs
+        std::size_t first = 0, last = 0; ///< functions along the last direction that are not zero there
+        std::vector<double> load{};      ///< their lines; in two dimensions the form's own are used
+        double integral = 0;
+        double convexity = 0, least = 0, most = 0;
+    };
+    /// Calls work(band, part) for all slabs, in bands with grad Psi read, and sums what it writes to Band::g:
+    /// the integral, and the integrals against all test functions in the form's workspace.
+    template <class Work>
+    double integrate(bool at_rest, const Work& work);
+    void read(Band& band) const;
+    /// The integral of Band::g; adds its integrals against the test functions to the part's.
+    void load(const Band& band, Part& part);
+    static void fill_g(Band& band);
+
+    std::shared_ptr<const Form> form_;
     double shift_;
-    SplineForm::Workspace workspace_;
-    Points psi_, slope_;                       ///< for one band: Psi, df/dPsi
-    std::vector<double> xx_, xy_, yy_, f_, g_; ///< for one band: grad Psi, f, G
+    std::unique_ptr<Team> team_;
+    typename Form::Workspace workspace_;
+    std::vector<Band> bands_; ///< of the workers
+    std::vector<Part> parts_;
     std::vector<double> load_;
-    /// Coefficients of the linearisation at all quadrature points:
+    /// Coefficients of the linearisation at all quadrature points, in the order of the form's fields:
     ///
-    ///   dG = parts[0] dpsi1 + parts[1] dpsi2 + parts[2] dpsi1,x + parts[3] dpsi1,y + parts[4] dpsi2,y
-    std::array<std::vector<double>, map_fields> parts_;
+    ///   dG = (sum over fields) coefficients[field] d(field)
+    std::array<std::vector<double>, Form::fields> coefficients_;
     std::vector<double> g_load_; ///< <G, v>
     double g_integral_ = 0;
 };
+using Bfo = BfoIteration<2>;
 
-/// |<v, 2>|, the l2 norm over all basis functions v, by which |r| is normalised: 2 is the divergence of the
+/// |<v, d>|, the l2 norm over all basis functions v, by which |r| is normalised: d is the divergence of the
 /// identity map.
-double norm_of_divergence(const SplineForm& form);
+template <std::size_t D>
+double norm_of_divergence(const TensorForm<D>& form);
 
 } // namespace gaspard

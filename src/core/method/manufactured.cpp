@@ -1,5 +1,8 @@
 #include "core/method/manufactured.hpp"
 
+#include "core/base/check.hpp"
+#include "core/base/error.hpp"
+#include "core/base/stopwatch.hpp"
 #include "core/spline/tensor_space.hpp"
 
 #include <cmath>
@@ -12,23 +15,35 @@ constexpr std::size_t coarsest = 8;
 constexpr double tolerance = 1e-10, coarse_tolerance = 1e-4;
 constexpr int most = 200, least_between = 2; ///< max. iterations; min. iterations on intermediate meshes
 
-NormalTrace trace(const SplineLine& line) {
-    NormalTrace trace = identity_trace(line);
-    for (std::size_t q = 0; q < line.points.size(); ++q) {
-        const double t = line.points[q];
-        trace.right[q] = trace.top[q] = std::exp((1 + t * t) / 2);
-    }
+/// |xi|^2 at a quadrature point; x runs fastest.
+template <std::size_t D>
+double square(const std::vector<double>& points, std::size_t at) {
+    double sum = 0;
+    for (std::size_t d = 0; d < D; ++d, at /= points.size())
+        sum += points[at % points.size()] * points[at % points.size()];
+    return sum;
+}
+
+template <std::size_t D>
+FaceTrace<D> exact_trace(const SplineLine& line) {
+    FaceTrace<D> trace = identity_trace<D>(line);
+    constexpr double d = D;
+    for (std::vector<double>& high : trace.high)
+        for (std::size_t q = 0; q < high.size(); ++q)
+            high[q] = 2 / d * std::exp((1 + square<D - 1>(line.points, q)) / d);
     return trace;
 }
 
+template <std::size_t D>
 class Source final : public JacobianSource {
   public:
-    explicit Source(const SplineLine& line) : points_(line.points) {}
+    explicit Source(const SplineLine& line)
+        : points_(line.points), slab_(tensor_size<D - 1>(line.points.size())) {}
     void values(std::size_t y, const Points& psi, std::span<double> f) const override {
-        const std::size_t n = points_.size();
+        const double d = D, scale = D == 2 ? 1 : 8.0 / 27;
         for (std::size_t i = 0; i < psi.size(); ++i) {
-            const double a = points_[i % n], b = points_[y + i / n], square = a * a + b * b;
-            f[i] = (1 + square) * std::exp(square);
+            const double r = square<D>(points_, y * slab_ + i);
+            f[i] = scale * (1 + 2 / d * r) * std::exp(r);
         }
     }
     void gradients(std::size_t y, const Points& psi, std::span<double> f, Points& gradient) const override {
@@ -38,22 +53,34 @@ class Source final : public JacobianSource {
 
   private:
     std::vector<double> points_;
+    std::size_t slab_;
 };
 
-double error(const SplineForm& form, std::span<const double> phi) {
+template <std::size_t D>
+double error(const TensorForm<D>& form, std::span<const double> phi) {
     const SplineLine& line = form.line();
-    const std::size_t n = line.points.size();
+    const std::size_t n = line.points.size(), slab = form.slab();
     auto workspace = form.make_workspace();
-    std::vector<double> first(n), second(n);
-    form.expand(phi, SplineForm::Border::given, form.quadrature(), 2, workspace);
+    std::array<std::vector<double>, D> psi;
+    typename TensorForm<D>::Fields out{};
+    for (std::size_t d = 0; d < D; ++d) {
+        psi[d].resize(slab);
+        out[d] = psi[d].data();
+    }
+    form.expand(phi, TensorForm<D>::Border::given, form.quadrature(), D, workspace);
     double sum = 0;
     for (std::size_t j = 0; j < n; ++j) {
-        form.row(form.quadrature(), j, 2, {first.data(), second.data(), nullptr, nullptr, nullptr},
-                 workspace);
-        for (std::size_t i = 0; i < n; ++i) {
-            const double x = line.points[i], y = line.points[j], e = std::exp((x * x + y * y) / 2);
-            const double dx = first[i] - x * e, dy = second[i] - y * e;
-            sum += line.weights[i] * line.weights[j] * (dx * dx + dy * dy);
+        form.row(form.quadrature(), j, D, out, workspace);
+        for (std::size_t i = 0; i < slab; ++i) {
+            const std::size_t at = j * slab + i;
+            const double slope = 2.0 / D * std::exp(square<D>(line.points, at) / D);
+            double weight = 1, distance = 0;
+            for (std::size_t d = 0, rest = at; d < D; ++d, rest /= n) {
+                const double away = psi[d][i] - slope * line.points[rest % n];
+                weight *= line.weights[rest % n];
+                distance += away * away;
+            }
+            sum += weight * distance;
         }
     }
     return std::sqrt(sum);
@@ -61,11 +88,14 @@ double error(const SplineForm& form, std::span<const double> phi) {
 
 /// Iterates phi until the increment is below `enough`, at least `least` times. Returns the number of
 /// iterations.
-int iterate(Bfo& bfo, std::vector<double>& phi, double enough, int least) {
-    const Source source(bfo.form().line());
+template <std::size_t D>
+int iterate(BfoIteration<D>& bfo, std::vector<double>& phi, double enough, int least,
+            const std::stop_token& stop) {
+    const Source<D> source(bfo.form().line());
     std::vector<double> next(bfo.form().unknowns()), increment(next.size());
     int iterations = 0;
     for (double residual = 1; iterations < most && (residual >= enough || iterations < least);) {
+        if (stop.stop_requested()) throw Interrupted();
         bfo.iterate(source, phi, next);
         phi.resize(next.size()); // the start Psi = 0 is the empty phi; here it becomes phi = 0
         for (std::size_t i = 0; i < next.size(); ++i) increment[i] = next[i] - phi[i];
@@ -76,9 +106,8 @@ int iterate(Bfo& bfo, std::vector<double>& phi, double enough, int least) {
     return iterations;
 }
 
-} // namespace
-
-ManufacturedResult solve_manufactured(const ManufacturedChoice& choice) {
+template <std::size_t D>
+ManufacturedResult solve(const ManufacturedChoice& choice) {
     std::vector<std::size_t> levels = {choice.cells};
     if (choice.multilevel) {
         while (levels.front() > coarsest && levels.front() % 2 == 0)
@@ -90,18 +119,30 @@ ManufacturedResult solve_manufactured(const ManufacturedChoice& choice) {
     ManufacturedResult result;
     for (std::size_t l = 0; l < levels.size(); ++l) {
         const SplineLine line(uniform_knots(choice.degree, levels[l]));
-        const std::shared_ptr<const SplineForm> form = choice.formulation == Formulation::standard
-                                                           ? make_standard_form(line, trace(line))
-                                                           : make_mixed_form(line, trace(line));
-        if (l > 0) phi = insert_knots({{before, before}}, phi, {{form->space(), form->space()}});
+        const std::shared_ptr<const TensorForm<D>> form = choice.formulation == Formulation::standard
+                                                              ? make_standard_form(line, exact_trace<D>(line))
+                                                              : make_mixed_form(line, exact_trace<D>(line));
+        if (l > 0)
+            phi = insert_knots({std::vector<KnotVector>(D, before)}, phi,
+                               {std::vector<KnotVector>(D, form->space())});
         before = form->space();
-        Bfo bfo(form, choice.penalty);
+        BfoIteration<D> bfo(form, choice.penalty, choice.threads);
         const bool last = l + 1 == levels.size();
-        result.iterations =
-            iterate(bfo, phi, last ? tolerance : coarse_tolerance, l > 0 && !last ? least_between : 0);
+        const Stopwatch watch;
+        result.iterations = iterate(bfo, phi, last ? tolerance : coarse_tolerance,
+                                    l > 0 && !last ? least_between : 0, choice.stop);
+        result.seconds = watch.seconds();
+        result.cpu_seconds = watch.cpu_seconds();
         if (last) result.error = error(*form, phi);
     }
     return result;
+}
+
+} // namespace
+
+ManufacturedResult solve_manufactured(const ManufacturedChoice& choice) {
+    GASPARD_CHECK(choice.dimension == 2 || choice.dimension == 3);
+    return choice.dimension == 2 ? solve<2>(choice) : solve<3>(choice);
 }
 
 } // namespace gaspard

@@ -1,4 +1,4 @@
-// The two-dimensional tables of Bahari, Habbal, Ratnani, Sonnendruecker (2024) as printed; degrees 3, 4, 5.
+// The tables of Bahari, Habbal, Ratnani, Sonnendruecker (2024) as printed; degrees 3, 4, 5.
 #include "core/published/bahari_tables.hpp"
 
 namespace gaspard {
@@ -25,8 +25,26 @@ std::span<const PublishedSolve> published_solves(int table) {
         {5, 32, 7.407e-10, 7.475e-10, 35, 24},  {5, 64, 7.293e-10, 7.368e-10, 35, 22},
         {5, 128, 7.292e-10, 7.368e-10, 35, 20},
     };
+    static constexpr PublishedSolve table2[] = {
+        {3, 8, 5.885e-05, 5.885e-05, 14, 10}, {3, 16, 7.672e-06, 7.672e-06, 14, 10},
+        {3, 32, 9.793e-07, 9.793e-07, 14, 9}, {3, 64, 1.235e-07, 1.236e-07, 14, 7},
+        {4, 8, 1.758e-06, 1.758e-06, 14, 10}, {4, 16, 1.184e-07, 1.184e-07, 14, 10},
+        {4, 32, 7.658e-09, 7.658e-09, 14, 8}, {4, 64, 9.609e-10, 9.617e-10, 14, 6},
+        {5, 8, 9.064e-08, 9.064e-08, 14, 10}, {5, 16, 3.266e-09, 3.266e-09, 14, 10},
+        {5, 32, 8.756e-10, 8.757e-10, 14, 8}, {5, 64, 8.561e-10, 8.563e-10, 14, 6},
+    };
+    static constexpr PublishedSolve table8[] = {
+        {3, 8, 1.966e-05, 1.966e-05, 14, 10},  {3, 16, 2.519e-06, 2.519e-06, 14, 13},
+        {3, 32, 3.190e-07, 3.190e-07, 14, 12}, {3, 64, 4.011e-08, 4.016e-08, 14, 11},
+        {4, 8, 6.622e-07, 6.622e-07, 14, 10},  {4, 16, 4.322e-08, 4.321e-08, 14, 10},
+        {4, 32, 2.750e-09, 2.754e-09, 14, 8},  {4, 64, 1.965e-10, 4.997e-10, 14, 6},
+        {5, 8, 2.294e-08, 2.294e-08, 14, 10},  {5, 16, 8.125e-10, 8.118e-10, 14, 10},
+        {5, 32, 1.199e-10, 1.202e-10, 14, 8},  {5, 64, 1.104e-10, 1.112e-10, 14, 6},
+    };
     if (table == 1) return table1;
+    if (table == 2) return table2;
     if (table == 7) return table7;
+    if (table == 8) return table8;
     return {};
 }
 

@@ -5,7 +5,7 @@
 
 namespace gaspard {
 
-/// A row of tables 1 and 7: a problem with a known solution.
+/// A row of tables 1, 2, 7 and 8: a problem with a known solution.
 struct PublishedSolve {
     int degree, cells;
     double error, error_multilevel;

@@ -39,13 +39,16 @@ Curve history_curve(const Run& run, const std::string& label, std::string_view s
     return curve;
 }
 
-Recipe make_recipe(const std::string& id, const std::string& title,
-                   std::function<Reproduction(const Workshop&)> make) {
-    return {id, title,
-            [make = std::move(make)](const std::shared_ptr<const Catalogue>& catalogue,
-                                     const Announce& announce, std::stop_token stop) {
-                return make(Workshop{catalogue, announce, stop});
-            }};
+Recipe make_recipe(const std::string& id, const std::string& title, MakeInWorkshop make,
+                   MakeInWorkshop full) {
+    const auto with_workshop = [](MakeInWorkshop work) -> Recipe::Make {
+        if (!work) return {};
+        return [work = std::move(work)](const std::shared_ptr<const Catalogue>& catalogue,
+                                        const Announce& announce, std::stop_token stop) {
+            return work(Workshop{catalogue, announce, stop});
+        };
+    };
+    return {id, title, with_workshop(std::move(make)), with_workshop(std::move(full))};
 }
 
 } // namespace gaspard

@@ -29,9 +29,10 @@ Run solve(const Workshop& workshop, const std::string& scenario, const std::vect
 /// One of the series of a run as a curve; rows without a value are left out.
 Curve history_curve(const Run& run, const std::string& label, std::string_view series);
 
-/// A recipe from a function of the workshop.
-Recipe make_recipe(const std::string& id, const std::string& title,
-                   std::function<Reproduction(const Workshop&)> make);
+using MakeInWorkshop = std::function<Reproduction(const Workshop&)>;
+/// A recipe from functions of the workshop; `full` as Recipe::full.
+Recipe make_recipe(const std::string& id, const std::string& title, MakeInWorkshop make,
+                   MakeInWorkshop full = {});
 
 // Recipes for the sphere and for refinement.
 std::vector<Recipe> mcrae_sphere_recipes();

@@ -48,8 +48,10 @@ using Announce = std::function<void(const std::string&)>;
 struct Recipe {
     std::string id;    ///< "mcrae-fig2"
     std::string title; ///< content of the table or figure
-    std::function<Reproduction(const std::shared_ptr<const Catalogue>&, const Announce&, std::stop_token)>
-        make;
+    using Make = std::function<Reproduction(const std::shared_ptr<const Catalogue>&, const Announce&,
+                                            std::stop_token)>;
+    Make make;
+    Make full{}; ///< with rows that take minutes; empty if `make` computes all
 };
 
 std::vector<Recipe> recipes();

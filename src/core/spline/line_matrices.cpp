@@ -45,6 +45,26 @@ std::vector<double> moments(const SplineLine& line, const LineTable& table, std:
     return sums;
 }
 
+template <>
+std::vector<double> face_moments<2>(const SplineLine& line, const LineTable& table,
+                                    std::span<const double> values) {
+    return moments(line, table, values);
+}
+
+template <>
+std::vector<double> face_moments<3>(const SplineLine& line, const LineTable& table,
+                                    std::span<const double> values) {
+    const std::size_t n = table.functions(), points = table.points();
+    std::vector<double> sums(n * n, 0.0);
+    for (std::size_t q = 0; q < points; ++q) {
+        const std::vector<double> row = moments(line, table, values.subspan(q * points, points));
+        for (std::size_t k = 0; k < table.width(); ++k)
+            for (std::size_t i = 0; i < n; ++i)
+                sums[(table.first(q) + k) * n + i] += line.weights[q] * table.row(0, q)[k] * row[i];
+    }
+    return sums;
+}
+
 std::vector<double> integrals(const SplineLine& line, const LineTable& table) {
     return moments(line, table, std::vector<double>(table.points(), 1.0));
 }

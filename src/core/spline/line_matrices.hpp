@@ -18,6 +18,10 @@ LineOperator line_operator(const Eigen::MatrixXd& symmetric);
 
 /// The integrals of a function, given at the line's quadrature points, against every function of `table`.
 std::vector<double> moments(const SplineLine& line, const LineTable& table, std::span<const double> values);
+/// The same on a face of [0, 1]^D: in D - 1 directions.
+template <std::size_t D>
+std::vector<double> face_moments(const SplineLine& line, const LineTable& table,
+                                 std::span<const double> values);
 /// The integrals of the functions of `table`.
 std::vector<double> integrals(const SplineLine& line, const LineTable& table);
 

@@ -65,10 +65,10 @@ void LineTable::combine_all(int derivative, const double* lines, std::size_t len
 }
 
 void LineTable::scatter(int derivative, std::size_t point, double scale, const double* in, std::size_t length,
-                        double* lines) const {
+                        double* lines, std::size_t from) const {
     const double* weights = row(derivative, point);
     with_width(width_, [&](auto width) {
-        add_to_lines<width>(weights, scale, in, length, lines + first_[point] * length);
+        add_to_lines<width>(weights, scale, in, length, lines + (first_[point] - from) * length);
     });
 }
 

@@ -29,9 +29,10 @@ class LineTable {
                  double* out) const;
     /// The same at all points; out has one line per point.
     void combine_all(int derivative, const double* lines, std::size_t length, double* out) const;
-    /// Adds scale times the given derivative of B_i at the point times `in` to every line i of `lines`.
+    /// Adds scale times the given derivative of B_i at the point times `in` to every line i of `lines`, of
+    /// which the first is that of function `from`.
     void scatter(int derivative, std::size_t point, double scale, const double* in, std::size_t length,
-                 double* lines) const;
+                 double* lines, std::size_t from = 0) const;
 
   private:
     std::size_t functions_, width_;

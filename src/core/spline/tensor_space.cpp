@@ -67,17 +67,18 @@ double evaluate(const TensorSpace& space, std::span<const double> coefficients, 
 }
 
 SplineFunction derivative(const SplineFunction& of, std::size_t d) {
-    GASPARD_CHECK(of.coefficients.size() == of.space.size() && d < of.space.directions.size() && d < 2);
+    GASPARD_CHECK(of.coefficients.size() == of.space.size() && d < of.space.directions.size());
     const KnotVector& line = of.space.directions[d];
     SplineFunction result{of.space, {}};
     result.space.directions[d] = derivative_space(line);
     result.coefficients.resize(result.space.size());
-    const std::size_t step = d == 0 ? 1 : of.space.directions[0].size(), n = line.size();
-    const std::size_t lines = of.coefficients.size() / n; // all of them along x, or along y of a plane
-    GASPARD_CHECK(d == 0 || lines == step);
+    std::size_t step = 1; // from one coefficient along d to the next
+    for (std::size_t before = 0; before < d; ++before) step *= of.space.directions[before].size();
+    const std::size_t n = line.size();
     std::vector<double> along(n);
-    for (std::size_t l = 0; l < lines; ++l) {
-        const std::size_t first = d == 0 ? l * n : l, first_of_result = d == 0 ? l * (n - 1) : l;
+    for (std::size_t l = 0; l < of.coefficients.size() / n; ++l) {
+        const std::size_t first = l % step + l / step * step * n;
+        const std::size_t first_of_result = l % step + l / step * step * (n - 1);
         for (std::size_t i = 0; i < n; ++i) along[i] = of.coefficients[first + i * step];
         const auto slopes = derivative_coefficients(line, along);
         for (std::size_t i = 0; i + 1 < n; ++i) result.coefficients[first_of_result + i * step] = slopes[i];

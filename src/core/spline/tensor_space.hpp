@@ -29,7 +29,7 @@ struct SplineFunction {
 /// The mixed derivative of the given orders at a point.
 double evaluate(const TensorSpace& space, std::span<const double> coefficients, Vec3 point,
                 std::array<int, 3> orders = {0, 0, 0});
-/// The derivative along one direction of a function whose continuity allows it, in one or two directions.
+/// The derivative along one direction of a function whose continuity allows it.
 SplineFunction derivative(const SplineFunction& of, std::size_t direction);
 /// Coefficients in `fine`, which refines `coarse` in every direction, of the same function.
 std::vector<double> insert_knots(const TensorSpace& coarse, std::span<const double> coefficients,

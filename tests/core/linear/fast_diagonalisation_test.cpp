@@ -53,6 +53,28 @@ TEST(FastDiagonalisation, SolvesWithAShift) {
     }
 }
 
+TEST(FastDiagonalisation, SolvesInThreeDirections) {
+    const Line line;
+    const FastDiagonalisation solver(line.stiffness, line.mass, 3);
+    auto workspace = solver.make_workspace();
+    std::vector<double> b(n * n * n), x(b), y(b);
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] = std::sin(3.7 * static_cast<double>(i * i));
+    solver.solve(b, x, 0.3, workspace);
+    const auto &k = line.stiffness.entries, &m = line.mass.entries;
+    solver.multiply(x, y, workspace);
+    for (std::size_t row = 0; row < b.size(); row += 5) { // entrywise
+        double sum = 0, with_shift = 0;
+        for (std::size_t column = 0; column < b.size(); ++column) {
+            const std::size_t i1 = row % n * n + column % n, i2 = row / n % n * n + column / n % n,
+                              i3 = row / n / n * n + column / n / n;
+            sum += (k[i1] * m[i2] * m[i3] + m[i1] * k[i2] * m[i3] + m[i1] * m[i2] * k[i3]) * x[column];
+            with_shift += 0.3 * m[i1] * m[i2] * m[i3] * x[column];
+        }
+        EXPECT_NEAR(y[row], sum, 1e-10);
+        EXPECT_NEAR(sum + with_shift, b[row], 1e-9);
+    }
+}
+
 TEST(FastDiagonalisation, DropsTheConstantExactly) {
     const Line line;
     const FastDiagonalisation solver(line.stiffness, line.mass);

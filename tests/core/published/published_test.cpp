@@ -41,9 +41,10 @@ TEST(Published, AnUnknownIdNamesTheNearest) {
 
 TEST(Published, TablesOfBahariListPublishedNumbers) {
     const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
-    for (const int table : {1, 3, 4, 5, 6, 7, 9, 10, 11, 12, 13, 14, 15})
+    for (int table = 1; table <= 15; ++table)
         EXPECT_NO_THROW(find_recipe("bahari-table" + std::to_string(table)));
-    EXPECT_THROW(find_recipe("bahari-table2"), InputError); // three-dimensional
+    EXPECT_TRUE(find_recipe("bahari-table2").full); // in three dimensions some rows take minutes
+    EXPECT_FALSE(find_recipe("bahari-table1").full);
     std::stop_source source;
     int solved = 0;
     const auto first_row_only = [&](const std::string&) {

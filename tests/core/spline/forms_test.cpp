@@ -21,9 +21,9 @@ NormalTrace some_trace(const SplineLine& line) {
     NormalTrace trace = identity_trace(line);
     for (std::size_t q = 0; q < line.points.size(); ++q) {
         const double t = line.points[q];
-        trace.left[q] = t * t;
-        trace.right[q] = 1 + t * t;
-        trace.top[q] = std::cos(t);
+        trace.low[0][q] = t * t;
+        trace.high[0][q] = 1 + t * t;
+        trace.high[1][q] = std::cos(t);
     }
     return trace;
 }
