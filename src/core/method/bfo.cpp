@@ -43,8 +43,8 @@ double norm_of_divergence(const TensorForm<D>& form) {
 
 template <std::size_t D>
 BfoIteration<D>::BfoIteration(std::shared_ptr<const Form> form, double shift, std::size_t threads)
-    : form_(std::move(form)), shift_(shift), team_(std::make_unique<Team>(D == 3 ? threads : 1)),
-      workspace_(form_->make_workspace(team_->workers())), bands_(team_->workers()) {
+    : form_(std::move(form)), shift_(shift), workspace_(form_->make_workspace(threads)),
+      bands_(workspace_.team->workers()) {
     const SplineLine& line = form_->line();
     // A row of cells of the square, a plane of points in the cube.
     const std::size_t slabs = D == 2 ? line.upper.degree + std::size_t{1} : 1;
@@ -102,7 +102,7 @@ template <std::size_t D>
 template <class Work>
 double BfoIteration<D>::integrate(bool at_rest, const Work& work) {
     const std::size_t slab = form_->slab();
-    team_->share(parts_.size(), [&](std::size_t worker, std::size_t begin, std::size_t end) {
+    workspace_.team->share(parts_.size(), [&](std::size_t worker, std::size_t begin, std::size_t end) {
         Band& band = bands_[worker];
         const std::size_t most = band.g.size() / slab;
         for (std::size_t p = begin; p < end; ++p) {
@@ -153,8 +153,7 @@ void BfoIteration<D>::fill_g(Band& band) {
 template <std::size_t D>
 void BfoIteration<D>::iterate(const JacobianSource& source, std::span<const double> phi,
                               std::span<double> next, Shape* shape) {
-    if (!phi.empty())
-        form_->expand(phi, Form::Border::given, form_->quadrature(), Form::fields, workspace_, *team_);
+    if (!phi.empty()) form_->expand(phi, Form::Border::given, form_->quadrature(), Form::fields, workspace_);
     form_->begin_load(workspace_);
     constexpr double infinite = std::numeric_limits<double>::infinity();
     for (Part& part : parts_) part.convexity = part.least = infinite, part.most = -infinite;
@@ -175,7 +174,7 @@ void BfoIteration<D>::iterate(const JacobianSource& source, std::span<const doub
             part.most = std::max(part.most, most / scale);
         }
     });
-    form_->end_load(load_, workspace_, *team_);
+    form_->end_load(load_, workspace_);
     const double scale = form_->border_flux() / integral;
     const auto border = form_->border_load();
     for (std::size_t i = 0; i < load_.size(); ++i) load_[i] = border[i] - scale * load_[i];
@@ -210,7 +209,7 @@ template <std::size_t D>
 void BfoIteration<D>::linearise(const JacobianSource& source, std::span<const double> phi, bool moving) {
     const std::size_t slab = form_->slab();
     for (auto& array : coefficients_) array.resize(slab * form_->line().points.size());
-    form_->expand(phi, Form::Border::given, form_->quadrature(), Form::fields, workspace_, *team_);
+    form_->expand(phi, Form::Border::given, form_->quadrature(), Form::fields, workspace_);
     form_->begin_load(workspace_);
     constexpr double part_of_delta = delta<D> / static_cast<double>(D);
     g_integral_ = integrate(false, [&](Band& band, Part&) {
@@ -236,14 +235,14 @@ void BfoIteration<D>::linearise(const JacobianSource& source, std::span<const do
                 coefficients_[D + d][at] = (power - part_of_delta * c[d]) * inverse;
         }
     });
-    form_->end_load(g_load_, workspace_, *team_);
+    form_->end_load(g_load_, workspace_);
 }
 
 // d(s G) = s (dG - G (integral of dG) / (integral of G))
 template <std::size_t D>
 void BfoIteration<D>::derivative(std::span<const double> w, std::span<double> out) {
     const std::size_t slab = form_->slab();
-    form_->expand(w, Form::Border::zero, form_->quadrature(), Form::fields, workspace_, *team_);
+    form_->expand(w, Form::Border::zero, form_->quadrature(), Form::fields, workspace_);
     form_->begin_load(workspace_);
     const double integral = integrate(false, [&](Band& band, Part&) {
         for (std::size_t i = 0; i < band.size(); ++i) {
@@ -254,7 +253,7 @@ void BfoIteration<D>::derivative(std::span<const double> w, std::span<double> ou
             band.g[i] = sum;
         }
     });
-    form_->end_load(load_, workspace_, *team_);
+    form_->end_load(load_, workspace_);
     const double scale = form_->border_flux() / g_integral_, part = integral / g_integral_;
     form_->poisson().multiply(w, out, workspace_.poisson);
     for (std::size_t i = 0; i < load_.size(); ++i) out[i] += scale * (load_[i] - part * g_load_[i]);

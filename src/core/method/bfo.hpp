@@ -14,7 +14,6 @@
 
 #include "core/base/points.hpp"
 #include "core/base/symmetric.hpp"
-#include "core/base/team.hpp"
 #include "core/spline/spline_forms.hpp"
 
 #include <array>
@@ -75,7 +74,7 @@ class BfoIteration {
     /// out = -dr/dphi w, exact for the discrete problem.
     void derivative(std::span<const double> w, std::span<double> out);
 
-    double other_cpu_seconds() const { return team_->other_cpu_seconds(); }
+    double other_cpu_seconds() const { return workspace_.team->other_cpu_seconds(); }
 
   private:
     static constexpr std::size_t entries = D * (D + 1) / 2; ///< of the upper triangle of grad Psi
@@ -113,7 +112,6 @@ class BfoIteration {
 
     std::shared_ptr<const Form> form_;
     double shift_;
-    std::unique_ptr<Team> team_;
     typename Form::Workspace workspace_;
     std::vector<Band> bands_; ///< of the workers
     std::vector<Part> parts_;

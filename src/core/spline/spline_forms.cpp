@@ -45,9 +45,10 @@ double flux(const SplineLine& line, const FaceTrace<D>& trace) {
 template <std::size_t D>
 typename TensorForm<D>::Workspace TensorForm<D>::make_workspace(std::size_t workers) const {
     Workspace workspace;
+    workspace.team = std::make_unique<Team>(D == 3 ? workers : 1);
     workspace.poisson = poisson_.make_workspace();
     workspace.load.resize(size() * slab());
-    workspace.turned.resize(workers);
+    workspace.turned.resize(workspace.team->workers());
     return workspace;
 }
 
@@ -69,7 +70,7 @@ static void sum_along_x(const LineTable& table, int derivative, const double* co
 template <std::size_t D>
 void TensorForm<D>::sum_halves(const std::array<bool, halves>& wanted,
                                const std::array<std::span<const double>, D>& from, const SplineGrid& grid,
-                               Workspace& workspace, Team& team) const {
+                               Workspace& workspace) const {
     const auto table = [&](const LineSum& sum) -> const LineTable& {
         return sum.upper ? grid.upper : grid.lower;
     };
@@ -94,7 +95,7 @@ void TensorForm<D>::sum_halves(const std::array<bool, halves>& wanted,
             workspace.half[h].resize(count * points * points);
             planes = std::max(planes, count);
         }
-        team.share(planes, [&](std::size_t worker, std::size_t begin, std::size_t end) {
+        workspace.team->share(planes, [&](std::size_t worker, std::size_t begin, std::size_t end) {
             Turned& turned = workspace.turned[worker];
             for (std::size_t z = begin; z < end; ++z) {
                 const Half* last = nullptr; // whose sum along x is in turned[2]
@@ -119,17 +120,10 @@ void TensorForm<D>::sum_halves(const std::array<bool, halves>& wanted,
 
 template <std::size_t D>
 void TensorForm<D>::expand(std::span<const double> phi, Border border, const SplineGrid& grid,
-                           std::size_t count, Workspace& workspace, Team& team) const {
+                           std::size_t count, Workspace& workspace) const {
     std::array<bool, halves> wanted{};
     for (std::size_t f = 0; f < count; ++f) wanted[terms_[f].half] = true;
-    sum_halves(wanted, components(phi, border, workspace), grid, workspace, team);
-}
-
-template <std::size_t D>
-void TensorForm<D>::expand(std::span<const double> phi, Border border, const SplineGrid& grid,
-                           std::size_t count, Workspace& workspace) const {
-    Team alone;
-    expand(phi, border, grid, count, workspace, alone);
+    sum_halves(wanted, components(phi, border, workspace), grid, workspace);
 }
 
 template <std::size_t D>
@@ -166,12 +160,12 @@ static void load_along_x(const LineTable& tests, std::span<const double> weights
 }
 
 template <std::size_t D>
-void TensorForm<D>::end_load(std::span<double> b, Workspace& workspace, Team& team) const {
+void TensorForm<D>::end_load(std::span<double> b, Workspace& workspace) const {
     const std::size_t n = size(), points = line_.points.size();
     if constexpr (D == 2)
         load_along_x(tests(), line_.weights, workspace.load.data(), n, b.data(), workspace.turned[0]);
     else
-        team.share(n, [&](std::size_t worker, std::size_t begin, std::size_t end) {
+        workspace.team->share(n, [&](std::size_t worker, std::size_t begin, std::size_t end) {
             Turned& turned = workspace.turned[worker];
             for (std::size_t z = begin; z < end; ++z) {
                 turned[2].assign(n * points, 0.0);
@@ -181,12 +175,6 @@ void TensorForm<D>::end_load(std::span<double> b, Workspace& workspace, Team& te
                 load_along_x(tests(), line_.weights, turned[2].data(), n, &b[z * n * n], turned);
             }
         });
-}
-
-template <std::size_t D>
-void TensorForm<D>::end_load(std::span<double> b, Workspace& workspace) const {
-    Team alone;
-    end_load(b, workspace, alone);
 }
 
 template <std::size_t D>

@@ -89,11 +89,11 @@ class TensorForm {
     std::size_t slab() const { return tensor_size<D - 1>(line_.points.size()); }
     const FastDiagonalisation& poisson() const { return poisson_; }
 
-    static constexpr std::size_t fields = map_fields_of<D>;
-    static constexpr std::size_t halves = D * (D + 1) / 2;
+    static constexpr std::size_t fields = map_fields_of<D>, halves = D * (D + 1) / 2;
     using Fields = std::array<double*, fields>;
 
     struct Workspace {
+        std::unique_ptr<Team> team; ///< whose workers share the sums, in three dimensions
         FastDiagonalisation::Workspace poisson;
         std::array<std::vector<double>, D> map; ///< coefficients of psi_1 to psi_D; of phi: the first
         /// After the sums along all directions but the last: one slab per function along that.
@@ -106,8 +106,6 @@ class TensorForm {
     /// Prepares row() for the map of phi; with `border` zero, for its derivative.
     enum class Border { given, zero };
     void expand(std::span<const double> phi, Border border, const SplineGrid& grid, std::size_t fields,
-                Workspace& workspace, Team& team) const;
-    void expand(std::span<const double> phi, Border border, const SplineGrid& grid, std::size_t fields,
                 Workspace& workspace) const;
     /// Evaluates the first `fields` fields on a slab of the grid given to expand. May be called by several
     /// threads.
@@ -118,7 +116,6 @@ class TensorForm {
     /// order.
     void begin_load(Workspace& workspace) const;
     void load_row(std::size_t slab, const double* g, Workspace& workspace) const;
-    void end_load(std::span<double> b, Workspace& workspace, Team& team) const;
     void end_load(std::span<double> b, Workspace& workspace) const;
     /// The contribution of the boundary to the right-hand side.
     std::span<const double> border_load() const { return border_load_; }
@@ -173,7 +170,7 @@ class TensorForm {
   private:
     void sum_halves(const std::array<bool, halves>& wanted,
                     const std::array<std::span<const double>, D>& from, const SplineGrid& grid,
-                    Workspace& workspace, Team& team) const;
+                    Workspace& workspace) const;
 };
 using SplineForm = TensorForm<2>;
 using SolidForm = TensorForm<3>;
