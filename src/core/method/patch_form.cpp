@@ -53,6 +53,20 @@ std::unique_ptr<SplineForm> make_form(const SplineLayout& layout) {
                                                        : make_mixed_form(line, trace);
 }
 
+ParameterRow measure_row() {
+    return {.key = "measure",
+            .label = "Measure",
+            .kind = ParameterKind::choice,
+            .default_value = std::string("parameter"),
+            .choices = {"parameter", "physical"},
+            .help = "what the areas of cells refer to. parameter: the parameter square, as in the paper; "
+                    "physical: the patch itself, so that finer meshes are equidistributed on every patch"};
+}
+
+Measure measure_of(const Values& method) {
+    return method.text("measure") == "physical" ? Measure::physical : Measure::parameter;
+}
+
 namespace {
 
 struct PatchMeasure {
@@ -111,6 +125,13 @@ PatchForm::PatchForm(std::shared_ptr<const SplineDomain> domain, Formulation for
     : domain_(std::move(domain)), formulation_(formulation), cells_(cells),
       form_(make_form({formulation, domain_->degree(), cells})), identity_(form_->identity()),
       nodes_(form_->line(), domain_->node_lines()), workspace_(form_->make_workspace()) {}
+
+void PatchForm::set_measure(Measure measure) {
+    if (measure == Measure::parameter || domain_->patch_map()->is_identity())
+        areas_.clear(); // of the identity all area elements are 1
+    else if (areas_.empty())
+        areas_ = area_elements(*domain_->patch_map(), form_->line());
+}
 
 void PatchForm::add_identity(std::span<const double> phi, std::span<double> whole) const {
     for (std::size_t i = 0; i < identity_.size(); ++i) whole[i] = phi[i] + identity_[i];

@@ -26,6 +26,10 @@ std::optional<SplineLayout> parse_spline_layout(const std::string& text);
 /// The form on uniform cells, with the normal trace of the identity as boundary data.
 std::unique_ptr<SplineForm> make_form(const SplineLayout& layout);
 
+/// The row of method.measure, and its value.
+ParameterRow measure_row();
+Measure measure_of(const Values& method);
+
 /// Quality measures of a map as Bahari et al. print and define them; det = det grad Psi.
 struct PatchMeasures {
     double err_printed = 0;  ///< L2 norm of det / f - 1, as printed in the paper's tables
@@ -51,7 +55,11 @@ class PatchForm {
     Formulation formulation() const { return formulation_; }
     std::size_t cells() const { return cells_; }
     std::string layout() const { return spline_layout({formulation_, domain_->degree(), cells_}); }
-    PatchSource source(const Monitor& monitor) const { return {monitor, *domain_->patch_map(), form_->line()}; }
+    /// Measure::parameter until another one is set.
+    void set_measure(Measure measure);
+    PatchSource source(const Monitor& monitor) const {
+        return {monitor, *domain_->patch_map(), form_->line(), areas_};
+    }
 
     /// whole = Phi = phi + (potential of the identity map). States hold phi, which is 0 for the identity map.
     void add_identity(std::span<const double> phi, std::span<double> whole) const;
@@ -76,6 +84,7 @@ class PatchForm {
     SplineGrid nodes_;
     SplineForm::Workspace workspace_;
     Points psi_;
+    std::vector<double> areas_; ///< area elements of F at the quadrature points, if they are in use
     JacobianBounds jacobian_;
     std::vector<double> whole_of_jacobian_; ///< the argument of the last call of jacobian()
 };
