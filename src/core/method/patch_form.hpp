@@ -40,6 +40,9 @@ struct PatchMeasures {
     double max_jacobian = 0;
     double bound_jacobian = 0; ///< lower bound of det on the whole square (core/spline/jacobian_bounds.hpp)
     double border_error = 0;   ///< max |(Psi - xi) . n| on the boundary of that grid
+    /// Standard deviation over mean of the integrals of rho(F(Psi)) det over the cells of the form. What the
+    /// quality of a mesh (diagnostics/quality.hpp) measures in space, in the parameter square.
+    double variation_in_square = 0;
 };
 /// As reports name them, and their values in the same order.
 std::vector<SeriesInfo> patch_series();
@@ -76,6 +79,11 @@ class PatchForm {
     const JacobianBounds& jacobian(std::span<const double> whole);
 
   private:
+    /// The measures that are integrals over the square.
+    void integrate(const Monitor& monitor, std::span<const double> whole, PatchMeasures& result);
+    /// The extremes on the grid that is shown.
+    void find_extremes(std::span<const double> whole, PatchMeasures& result);
+
     std::shared_ptr<const SplineDomain> domain_;
     Formulation formulation_;
     std::size_t cells_;
