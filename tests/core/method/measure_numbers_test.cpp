@@ -1,6 +1,6 @@
 // The equidistribution in space of meshes with method.measure = physical, to 64 cells per side: the table of
 // docs/splines.md.
-#include "method/measured_runs.hpp"
+#include "core/method/measured_runs.hpp"
 
 #include <gtest/gtest.h>
 
