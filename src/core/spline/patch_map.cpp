@@ -40,8 +40,9 @@ class FormulaMap final : public PatchMap {
     void places(const Points& xi, Points& x, std::span<double> area) const override {
         x.resize(xi.size());
         for (std::size_t i = 0; i < xi.size(); ++i) {
-            x.set(i, Formula::at(xi.x[i], xi.y[i]).x);
-            area[i] = std::abs(Formula::area(xi.x[i], xi.y[i]).value);
+            const double a = xi.x[i], b = xi.y[i]; // read once: both formulas have parts in common
+            x.set(i, Formula::at(a, b).x);
+            area[i] = std::abs(Formula::area(a, b).value);
         }
     }
     void area_gradients(const Points& xi, std::span<double> area, Points& gradient) const override {
@@ -71,7 +72,7 @@ struct Disk {
     }
     static Area area(double a, double b) { // J = 2 t / w
         const double u = 2 * a - 1, v = 2 * b - 1, t = 2 - u * u - v * v;
-        const double uu = 1 - u * u / 2, vv = 1 - v * v / 2, w = std::sqrt(uu * vv);
+        const double uu = 1 - u * u / 2, vv = 1 - v * v / 2, w = std::sqrt(uu) * std::sqrt(vv);
         return {2 * t / w, 2 * u * (t / uu - 4) / w, 2 * v * (t / vv - 4) / w};
     }
 };
@@ -110,7 +111,7 @@ struct Moebius {
                 {ch * cu, ch * su, sh}};
     }
     static Area area(double a, double b) { // the tangents are orthogonal, the second has length 1
-        const double v = b - 0.5, ch = std::cos(pi * a), sh = std::sin(pi * a), r = 1 + v * ch;
+        const double u = 2 * pi * a, v = b - 0.5, ch = std::cos(u / 2), sh = std::sin(u / 2), r = 1 + v * ch;
         const double root = std::sqrt(r * r + v * v / 4);
         return {2 * pi * root, -2 * pi * pi * v * r * sh / root, 2 * pi * (r * ch + v / 4) / root};
     }
