@@ -1,9 +1,12 @@
 // CPU time per spline Picard iteration without mesh measurement, for the circle of Example 5.3 on the square
 // and for the known solution of Examples 5.2 and 7.2 in the cube (std3, mix3); the same work as
 // bench/peers/bahari_numpy/timing.py and timing_solid.py. Prints one line per case: form, degree, cells,
-// milliseconds. With the argument "threads": wall time in the cube with one and two threads.
+// milliseconds. With the argument "threads": wall time in the cube with one and two threads. With the argument
+// "measures", the iteration on other patches, p = 3 in the standard form, for either method.measure: patch,
+// cells, milliseconds for parameter and for physical.
 #include "core/method/manufactured.hpp"
 #include "core/method/patch_form.hpp"
+#include "core/spline/patch_file.hpp"
 #include "support/built_in.hpp"
 
 #include <algorithm>
@@ -18,17 +21,21 @@ using namespace gaspard;
 
 double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// The fastest of several rounds of ten iterations from phi = 0 (which is not the identity map, as in the
-/// peer).
-double milliseconds(Formulation formulation, int degree, std::size_t cells) {
-    const auto domain = std::make_shared<SplineDomain>(degree, cells, square_map());
-    const PatchForm patch(domain, formulation, cells);
+/// The fastest of several rounds of ten iterations, on the square from phi = 0 (which is not the identity map,
+/// as in the peer), otherwise from the identity.
+double milliseconds(Formulation formulation, int degree, std::size_t cells,
+                    const std::shared_ptr<const PatchMap>& map = square_map(),
+                    Measure measure = Measure::parameter) {
+    const auto domain = std::make_shared<SplineDomain>(degree, cells, map);
+    PatchForm patch(domain, formulation, cells);
+    patch.set_measure(measure);
     const auto monitor = make_monitor("circle", {});
     const PatchSource source = patch.source(*monitor);
     Bfo bfo(patch.form());
     double best = 1e300;
     for (int round = 0; round < 7; ++round) {
-        std::vector<double> phi(patch.form()->unknowns(), 0.0), next(phi), increment(phi);
+        std::vector<double> phi = patch.form()->identity(), next(phi), increment(phi);
+        if (map->is_identity()) std::fill(phi.begin(), phi.end(), 0.0);
         double residual = 0;
         constexpr int iterations = 10;
         const double start = process_seconds();
@@ -55,12 +62,28 @@ double solid_milliseconds(Formulation formulation, std::size_t cells, std::size_
     return 1e3 * best;
 }
 
+void print_measures() {
+    for (const auto& [name, map] :
+         {std::pair{"disk", disk_map()}, std::pair{"annulus", quarter_annulus_map()},
+          std::pair{"torus", torus_part_map()}, std::pair{"moebius", moebius_map()},
+          std::pair{"nurbs", patch_map(nurbs_disk())}})
+        for (const std::size_t cells : {32u, 64u, 128u})
+            std::printf("%s %zu %.4f %.4f\n", name, cells,
+                        milliseconds(Formulation::standard, 3, cells, map, Measure::parameter),
+                        milliseconds(Formulation::standard, 3, cells, map, Measure::physical));
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
+    const std::string_view what = count > 1 ? arguments[1] : "";
+    if (what == "measures") {
+        print_measures();
+        return 0;
+    }
     const std::pair<Formulation, const char*> solid_forms[] = {{Formulation::standard, "std3"},
                                                                {Formulation::mixed, "mix3"}};
-    if (count > 1 && std::string_view(arguments[1]) == "threads") {
+    if (what == "threads") {
         for (const auto& [formulation, name] : solid_forms)
             for (const std::size_t threads : {1u, 2u})
                 std::printf("%s 32 cells, %zu threads: %.1f ms\n", name, threads,

@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/scenario_input.hpp"
 #include "core/base/error.hpp"
+#include "core/base/join.hpp"
 #include "core/scenario/data_files.hpp"
 #include "core/scenario/own_names.hpp"
 
@@ -60,11 +61,26 @@ void list_monitors(const Catalogue& catalogue) {
     }
 }
 
+/// The rows that a method has on some domains only, after the names of these.
+void print_rows_on_domains(const Catalogue& catalogue, const std::string& method) {
+    std::vector<std::string> domains;
+    std::vector<ParameterRow> rows;
+    for (const DomainType& domain : catalogue.domains)
+        if (auto there = method_rows_on(catalogue, domain.name, method); !there.empty()) {
+            domains.push_back(domain.name);
+            rows = std::move(there);
+        }
+    if (rows.empty()) return;
+    std::cout << "    on " << join(domains, ", ") << ":\n";
+    print_rows(Values("method", rows));
+}
+
 void list_methods(const Catalogue& catalogue) {
     std::cout << "Methods (method.type)\n";
     for (const auto& type : catalogue.methods) {
         print_head(type.name, type.help);
         print_rows(method_section(catalogue, type.name).values);
+        print_rows_on_domains(catalogue, type.name);
         print_colours(type.fields);
     }
 }

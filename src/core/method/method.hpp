@@ -122,8 +122,8 @@ struct MethodType {
     std::string colour = "monitor";  ///< what its meshes are coloured by, unless the view says otherwise
     MethodMaker make;                ///< on the domains whose Capability has none of its own
 };
-/// Default values of the rows of the method and of common_method_rows().
-Values default_values(const MethodType& type);
+/// Default values of the rows of the method, those that it has on a domain, and common_method_rows().
+Values default_values(const MethodType& type, const std::vector<ParameterRow>& on_domain = {});
 
 /// Rows of every method (tolerance, max_iterations, diagnostics, ...); Run reads them.
 std::vector<ParameterRow> common_method_rows();

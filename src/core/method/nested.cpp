@@ -33,6 +33,7 @@ Nested::Nested(std::unique_ptr<NonlinearProblem> problem, std::unique_ptr<Steppe
 void Nested::configure(const Values& values) {
     tolerance_ = values.real("tolerance");
     enough_ = std::max(good_enough, tolerance_);
+    for (auto& level : levels_) level->configure(values);
 }
 
 void Nested::use_threads(int threads) {

@@ -42,6 +42,8 @@ class NonlinearProblem {
     std::vector<double>& unknowns(State& state) const;
     const std::vector<double>& unknowns(const State& state) const;
 
+    /// New values of the method's rows; those of Capability::method_rows are for the problem.
+    virtual void configure(const Values&) {}
     /// Maximum number of threads, including that of the caller; results do not depend on it.
     virtual void use_threads(int) {}
     virtual double other_cpu_seconds() const { return 0; }

@@ -5,12 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace gaspard {
 
 namespace {
 
 constexpr std::size_t shown = 100; // points per direction for the extremes of the Jacobian, as in the paper
+
+/// Standard deviation / mean.
+double variation(const std::vector<double>& values) {
+    const double count = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+    double squares = 0;
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    return std::sqrt(squares / count) / mean;
+}
 
 /// The spline phi, transferred from the space `from` to the space `to` in both directions.
 std::vector<double> transferred(const KnotVector& from, const KnotVector& to, std::span<const double> phi) {
@@ -53,6 +63,20 @@ std::unique_ptr<SplineForm> make_form(const SplineLayout& layout) {
                                                        : make_mixed_form(line, trace);
 }
 
+ParameterRow measure_row() {
+    return {.key = "measure",
+            .label = "Measure",
+            .kind = ParameterKind::choice,
+            .default_value = std::string("parameter"),
+            .choices = {"parameter", "physical"},
+            .help = "what the areas of cells refer to. parameter: the parameter square, as in the paper; "
+                    "physical: the patch itself, so that finer meshes are equidistributed on every patch"};
+}
+
+Measure measure_of(const Values& method) {
+    return method.text("measure") == "physical" ? Measure::physical : Measure::parameter;
+}
+
 namespace {
 
 struct PatchMeasure {
@@ -81,8 +105,10 @@ const std::vector<PatchMeasure>& patch_measures() {
          "lower bound of the Jacobian of Ψ on the whole square, within 1e-6 of its largest value",
          &PatchMeasures::bound_jacobian},
         {"border_error", "Border error", "|(Ψ − ξ) · n|", logarithmic,
-         "largest distance of Ψ from the border on a grid of 100 × 100 points",
-         &PatchMeasures::border_error}};
+         "largest distance of Ψ from the border on a grid of 100 × 100 points", &PatchMeasures::border_error},
+        {"equidistribution_square", "Equidistribution in the parameter square", "", logarithmic,
+         "like the equidistribution, but with the areas of the parameter square instead of those in space",
+         &PatchMeasures::variation_in_square}};
     return table;
 }
 
@@ -111,6 +137,13 @@ PatchForm::PatchForm(std::shared_ptr<const SplineDomain> domain, Formulation for
     : domain_(std::move(domain)), formulation_(formulation), cells_(cells),
       form_(make_form({formulation, domain_->degree(), cells})), identity_(form_->identity()),
       nodes_(form_->line(), domain_->node_lines()), workspace_(form_->make_workspace()) {}
+
+void PatchForm::set_measure(Measure measure) {
+    if (measure == Measure::parameter || domain_->patch_map()->is_identity())
+        areas_.clear(); // of the identity all area elements are 1
+    else if (areas_.empty())
+        areas_ = area_elements(*domain_->patch_map(), form_->line());
+}
 
 void PatchForm::add_identity(std::span<const double> phi, std::span<double> whole) const {
     for (std::size_t i = 0; i < identity_.size(); ++i) whole[i] = phi[i] + identity_[i];
@@ -170,18 +203,26 @@ const JacobianBounds& PatchForm::jacobian(std::span<const double> whole) {
 }
 
 PatchMeasures PatchForm::measure(const Monitor& monitor, std::span<const double> whole) {
-    const PatchSource of_patch = source(monitor);
     PatchMeasures result;
     result.bound_jacobian = jacobian(whole).bound;
+    integrate(monitor, whole, result);
+    find_extremes(whole, result);
+    return result;
+}
+
+void PatchForm::integrate(const Monitor& monitor, std::span<const double> whole, PatchMeasures& result) {
+    const PatchSource of_patch = source(monitor);
     const SplineLine& line = form_->line();
     const std::size_t n = line.points.size();
-    std::vector<double> xx(n), xy(n), yy(n), f(n);
+    const std::size_t per_cell = n / cells_; // points
+    std::vector<double> xx(n), xy(n), yy(n), f(n), rho(n), mass(cells_ * cells_, 0.0);
     psi_.resize(n);
     form_->expand(whole, SplineForm::Border::given, form_->quadrature(), map_fields, workspace_);
     for (std::size_t j = 0; j < n; ++j) {
         form_->row(form_->quadrature(), j, map_fields,
                    {psi_.x.data(), psi_.y.data(), xx.data(), xy.data(), yy.data()}, workspace_);
         of_patch.values(j, psi_, f);
+        of_patch.monitor_values(psi_, rho);
         for (std::size_t i = 0; i < n; ++i) {
             const double weight = line.weights[i] * line.weights[j];
             const double det = xx[i] * yy[i] - xy[i] * xy[i];
@@ -191,16 +232,21 @@ PatchMeasures PatchForm::measure(const Monitor& monitor, std::span<const double>
             result.err_defined += weight * (det - f[i]) * (det - f[i]);
             result.qual_det += weight * far / std::abs(det);
             result.qual_f += weight * far / f[i];
+            mass[j / per_cell * cells_ + i / per_cell] += weight * rho[i] * det;
         }
     }
     for (double* square : {&result.err_printed, &result.err_defined, &result.qual_det, &result.qual_f})
         *square = std::sqrt(*square);
+    result.variation_in_square = variation(mass);
+}
 
+void PatchForm::find_extremes(std::span<const double> whole, PatchMeasures& result) {
+    const SplineLine& line = form_->line();
     std::vector<double> at(shown);
     for (std::size_t i = 0; i < shown; ++i) at[i] = static_cast<double>(i) / (shown - 1);
     const SplineGrid grid(line, at);
     result.min_jacobian = 1e300, result.max_jacobian = -1e300;
-    for (auto* row : {&xx, &xy, &yy}) row->resize(shown);
+    std::vector<double> xx(shown), xy(shown), yy(shown);
     psi_.resize(shown);
     form_->expand(whole, SplineForm::Border::given, grid, map_fields, workspace_);
     for (std::size_t j = 0; j < shown; ++j) {
@@ -220,7 +266,6 @@ PatchMeasures PatchForm::measure(const Monitor& monitor, std::span<const double>
             result.max_jacobian = std::max(result.max_jacobian, det);
         }
     }
-    return result;
 }
 
 } // namespace gaspard

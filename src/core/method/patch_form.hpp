@@ -26,6 +26,10 @@ std::optional<SplineLayout> parse_spline_layout(const std::string& text);
 /// The form on uniform cells, with the normal trace of the identity as boundary data.
 std::unique_ptr<SplineForm> make_form(const SplineLayout& layout);
 
+/// The row of method.measure, and its value.
+ParameterRow measure_row();
+Measure measure_of(const Values& method);
+
 /// Quality measures of a map as Bahari et al. print and define them; det = det grad Psi.
 struct PatchMeasures {
     double err_printed = 0;  ///< L2 norm of det / f - 1, as printed in the paper's tables
@@ -36,6 +40,9 @@ struct PatchMeasures {
     double max_jacobian = 0;
     double bound_jacobian = 0; ///< lower bound of det on the whole square (core/spline/jacobian_bounds.hpp)
     double border_error = 0;   ///< max |(Psi - xi) . n| on the boundary of that grid
+    /// Standard deviation over mean of the integrals of rho(F(Psi)) det over the cells of the form. What the
+    /// quality of a mesh (diagnostics/quality.hpp) measures in space, in the parameter square.
+    double variation_in_square = 0;
 };
 /// As reports name them, and their values in the same order.
 std::vector<SeriesInfo> patch_series();
@@ -51,7 +58,11 @@ class PatchForm {
     Formulation formulation() const { return formulation_; }
     std::size_t cells() const { return cells_; }
     std::string layout() const { return spline_layout({formulation_, domain_->degree(), cells_}); }
-    PatchSource source(const Monitor& monitor) const { return {monitor, *domain_->patch_map(), form_->line()}; }
+    /// Measure::parameter until another one is set.
+    void set_measure(Measure measure);
+    PatchSource source(const Monitor& monitor) const {
+        return {monitor, *domain_->patch_map(), form_->line(), areas_};
+    }
 
     /// whole = Phi = phi + (potential of the identity map). States hold phi, which is 0 for the identity map.
     void add_identity(std::span<const double> phi, std::span<double> whole) const;
@@ -68,6 +79,11 @@ class PatchForm {
     const JacobianBounds& jacobian(std::span<const double> whole);
 
   private:
+    /// The measures that are integrals over the square.
+    void integrate(const Monitor& monitor, std::span<const double> whole, PatchMeasures& result);
+    /// The extremes on the grid that is shown.
+    void find_extremes(std::span<const double> whole, PatchMeasures& result);
+
     std::shared_ptr<const SplineDomain> domain_;
     Formulation formulation_;
     std::size_t cells_;
@@ -76,6 +92,7 @@ class PatchForm {
     SplineGrid nodes_;
     SplineForm::Workspace workspace_;
     Points psi_;
+    std::vector<double> areas_; ///< area elements of F at the quadrature points, if they are in use
     JacobianBounds jacobian_;
     std::vector<double> whole_of_jacobian_; ///< the argument of the last call of jacobian()
 };

@@ -56,6 +56,8 @@ class Picard final : public Method {
     void configure(const Values& values) override {
         tolerance_ = values.real("tolerance");
         multilevel_ = values.text("start") == "multilevel";
+        measure_ = measure_of(values);
+        for (Level& level : levels_) level.form->set_measure(measure_);
         const double shift = formulation_ == Formulation::standard ? values.real("penalty") : 0;
         if (shift == shift_) return;
         shift_ = shift;
@@ -154,6 +156,7 @@ class Picard final : public Method {
     };
     Level make_level(std::size_t cells) const {
         auto form = std::make_unique<PatchForm>(domain_, formulation_, cells);
+        form->set_measure(measure_);
         Bfo bfo(form->form(), shift_);
         const double unit = norm_of_divergence(*form->form());
         return {std::move(form), std::move(bfo), unit};
@@ -212,6 +215,7 @@ class Picard final : public Method {
     std::shared_ptr<const SplineDomain> domain_;
     Formulation formulation_;
     std::vector<Level> levels_; ///< the first is the finest; the others are made when needed
+    Measure measure_ = Measure::parameter;
     double shift_ = 0, tolerance_ = 0;
     bool multilevel_ = true;
     // Results for the state last evaluated:

@@ -23,6 +23,8 @@ class SplineEquation final : public MongeAmpereEquation {
     State adopt(NonlinearProblem& other, std::span<const double> phi) override;
     std::unique_ptr<NonlinearProblem> coarser(const Progress& progress, std::stop_token stop) const override;
 
+    /// method.measure.
+    void configure(const Values& method) override { patch_->set_measure(measure_of(method)); }
     Evaluation evaluate(const ProblemData& data, std::span<const double> phi) override;
     const Points& positions() const override { return positions_; }
     std::vector<SeriesInfo> series() const override;

@@ -82,7 +82,8 @@ Capability spline_capability(const std::string& domain_type) {
                 return make_spline_domain(context.scenario.domain.type, context.scenario.domain.values,
                                           context.scenario.folder, context.scenario.place.content);
             },
-            .problem = problem_on<SplineEquation, SplineDomain>};
+            .problem = problem_on<SplineEquation, SplineDomain>,
+            .method_rows = {measure_row()}};
 }
 
 Capability interval_capability() {
@@ -179,6 +180,13 @@ Section monitor_section(const Catalogue& catalogue, std::string_view type, const
 
 Section method_section(const Catalogue& catalogue, std::string_view type) {
     return {std::string(type), default_values(catalogue.method(type))};
+}
+
+std::vector<ParameterRow> method_rows_on(const Catalogue& catalogue, std::string_view domain,
+                                         std::string_view method) {
+    for (const Capability& row : catalogue.capabilities) // all rows of a domain agree
+        if (row.domain == domain && contains(row.methods, std::string(method))) return row.method_rows;
+    return {};
 }
 
 Section pde_section(const Catalogue& catalogue, std::string_view type) {

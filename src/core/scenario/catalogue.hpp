@@ -43,6 +43,7 @@ struct Capability {
     std::vector<std::string> sources{};          ///< types of section monitor.source; empty: no such section
     std::vector<std::string> pdes{};             ///< types of section pde; empty: no such section
     std::map<std::string, MethodMaker> makers{}; ///< of the methods that this domain makes in its own way
+    std::vector<ParameterRow> method_rows{};     ///< that all methods have here, before their common rows
 };
 
 struct Catalogue {
@@ -71,6 +72,10 @@ Section monitor_section(const Catalogue& catalogue, std::string_view type, const
 Section method_section(const Catalogue& catalogue, std::string_view type);
 Section pde_section(const Catalogue& catalogue, std::string_view type);
 
+/// The rows that a method has on a domain besides its own (Capability::method_rows).
+std::vector<ParameterRow> method_rows_on(const Catalogue& catalogue, std::string_view domain,
+                                         std::string_view method);
+
 /// The values of the section "view" for a method and a monitor: their fields are among the colours.
 Values view_section(const Catalogue& catalogue, std::string_view method, std::string_view monitor);
 
@@ -94,6 +99,9 @@ void update_rows(const Catalogue& catalogue, Scenario& scenario);
 /// The same while values are being typed: a monitor whose texts are invalid keeps its rows, and the run says
 /// what is wrong. Throws nothing.
 void update_typed_rows(const Catalogue& catalogue, Scenario& scenario);
+
+/// Replaces the method. Values of the rows that the methods have on the domain (method_rows_on) are kept.
+void set_method(const Catalogue& catalogue, Scenario& scenario, Section method);
 
 /// The scenario with its monitor as a formula to change, with the same values and ranges; nullopt if the
 /// monitor has none (MonitorType::formula).

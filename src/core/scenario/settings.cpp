@@ -10,6 +10,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace gaspard {
 
@@ -122,10 +123,12 @@ Target locate(const Catalogue& catalogue, Scenario& scenario, std::string_view f
 
 void set_type(const Catalogue& catalogue, Scenario& scenario, Section& section, const std::string& type) {
     const std::string name = section.values.section();
+    if (&section == &scenario.method) {
+        set_method(catalogue, scenario, method_section(catalogue, type));
+        return;
+    }
     if (&section == &scenario.domain)
         section = domain_section(catalogue, type);
-    else if (&section == &scenario.method)
-        section = method_section(catalogue, type);
     else if (&section == &scenario.pde)
         section = pde_section(catalogue, type);
     else
@@ -166,6 +169,15 @@ void update_domain_rows(const Catalogue& catalogue, Section& domain) {
     Values values = grown_values("domain", type.rows, type.further_rows,
                                  [&](Values& known) { carry_over(domain.values, known); });
     if (!same_rows(values.rows(), domain.values.rows())) domain.values = std::move(values);
+}
+
+void update_method_rows(const Catalogue& catalogue, const Section& domain, Section& method) {
+    const auto type = std::ranges::find(catalogue.methods, method.type, &MethodType::name);
+    if (type == catalogue.methods.end()) return; // the run will refuse it
+    Values values = default_values(*type, method_rows_on(catalogue, domain.type, method.type));
+    if (same_rows(values.rows(), method.values.rows())) return;
+    carry_over(method.values, values);
+    method.values = std::move(values);
 }
 
 /// A path on the command line is relative to the working directory, also if the scenario has a folder.
@@ -238,6 +250,7 @@ void locate_domain(const Catalogue& catalogue, Scenario& scenario) {
 template <class Update>
 static void update_sections(const Catalogue& catalogue, Scenario& scenario, const Update& update) {
     update_domain_rows(catalogue, scenario.domain);
+    update_method_rows(catalogue, scenario.domain, scenario.method);
     scenario.place = known_place(catalogue, scenario);
     const Space of_source = source_space_of(catalogue, scenario);
     std::vector<std::string> sources, pdes;
@@ -271,6 +284,13 @@ void update_typed_rows(const Catalogue& catalogue, Scenario& scenario) {
         } catch (const InputError&) { // keep the rows
         }
     });
+}
+
+void set_method(const Catalogue& catalogue, Scenario& scenario, Section method) {
+    const Section before = std::exchange(scenario.method, std::move(method));
+    update_typed_rows(catalogue, scenario);
+    for (const ParameterRow& row : method_rows_on(catalogue, scenario.domain.type, scenario.method.type))
+        if (before.values.has(row.key)) scenario.method.values.set(row.key, before.values.at(row.key));
 }
 
 /// The rows' ranges as monitor.ranges.

@@ -34,8 +34,7 @@ std::vector<std::string> methods_for(const Catalogue& catalogue, const Scenario&
 Scenario with_method(const Catalogue& catalogue, const Scenario& scenario, const std::string& method) {
     Scenario changed = scenario;
     if (method == scenario.method.type) return changed;
-    changed.method = method_section(catalogue, method);
-    update_typed_rows(catalogue, changed);
+    set_method(catalogue, changed, method_section(catalogue, method));
     for (const ParameterRow& row : common_method_rows())
         if (scenario.method.values.has(row.key))
             changed.method.values.set(row.key, scenario.method.values.at(row.key));

@@ -9,6 +9,7 @@
 #include "core/base/points.hpp"
 
 #include <memory>
+#include <span>
 
 namespace gaspard GASPARD_API {
 
@@ -21,6 +22,12 @@ class PatchMap {
     virtual void points(const Points& xi, Points& x) const = 0;
     /// dF/dxi1 and dF/dxi2 at every xi; resizes both.
     virtual void tangents(const Points& xi, Points& first, Points& second) const = 0;
+    /// x = F(xi), and the area elements J = |dF/dxi1 x dF/dxi2| (of either orientation); `area` has xi.size()
+    /// entries. J = 0 where F is singular.
+    virtual void places(const Points& xi, Points& x, std::span<double> area) const = 0;
+    /// J and its derivatives dJ/dxi1, dJ/dxi2, in x and y of `gradient`; resizes `gradient`. The derivatives
+    /// are 0 where J = 0.
+    virtual void area_gradients(const Points& xi, std::span<double> area, Points& gradient) const = 0;
     /// True if F is the identity, so that evaluations can be skipped.
     virtual bool is_identity() const { return false; }
 };

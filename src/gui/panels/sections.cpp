@@ -104,7 +104,10 @@ bool has_section(const Scenario& scenario, SectionKind kind) {
 std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& opened,
                                   const Scenario& scenario, SectionKind kind, const std::string& type) {
     Scenario changed = scenario;
-    section_of(changed, kind) = fresh_section(catalogue, opened, kind, type);
+    if (kind == SectionKind::method)
+        set_method(catalogue, changed, fresh_section(catalogue, opened, kind, type));
+    else
+        section_of(changed, kind) = fresh_section(catalogue, opened, kind, type);
     update_typed_rows(catalogue, changed);
     if (find_capability(catalogue, changed)) return changed;
     if (kind != SectionKind::domain) return std::nullopt;

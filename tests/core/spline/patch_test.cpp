@@ -49,6 +49,53 @@ TEST_P(PatchMaps, TangentsMatchFiniteDifferences) {
     }
 }
 
+TEST_P(PatchMaps, AreaElementsAreThoseOfTheTangents) {
+    const PatchMap& map = *GetParam().map;
+    const Points xi = random_points(200, 5);
+    Points x, expected, first, second;
+    std::vector<double> area(xi.size());
+    map.places(xi, x, area);
+    map.points(xi, expected);
+    map.tangents(xi, first, second);
+    EXPECT_EQ(x.x, expected.x);
+    EXPECT_EQ(x.y, expected.y);
+    EXPECT_EQ(x.z, expected.z);
+    for (std::size_t i = 0; i < xi.size(); ++i)
+        EXPECT_NEAR(area[i], norm(cross(first[i], second[i])), 1e-13 * (1 + area[i]));
+}
+
+TEST_P(PatchMaps, AreaElementsHaveTheGradientsOfTheirDifferences) {
+    const PatchMap& map = *GetParam().map;
+    const Points xi = random_points(200, 6);
+    Points gradient, x;
+    std::vector<double> area(xi.size()), again(xi.size());
+    map.area_gradients(xi, area, gradient);
+    map.places(xi, x, again);
+    constexpr double h = 1e-5;
+    for (std::size_t i = 0; i < xi.size(); ++i) {
+        EXPECT_EQ(area[i], again[i]);
+        Points around(4);
+        around.set(0, xi[i] + Vec3{h, 0, 0}), around.set(1, xi[i] - Vec3{h, 0, 0});
+        around.set(2, xi[i] + Vec3{0, h, 0}), around.set(3, xi[i] - Vec3{0, h, 0});
+        std::vector<double> there(4);
+        map.places(around, x, there);
+        EXPECT_NEAR(gradient.x[i], (there[0] - there[1]) / (2 * h), 1e-6);
+        EXPECT_NEAR(gradient.y[i], (there[2] - there[3]) / (2 * h), 1e-6);
+    }
+}
+
+TEST(PatchMaps, HaveNoAreaAtTheCornersOfTheDisk) {
+    Points corner(1), x, gradient;
+    corner.set(0, {1, 1, 0});
+    for (const auto& map : {disk_map(), patch_map(nurbs_disk())}) {
+        double area = 1;
+        map->places(corner, x, std::span(&area, 1));
+        EXPECT_NEAR(area, 0, 1e-14);
+        map->area_gradients(corner, std::span(&area, 1), gradient);
+        EXPECT_TRUE(std::isfinite(gradient.x[0]) && std::isfinite(gradient.y[0]));
+    }
+}
+
 TEST(PatchMaps, LieOnTheirSurfaces) {
     Points xi = random_points(200, 4), x;
     moebius_map()->points(xi, x); // the centre line is the unit circle; the ends coincide, reversed
