@@ -203,6 +203,25 @@ TEST_P(MeasuredEquations, HaveTheDerivativesOfTheirDifferences) {
     }
 }
 
+TEST(Measure, BoundsTheRatioOfAreasWhereThereIsNone) {
+    const auto monitor = make_monitor("constant", {}, {{"value", 2}});
+    PatchForm patch(std::make_shared<SplineDomain>(3, 8, disk_map()), Formulation::standard, 8);
+    patch.set_measure(Measure::physical);
+    const PatchSource source = patch.source(*monitor);
+    const std::size_t row = patch.form()->line().points.size();
+    Points corners(row); // at a corner of the disk, and beyond it
+    for (std::size_t i = 0; i < row; ++i) corners.set(i, i % 2 == 0 ? Vec3{1, 1, 0} : Vec3{1 + 1e-3, 1, 0});
+    std::vector<double> f(row);
+    Points gradient;
+    source.gradients(0, corners, f, gradient);
+    for (std::size_t i = 0; i < row; ++i) {
+        EXPECT_TRUE(f[i] > 0 && f[i] <= 1000 * (1 + 1e-12)) << f[i];
+        EXPECT_TRUE(std::isfinite(gradient.x[i]) && std::isfinite(gradient.y[i]));
+    }
+    EXPECT_NEAR(f[0], 1000, 1e-9); // sigma = rho
+    EXPECT_EQ(gradient.x[0], 0) << "the bound does not move";
+}
+
 // ---- the key
 
 TEST(Measure, IsAKeyOfMethodsOnPatchesOnly) {
