@@ -1,10 +1,12 @@
 // method.measure: equidistribution in space instead of the parameter square.
+#include "core/base/error.hpp"
 #include "core/method/measured_runs.hpp"
 #include "core/method/spline_equation.hpp"
 #include "core/session/comparison.hpp"
 #include "core/spline/patch_file.hpp"
 #include "support/built_in.hpp"
 #include "support/largest_distance.hpp"
+#include "support/messages.hpp"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -229,6 +231,11 @@ TEST(Measure, IsAKeyOfMethodsOnPatchesOnly) {
     Scenario scenario = find_scenario(catalogue, "plane-ring");
     set_value(catalogue, scenario, "method.type", std::string("newton"));
     EXPECT_FALSE(has_key(scenario, "method.measure"));
+    const std::string message =
+        message_of<InputError>([&] { apply_settings(catalogue, scenario, {"method.measure=physical"}); });
+    EXPECT_TRUE(
+        message.starts_with("method.measure is not a key for domain 'plane', but for 'spline-square'"))
+        << message;
     set_value(catalogue, scenario, "domain.type", std::string("spline-disk"));
     for (const std::string& method : patch_methods) {
         set_value(catalogue, scenario, "method.type", method);
