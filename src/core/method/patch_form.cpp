@@ -222,7 +222,7 @@ void PatchForm::integrate(const Monitor& monitor, std::span<const double> whole,
         form_->row(form_->quadrature(), j, map_fields,
                    {psi_.x.data(), psi_.y.data(), xx.data(), xy.data(), yy.data()}, workspace_);
         of_patch.values(j, psi_, f);
-        of_patch.monitor_values(psi_, rho);
+        of_patch.monitor_values(f, rho);
         for (std::size_t i = 0; i < n; ++i) {
             const double weight = line.weights[i] * line.weights[j];
             const double det = xx[i] * yy[i] - xy[i] * xy[i];

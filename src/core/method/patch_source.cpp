@@ -60,6 +60,11 @@ void PatchSource::values(std::size_t y, const Points& psi, std::span<double> f) 
         f[i] = sigma_ * before[i] / (f[i] * std::max(area_[i], least_area * before[i]));
 }
 
+void PatchSource::monitor_values(std::span<const double> f, std::span<double> rho) const {
+    if (!areas_.empty()) return monitor_.values(x_, rho);
+    for (std::size_t i = 0; i < f.size(); ++i) rho[i] = sigma_ / f[i];
+}
+
 void PatchSource::gradients(std::size_t y, const Points& psi, std::span<double> f, Points& gradient) const {
     values(y, psi, f);
     const Points& x = map_.is_identity() ? psi : x_;

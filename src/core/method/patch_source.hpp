@@ -29,8 +29,8 @@ class PatchSource final : public JacobianSource {
                 std::span<const double> areas = {});
 
     double sigma() const { return sigma_; }
-    /// rho(F(psi)).
-    void monitor_values(const Points& psi, std::span<double> rho) const { monitor_.values(place(psi), rho); }
+    /// rho(F(psi)) at the points of the last call of values(); `f`: its result.
+    void monitor_values(std::span<const double> f, std::span<double> rho) const;
     void values(std::size_t y, const Points& psi, std::span<double> f) const override;
     void gradients(std::size_t y, const Points& psi, std::span<double> f, Points& gradient) const override;
 

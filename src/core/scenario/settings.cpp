@@ -86,6 +86,12 @@ void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, st
                 owners.push_back("'" + type.name + "'");
         if (!owners.empty()) refuse(scenario.domain.values, ", but for " + join(owners, " and "));
     }
+    if (section == "method") {
+        std::vector<std::string> owners;
+        for (const Capability& row : catalogue.capabilities)
+            if (has_row(row.method_rows, key)) owners.push_back("'" + row.domain + "'");
+        if (!owners.empty()) refuse(scenario.method.values, ", but for " + join(owners, " and "));
+    }
     if (section == "monitor" && scenario.monitor.type != own_monitor)
         for (const auto kind : {SpaceKind::euclidean, SpaceKind::sphere})
             if (has_row(catalogue.monitor(scenario.monitor.type).rows({kind}), key))

@@ -1,10 +1,12 @@
 // method.measure: equidistribution in space instead of the parameter square.
+#include "core/base/error.hpp"
 #include "core/method/measured_runs.hpp"
 #include "core/method/spline_equation.hpp"
 #include "core/session/comparison.hpp"
 #include "core/spline/patch_file.hpp"
 #include "support/built_in.hpp"
 #include "support/largest_distance.hpp"
+#include "support/messages.hpp"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -203,6 +205,25 @@ TEST_P(MeasuredEquations, HaveTheDerivativesOfTheirDifferences) {
     }
 }
 
+TEST(Measure, BoundsTheRatioOfAreasWhereThereIsNone) {
+    const auto monitor = make_monitor("constant", {}, {{"value", 2}});
+    PatchForm patch(std::make_shared<SplineDomain>(3, 8, disk_map()), Formulation::standard, 8);
+    patch.set_measure(Measure::physical);
+    const PatchSource source = patch.source(*monitor);
+    const std::size_t row = patch.form()->line().points.size();
+    Points corners(row); // at a corner of the disk, and beyond it
+    for (std::size_t i = 0; i < row; ++i) corners.set(i, i % 2 == 0 ? Vec3{1, 1, 0} : Vec3{1 + 1e-3, 1, 0});
+    std::vector<double> f(row);
+    Points gradient;
+    source.gradients(0, corners, f, gradient);
+    for (std::size_t i = 0; i < row; ++i) {
+        EXPECT_TRUE(f[i] > 0 && f[i] <= 1000 * (1 + 1e-12)) << f[i];
+        EXPECT_TRUE(std::isfinite(gradient.x[i]) && std::isfinite(gradient.y[i]));
+    }
+    EXPECT_NEAR(f[0], 1000, 1e-9); // sigma = rho
+    EXPECT_EQ(gradient.x[0], 0) << "the bound does not move";
+}
+
 // ---- the key
 
 TEST(Measure, IsAKeyOfMethodsOnPatchesOnly) {
@@ -210,6 +231,11 @@ TEST(Measure, IsAKeyOfMethodsOnPatchesOnly) {
     Scenario scenario = find_scenario(catalogue, "plane-ring");
     set_value(catalogue, scenario, "method.type", std::string("newton"));
     EXPECT_FALSE(has_key(scenario, "method.measure"));
+    const std::string message =
+        message_of<InputError>([&] { apply_settings(catalogue, scenario, {"method.measure=physical"}); });
+    EXPECT_TRUE(
+        message.starts_with("method.measure is not a key for domain 'plane', but for 'spline-square'"))
+        << message;
     set_value(catalogue, scenario, "domain.type", std::string("spline-disk"));
     for (const std::string& method : patch_methods) {
         set_value(catalogue, scenario, "method.type", method);
