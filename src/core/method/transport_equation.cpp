@@ -20,9 +20,11 @@ constexpr int fewest_rings = 6;      ///< of a coarser mesh
 constexpr double damped_step = 0.25; ///< along direction(), whose operator is not the exact linearisation
 
 std::string layout_of(const TransportDomain::Setup& setup) {
-    return "transport P" + std::to_string(setup.degree) +
-           (setup.curved && setup.degree > 1 ? " curved" : "") + " n=" + std::to_string(setup.rings) +
-           " from " + setup.source_name;
+    const std::string mesh =
+        setup.mesh ? " file " + setup.mesh->topology + " refined " + std::to_string(setup.refinements)
+                   : (setup.curved && setup.degree > 1 ? " curved" : "") + std::string(" n=") +
+                         std::to_string(setup.rings);
+    return "transport P" + std::to_string(setup.degree) + mesh + " from " + setup.source_name;
 }
 std::string layout_of(const TransportDomain& domain) { return layout_of(domain.setup()); }
 
@@ -34,12 +36,19 @@ std::string_view mesh_of(const std::string& layout) {
 /// The mesh of the same source that has the layout; the one given if there is none.
 TransportDomain::Setup setup_of(const std::string& layout, const TransportDomain::Setup& like) {
     TransportDomain::Setup setup = like;
-    for (setup.degree = 1; setup.degree <= highest_triangle_degree; ++setup.degree)
+    const auto fits = [&] { return layout_of(setup) == layout; };
+    for (setup.degree = 1; setup.degree <= highest_triangle_degree; ++setup.degree) {
+        if (setup.mesh) {
+            for (setup.refinements = 0; setup.refinements <= most_domain_refinements; ++setup.refinements)
+                if (fits()) return setup;
+            continue;
+        }
         for (const bool curved : {true, false})
             for (setup.rings = fewest_domain_rings; setup.rings <= most_domain_rings; ++setup.rings) {
                 setup.curved = curved;
-                if (layout_of(setup) == layout) return setup;
+                if (fits()) return setup;
             }
+    }
     return like;
 }
 
@@ -83,8 +92,13 @@ State TransportEquation::adopt(NonlinearProblem& other, std::span<const double> 
 
 std::unique_ptr<NonlinearProblem> TransportEquation::coarser(const Progress&, std::stop_token stop) const {
     TransportDomain::Setup setup = domain_->setup();
-    setup.rings = (setup.rings + 1) / 2;
-    if (setup.rings < fewest_rings) return nullptr;
+    if (setup.mesh) {
+        if (setup.refinements == 0) return nullptr;
+        --setup.refinements;
+    } else {
+        setup.rings = (setup.rings + 1) / 2;
+        if (setup.rings < fewest_rings) return nullptr;
+    }
     return std::make_unique<TransportEquation>(std::make_shared<const TransportDomain>(std::move(setup)),
                                                form_.space().recovery(), std::move(stop));
 }

@@ -118,7 +118,8 @@ Capability transport_capability() {
             .monitors = densities,
             .methods = {"nvfem"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
-                return make_transport_domain(context.scenario.domain.values);
+                return make_transport_domain(context.scenario.domain.values, context.scenario.folder,
+                                             context.scenario.place.content);
             },
             .sources = densities};
 }

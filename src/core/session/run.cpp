@@ -75,7 +75,9 @@ std::shared_ptr<QualityMeter> Run::make_meter(const Course& course) const {
                                           space_of(*catalogue_, course.problem.scenario));
 }
 
-static Scenario located(const Catalogue& catalogue, Scenario scenario) {
+/// `anew`: although the domain's files were read before.
+static Scenario located(const Catalogue& catalogue, Scenario scenario, bool anew = false) {
+    if (anew) scenario.place.files.clear();
     locate_domain(catalogue, scenario);
     return scenario;
 }
@@ -423,7 +425,7 @@ void Run::interrupt() {
 
 std::string Run::change(const Scenario& scenario, const Progress& progress, std::stop_token stop,
                         Diagnostics at_most, bool reread) {
-    Problem problem = check(*catalogue_, located(*catalogue_, scenario), now_.own.get());
+    Problem problem = check(*catalogue_, located(*catalogue_, scenario, reread), now_.own.get());
     const Scenario& old = now_.problem.scenario;
     const bool new_data = reread || !same_problem_data(problem.scenario, old);
     if (!new_data && problem.scenario.method == old.method) {

@@ -29,7 +29,7 @@ ParameterRow length_row(std::string key, std::string label, std::string symbol, 
 } // namespace
 
 ParameterRow shape_choice_row(const std::string& prefix, const std::string& whose) {
-    return {
+    ParameterRow row{
         .key = prefix + "shape",
         .label = whose + " shape",
         .kind = ParameterKind::choice,
@@ -39,12 +39,24 @@ ParameterRow shape_choice_row(const std::string& prefix, const std::string& whos
             "an ellipse or disk, a rectangle with round sides, a smooth curve through points, or a polygon "
             "with round corners",
         .role = ParameterRole::defines_rows};
+    if (!prefix.empty()) return row;
+    row.choices.push_back(shape_of_file);
+    row.help += "; file: the mesh of a convex polygon from a file";
+    return row;
 }
 
 std::vector<ParameterRow> shape_rows(const Values& values, const std::string& prefix,
                                      const std::string& whose) {
     const std::string& shape = values.text(prefix + "shape");
     std::vector<ParameterRow> rows;
+    if (shape == shape_of_file)
+        return {{.key = prefix + "file",
+                 .label = whose + " mesh",
+                 .kind = ParameterKind::text,
+                 .default_value = std::string("gaspard:half-disk.obj"),
+                 .help = "a mesh of triangles or convex polygons in the plane (OBJ, OFF, PLY, STL), whose "
+                         "boundary is a convex polygon",
+                 .role = ParameterRole::file}};
     if (shape == choices[0] || shape == choices[1]) {
         rows.push_back(length_row(prefix + "a", whose + " half width", "a", 1,
                                   "half of the longest extent in the direction of the angle"));

@@ -5,6 +5,7 @@
 #include "core/transport/ring_mesh.hpp"
 
 #include <array>
+#include <exception>
 #include <utility>
 
 namespace gaspard {
@@ -26,8 +27,102 @@ std::string name_of_source(const Values& values) {
     return name;
 }
 
-Box box_of(const Values& values, const std::string& prefix) {
-    return make_shape(values, prefix)->bounding_box();
+/// The mesh of domain.file, or why there is none.
+struct SourceContent {
+    std::shared_ptr<const SourceMesh> mesh{};
+    std::exception_ptr error{};
+};
+
+bool is_from_file(const Values& values) { return values.text("shape") == shape_of_file; }
+
+DomainContent read_content(const Values& values, const std::filesystem::path& folder) {
+    auto content = std::make_shared<SourceContent>();
+    if (!is_from_file(values)) return content;
+    try {
+        content->mesh = std::make_shared<const SourceMesh>(read_source_mesh(values.text("file"), folder));
+    } catch (const std::exception&) {
+        content->error = std::current_exception();
+    }
+    return content;
+}
+
+Space space_of(const Box& box) {
+    return {.dimension = 2, .box = box, .middle = box.centre(), .reach = {box}};
+}
+
+Space space_of_curve(const Values& values, const std::string& prefix) {
+    try {
+        return space_of(make_shape(values, prefix)->bounding_box());
+    } catch (const InputError&) { // which the run reports
+        return {.dimension = 2};
+    }
+}
+
+/// Of a mesh that is not read yet, or invalid: the default ranges.
+Space space_of_source(const Values& values, const DomainContent& content) {
+    if (!is_from_file(values)) return space_of_curve(values, "");
+    const auto* read = static_cast<const SourceContent*>(content.get());
+    return read && read->mesh ? space_of(bounding_box(read->mesh->convex.mesh.nodes)) : Space{.dimension = 2};
+}
+
+ParameterRow rings_row() {
+    return {.key = "cells",
+            .label = "Rings",
+            .symbol = "n",
+            .kind = ParameterKind::integer,
+            .minimum = fewest_domain_rings,
+            .maximum = most_domain_rings,
+            .scale = ParameterScale::logarithmic,
+            .slider = SliderRange{4, 64},
+            .default_value = std::int64_t{24},
+            .help = "the mesh of the source has n rings around its centre, of 6 n² triangles"};
+}
+
+ParameterRow refinements_row() {
+    return {.key = "refinements",
+            .label = "Refinements",
+            .kind = ParameterKind::integer,
+            .minimum = 0,
+            .maximum = most_domain_refinements,
+            .default_value = std::int64_t{0},
+            .help = "how many times each triangle of the file is divided into four"};
+}
+
+ParameterRow degree_row() {
+    return {.key = "degree",
+            .label = "Degree",
+            .symbol = "k",
+            .kind = ParameterKind::integer,
+            .minimum = 1,
+            .maximum = highest_triangle_degree,
+            .default_value = std::int64_t{1},
+            .help = "of the finite elements, for the potential, its gradient and its Hessian"};
+}
+
+ParameterRow edges_row() {
+    return {.key = "edges",
+            .label = "Boundary edges",
+            .kind = ParameterKind::choice,
+            .default_value = std::string("curved"),
+            .choices = {"curved", "straight"},
+            .help =
+                "with degree 2 or 3: isoparametric triangles whose edges follow the boundary, or straight "
+                "ones as in the paper"};
+}
+
+std::vector<ParameterRow> rows_of(const Values& values) {
+    std::vector<ParameterRow> rows;
+    if (is_from_file(values))
+        rows = {refinements_row(), degree_row()};
+    else
+        rows = {rings_row(), degree_row(), edges_row()};
+    const auto add = [&](std::vector<ParameterRow> more) {
+        for (ParameterRow& row : more) rows.push_back(std::move(row));
+    };
+    add(shape_rows(values, "", "Source"));
+    rows.push_back(shape_choice_row(target_prefix, "Target"));
+    if (values.has(rows.back().key)) add(shape_rows(values, target_prefix, "Target")); // else the next call
+    return rows;
 }
 
 } // namespace
@@ -42,6 +137,10 @@ TransportDomain::TransportDomain(Setup setup) : setup_(std::move(setup)), elemen
 }
 
 LagrangeTriangles TransportDomain::make_elements() {
+    if (setup_.mesh) {
+        const auto [mesh, boundary] = refined(setup_.mesh->convex, setup_.refinements);
+        return {mesh, {.nodes = boundary}, setup_.degree};
+    }
     const RingMesh rings = ring_mesh(*setup_.source, setup_.rings);
     BoundarySides boundary{.nodes = rings.boundary_nodes};
     if (setup_.curved) {
@@ -105,70 +204,40 @@ std::vector<double> TransportDomain::at_mesh_nodes(std::span<const double> value
 }
 
 DomainType transport_domain() {
-    std::vector<ParameterRow> rows = {
-        {.key = "cells",
-         .label = "Rings",
-         .symbol = "n",
-         .kind = ParameterKind::integer,
-         .minimum = fewest_domain_rings,
-         .maximum = most_domain_rings,
-         .scale = ParameterScale::logarithmic,
-         .slider = SliderRange{4, 64},
-         .default_value = std::int64_t{24},
-         .help = "the mesh of the source has n rings around its centre, of 6 n² triangles"},
-        {.key = "degree",
-         .label = "Degree",
-         .symbol = "k",
-         .kind = ParameterKind::integer,
-         .minimum = 1,
-         .maximum = highest_triangle_degree,
-         .default_value = std::int64_t{1},
-         .help = "of the finite elements, for the potential, its gradient and its Hessian"},
-        {.key = "edges",
-         .label = "Boundary edges",
-         .kind = ParameterKind::choice,
-         .default_value = std::string("curved"),
-         .choices = {"curved", "straight"},
-         .help = "with degree 2 or 3: isoparametric triangles whose edges follow the boundary, or straight "
-                 "ones as "
-                 "in the paper"}};
-    rows.push_back(shape_choice_row("", "Source"));
-    const auto space = [](const std::string& prefix) {
-        return [prefix](const Values& values, const DomainContent&) {
-            Space found{.dimension = 2};
-            try {
-                const Box box = box_of(values, prefix);
-                found.box = box, found.reach = {box}, found.middle = box.centre();
-            } catch (const InputError&) { // which the run reports
-            }
-            return found;
-        };
-    };
     return {.name = "convex",
             .label = "Convex domains",
             .help = "a map from one convex domain to another, from boundary to boundary",
-            .rows = std::move(rows),
-            .further_rows =
-                [](const Values& values) {
-                    std::vector<ParameterRow> further = shape_rows(values, "", "Source");
-                    further.push_back(shape_choice_row(target_prefix, "Target"));
-                    if (!values.has(further.back().key)) return further; // the next call has it
-                    for (ParameterRow& row : shape_rows(values, target_prefix, "Target"))
-                        further.push_back(std::move(row));
-                    return further;
-                },
-            .space = space(target_prefix),
-            .source_space = space("")};
+            .rows = {shape_choice_row("", "Source")},
+            .further_rows = rows_of,
+            .space = [](const Values& values,
+                        const DomainContent&) { return space_of_curve(values, target_prefix); },
+            .source_space = space_of_source,
+            .read = read_content};
 }
 
-std::shared_ptr<const TransportDomain> make_transport_domain(const Values& values) {
-    return std::make_shared<const TransportDomain>(
-        TransportDomain::Setup{.source = make_shape(values, ""),
-                               .target = make_shape(values, target_prefix),
-                               .rings = static_cast<int>(values.integer("cells")),
-                               .degree = static_cast<int>(values.integer("degree")),
-                               .curved = values.text("edges") == "curved",
-                               .source_name = name_of_source(values)});
+std::shared_ptr<const TransportDomain> make_transport_domain(const Values& values,
+                                                             const std::filesystem::path& folder,
+                                                             const DomainContent& content) {
+    TransportDomain::Setup setup{.source = nullptr,
+                                 .target = make_shape(values, target_prefix),
+                                 .degree = static_cast<int>(values.integer("degree")),
+                                 .source_name = {}};
+    if (is_from_file(values)) {
+        const auto* read = static_cast<const SourceContent*>(content.get());
+        if (read && read->error) std::rethrow_exception(read->error);
+        setup.mesh = read && read->mesh
+                         ? read->mesh
+                         : std::make_shared<const SourceMesh>(read_source_mesh(values.text("file"), folder));
+        setup.refinements = static_cast<int>(values.integer("refinements"));
+        setup.curved = false;
+        setup.source_name = setup.mesh->name;
+    } else {
+        setup.source = make_shape(values, "");
+        setup.rings = static_cast<int>(values.integer("cells"));
+        setup.curved = values.text("edges") == "curved";
+        setup.source_name = name_of_source(values);
+    }
+    return std::make_shared<const TransportDomain>(std::move(setup));
 }
 
 } // namespace gaspard

@@ -1,5 +1,6 @@
 // Two convex domains, the source and the target, and a mesh of the source: triangles in rings
-// (transport/ring_mesh.hpp) with Lagrange elements of degree 1, 2 or 3, straight or isoparametric.
+// (transport/ring_mesh.hpp), or those of a file, with Lagrange elements of degree 1, 2 or 3. Those in rings are
+// straight or isoparametric; those of a file are straight, and the source is their polygon.
 //
 // The mesh of the run has cells of order 1 (degree 1) or 2; those of degree 3 are shown by the values at the
 // corners and the middles of edges.
@@ -9,7 +10,9 @@
 #include "core/mesh/domain_type.hpp"
 #include "core/transport/convex_curve.hpp"
 #include "core/transport/lagrange_triangles.hpp"
+#include "core/transport/source_mesh.hpp"
 
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -18,11 +21,15 @@ namespace gaspard {
 
 /// The range of domain.cells.
 inline constexpr int fewest_domain_rings = 2, most_domain_rings = 128;
+/// The largest domain.refinements.
+inline constexpr int most_domain_refinements = 4;
 
 class TransportDomain final : public Discretisation {
   public:
     struct Setup {
-        std::shared_ptr<const ConvexCurve> source, target;
+        std::shared_ptr<const ConvexCurve> source, target; ///< no source if there is a mesh
+        std::shared_ptr<const SourceMesh> mesh{};          ///< null: rings
+        int refinements = 0;                               ///< of the mesh
         int rings = 16;
         int degree = 1;
         bool curved = true;
@@ -51,7 +58,10 @@ class TransportDomain final : public Discretisation {
 };
 
 DomainType transport_domain();
-/// Throws InputError.
-std::shared_ptr<const TransportDomain> make_transport_domain(const Values& values);
+/// `folder` is the base of a relative path. The file is read if `content` (DomainType::read) is null. Throws
+/// InputError.
+std::shared_ptr<const TransportDomain> make_transport_domain(const Values& values,
+                                                             const std::filesystem::path& folder = {},
+                                                             const DomainContent& content = {});
 
 } // namespace gaspard
