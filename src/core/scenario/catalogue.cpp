@@ -11,6 +11,7 @@
 #include "core/method/quadrilateral_mesh_pde.hpp"
 #include "core/method/spline_equation.hpp"
 #include "core/method/surface_equation.hpp"
+#include "core/monitor/inside_monitor.hpp"
 #include "core/monitor/own_problem.hpp"
 #include "core/monitor/placement.hpp"
 #include "core/scenario/output_rows.hpp"
@@ -119,7 +120,7 @@ Capability transport_capability() {
             .methods = {"nvfem"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 return make_transport_domain(context.scenario.domain.values, context.scenario.folder,
-                                             context.scenario.place.content);
+                                             context.scenario.place.content, context.stop);
             },
             .sources = densities};
 }
@@ -267,12 +268,16 @@ static void add_source_notes(ProblemData& data, const std::shared_ptr<const Moni
 
 ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenario,
                               std::shared_ptr<const Monitor> own, const MonitorContext& context) {
+    const auto* transport = dynamic_cast<const TransportDomain*>(context.discretisation);
+    const bool has_box = !transport && !catalogue.domain(scenario.domain.type).spline_patch;
+    MonitorContext on_target = context;
+    if (transport) on_target.within = transport->target_region();
     const auto in_its_unit = [&](std::shared_ptr<const Monitor> monitor) {
         ProblemData plain = scalar_problem(monitor);
         if (!context.discretisation) return plain;
         const Mesh& mesh = *context.discretisation->mesh();
-        const bool box = !catalogue.domain(scenario.domain.type).spline_patch;
-        ProblemData scaled = own_problem(std::move(monitor), extent_of(mesh, context.space, box), mesh.nodes);
+        ProblemData scaled =
+            own_problem(std::move(monitor), extent_of(mesh, context.space, has_box), mesh.nodes);
         return scaled.unit == 1 ? plain : scaled;
     };
     const auto make = [&](const Section& section, const MonitorContext& place) {
@@ -285,13 +290,14 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
     const auto make_own = [&] {
         GASPARD_CHECK(context.discretisation != nullptr);
         const Mesh& mesh = *context.discretisation->mesh();
-        const bool box = !catalogue.domain(scenario.domain.type).spline_patch;
-        return own_problem(std::move(own), extent_of(mesh, context.space, box), mesh.nodes);
+        if (own && on_target.within) own = std::make_shared<InsideMonitor>(std::move(own), on_target.within);
+        return own_problem(std::move(own), extent_of(mesh, context.space, has_box), mesh.nodes);
     };
-    ProblemData data = own ? make_own() : make(scenario.monitor, context);
+    ProblemData data = own ? make_own() : make(scenario.monitor, on_target);
     if (!scenario.source.type.empty()) {
         MonitorContext on_source = context;
         on_source.space = source_space_of(catalogue, scenario);
+        if (transport) on_source.within = transport->source_region();
         const ProblemData source = make(scenario.source, on_source);
         data.source = source.monitor;
         add_source_notes(data, source.report);

@@ -81,7 +81,8 @@ void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, st
     if (section == "domain") {
         std::vector<std::string> owners;
         for (const auto& type : catalogue.domains)
-            if (has_row(domain_section(catalogue, type.name).values.rows(), key))
+            if (type.name != scenario.domain.type &&
+                has_row(domain_section(catalogue, type.name).values.rows(), key))
                 owners.push_back("'" + type.name + "'");
         if (!owners.empty()) refuse(scenario.domain.values, ", but for " + join(owners, " and "));
     }

@@ -132,6 +132,8 @@ void Run::prepare_reports(Course& course) const {
     if (space.kind == SpaceKind::sphere && diagnostics(course) == Diagnostics::full)
         if (const auto map = ExactMap::of(*course.data.monitor))
             course.exact = std::make_shared<Points>(map->apply(course.discretisation->mesh()->nodes));
+    if (!course.exact && diagnostics(course) == Diagnostics::full)
+        course.exact = course.method->exact(course.data);
     std::vector<SeriesInfo> diagnostics = quality_series();
     if (course.exact)
         for (SeriesInfo& one : exact_series()) diagnostics.push_back(std::move(one));
@@ -390,7 +392,9 @@ void Run::measure(Course& course, StepReport& report, Diagnostics at_most) const
     next += static_cast<std::ptrdiff_t>(values_of(quality).size());
     if (course.exact) {
         if (level == Diagnostics::full)
-            std::ranges::copy(values_of(exact_deviation(*course.discretisation->mesh(), x, *course.exact)),
+            std::ranges::copy(values_of(exact_deviation(*course.discretisation->mesh(), x, *course.exact,
+                                                        space_of(*catalogue_, course.problem.scenario).kind ==
+                                                            SpaceKind::sphere)),
                               next);
         next += static_cast<std::ptrdiff_t>(exact_series().size());
     }

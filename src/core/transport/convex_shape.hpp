@@ -26,6 +26,10 @@ std::vector<ParameterRow> shape_rows(const Values& values, const std::string& pr
 bool is_of_source(const Values& domain, const std::string& key);
 
 /// The curve of these values, which are not shape_of_file. Throws InputError that names the key.
-std::shared_ptr<const ConvexCurve> make_shape(const Values& values, const std::string& prefix);
+/// `origin`: the point that becomes (0, 0).
+std::shared_ptr<const ConvexCurve> make_shape(const Values& values, const std::string& prefix,
+                                              Vec3 origin = {});
+/// A point in the middle of the shape, from its values alone; (0, 0) if they are not valid.
+Vec3 middle_of_shape(const Values& values, const std::string& prefix);
 
 } // namespace gaspard

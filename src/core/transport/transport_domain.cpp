@@ -5,6 +5,7 @@
 #include "core/transport/ring_mesh.hpp"
 
 #include <array>
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -127,21 +128,25 @@ std::vector<ParameterRow> rows_of(const Values& values) {
 
 } // namespace
 
-TransportDomain::TransportDomain(Setup setup) : setup_(std::move(setup)), elements_(make_elements()) {
+TransportDomain::TransportDomain(Setup setup, const std::stop_token& stop)
+    : setup_(std::move(setup)), elements_(make_elements(stop)) {
     make_mesh();
     constexpr std::size_t corners = 360;
     Points outline(corners);
     for (std::size_t i = 0; i < corners; ++i)
-        outline.set(i, setup_.target->point(static_cast<double>(i) / corners));
+        outline.set(i, setup_.target_origin + setup_.target->point(static_cast<double>(i) / corners));
     outline_ = std::make_shared<const Points>(std::move(outline));
 }
 
-LagrangeTriangles TransportDomain::make_elements() {
+LagrangeTriangles TransportDomain::make_elements(const std::stop_token& stop) {
     if (setup_.mesh) {
-        const auto [mesh, boundary] = refined(setup_.mesh->convex, setup_.refinements);
+        auto [mesh, boundary] = refined(setup_.mesh->convex, setup_.refinements);
+        for (std::size_t i = 0; i < mesh.node_count(); ++i)
+            mesh.nodes.set(i, mesh.nodes[i] - setup_.source_origin);
         return {mesh, {.nodes = boundary}, setup_.degree};
     }
     const RingMesh rings = ring_mesh(*setup_.source, setup_.rings);
+    if (stop.stop_requested()) throw Interrupted();
     BoundarySides boundary{.nodes = rings.boundary_nodes};
     if (setup_.curved) {
         const auto& t = rings.boundary_parameters;
@@ -153,6 +158,44 @@ LagrangeTriangles TransportDomain::make_elements() {
     return {rings.mesh, boundary, setup_.degree};
 }
 
+namespace {
+
+/// Points of a domain that end just inside of its boundary, where formulas are still valid.
+std::shared_ptr<const DensityDomain> region_of(const std::shared_ptr<const ConvexCurve>& curve, Vec3 origin) {
+    constexpr double inside = 1 - 1e-9;
+    constexpr std::size_t circles = 24, around = 96;
+    auto region = std::make_shared<DensityDomain>();
+    region->samples = Points(circles * around + 1);
+    region->samples.set(circles * around, origin + curve->centre());
+    for (std::size_t k = 0; k < circles; ++k)
+        for (std::size_t j = 0; j < around; ++j) {
+            const double r = inside * static_cast<double>(k + 1) / circles;
+            const Vec3 edge = curve->point(static_cast<double>(j) / around);
+            region->samples.set(k * around + j, origin + curve->centre() + r * (edge - curve->centre()));
+        }
+    region->into = [curve, origin](Vec3 p) {
+        const Vec3 from = p - origin - curve->centre();
+        if (!std::isfinite(from.x + from.y)) return origin + curve->centre();
+        const double gauge = curve->gauge(p - origin).value;
+        return gauge <= inside ? p : origin + curve->centre() + (inside / gauge) * from;
+    };
+    return region;
+}
+
+} // namespace
+
+std::shared_ptr<const DensityDomain> TransportDomain::source_region() const {
+    if (setup_.source) return region_of(setup_.source, setup_.source_origin);
+    auto region = std::make_shared<DensityDomain>(); // triangles with straight edges do not leave it
+    region->samples = mesh_->nodes;
+    region->into = [](Vec3 p) { return p; };
+    return region;
+}
+
+std::shared_ptr<const DensityDomain> TransportDomain::target_region() const {
+    return region_of(setup_.target, setup_.target_origin);
+}
+
 void TransportDomain::make_mesh() {
     const int order = setup_.degree == 1 ? 1 : 2;
     Mesh mesh{
@@ -160,6 +203,8 @@ void TransportDomain::make_mesh() {
     if (setup_.degree < 3) {
         for (std::size_t c = 0; c < elements_.cell_count(); ++c)
             mesh.cells.insert(mesh.cells.end(), elements_.cell(c).begin(), elements_.cell(c).end());
+        for (std::size_t i = 0; i < mesh.node_count(); ++i)
+            mesh.nodes.set(i, setup_.source_origin + mesh.nodes[i]);
         mesh_ = std::make_shared<const Mesh>(std::move(mesh));
         return;
     }
@@ -180,7 +225,7 @@ void TransportDomain::make_mesh() {
     mesh.nodes = Points(shown_.size() / 2);
     const std::vector<double> x = at_mesh_nodes(elements_.nodes().x, 1),
                               y = at_mesh_nodes(elements_.nodes().y, 1);
-    for (std::size_t i = 0; i < x.size(); ++i) mesh.nodes.set(i, {x[i], y[i], 0});
+    for (std::size_t i = 0; i < x.size(); ++i) mesh.nodes.set(i, setup_.source_origin + Vec3{x[i], y[i], 0});
     mesh_ = std::make_shared<const Mesh>(std::move(mesh));
 }
 
@@ -217,11 +262,14 @@ DomainType transport_domain() {
 
 std::shared_ptr<const TransportDomain> make_transport_domain(const Values& values,
                                                              const std::filesystem::path& folder,
-                                                             const DomainContent& content) {
+                                                             const DomainContent& content,
+                                                             const std::stop_token& stop) {
     TransportDomain::Setup setup{.source = nullptr,
-                                 .target = make_shape(values, target_prefix),
+                                 .target = nullptr,
                                  .degree = static_cast<int>(values.integer("degree")),
+                                 .target_origin = middle_of_shape(values, target_prefix),
                                  .source_name = {}};
+    setup.target = make_shape(values, target_prefix, setup.target_origin);
     if (is_from_file(values)) {
         const auto* read = static_cast<const SourceContent*>(content.get());
         if (read && read->error) std::rethrow_exception(read->error);
@@ -230,14 +278,16 @@ std::shared_ptr<const TransportDomain> make_transport_domain(const Values& value
                          : std::make_shared<const SourceMesh>(read_source_mesh(values.text("file"), folder));
         setup.refinements = static_cast<int>(values.integer("refinements"));
         setup.curved = false;
+        setup.source_origin = bounding_box(setup.mesh->convex.mesh.nodes).centre();
         setup.source_name = setup.mesh->name;
     } else {
-        setup.source = make_shape(values, "");
+        setup.source_origin = middle_of_shape(values, "");
+        setup.source = make_shape(values, "", setup.source_origin);
         setup.rings = static_cast<int>(values.integer("cells"));
         setup.curved = values.text("edges") == "curved";
         setup.source_name = name_of_source(values);
     }
-    return std::make_shared<const TransportDomain>(std::move(setup));
+    return std::make_shared<const TransportDomain>(std::move(setup), stop);
 }
 
 } // namespace gaspard

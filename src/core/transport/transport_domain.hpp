@@ -6,6 +6,7 @@
 // corners and the middles of edges.
 #pragma once
 
+#include "core/mesh/data_context.hpp"
 #include "core/mesh/discretisation.hpp"
 #include "core/mesh/domain_type.hpp"
 #include "core/transport/convex_curve.hpp"
@@ -15,6 +16,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string>
 
 namespace gaspard {
@@ -33,21 +35,28 @@ class TransportDomain final : public Discretisation {
         int rings = 16;
         int degree = 1;
         bool curved = true;
+        /// Added to the source's nodes, which have small coordinates: curves and mesh are relative to it, the
+        /// target's to target_origin.
+        Vec3 source_origin{}, target_origin{};
         std::string source_name; ///< identifies the source: two domains with equal names have equal sources
     };
-    explicit TransportDomain(Setup setup);
+    /// Throws Interrupted if asked to stop.
+    explicit TransportDomain(Setup setup, const std::stop_token& stop = {});
 
     std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
     std::shared_ptr<const Points> target_outline() const override { return outline_; }
+    /// Where densities are known, in the user's coordinates.
+    std::shared_ptr<const DensityDomain> source_region() const;
+    std::shared_ptr<const DensityDomain> target_region() const;
     std::size_t unknowns() const override { return elements_.nodes().size() + 1; }
 
     const Setup& setup() const { return setup_; }
-    const LagrangeTriangles& elements() const { return elements_; }
+    const LagrangeTriangles& elements() const { return elements_; } ///< relative to source_origin
     /// The nodes of the mesh of the run, from values at the nodes of the elements, `count` numbers each.
     std::vector<double> at_mesh_nodes(std::span<const double> values, std::size_t count) const;
 
   private:
-    LagrangeTriangles make_elements();
+    LagrangeTriangles make_elements(const std::stop_token& stop);
     void make_mesh();
 
     Setup setup_;
@@ -59,9 +68,10 @@ class TransportDomain final : public Discretisation {
 
 DomainType transport_domain();
 /// `folder` is the base of a relative path. The file is read if `content` (DomainType::read) is null. Throws
-/// InputError.
+/// InputError, and Interrupted if asked to stop.
 std::shared_ptr<const TransportDomain> make_transport_domain(const Values& values,
                                                              const std::filesystem::path& folder = {},
-                                                             const DomainContent& content = {});
+                                                             const DomainContent& content = {},
+                                                             const std::stop_token& stop = {});
 
 } // namespace gaspard
