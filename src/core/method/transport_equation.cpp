@@ -100,6 +100,7 @@ std::unique_ptr<NonlinearProblem> TransportEquation::coarser(const Progress&, st
     if (setup.mesh) {
         if (setup.refinements == 0) return nullptr;
         --setup.refinements;
+        if (!has_inner_nodes(refined(setup.mesh->convex, setup.refinements))) return nullptr;
     } else {
         setup.rings = (setup.rings + 1) / 2;
         if (setup.rings < fewest_rings) return nullptr;

@@ -5,9 +5,9 @@
 //   det D^2 u = theta rho / sigma(grad u),   b(grad u) = 0 on the boundary
 //
 // sigma is the monitor on the target, ProblemData::source is rho on the source. A State holds the array "u":
-// u at the nodes of the elements, then the multiplier c. Coordinates are relative to the origins of source and
-// target (transport/transport_domain.hpp), so that u says nothing about where they lie, and is as accurate far
-// away.
+// u at the nodes of the elements, then the multiplier c. Coordinates are relative to the origins of source
+// and target (transport/transport_domain.hpp), so that u says nothing about where they lie, and is as
+// accurate far away.
 #pragma once
 
 #include "core/method/nonlinear_problem.hpp"

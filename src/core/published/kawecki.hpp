@@ -33,8 +33,8 @@ struct KaweckiSolve {
 /// Newton's method from u = |x|^2 / 2. Throws Interrupted.
 KaweckiSolve solve_kawecki(const KaweckiMesh& mesh, std::stop_token stop = {});
 
-/// How well a mesh shows its monitor: the correlation of 1 / (area of a cell) with the monitor's mean over the
-/// cell, each cell weighted by its area; and of (area before) / (area). Folded cells are left out.
+/// How well a mesh shows its monitor: the correlation of 1 / (area of a cell) with the monitor's mean over
+/// the cell, each cell weighted by its area; and of (area before) / (area). Folded cells are left out.
 struct DensityCorrelation {
     double of_density = 0, of_compression = 0;
     std::size_t folded = 0;

@@ -1,6 +1,7 @@
 #include "core/scenario/catalogue.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/eigenvalues.hpp"
 #include "core/base/growing_values.hpp"
 #include "core/base/join.hpp"
 #include "core/layer/interval_domain.hpp"
@@ -20,6 +21,7 @@
 #include "core/transport/transport_domain.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gaspard {
 
@@ -258,12 +260,31 @@ Problem check(const Catalogue& catalogue, Scenario scenario, const Monitor* own)
     return {std::move(scenario), capability};
 }
 
-/// What a source density says, after what the monitor says.
-static void add_source_notes(ProblemData& data, const std::shared_ptr<const MonitorReport>& source) {
-    if (!source || source->notes.empty()) return;
+/// After what the monitor says.
+static void add_notes(ProblemData& data, const std::vector<std::string>& notes) {
+    if (notes.empty()) return;
     MonitorReport report = data.report ? *data.report : MonitorReport{};
-    for (const std::string& note : source->notes) report.notes.push_back("Source: " + note);
+    report.notes.insert(report.notes.end(), notes.begin(), notes.end());
     data.report = std::make_shared<const MonitorReport>(std::move(report));
+}
+
+/// The error of the recovered gradient is a part of the length of a domain, and may exceed its width.
+static std::vector<std::string> thin_notes(const TransportDomain& domain) {
+    constexpr double thin = 30; // to 1/30 degree 1 converges
+    std::vector<std::string> notes;
+    const auto& setup = domain.setup();
+    for (const auto& [curve, whose] :
+         {std::pair{setup.source.get(), "source"}, std::pair{setup.target.get(), "target"}}) {
+        if (curve == nullptr || setup.degree > 1) continue;
+        const Covariance c = curve->covariance();
+        const auto [least, most] = symmetric_eigenvalues(c.xx, c.xy, c.yy);
+        const double ratio = std::sqrt(most / least);
+        if (ratio > thin)
+            notes.push_back("The " + std::string(whose) + " is " + std::to_string(std::lround(ratio)) +
+                            " times as long as wide, which is too thin for elements of degree 1; set "
+                            "domain.degree = 2");
+    }
+    return notes;
 }
 
 ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenario,
@@ -300,8 +321,12 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
         if (transport) on_source.within = transport->source_region();
         const ProblemData source = make(scenario.source, on_source);
         data.source = source.monitor;
-        add_source_notes(data, source.report);
+        std::vector<std::string> notes;
+        if (source.report)
+            for (const std::string& note : source.report->notes) notes.push_back("Source: " + note);
+        add_notes(data, notes);
     }
+    if (transport) add_notes(data, thin_notes(*transport));
     if (!scenario.pde.type.empty()) {
         data.pde_type = scenario.pde.type;
         data.pde = std::make_shared<const Values>(scenario.pde.values);

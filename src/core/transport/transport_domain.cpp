@@ -141,6 +141,10 @@ TransportDomain::TransportDomain(Setup setup, const std::stop_token& stop)
 LagrangeTriangles TransportDomain::make_elements(const std::stop_token& stop) {
     if (setup_.mesh) {
         auto [mesh, boundary] = refined(setup_.mesh->convex, setup_.refinements);
+        if (boundary.size() == mesh.node_count())
+            throw InputError(
+                "domain.file: all nodes of the mesh are on its boundary; set domain.refinements = " +
+                std::to_string(setup_.refinements + 1));
         for (std::size_t i = 0; i < mesh.node_count(); ++i)
             mesh.nodes.set(i, mesh.nodes[i] - setup_.source_origin);
         return {mesh, {.nodes = boundary}, setup_.degree};

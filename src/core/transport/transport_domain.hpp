@@ -1,6 +1,6 @@
 // Two convex domains, the source and the target, and a mesh of the source: triangles in rings
-// (transport/ring_mesh.hpp), or those of a file, with Lagrange elements of degree 1, 2 or 3. Those in rings are
-// straight or isoparametric; those of a file are straight, and the source is their polygon.
+// (transport/ring_mesh.hpp), or those of a file, with Lagrange elements of degree 1, 2 or 3. Those in rings
+// are straight or isoparametric; those of a file are straight, and the source is their polygon.
 //
 // The mesh of the run has cells of order 1 (degree 1) or 2; those of degree 3 are shown by the values at the
 // corners and the middles of edges.
@@ -40,7 +40,7 @@ class TransportDomain final : public Discretisation {
         Vec3 source_origin{}, target_origin{};
         std::string source_name; ///< identifies the source: two domains with equal names have equal sources
     };
-    /// Throws Interrupted if asked to stop.
+    /// Throws InputError if a mesh has no inner nodes; Interrupted if asked to stop.
     explicit TransportDomain(Setup setup, const std::stop_token& stop = {});
 
     std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
