@@ -143,6 +143,22 @@ TEST(TransportDensity, OwnMonitorsAreAskedForTheTargetAlone) {
     EXPECT_EQ(run.status(), RunStatus::converged);
 }
 
+TEST(TransportThin, DegreeTwoMapsToAThinEllipseAndDegreeOneSaysSo) {
+    const std::vector<std::string> thin = {"domain.target.a=1", "domain.target.b=1e-3", "domain.cells=16"};
+    gaspard::Run first(exact_catalogue(), exact_scenario("transport-ellipse", thin));
+    ASSERT_TRUE(first.monitor_report());
+    ASSERT_EQ(first.monitor_report()->notes.size(), 1U);
+    EXPECT_EQ(first.monitor_report()->notes[0],
+              "The target is 1000 times as long as wide, which is too thin for elements of degree 1; set "
+              "domain.degree = 2");
+    std::vector<std::string> second = thin;
+    second.emplace_back("domain.degree=2");
+    const auto run = exact_run("transport-ellipse", second);
+    EXPECT_TRUE(!run.monitor_report() || run.monitor_report()->notes.empty());
+    EXPECT_NEAR(last(run, "area_error"), 0, 1e-2);
+    EXPECT_EQ(run.history().back().tangled_cells, 0U);
+}
+
 TEST(TransportStop, SettingUpEndsWhenAsked) {
     std::stop_source source;
     source.request_stop();
