@@ -6,12 +6,12 @@ include(CMakePackageConfigHelpers)
 # What a simulation needs; src/core/gaspard.hpp includes all of them. Other headers are not public.
 set(public_headers
   gaspard.hpp base/box.hpp base/error.hpp base/export.hpp base/field.hpp base/file_cache.hpp base/parameter.hpp base/points.hpp base/series.hpp base/version.hpp
-  mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/patch_list.hpp mesh/patch_parameters.hpp mesh/space.hpp mesh/sphere_mesh.hpp mesh/surface_topology.hpp
+  mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/patch_list.hpp mesh/patch_parameters.hpp mesh/space.hpp mesh/sphere_mesh.hpp mesh/surface_mesh.hpp mesh/surface_topology.hpp
   diagnostics/interpolation_error.hpp data/field_data.hpp data/image.hpp function/field_options.hpp function/formula.hpp function/image_options.hpp function/scalar_function.hpp mesh/data_context.hpp
   monitor/combine.hpp monitor/derived.hpp monitor/field_monitor.hpp monitor/formula_monitor.hpp monitor/function.hpp monitor/image_monitor.hpp monitor/monitor.hpp monitor/problem_data.hpp monitor/tensor.hpp
   method/method.hpp
   scenario/catalogue.hpp scenario/data_files.hpp scenario/output_rows.hpp monitor/pde_type.hpp scenario/scenario.hpp scenario/toml.hpp session/interpolation_study.hpp session/run.hpp session/series_table.hpp session/snapshot.hpp
-  tessellate/check_view.hpp tessellate/colour_choice.hpp io/formats.hpp io/run_files.hpp io/state_file.hpp io/surface_mesh.hpp
+  tessellate/check_view.hpp tessellate/colour_choice.hpp io/formats.hpp io/run_files.hpp io/state_file.hpp
   spline/knots.hpp spline/patch_choice.hpp spline/patch_file.hpp spline/patch_map.hpp spline/spline_patch.hpp spline/tensor_space.hpp)
 # Here they are "core/session/run.hpp", for others <gaspard/session/run.hpp>.
 foreach(header IN LISTS public_headers)

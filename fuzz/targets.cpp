@@ -6,7 +6,7 @@
 #include "core/data/image.hpp"
 #include "core/function/formula.hpp"
 #include "core/io/state_file.hpp"
-#include "core/io/surface_mesh.hpp"
+#include "core/mesh/surface_mesh.hpp"
 #include "core/scenario/catalogue.hpp"
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"

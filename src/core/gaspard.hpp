@@ -19,7 +19,7 @@
 //   session/interpolation_study.hpp  the same against the number of cells
 //   io/run_files.hpp         meshes, history and state as files
 //   io/state_file.hpp        the unknowns, to continue later
-//   io/surface_mesh.hpp      surface meshes read from OBJ, OFF, PLY and STL
+//   mesh/surface_mesh.hpp    surface meshes read from OBJ, OFF, PLY and STL
 //   mesh/surface_topology.hpp  edges, one-rings, boundary loops and orientation of a surface
 //
 // Coordinates are those of the domain (the unit square: 0 to 1 in x and y, z = 0; a sphere around the
@@ -34,7 +34,7 @@
 #include "core/io/formats.hpp"
 #include "core/io/run_files.hpp"
 #include "core/io/state_file.hpp"
-#include "core/io/surface_mesh.hpp"
+#include "core/mesh/surface_mesh.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "core/monitor/field_monitor.hpp"
 #include "core/monitor/combine.hpp"

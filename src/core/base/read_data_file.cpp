@@ -65,7 +65,8 @@ std::string decode_uri(std::string_view text, std::uintmax_t limit) {
 std::string shipped_data(std::string_view text) {
     const std::string name(without_blanks(text).substr(shipped.size()));
     for (const auto& file : core_assets::files())
-        if (file.path == "assets/pictures/" + name || file.path == "assets/fields/" + name)
+        if (file.path == "assets/pictures/" + name || file.path == "assets/fields/" + name ||
+            file.path == "assets/meshes/" + name)
             return std::string(file.bytes);
     throw InputError("the program has no file " + std::string(without_blanks(text)));
 }

@@ -3,8 +3,8 @@
 //
 //     data:[<media type>][;base64],<data>
 //
-// The data of a URI are base64 or text with percent escapes. "gaspard:NAME" is a file of assets/pictures or
-// assets/fields, which is part of the program, for the built-in scenarios.
+// The data of a URI are base64 or text with percent escapes. "gaspard:NAME" is a file of assets/pictures,
+// assets/fields or assets/meshes, which is part of the program, for the built-in scenarios.
 #pragma once
 
 #include "core/base/read_file.hpp"

@@ -100,7 +100,7 @@ Points ExactMap::apply(const Points& xi) const {
     return x;
 }
 
-ExactDeviation exact_deviation(const Mesh& mesh, const Points& x, const Points& exact) {
+ExactDeviation exact_deviation(const Mesh& mesh, const Points& x, const Points& exact, bool sphere) {
     GASPARD_CHECK(x.size() == mesh.node_count() && exact.size() == x.size());
     std::vector<char> corner(x.size(), 0);
     const auto corners = static_cast<std::size_t>(corners_per_cell(mesh.kind));
@@ -108,7 +108,8 @@ ExactDeviation exact_deviation(const Mesh& mesh, const Points& x, const Points& 
         for (const auto node : mesh.cell(c).first(corners)) corner[static_cast<std::size_t>(node)] = 1;
     double of_corners = 0, of_all = 0, count = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const double distance = norm(exact[i]) * angle_between(x[i], exact[i]);
+        const double distance =
+            sphere ? norm(exact[i]) * angle_between(x[i], exact[i]) : norm(x[i] - exact[i]);
         of_all += distance * distance;
         if (corner[i]) of_corners += distance * distance, ++count;
     }

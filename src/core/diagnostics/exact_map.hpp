@@ -38,13 +38,13 @@ class ExactMap {
     std::vector<double> from_0_, from_pi_;
 };
 
-/// Root mean square of the great-circle distance between x and the exact positions of the nodes, in units of
-/// length; (5.9).
+/// Root mean square of the distance between x and the exact positions of the nodes, in units of length; on a
+/// sphere of great circles (5.9).
 struct ExactDeviation {
     double vertices = 0; ///< over the corners of the cells
     double nodes = 0;    ///< over all nodes
 };
-ExactDeviation exact_deviation(const Mesh& mesh, const Points& x, const Points& exact);
+ExactDeviation exact_deviation(const Mesh& mesh, const Points& x, const Points& exact, bool sphere = true);
 /// What a run reports of it, and the values in the same order.
 std::vector<SeriesInfo> exact_series();
 SeriesValues values_of(const ExactDeviation& deviation);

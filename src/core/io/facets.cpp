@@ -184,19 +184,6 @@ std::vector<std::int32_t> corners_of_cells(const Mesh& mesh) {
     return corners;
 }
 
-std::vector<std::size_t> number_anew(std::vector<std::int32_t>& names, std::size_t node_count) {
-    std::vector<std::int32_t> place(node_count, -1);
-    for (const auto node : names) place[static_cast<std::size_t>(node)] = 0;
-    std::vector<std::size_t> nodes;
-    for (std::size_t i = 0; i < node_count; ++i)
-        if (place[i] == 0) {
-            place[i] = static_cast<std::int32_t>(nodes.size());
-            nodes.push_back(i);
-        }
-    for (auto& name : names) name = place[static_cast<std::size_t>(name)];
-    return nodes;
-}
-
 std::vector<BorderGroup> border_groups(const Mesh& mesh, const Facets& facets) {
     if (facets.size() == 0) return {};
     std::vector<BorderGroup> groups;

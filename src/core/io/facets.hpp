@@ -38,10 +38,6 @@ Facets shown_faces(const Mesh& mesh);
 /// The corners of all cells.
 std::vector<std::int32_t> corners_of_cells(const Mesh& mesh);
 
-/// Renumbers the nodes in `names` consecutively: returns the distinct nodes in ascending order and replaces
-/// each entry of `names` by its position among them.
-std::vector<std::size_t> number_anew(std::vector<std::int32_t>& names, std::size_t node_count);
-
 struct BorderGroup {
     std::string name;
     std::vector<std::size_t> facets;

@@ -3,6 +3,7 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/facets.hpp"
 #include "core/io/formats.hpp"
+#include "core/mesh/number_anew.hpp"
 #include "core/tessellate/tessellation.hpp"
 
 #include <cmath>

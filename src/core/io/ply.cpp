@@ -6,6 +6,7 @@
 #include "core/io/facets.hpp"
 #include "core/io/formats.hpp"
 #include "core/io/little_endian.hpp"
+#include "core/mesh/number_anew.hpp"
 #include "core/tessellate/colour_map.hpp"
 #include "core/tessellate/colouring.hpp"
 

@@ -11,6 +11,7 @@
 #include "core/io/facets.hpp"
 #include "core/io/formats.hpp"
 #include "core/io/netcdf_file.hpp"
+#include "core/mesh/number_anew.hpp"
 #include "core/tessellate/cell_geometry.hpp"
 
 #include <algorithm>

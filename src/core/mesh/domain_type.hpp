@@ -31,8 +31,8 @@ struct DomainType {
     std::function<Space(const Values&, const DomainContent& content)> space;
     /// Of transport between two domains: the source, where `space` is the target; empty: they are the same.
     std::function<Space(const Values&, const DomainContent& content)> source_space{};
-    /// Reads the files of a domain that lies where they say; `folder` is the base of relative paths. Does not
-    /// throw: errors are part of the content, and `Capability::prepare` throws them.
+    /// Reads the files of a domain that lies where they say (rows with the role `file`), relative to
+    /// `folder`. Does not throw: errors are part of the content, and `Capability::prepare` throws them.
     std::function<DomainContent(const Values&, const std::filesystem::path& folder)> read{};
     /// True if its meshes are images of a spline patch, so that spline formats can be written.
     bool spline_patch = false;

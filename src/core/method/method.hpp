@@ -76,6 +76,8 @@ class Method {
     virtual bool knows_map() const { return false; }
     /// Requires knows_map(): the cells in which the map of the state last evaluated folds, ascending.
     virtual std::vector<std::uint32_t> folded_cells() { return {}; }
+    /// Where the nodes stand in the exact solution; null where it is not known.
+    virtual std::shared_ptr<const Points> exact(const ProblemData&) { return nullptr; }
     /// The values, of the state last evaluated, of MethodType::fields, in their order; those are empty that
     /// the problem does not have, such as a second component of the solution.
     virtual std::vector<std::vector<double>> fields(const ProblemData&) { return {}; }

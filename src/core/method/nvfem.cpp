@@ -29,6 +29,7 @@ class Nvfem final : public Method {
     }
     const Points& positions() override { return nested_.positions(); }
     std::vector<SeriesInfo> series() const override { return nested_.series(); }
+    std::shared_ptr<const Points> exact(const ProblemData& data) override { return equation_.exact(data); }
     void configure(const Values& values) override { nested_.configure(values); }
     std::vector<std::vector<double>> fields(const ProblemData&) override {
         nested_.positions(); // prolongs to the finest mesh
@@ -44,7 +45,7 @@ class Nvfem final : public Method {
         return values.boolean("recovery") ? Recovery::gradient : Recovery::none;
     }
 
-    const TransportEquation& equation_; ///< the finest of nested_
+    TransportEquation& equation_; ///< the finest of nested_
     Nested nested_;
 };
 

@@ -2,7 +2,10 @@
 
 #include "core/base/check.hpp"
 #include "core/base/eigenvalues.hpp"
+#include "core/base/error.hpp"
 #include "core/method/power_monitor.hpp"
+#include "core/transport/exact_transport.hpp"
+#include "core/transport/moved_monitor.hpp"
 #include "core/transport/recovered_function.hpp"
 
 #include <algorithm>
@@ -20,9 +23,11 @@ constexpr int fewest_rings = 6;      ///< of a coarser mesh
 constexpr double damped_step = 0.25; ///< along direction(), whose operator is not the exact linearisation
 
 std::string layout_of(const TransportDomain::Setup& setup) {
-    return "transport P" + std::to_string(setup.degree) +
-           (setup.curved && setup.degree > 1 ? " curved" : "") + " n=" + std::to_string(setup.rings) +
-           " from " + setup.source_name;
+    const std::string mesh =
+        setup.mesh ? " file " + setup.mesh->topology + " refined " + std::to_string(setup.refinements)
+                   : (setup.curved && setup.degree > 1 ? " curved" : "") + std::string(" n=") +
+                         std::to_string(setup.rings);
+    return "transport P" + std::to_string(setup.degree) + mesh + " from " + setup.source_name;
 }
 std::string layout_of(const TransportDomain& domain) { return layout_of(domain.setup()); }
 
@@ -34,12 +39,19 @@ std::string_view mesh_of(const std::string& layout) {
 /// The mesh of the same source that has the layout; the one given if there is none.
 TransportDomain::Setup setup_of(const std::string& layout, const TransportDomain::Setup& like) {
     TransportDomain::Setup setup = like;
-    for (setup.degree = 1; setup.degree <= highest_triangle_degree; ++setup.degree)
+    const auto fits = [&] { return layout_of(setup) == layout; };
+    for (setup.degree = 1; setup.degree <= highest_triangle_degree; ++setup.degree) {
+        if (setup.mesh) {
+            for (setup.refinements = 0; setup.refinements <= most_domain_refinements; ++setup.refinements)
+                if (fits()) return setup;
+            continue;
+        }
         for (const bool curved : {true, false})
             for (setup.rings = fewest_domain_rings; setup.rings <= most_domain_rings; ++setup.rings) {
                 setup.curved = curved;
-                if (layout_of(setup) == layout) return setup;
+                if (fits()) return setup;
             }
+    }
     return like;
 }
 
@@ -48,9 +60,11 @@ TransportDomain::Setup setup_of(const std::string& layout, const TransportDomain
 TransportEquation::TransportEquation(std::shared_ptr<const TransportDomain> domain, Recovery recovery,
                                      std::stop_token stop)
     : NonlinearProblem(layout_of(*domain), domain->unknowns(), "u"), domain_(std::move(domain)),
-      form_(std::make_shared<const NonvariationalSpace>(domain_->elements(), recovery, std::move(stop)),
+      form_(std::make_shared<const NonvariationalSpace>(domain_->elements(), recovery, stop),
             domain_->setup().source, domain_->setup().target),
-      preconditioner_(form_.shared_space()), start_(form_.start()) {
+      preconditioner_(form_.shared_space(), stop) {
+    if (stop.stop_requested()) throw Interrupted();
+    start_ = form_.start();
     move(start_);
 }
 
@@ -83,21 +97,53 @@ State TransportEquation::adopt(NonlinearProblem& other, std::span<const double> 
 
 std::unique_ptr<NonlinearProblem> TransportEquation::coarser(const Progress&, std::stop_token stop) const {
     TransportDomain::Setup setup = domain_->setup();
-    setup.rings = (setup.rings + 1) / 2;
-    if (setup.rings < fewest_rings) return nullptr;
-    return std::make_unique<TransportEquation>(std::make_shared<const TransportDomain>(std::move(setup)),
-                                               form_.space().recovery(), std::move(stop));
+    if (setup.mesh) {
+        if (setup.refinements == 0) return nullptr;
+        --setup.refinements;
+        if (!has_inner_nodes(refined(setup.mesh->convex, setup.refinements))) return nullptr;
+    } else {
+        setup.rings = (setup.rings + 1) / 2;
+        if (setup.rings < fewest_rings) return nullptr;
+    }
+    return std::make_unique<TransportEquation>(
+        std::make_shared<const TransportDomain>(std::move(setup), stop), form_.space().recovery(),
+        std::move(stop));
 }
 
 Evaluation TransportEquation::evaluate(const ProblemData& data, std::span<const double> unknowns) {
-    form_.evaluate({data.source, data.monitor}, unknowns);
+    form_.evaluate(densities(data), unknowns);
     factorised_ = false;
     derivatives_.assign(form_.derivatives().begin(), form_.derivatives().end());
     stop_ = data.stop;
     take_positions();
+    const double area = form_.image_area(derivatives_), area_of_target = domain_->setup().target->area();
     return {.residual = form_.normalised_residual(),
             .series = {form_.theta() * data.unit, unknowns.back(), form_.convexity(), form_.boundary_defect(),
-                       form_.boundary_scale()}};
+                       form_.boundary_scale(), area, area_of_target, area / area_of_target - 1}};
+}
+
+TransportDensities TransportEquation::densities(const ProblemData& data) {
+    const TransportDensities given{data.source, data.monitor};
+    if (given == given_) return relative_;
+    const auto& setup = domain_->setup();
+    const auto moved = [](const std::shared_ptr<const Monitor>& monitor, Vec3 origin) {
+        return monitor && origin != Vec3{} ? std::make_shared<MovedMonitor>(monitor, origin) : monitor;
+    };
+    relative_ = {moved(given.source, setup.source_origin), moved(given.target, setup.target_origin)};
+    given_ = given;
+    return relative_;
+}
+
+std::shared_ptr<const Points> TransportEquation::exact(const ProblemData& data) {
+    const auto& setup = domain_->setup();
+    if (!setup.source) return nullptr;
+    const auto map = exact_transport(*setup.source, *setup.target, densities(data));
+    if (!map) return nullptr;
+    const Points& nodes = domain_->mesh()->nodes;
+    auto images = std::make_shared<Points>(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        images->set(i, setup.target_origin + (*map)(nodes[i] - setup.source_origin));
+    return images;
 }
 
 void TransportEquation::move(std::span<const double> unknowns) {
@@ -109,7 +155,8 @@ void TransportEquation::take_positions() {
     const std::vector<double> at = domain_->at_mesh_nodes(derivatives_, derivative_count);
     positions_.resize(at.size() / derivative_count);
     for (std::size_t i = 0; i < positions_.size(); ++i)
-        positions_.set(i, {at[derivative_count * i + g1], at[derivative_count * i + g2], 0});
+        positions_.set(i, domain_->setup().target_origin +
+                              Vec3{at[derivative_count * i + g1], at[derivative_count * i + g2], 0});
 }
 
 std::vector<SeriesInfo> TransportEquation::series() const {
@@ -138,7 +185,14 @@ std::vector<SeriesInfo> TransportEquation::series() const {
         {.name = "boundary_scale",
          .label = "Scale of b",
          .symbol = "s",
-         .help = "the factor of the boundary condition, chosen so that its derivative is the conormal one"}};
+         .help = "the factor of the boundary condition, chosen so that its derivative is the conormal one"},
+        {.name = "image_area",
+         .label = "Area of the image",
+         .help = "the area of the image of the source, which tends to that of the target"},
+        {.name = "target_area", .label = "Area of the target", .help = "the area of the target"},
+        {.name = "area_error",
+         .label = "Error of the area",
+         .help = "the area of the image divided by that of the target, minus 1"}};
 }
 
 IterateShape TransportEquation::shape() const {

@@ -5,7 +5,9 @@
 //   det D^2 u = theta rho / sigma(grad u),   b(grad u) = 0 on the boundary
 //
 // sigma is the monitor on the target, ProblemData::source is rho on the source. A State holds the array "u":
-// u at the nodes of the elements, then the multiplier c.
+// u at the nodes of the elements, then the multiplier c. Coordinates are relative to the origins of source
+// and target (transport/transport_domain.hpp), so that u says nothing about where they lie, and is as
+// accurate far away.
 #pragma once
 
 #include "core/method/nonlinear_problem.hpp"
@@ -13,6 +15,7 @@
 #include "core/transport/transport_domain.hpp"
 #include "core/transport/transport_form.hpp"
 
+#include <memory>
 #include <optional>
 
 namespace gaspard {
@@ -48,11 +51,14 @@ class TransportEquation final : public NonlinearProblem {
     std::string name_of_continued(double t) const override;
 
     const TransportForm& form() const { return form_; }
+    /// The images of the mesh's nodes where the map is known (transport/exact_transport.hpp); otherwise null.
+    std::shared_ptr<const Points> exact(const ProblemData& data);
     /// The values of nvfem_fields(), of the unknowns last evaluated or moved to.
     std::vector<std::vector<double>> fields() const;
 
   private:
     void take_positions();
+    TransportDensities densities(const ProblemData& data);
 
     std::shared_ptr<const TransportDomain> domain_;
     TransportForm form_;
@@ -62,6 +68,8 @@ class TransportEquation final : public NonlinearProblem {
     std::vector<double> derivatives_; ///< behind positions_
     bool factorised_ = false;         ///< for the unknowns last evaluated
     std::stop_token stop_;            ///< of the data last seen
+    /// The densities last seen, and the same relative to the domains' origins.
+    TransportDensities given_{}, relative_{};
 };
 
 /// The smallest eigenvalue of H, and |b| / |grad b| on the boundary.

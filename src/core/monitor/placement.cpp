@@ -176,6 +176,7 @@ std::shared_ptr<const Monitor> make_on(const MonitorType& type, const Values& va
     if (!is_placed(type.figure, context.space)) return type.make(values, context);
     MonitorContext bare = context;
     bare.space = figure_space(context.space);
+    bare.within = nullptr;
     return std::make_shared<PlacedMonitor>(type.make(figure_values(type, values, bare.space), bare),
                                            placement_of(type.figure, context.space));
 }

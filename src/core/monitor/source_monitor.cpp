@@ -2,7 +2,9 @@
 
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/monitor/inside_monitor.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -16,7 +18,10 @@ class SourceMonitor final : public Monitor {
     SourceMonitor(MadeFunction made, double floor, DensityWords words, const DataContext& context)
         : made_(std::move(made)), floor_(floor), words_(std::move(words)), space_(context.space) {
         GASPARD_CHECK(made_.function != nullptr);
-        if (context.discretisation) mesh_ = context.discretisation->mesh();
+        if (context.within)
+            within_ = context.within, raise_floor();
+        else if (context.discretisation)
+            mesh_ = context.discretisation->mesh();
     }
 
     void values(const Points& x, std::span<double> values) const override {
@@ -39,14 +44,32 @@ class SourceMonitor final : public Monitor {
     }
 
     void check() const override {
-        if (!mesh_) return;
-        std::vector<double> values(mesh_->nodes.size());
-        this->values(mesh_->nodes, values);
+        if (!mesh_ && !within_) return;
+        const Points& x = within_ ? within_->samples : mesh_->nodes;
+        std::vector<double> values(x.size());
+        this->values(x, values);
     }
     std::optional<SpaceKind> made_for() const override { return space_.kind; }
     MonitorReport report() const override { return {made_.notes, made_.choices, made_.advice}; }
 
   private:
+    /// A map cannot spread no mass: where u is 0 or nearly so, m is a part of its mean.
+    void raise_floor() {
+        constexpr double none = 1e-6, part = 1e-2;
+        if (floor_ > 0) return;
+        std::vector<double> values(within_->samples.size());
+        made_.function->values(within_->samples, values);
+        double sum = 0, least = std::numeric_limits<double>::infinity(), most = 0;
+        for (const double value : values) {
+            if (!(value >= 0) || !std::isfinite(value)) return; // which check() refuses
+            sum += value, least = std::min(least, value), most = std::max(most, value);
+        }
+        if (!(most > 0) || least > none * most) return;
+        floor_ = part * sum / static_cast<double>(values.size());
+        made_.notes.push_back(words_.what + " is 0 or nearly so somewhere; values below " +
+                              format_number(part) + " of its mean count as that");
+        made_.notes.back()[0] = 'T';
+    }
     [[noreturn]] void refuse(Vec3 x, double value) const {
         std::string place = "(" + format_number(x.x) + ", " + format_number(x.y);
         if (x.z != 0 || space_.kind == SpaceKind::sphere) place += ", " + format_number(x.z);
@@ -60,13 +83,16 @@ class SourceMonitor final : public Monitor {
     DensityWords words_;
     Space space_;
     std::shared_ptr<const Mesh> mesh_;
+    std::shared_ptr<const DensityDomain> within_;
 };
 
 } // namespace
 
 std::shared_ptr<const Monitor> source_monitor(MadeFunction made, double floor, DensityWords words,
                                               const DataContext& context) {
-    return std::make_shared<SourceMonitor>(std::move(made), floor, std::move(words), context);
+    auto monitor = std::make_shared<SourceMonitor>(std::move(made), floor, std::move(words), context);
+    if (!context.within) return monitor;
+    return std::make_shared<InsideMonitor>(std::move(monitor), context.within);
 }
 
 ParameterRow floor_row() {

@@ -18,7 +18,9 @@ struct DensityWords {
 };
 
 /// m = max(u, floor); floor = 0: u itself. check() evaluates it at the nodes of the context's mesh, and
-/// throws InputError with the point, as values() does, if m is not positive and finite.
+/// throws InputError with the point, as values() does, if m is not positive and finite. With
+/// DataContext::within, m is asked for there alone, and a u >= 0 with zeros has the floor of 1 % of its mean,
+/// which a note says.
 std::shared_ptr<const Monitor> source_monitor(MadeFunction made, double floor, DensityWords words,
                                               const DataContext& context);
 

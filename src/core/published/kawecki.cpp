@@ -145,10 +145,82 @@ Reproduction figure1(const Workshop& workshop) {
     return result;
 }
 
+/// The weighted correlation of pairs.
+class Correlation {
+  public:
+    void add(double x, double y, double weight) { pairs_.push_back({x, y, weight}); }
+    double value() const {
+        double sum = 0, mean_x = 0, mean_y = 0, xx = 0, xy = 0, yy = 0;
+        for (const auto& [x, y, w] : pairs_) sum += w, mean_x += w * x, mean_y += w * y;
+        mean_x /= sum, mean_y /= sum;
+        for (const auto& [x, y, w] : pairs_) {
+            xx += w * (x - mean_x) * (x - mean_x);
+            xy += w * (x - mean_x) * (y - mean_y);
+            yy += w * (y - mean_y) * (y - mean_y);
+        }
+        return xy / std::sqrt(xx * yy);
+    }
+
+  private:
+    std::vector<std::array<double, 3>> pairs_;
+};
+
+double area_of(const Points& x, std::span<const std::int32_t> cell) {
+    const auto corner = [&](std::size_t k) { return x[static_cast<std::size_t>(cell[k])]; };
+    return cross(corner(1) - corner(0), corner(2) - corner(0)).z / 2;
+}
+
+Reproduction figure2(const Workshop& workshop) {
+    Reproduction result;
+    result.figure = Figure{"A portrait by transport of a disk", {}};
+    for (const int rings : {32, 64, 96, 128}) {
+        const std::string row = "n = " + std::to_string(rings);
+        gaspard::Run run = begin_run(workshop, "transport-portrait",
+                                     {"domain.cells=" + std::to_string(rings)}, "portrait, " + row);
+        finish(run, workshop);
+        const auto snapshot = run.snapshot();
+        const DensityCorrelation found = density_correlation(*snapshot);
+        const std::string status =
+            run.status() == RunStatus::converged ? "" : "status " + std::string(status_name(run.status()));
+        const auto add = [&](const std::string& quantity, double value, const std::string& note = {}) {
+            result.rows.push_back({row, quantity, value, std::nullopt, note});
+        };
+        add("triangles", static_cast<double>(snapshot->mesh->cell_count()));
+        add("Newton steps", snapshot->report.iteration, status);
+        add("correlation of density", found.of_density, "1/area of cells with the picture");
+        add("correlation of compression", found.of_compression, "area before/area with the picture");
+        add("folded cells", static_cast<double>(found.folded));
+        add("area error", snapshot->report.value("area_error").value());
+        result.figure->panels.push_back({row, snapshot});
+    }
+    return result;
+}
+
 } // namespace
 
+DensityCorrelation density_correlation(const Snapshot& snapshot) {
+    const Field* mass = snapshot.field("mass");
+    GASPARD_CHECK(snapshot.mesh->kind == (CellKind{CellShape::triangle, 1}) && mass != nullptr);
+    DensityCorrelation result;
+    Correlation density, compression;
+    for (std::size_t c = 0; c < snapshot.mesh->cell_count(); ++c) {
+        const auto cell = snapshot.mesh->cell(c);
+        const double before = area_of(snapshot.mesh->nodes, cell), area = area_of(snapshot.x, cell);
+        if (!(area > 0)) {
+            ++result.folded;
+            continue;
+        }
+        const double mean = mass->values[c] * before / area;
+        density.add(1 / area, mean, area);
+        compression.add(before / area, mean, area);
+    }
+    result.of_density = density.value(), result.of_compression = compression.value();
+    return result;
+}
+
 std::vector<Recipe> kawecki_recipes() {
-    return {make_recipe("kawecki-fig1", "errors of the transport from the unit disk to an ellipse", figure1)};
+    return {make_recipe("kawecki-fig1", "errors of the transport from the unit disk to an ellipse", figure1),
+            make_recipe("kawecki-fig2", "a portrait as the density of a mesh, from a uniform one", figure2)};
 }
 
 } // namespace gaspard

@@ -70,7 +70,7 @@ std::vector<Recipe> bahari_recipes();
 /// The recipes of Hill, Madden, "Generating layer-adapted meshes using mesh partial differential equations"
 /// (2021).
 std::vector<Recipe> hill_recipes();
-/// The recipe of Kawecki, Lakkis, Pryer, "A finite element method for the Monge-Ampère equation with
+/// The recipes of Kawecki, Lakkis, Pryer, "A finite element method for the Monge-Ampère equation with
 /// transport boundary conditions" (2018).
 std::vector<Recipe> kawecki_recipes();
 

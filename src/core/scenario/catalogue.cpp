@@ -1,6 +1,7 @@
 #include "core/scenario/catalogue.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/eigenvalues.hpp"
 #include "core/base/growing_values.hpp"
 #include "core/base/join.hpp"
 #include "core/layer/interval_domain.hpp"
@@ -11,6 +12,7 @@
 #include "core/method/quadrilateral_mesh_pde.hpp"
 #include "core/method/spline_equation.hpp"
 #include "core/method/surface_equation.hpp"
+#include "core/monitor/inside_monitor.hpp"
 #include "core/monitor/own_problem.hpp"
 #include "core/monitor/placement.hpp"
 #include "core/scenario/output_rows.hpp"
@@ -19,6 +21,7 @@
 #include "core/transport/transport_domain.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gaspard {
 
@@ -119,7 +122,8 @@ Capability transport_capability() {
             .monitors = densities,
             .methods = {"nvfem"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
-                return make_transport_domain(context.scenario.domain.values);
+                return make_transport_domain(context.scenario.domain.values, context.scenario.folder,
+                                             context.scenario.place.content, context.stop);
             },
             .sources = densities};
 }
@@ -264,22 +268,45 @@ Problem check(const Catalogue& catalogue, Scenario scenario, const Monitor* own)
     return {std::move(scenario), capability};
 }
 
-/// What a source density says, after what the monitor says.
-static void add_source_notes(ProblemData& data, const std::shared_ptr<const MonitorReport>& source) {
-    if (!source || source->notes.empty()) return;
+/// After what the monitor says.
+static void add_notes(ProblemData& data, const std::vector<std::string>& notes) {
+    if (notes.empty()) return;
     MonitorReport report = data.report ? *data.report : MonitorReport{};
-    for (const std::string& note : source->notes) report.notes.push_back("Source: " + note);
+    report.notes.insert(report.notes.end(), notes.begin(), notes.end());
     data.report = std::make_shared<const MonitorReport>(std::move(report));
+}
+
+/// The error of the recovered gradient is a part of the length of a domain, and may exceed its width.
+static std::vector<std::string> thin_notes(const TransportDomain& domain) {
+    constexpr double thin = 30; // to 1/30 degree 1 converges
+    std::vector<std::string> notes;
+    const auto& setup = domain.setup();
+    for (const auto& [curve, whose] :
+         {std::pair{setup.source.get(), "source"}, std::pair{setup.target.get(), "target"}}) {
+        if (curve == nullptr || setup.degree > 1) continue;
+        const Covariance c = curve->covariance();
+        const auto [least, most] = symmetric_eigenvalues(c.xx, c.xy, c.yy);
+        const double ratio = std::sqrt(most / least);
+        if (ratio > thin)
+            notes.push_back("The " + std::string(whose) + " is " + std::to_string(std::lround(ratio)) +
+                            " times as long as wide, which is too thin for elements of degree 1; set "
+                            "domain.degree = 2");
+    }
+    return notes;
 }
 
 ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenario,
                               std::shared_ptr<const Monitor> own, const MonitorContext& context) {
+    const auto* transport = dynamic_cast<const TransportDomain*>(context.discretisation);
+    const bool has_box = !transport && !catalogue.domain(scenario.domain.type).spline_patch;
+    MonitorContext on_target = context;
+    if (transport) on_target.within = transport->target_region();
     const auto in_its_unit = [&](std::shared_ptr<const Monitor> monitor) {
         ProblemData plain = scalar_problem(monitor);
         if (!context.discretisation) return plain;
         const Mesh& mesh = *context.discretisation->mesh();
-        const bool box = !catalogue.domain(scenario.domain.type).spline_patch;
-        ProblemData scaled = own_problem(std::move(monitor), extent_of(mesh, context.space, box), mesh.nodes);
+        ProblemData scaled =
+            own_problem(std::move(monitor), extent_of(mesh, context.space, has_box), mesh.nodes);
         return scaled.unit == 1 ? plain : scaled;
     };
     const auto make = [&](const Section& section, const MonitorContext& place) {
@@ -292,17 +319,22 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
     const auto make_own = [&] {
         GASPARD_CHECK(context.discretisation != nullptr);
         const Mesh& mesh = *context.discretisation->mesh();
-        const bool box = !catalogue.domain(scenario.domain.type).spline_patch;
-        return own_problem(std::move(own), extent_of(mesh, context.space, box), mesh.nodes);
+        if (own && on_target.within) own = std::make_shared<InsideMonitor>(std::move(own), on_target.within);
+        return own_problem(std::move(own), extent_of(mesh, context.space, has_box), mesh.nodes);
     };
-    ProblemData data = own ? make_own() : make(scenario.monitor, context);
+    ProblemData data = own ? make_own() : make(scenario.monitor, on_target);
     if (!scenario.source.type.empty()) {
         MonitorContext on_source = context;
         on_source.space = source_space_of(catalogue, scenario);
+        if (transport) on_source.within = transport->source_region();
         const ProblemData source = make(scenario.source, on_source);
         data.source = source.monitor;
-        add_source_notes(data, source.report);
+        std::vector<std::string> notes;
+        if (source.report)
+            for (const std::string& note : source.report->notes) notes.push_back("Source: " + note);
+        add_notes(data, notes);
     }
+    if (transport) add_notes(data, thin_notes(*transport));
     if (!scenario.pde.type.empty()) {
         data.pde_type = scenario.pde.type;
         data.pde = std::make_shared<const Values>(scenario.pde.values);

@@ -82,7 +82,8 @@ void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, st
     if (section == "domain") {
         std::vector<std::string> owners;
         for (const auto& type : catalogue.domains)
-            if (has_row(domain_section(catalogue, type.name).values.rows(), key))
+            if (type.name != scenario.domain.type &&
+                has_row(domain_section(catalogue, type.name).values.rows(), key))
                 owners.push_back("'" + type.name + "'");
         if (!owners.empty()) refuse(scenario.domain.values, ", but for " + join(owners, " and "));
     }
@@ -208,6 +209,12 @@ void update_optional(Section& section, const std::vector<std::string>& offered, 
 
 } // namespace
 
+/// Whether the domain has files, with the values that it has now.
+static bool has_files(const Catalogue& catalogue, const Scenario& scenario) {
+    return catalogue.domain(scenario.domain.type).read &&
+           find_role(scenario.domain.values.rows(), ParameterRole::file) != nullptr;
+}
+
 /// All that DomainType::read may depend on.
 static std::string files_key(const Scenario& scenario) {
     std::string key = scenario.domain.type + '\n' + scenario.folder.string();
@@ -221,7 +228,7 @@ static std::string files_key(const Scenario& scenario) {
 /// before.
 static DomainPlace known_place(const Catalogue& catalogue, const Scenario& scenario) {
     const DomainType& type = catalogue.domain(scenario.domain.type);
-    if (!type.read) return {{}, {}, type.space(scenario.domain.values, {})};
+    if (!has_files(catalogue, scenario)) return {{}, {}, type.space(scenario.domain.values, {})};
     DomainPlace place = scenario.place;
     if (place.files == files_key(scenario))
         place.space = type.space(scenario.domain.values, place.content);
@@ -241,7 +248,7 @@ Space source_space_of(const Catalogue& catalogue, const Scenario& scenario) {
 }
 
 bool is_located(const Catalogue& catalogue, const Scenario& scenario) {
-    return !catalogue.domain(scenario.domain.type).read || scenario.place.files == files_key(scenario);
+    return !has_files(catalogue, scenario) || scenario.place.files == files_key(scenario);
 }
 
 void locate_domain(const Catalogue& catalogue, Scenario& scenario) {

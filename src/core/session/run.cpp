@@ -75,7 +75,9 @@ std::shared_ptr<QualityMeter> Run::make_meter(const Course& course) const {
                                           space_of(*catalogue_, course.problem.scenario));
 }
 
-static Scenario located(const Catalogue& catalogue, Scenario scenario) {
+/// `anew`: although the domain's files were read before.
+static Scenario located(const Catalogue& catalogue, Scenario scenario, bool anew = false) {
+    if (anew) scenario.place.files.clear();
     locate_domain(catalogue, scenario);
     return scenario;
 }
@@ -130,6 +132,8 @@ void Run::prepare_reports(Course& course) const {
     if (space.kind == SpaceKind::sphere && diagnostics(course) == Diagnostics::full)
         if (const auto map = ExactMap::of(*course.data.monitor))
             course.exact = std::make_shared<Points>(map->apply(course.discretisation->mesh()->nodes));
+    if (!course.exact && diagnostics(course) == Diagnostics::full)
+        course.exact = course.method->exact(course.data);
     std::vector<SeriesInfo> diagnostics = quality_series();
     if (course.exact)
         for (SeriesInfo& one : exact_series()) diagnostics.push_back(std::move(one));
@@ -388,7 +392,9 @@ void Run::measure(Course& course, StepReport& report, Diagnostics at_most) const
     next += static_cast<std::ptrdiff_t>(values_of(quality).size());
     if (course.exact) {
         if (level == Diagnostics::full)
-            std::ranges::copy(values_of(exact_deviation(*course.discretisation->mesh(), x, *course.exact)),
+            std::ranges::copy(values_of(exact_deviation(*course.discretisation->mesh(), x, *course.exact,
+                                                        space_of(*catalogue_, course.problem.scenario).kind ==
+                                                            SpaceKind::sphere)),
                               next);
         next += static_cast<std::ptrdiff_t>(exact_series().size());
     }
@@ -423,7 +429,7 @@ void Run::interrupt() {
 
 std::string Run::change(const Scenario& scenario, const Progress& progress, std::stop_token stop,
                         Diagnostics at_most, bool reread) {
-    Problem problem = check(*catalogue_, located(*catalogue_, scenario), now_.own.get());
+    Problem problem = check(*catalogue_, located(*catalogue_, scenario, reread), now_.own.get());
     const Scenario& old = now_.problem.scenario;
     const bool new_data = reread || !same_problem_data(problem.scenario, old);
     if (!new_data && problem.scenario.method == old.method) {

@@ -37,6 +37,7 @@ class ConvexCurve {
     /// To a few units in the last place of p - c. At the centroid the value is 0, and the gradient that of
     /// some direction.
     virtual Gauge gauge(Vec3 p) const = 0;
+    virtual bool is_ellipse() const { return false; }
 
     double area() const { return measures_.area; }
     Vec3 centre() const { return measures_.centre; } ///< the centroid of the domain

@@ -1,5 +1,6 @@
 #include "core/transport/convex_shape.hpp"
 
+#include "core/base/box.hpp"
 #include "core/base/error.hpp"
 #include "core/mesh/control_points.hpp"
 
@@ -29,7 +30,7 @@ ParameterRow length_row(std::string key, std::string label, std::string symbol, 
 } // namespace
 
 ParameterRow shape_choice_row(const std::string& prefix, const std::string& whose) {
-    return {
+    ParameterRow row{
         .key = prefix + "shape",
         .label = whose + " shape",
         .kind = ParameterKind::choice,
@@ -39,12 +40,24 @@ ParameterRow shape_choice_row(const std::string& prefix, const std::string& whos
             "an ellipse or disk, a rectangle with round sides, a smooth curve through points, or a polygon "
             "with round corners",
         .role = ParameterRole::defines_rows};
+    if (!prefix.empty()) return row;
+    row.choices.push_back(shape_of_file);
+    row.help += "; file: the mesh of a convex polygon from a file";
+    return row;
 }
 
 std::vector<ParameterRow> shape_rows(const Values& values, const std::string& prefix,
                                      const std::string& whose) {
     const std::string& shape = values.text(prefix + "shape");
     std::vector<ParameterRow> rows;
+    if (shape == shape_of_file)
+        return {{.key = prefix + "file",
+                 .label = whose + " mesh",
+                 .kind = ParameterKind::text,
+                 .default_value = std::string("gaspard:half-disk.obj"),
+                 .help = "a mesh of triangles or convex polygons in the plane (OBJ, OFF, PLY, STL), whose "
+                         "boundary is a convex polygon",
+                 .role = ParameterRole::file}};
     if (shape == choices[0] || shape == choices[1]) {
         rows.push_back(length_row(prefix + "a", whose + " half width", "a", 1,
                                   "half of the longest extent in the direction of the angle"));
@@ -99,23 +112,36 @@ bool is_of_source(const Values& domain, const std::string& key) {
     return domain.has(target_prefix + "shape") && !key.starts_with(target_prefix);
 }
 
-std::shared_ptr<const ConvexCurve> make_shape(const Values& values, const std::string& prefix) {
+Vec3 middle_of_shape(const Values& values, const std::string& prefix) {
+    if (values.has(prefix + "x")) return {values.real(prefix + "x"), values.real(prefix + "y"), 0};
+    if (!values.has(prefix + "points")) return {};
+    try {
+        const Points points = parse_points(values.text(prefix + "points"), "points");
+        return points.size() == 0 ? Vec3{} : bounding_box(points).centre();
+    } catch (const InputError&) { // which make_shape() throws
+        return {};
+    }
+}
+
+std::shared_ptr<const ConvexCurve> make_shape(const Values& values, const std::string& prefix, Vec3 origin) {
     const std::string& shape = values.text(prefix + "shape");
     const auto real = [&](const char* key) { return values.real(prefix + key); };
     try {
         if (shape == choices[0])
-            return ellipse({real("x"), real("y"), 0}, real("a"), real("b"), real("angle"));
+            return ellipse(Vec3{real("x"), real("y"), 0} - origin, real("a"), real("b"), real("angle"));
         if (shape == choices[1])
-            return rounded_rectangle({real("x"), real("y"), 0}, real("a"), real("b"), real("exponent"),
-                                     real("angle"));
-        const Points points = parse_points(values.text(prefix + "points"), "domain." + prefix + "points");
+            return rounded_rectangle(Vec3{real("x"), real("y"), 0} - origin, real("a"), real("b"),
+                                     real("exponent"), real("angle"));
+        Points points = parse_points(values.text(prefix + "points"), "domain." + prefix + "points");
         if (points.size() < 3 || points.size() > 200)
             throw InputError("a curve needs 3 to 200 points, not " + std::to_string(points.size()));
         for (std::size_t i = 0; i < points.size(); ++i)
             if (std::abs(points.x[i]) > longest_length || std::abs(points.y[i]) > longest_length)
                 throw InputError("coordinates must be between -1e6 and 1e6");
+        for (std::size_t i = 0; i < points.size(); ++i) points.set(i, points[i] - origin);
         return shape == choices[2] ? closed_spline(points) : rounded_polygon(points, real("corner_radius"));
     } catch (const InputError& error) {
+        if (origin != Vec3{}) make_shape(values, prefix); // says the same with the user's coordinates
         const std::string key =
             "domain." + prefix + (shape == choices[2] || shape == choices[3] ? "points" : "shape");
         const std::string what = error.what();

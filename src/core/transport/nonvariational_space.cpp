@@ -1,6 +1,7 @@
 #include "core/transport/nonvariational_space.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/error.hpp"
 #include "core/fem/cell_quadrature.hpp"
 #include "core/fem/gauss.hpp"
 
@@ -49,14 +50,19 @@ NonvariationalSpace::Point point_of(const LagrangeTriangles::Place& place, doubl
     return {weight * j, {place.by_t[1] / j, -place.by_t[0] / j, -place.by_s[1] / j, place.by_s[0] / j}};
 }
 
+/// In a loop over many cells.
+void look_at(const std::stop_token& stop, std::size_t cell) {
+    if (cell % 1024 == 0 && stop.stop_requested()) throw Interrupted();
+}
+
 } // namespace
 
 NonvariationalSpace::NonvariationalSpace(LagrangeTriangles elements, Recovery recovery, std::stop_token stop)
     : elements_(std::move(elements)), recovery_(recovery), unknowns_(unknowns_of(elements_)),
       pattern_(unknowns_) {
-    make_points();
+    make_points(stop);
     dissection_ = std::make_shared<const Dissection>(dissect(unknowns_, middles_));
-    make_operators();
+    make_operators(stop);
     if (recovery_ == Recovery::none) add_side_terms();
     const std::size_t n = elements_.per_cell();
     mass_ = std::make_unique<const CellCholesky>(
@@ -72,7 +78,7 @@ NonvariationalSpace::NonvariationalSpace(LagrangeTriangles elements, Recovery re
         CellCholesky::Advance{}, std::move(stop));
 }
 
-void NonvariationalSpace::make_points() {
+void NonvariationalSpace::make_points(const std::stop_token& stop) {
     const int degree = elements_.degree();
     for (const CellPoint& point : rule_of(degree)) {
         shapes_.push_back(triangle_shapes(degree, point.point.x, point.point.y));
@@ -88,6 +94,7 @@ void NonvariationalSpace::make_points() {
     middles_ = Points(elements_.cell_count());
     const TriangleShapes middle = triangle_shapes(degree, 1.0 / 3, 1.0 / 3);
     for (std::size_t c = 0; c < elements_.cell_count(); ++c) {
+        look_at(stop, c);
         middles_.set(c, elements_.place(c, middle).x);
         for (std::size_t q = 0; q < shapes_.size(); ++q)
             points_.push_back(point_of(elements_.place(c, shapes_[q]), weights_[q]));
@@ -107,13 +114,14 @@ void NonvariationalSpace::make_points() {
         }
 }
 
-void NonvariationalSpace::make_operators() {
+void NonvariationalSpace::make_operators(const std::stop_token& stop) {
     const std::size_t n = elements_.per_cell();
     loads_.assign(size(), 0);
     slopes_.assign(2 * pattern_.entries(), 0);
     if (recovery_ == Recovery::none) hessians_.assign(3 * pattern_.entries(), 0);
     std::vector<std::array<double, 2>> gradients(n);
     for (std::size_t c = 0; c < elements_.cell_count(); ++c) {
+        look_at(stop, c);
         const auto slots = pattern_.slots(c);
         for (std::size_t q = 0; q < shapes_.size(); ++q) {
             const Point& point = points(c)[q];

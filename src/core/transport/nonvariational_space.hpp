@@ -72,8 +72,8 @@ class NonvariationalSpace {
     Points positions() const;
 
   private:
-    void make_points();
-    void make_operators();
+    void make_points(const std::stop_token& stop);
+    void make_operators(const std::stop_token& stop);
     void add_side_terms();
 
     LagrangeTriangles elements_;

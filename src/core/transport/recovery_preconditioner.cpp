@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/eigenvalues.hpp"
+#include "core/base/error.hpp"
 
 #include <algorithm>
 #include <array>
@@ -28,13 +29,15 @@ std::array<double, 3> coefficient(double xx, double xy, double yy) {
 
 } // namespace
 
-RecoveryPreconditioner::RecoveryPreconditioner(std::shared_ptr<const NonvariationalSpace> space)
+RecoveryPreconditioner::RecoveryPreconditioner(std::shared_ptr<const NonvariationalSpace> space,
+                                               const std::stop_token& stop)
     : space_(std::move(space)), ordered_(space_->size()) {
     if (space_->recovery() == Recovery::none) {
         dissection_ = space_->dissection();
         return;
     }
     make_rings();
+    if (stop.stop_requested()) throw Interrupted();
     dissection_ = std::make_shared<const Dissection>(dissect(rings_, space_->elements().nodes()));
 }
 

@@ -22,7 +22,9 @@ namespace gaspard {
 
 class RecoveryPreconditioner {
   public:
-    explicit RecoveryPreconditioner(std::shared_ptr<const NonvariationalSpace> space);
+    /// Throws Interrupted if asked to stop.
+    explicit RecoveryPreconditioner(std::shared_ptr<const NonvariationalSpace> space,
+                                    const std::stop_token& stop = {});
 
     /// Factorises S. `hessians`: as NonvariationalSpace::differentiate gives them; where H is not positive
     /// definite, its eigenvalues are raised. Throws Interrupted.

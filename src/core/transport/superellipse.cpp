@@ -72,6 +72,7 @@ class Superellipse final : public ConvexCurve {
         const Vec3 direction = axes_.world(place.dx, place.dy);
         return 4 * length_.total() / norm(direction) * direction;
     }
+    bool is_ellipse() const override { return quadrant_.p == 2; }
     Gauge gauge(Vec3 p) const override {
         const Vec3 q = axes_.local(p);
         const double u = std::abs(q.x), v = std::abs(q.y), most = std::max(u, v);

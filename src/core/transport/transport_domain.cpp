@@ -5,6 +5,8 @@
 #include "core/transport/ring_mesh.hpp"
 
 #include <array>
+#include <cmath>
+#include <exception>
 #include <utility>
 
 namespace gaspard {
@@ -26,23 +28,129 @@ std::string name_of_source(const Values& values) {
     return name;
 }
 
-Box box_of(const Values& values, const std::string& prefix) {
-    return make_shape(values, prefix)->bounding_box();
+/// The mesh of domain.file, or why there is none.
+struct SourceContent {
+    std::shared_ptr<const SourceMesh> mesh{};
+    std::exception_ptr error{};
+};
+
+bool is_from_file(const Values& values) { return values.text("shape") == shape_of_file; }
+
+DomainContent read_content(const Values& values, const std::filesystem::path& folder) {
+    auto content = std::make_shared<SourceContent>();
+    if (!is_from_file(values)) return content;
+    try {
+        content->mesh = std::make_shared<const SourceMesh>(read_source_mesh(values.text("file"), folder));
+    } catch (const std::exception&) {
+        content->error = std::current_exception();
+    }
+    return content;
+}
+
+Space space_of(const Box& box) {
+    return {.dimension = 2, .box = box, .middle = box.centre(), .reach = {box}};
+}
+
+Space space_of_curve(const Values& values, const std::string& prefix) {
+    try {
+        return space_of(make_shape(values, prefix)->bounding_box());
+    } catch (const InputError&) { // which the run reports
+        return {.dimension = 2};
+    }
+}
+
+/// Of a mesh that is not read yet, or invalid: the default ranges.
+Space space_of_source(const Values& values, const DomainContent& content) {
+    if (!is_from_file(values)) return space_of_curve(values, "");
+    const auto* read = static_cast<const SourceContent*>(content.get());
+    return read && read->mesh ? space_of(bounding_box(read->mesh->convex.mesh.nodes)) : Space{.dimension = 2};
+}
+
+ParameterRow rings_row() {
+    return {.key = "cells",
+            .label = "Rings",
+            .symbol = "n",
+            .kind = ParameterKind::integer,
+            .minimum = fewest_domain_rings,
+            .maximum = most_domain_rings,
+            .scale = ParameterScale::logarithmic,
+            .slider = SliderRange{4, 64},
+            .default_value = std::int64_t{24},
+            .help = "the mesh of the source has n rings around its centre, of 6 n² triangles"};
+}
+
+ParameterRow refinements_row() {
+    return {.key = "refinements",
+            .label = "Refinements",
+            .kind = ParameterKind::integer,
+            .minimum = 0,
+            .maximum = most_domain_refinements,
+            .default_value = std::int64_t{0},
+            .help = "how many times each triangle of the file is divided into four"};
+}
+
+ParameterRow degree_row() {
+    return {.key = "degree",
+            .label = "Degree",
+            .symbol = "k",
+            .kind = ParameterKind::integer,
+            .minimum = 1,
+            .maximum = highest_triangle_degree,
+            .default_value = std::int64_t{1},
+            .help = "of the finite elements, for the potential, its gradient and its Hessian"};
+}
+
+ParameterRow edges_row() {
+    return {.key = "edges",
+            .label = "Boundary edges",
+            .kind = ParameterKind::choice,
+            .default_value = std::string("curved"),
+            .choices = {"curved", "straight"},
+            .help =
+                "with degree 2 or 3: isoparametric triangles whose edges follow the boundary, or straight "
+                "ones as in the paper"};
+}
+
+std::vector<ParameterRow> rows_of(const Values& values) {
+    std::vector<ParameterRow> rows;
+    if (is_from_file(values))
+        rows = {refinements_row(), degree_row()};
+    else
+        rows = {rings_row(), degree_row(), edges_row()};
+    const auto add = [&](std::vector<ParameterRow> more) {
+        for (ParameterRow& row : more) rows.push_back(std::move(row));
+    };
+    add(shape_rows(values, "", "Source"));
+    rows.push_back(shape_choice_row(target_prefix, "Target"));
+    if (values.has(rows.back().key)) add(shape_rows(values, target_prefix, "Target")); // else the next call
+    return rows;
 }
 
 } // namespace
 
-TransportDomain::TransportDomain(Setup setup) : setup_(std::move(setup)), elements_(make_elements()) {
+TransportDomain::TransportDomain(Setup setup, const std::stop_token& stop)
+    : setup_(std::move(setup)), elements_(make_elements(stop)) {
     make_mesh();
     constexpr std::size_t corners = 360;
     Points outline(corners);
     for (std::size_t i = 0; i < corners; ++i)
-        outline.set(i, setup_.target->point(static_cast<double>(i) / corners));
+        outline.set(i, setup_.target_origin + setup_.target->point(static_cast<double>(i) / corners));
     outline_ = std::make_shared<const Points>(std::move(outline));
 }
 
-LagrangeTriangles TransportDomain::make_elements() {
+LagrangeTriangles TransportDomain::make_elements(const std::stop_token& stop) {
+    if (setup_.mesh) {
+        auto [mesh, boundary] = refined(setup_.mesh->convex, setup_.refinements);
+        if (boundary.size() == mesh.node_count())
+            throw InputError(
+                "domain.file: all nodes of the mesh are on its boundary; set domain.refinements = " +
+                std::to_string(setup_.refinements + 1));
+        for (std::size_t i = 0; i < mesh.node_count(); ++i)
+            mesh.nodes.set(i, mesh.nodes[i] - setup_.source_origin);
+        return {mesh, {.nodes = boundary}, setup_.degree};
+    }
     const RingMesh rings = ring_mesh(*setup_.source, setup_.rings);
+    if (stop.stop_requested()) throw Interrupted();
     BoundarySides boundary{.nodes = rings.boundary_nodes};
     if (setup_.curved) {
         const auto& t = rings.boundary_parameters;
@@ -54,6 +162,44 @@ LagrangeTriangles TransportDomain::make_elements() {
     return {rings.mesh, boundary, setup_.degree};
 }
 
+namespace {
+
+/// Points of a domain that end just inside of its boundary, where formulas are still valid.
+std::shared_ptr<const DensityDomain> region_of(const std::shared_ptr<const ConvexCurve>& curve, Vec3 origin) {
+    constexpr double inside = 1 - 1e-9;
+    constexpr std::size_t circles = 24, around = 96;
+    auto region = std::make_shared<DensityDomain>();
+    region->samples = Points(circles * around + 1);
+    region->samples.set(circles * around, origin + curve->centre());
+    for (std::size_t k = 0; k < circles; ++k)
+        for (std::size_t j = 0; j < around; ++j) {
+            const double r = inside * static_cast<double>(k + 1) / circles;
+            const Vec3 edge = curve->point(static_cast<double>(j) / around);
+            region->samples.set(k * around + j, origin + curve->centre() + r * (edge - curve->centre()));
+        }
+    region->into = [curve, origin](Vec3 p) {
+        const Vec3 from = p - origin - curve->centre();
+        if (!std::isfinite(from.x + from.y)) return origin + curve->centre();
+        const double gauge = curve->gauge(p - origin).value;
+        return gauge <= inside ? p : origin + curve->centre() + (inside / gauge) * from;
+    };
+    return region;
+}
+
+} // namespace
+
+std::shared_ptr<const DensityDomain> TransportDomain::source_region() const {
+    if (setup_.source) return region_of(setup_.source, setup_.source_origin);
+    auto region = std::make_shared<DensityDomain>(); // triangles with straight edges do not leave it
+    region->samples = mesh_->nodes;
+    region->into = [](Vec3 p) { return p; };
+    return region;
+}
+
+std::shared_ptr<const DensityDomain> TransportDomain::target_region() const {
+    return region_of(setup_.target, setup_.target_origin);
+}
+
 void TransportDomain::make_mesh() {
     const int order = setup_.degree == 1 ? 1 : 2;
     Mesh mesh{
@@ -61,6 +207,8 @@ void TransportDomain::make_mesh() {
     if (setup_.degree < 3) {
         for (std::size_t c = 0; c < elements_.cell_count(); ++c)
             mesh.cells.insert(mesh.cells.end(), elements_.cell(c).begin(), elements_.cell(c).end());
+        for (std::size_t i = 0; i < mesh.node_count(); ++i)
+            mesh.nodes.set(i, setup_.source_origin + mesh.nodes[i]);
         mesh_ = std::make_shared<const Mesh>(std::move(mesh));
         return;
     }
@@ -81,7 +229,7 @@ void TransportDomain::make_mesh() {
     mesh.nodes = Points(shown_.size() / 2);
     const std::vector<double> x = at_mesh_nodes(elements_.nodes().x, 1),
                               y = at_mesh_nodes(elements_.nodes().y, 1);
-    for (std::size_t i = 0; i < x.size(); ++i) mesh.nodes.set(i, {x[i], y[i], 0});
+    for (std::size_t i = 0; i < x.size(); ++i) mesh.nodes.set(i, setup_.source_origin + Vec3{x[i], y[i], 0});
     mesh_ = std::make_shared<const Mesh>(std::move(mesh));
 }
 
@@ -105,70 +253,45 @@ std::vector<double> TransportDomain::at_mesh_nodes(std::span<const double> value
 }
 
 DomainType transport_domain() {
-    std::vector<ParameterRow> rows = {
-        {.key = "cells",
-         .label = "Rings",
-         .symbol = "n",
-         .kind = ParameterKind::integer,
-         .minimum = fewest_domain_rings,
-         .maximum = most_domain_rings,
-         .scale = ParameterScale::logarithmic,
-         .slider = SliderRange{4, 64},
-         .default_value = std::int64_t{24},
-         .help = "the mesh of the source has n rings around its centre, of 6 n² triangles"},
-        {.key = "degree",
-         .label = "Degree",
-         .symbol = "k",
-         .kind = ParameterKind::integer,
-         .minimum = 1,
-         .maximum = highest_triangle_degree,
-         .default_value = std::int64_t{1},
-         .help = "of the finite elements, for the potential, its gradient and its Hessian"},
-        {.key = "edges",
-         .label = "Boundary edges",
-         .kind = ParameterKind::choice,
-         .default_value = std::string("curved"),
-         .choices = {"curved", "straight"},
-         .help = "with degree 2 or 3: isoparametric triangles whose edges follow the boundary, or straight "
-                 "ones as "
-                 "in the paper"}};
-    rows.push_back(shape_choice_row("", "Source"));
-    const auto space = [](const std::string& prefix) {
-        return [prefix](const Values& values, const DomainContent&) {
-            Space found{.dimension = 2};
-            try {
-                const Box box = box_of(values, prefix);
-                found.box = box, found.reach = {box}, found.middle = box.centre();
-            } catch (const InputError&) { // which the run reports
-            }
-            return found;
-        };
-    };
     return {.name = "convex",
             .label = "Convex domains",
             .help = "a map from one convex domain to another, from boundary to boundary",
-            .rows = std::move(rows),
-            .further_rows =
-                [](const Values& values) {
-                    std::vector<ParameterRow> further = shape_rows(values, "", "Source");
-                    further.push_back(shape_choice_row(target_prefix, "Target"));
-                    if (!values.has(further.back().key)) return further; // the next call has it
-                    for (ParameterRow& row : shape_rows(values, target_prefix, "Target"))
-                        further.push_back(std::move(row));
-                    return further;
-                },
-            .space = space(target_prefix),
-            .source_space = space("")};
+            .rows = {shape_choice_row("", "Source")},
+            .further_rows = rows_of,
+            .space = [](const Values& values,
+                        const DomainContent&) { return space_of_curve(values, target_prefix); },
+            .source_space = space_of_source,
+            .read = read_content};
 }
 
-std::shared_ptr<const TransportDomain> make_transport_domain(const Values& values) {
-    return std::make_shared<const TransportDomain>(
-        TransportDomain::Setup{.source = make_shape(values, ""),
-                               .target = make_shape(values, target_prefix),
-                               .rings = static_cast<int>(values.integer("cells")),
-                               .degree = static_cast<int>(values.integer("degree")),
-                               .curved = values.text("edges") == "curved",
-                               .source_name = name_of_source(values)});
+std::shared_ptr<const TransportDomain> make_transport_domain(const Values& values,
+                                                             const std::filesystem::path& folder,
+                                                             const DomainContent& content,
+                                                             const std::stop_token& stop) {
+    TransportDomain::Setup setup{.source = nullptr,
+                                 .target = nullptr,
+                                 .degree = static_cast<int>(values.integer("degree")),
+                                 .target_origin = middle_of_shape(values, target_prefix),
+                                 .source_name = {}};
+    setup.target = make_shape(values, target_prefix, setup.target_origin);
+    if (is_from_file(values)) {
+        const auto* read = static_cast<const SourceContent*>(content.get());
+        if (read && read->error) std::rethrow_exception(read->error);
+        setup.mesh = read && read->mesh
+                         ? read->mesh
+                         : std::make_shared<const SourceMesh>(read_source_mesh(values.text("file"), folder));
+        setup.refinements = static_cast<int>(values.integer("refinements"));
+        setup.curved = false;
+        setup.source_origin = bounding_box(setup.mesh->convex.mesh.nodes).centre();
+        setup.source_name = setup.mesh->name;
+    } else {
+        setup.source_origin = middle_of_shape(values, "");
+        setup.source = make_shape(values, "", setup.source_origin);
+        setup.rings = static_cast<int>(values.integer("cells"));
+        setup.curved = values.text("edges") == "curved";
+        setup.source_name = name_of_source(values);
+    }
+    return std::make_shared<const TransportDomain>(std::move(setup), stop);
 }
 
 } // namespace gaspard

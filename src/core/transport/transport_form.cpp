@@ -4,6 +4,7 @@
 #include "core/base/eigenvalues.hpp"
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/fem/gauss.hpp"
 #include "core/transport/curve_integral.hpp"
 
 #include <algorithm>
@@ -323,6 +324,28 @@ std::vector<double> TransportForm::boundary_defects(std::span<const double> deri
 double TransportForm::boundary_defect() const {
     const std::vector<double> defects = boundary_defects(derivatives_);
     return *std::max_element(defects.begin(), defects.end());
+}
+
+double TransportForm::image_area(std::span<const double> derivatives) const {
+    double twice = 0; // the integral of x dy - y dx
+    for (const auto& [c, edge] : space_->elements().sides()) {
+        const auto cell = space_->elements().cell(c);
+        constexpr std::array<std::array<double, 2>, 3> along = {{{1, 0}, {-1, 1}, {0, -1}}};
+        const auto& direction = along[static_cast<std::size_t>(edge)];
+        const LineQuadrature rule = gauss_legendre(space_->elements().degree() + 2);
+        for (std::size_t q = 0; q < rule.points.size(); ++q) {
+            const TriangleShapes& shapes = space_->side_shapes(edge)[q];
+            Vec3 p{}, slope{};
+            for (std::size_t a = 0; a < cell.size(); ++a) {
+                const double* d = derivatives.data() + derivative_count * static_cast<std::size_t>(cell[a]);
+                const Vec3 g{d[g1], d[g2], 0};
+                p = p + shapes.values[a] * g;
+                slope = slope + (shapes.slopes[a][0] * direction[0] + shapes.slopes[a][1] * direction[1]) * g;
+            }
+            twice += rule.weights[q] * cross(p, slope).z;
+        }
+    }
+    return twice / 2;
 }
 
 void TransportForm::linearise() {

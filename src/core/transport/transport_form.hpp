@@ -70,6 +70,8 @@ class TransportForm {
     /// 0 for other nodes. And the largest of them.
     std::vector<double> boundary_defects(std::span<const double> derivatives) const;
     double boundary_defect() const;
+    /// The area within the images of the boundary's edges, to rounding.
+    double image_area(std::span<const double> derivatives) const;
 
     void linearise();
     /// out = -(dr/du) w.

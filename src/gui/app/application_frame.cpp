@@ -19,8 +19,8 @@ constexpr const char* hint =
 constexpr const char* hint_in_space =
     "Drag to rotate, turn the wheel to zoom, click a cell to inspect it, press F for the "
     "rear, H to see all. F1 shows all keys.";
-constexpr const char* hint_of_heights =
-    "Drag to rotate, turn the wheel to zoom, click a cell to inspect it, press H to see all. F1 shows all keys.";
+constexpr const char* hint_of_heights = "Drag to rotate, turn the wheel to zoom, click a cell to inspect it, "
+                                        "press H to see all. F1 shows all keys.";
 constexpr const char* hint_of_plots =
     "Drag to move, turn the wheel to zoom, double-click to see all, press B for the computational "
     "interval. F1 shows all keys.";
@@ -240,7 +240,8 @@ std::vector<std::string> Application::view_keys() {
     if (projection) keys.insert(keys.end(), {"projection_longitude", "projection_camera"});
     if (!projection) keys.emplace_back(scene != nullptr ? camera_key(*scene) : "camera");
     if (in_space() && !projection) keys.insert(keys.end(), {"direction", "spin"});
-    if (run().snapshot && run().snapshot->mesh->space_dimension == 3) keys.emplace_back("overlay");
+    if (run().snapshot && (run().snapshot->mesh->space_dimension == 3 || run().snapshot->exact))
+        keys.emplace_back("overlay");
     return keys;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
 #include "core/base/user_path.hpp"
+#include "core/transport/convex_shape.hpp"
 #include "gui/panels/sections.hpp"
 
 #include <algorithm>
@@ -35,6 +36,8 @@ Destination destination_of(FileUse use) {
         return {SectionKind::monitor, "field"};
     case FileUse::patch:
         return {SectionKind::domain, "spline-patch"};
+    case FileUse::mesh:
+        return {SectionKind::domain, "convex"};
     case FileUse::scenario:
         break;
     }
@@ -49,6 +52,7 @@ std::span<const FileKind> file_kinds() {
         {FileUse::image, "an image", {".png", ".jpg", ".jpeg"}},
         {FileUse::field, "a field", {".nc", ".csv", ".txt", ".vtk", ".vti", ".vtr", ".vts", ".vtu", ".vtp"}},
         {FileUse::patch, "a spline patch", {".json", ".xml"}},
+        {FileUse::mesh, "the mesh of a convex domain", {".obj", ".off", ".ply", ".stl"}},
     };
     return kinds;
 }
@@ -89,6 +93,10 @@ Scenario with_file(const Catalogue& catalogue, const Scenario& opened, const Sce
     if (!changed)
         throw InputError(file.string() + " cannot be used here: this domain and method have no " +
                          std::string(section_key(section)) + " of type " + destination.type);
+    if (use == FileUse::mesh) {
+        section_of(*changed, section).values.set("shape", shape_of_file);
+        update_typed_rows(catalogue, *changed);
+    }
     Values& values = section_of(*changed, section).values;
     if (use == FileUse::patch) // they belong to the file before
         for (const ParameterRow& row : std::vector<ParameterRow>(values.rows()))

@@ -17,6 +17,7 @@ enum class FileUse {
     image,    ///< becomes monitor.file of the monitor "image"
     field,    ///< becomes monitor.file of the monitor "field"
     patch,    ///< becomes domain.file of the domain "spline-patch"
+    mesh,     ///< becomes domain.file of the domain "convex", whose shape becomes "file"
 };
 
 struct FileKind {
@@ -30,7 +31,8 @@ std::span<const FileKind> file_kinds();
 /// called, and else by the name; nothing if it is none of the kinds.
 std::optional<FileUse> use_of(const std::filesystem::path& file, std::string_view head);
 
-/// "a scenario (.toml), an image (.png, .jpg, .jpeg), ... or a spline patch (.json, .xml)"
+/// "a scenario (.toml), an image (.png, .jpg, .jpeg), ... a spline patch (.json, .xml) or the
+/// mesh of a convex domain (.obj, .off, .ply, .stl)"
 std::string what_opens();
 /// The endings of all kinds, or of one.
 std::vector<std::string_view> endings_of(std::optional<FileUse> use = {});

@@ -218,10 +218,11 @@ void Document::take_answer(DocumentRun& run) {
     moves_.clear();
 }
 
-/// The solver has read the file of another domain, to which monitors are fitted.
+/// The solver has read the file of another domain, or the same file anew; monitors are fitted to it.
 void Document::take_place(DocumentRun& run) const {
-    if (!run.status.scenario || is_located(*catalogue_, run.scenario)) return;
+    if (!run.status.scenario) return;
     const Scenario& read = *run.status.scenario;
+    if (is_located(*catalogue_, run.scenario) && run.scenario.place.content == read.place.content) return;
     if (run.scenario.domain != read.domain || run.scenario.folder != read.folder) return;
     run.scenario.place = read.place;
     update_typed_rows(*catalogue_, run.scenario);

@@ -343,8 +343,8 @@ std::string missing_note(const Values& view, const Snapshot& snapshot) {
             return "view." + std::string(key) + " shows nothing: view.color = " + view.text("color") +
                    " has no values at the nodes";
     if (view.text("overlay") != "exact" || snapshot.exact) return {};
-    return "view.overlay = exact shows nothing: the exact mesh is known on a sphere only, for monitors that "
-           "have an axis";
+    return "view.overlay = exact shows nothing: the exact mesh is known on a sphere, for monitors that have "
+           "an axis, and between ellipses with constant or disks with radial densities";
 }
 
 } // namespace gaspard

@@ -1,8 +1,8 @@
 // Surface meshes read from small files written here, from our own exports, and from bad files.
 #include "core/base/error.hpp"
 #include "core/io/formats.hpp"
-#include "core/io/surface_mesh.hpp"
 #include "core/mesh/sphere_mesh.hpp"
+#include "core/mesh/surface_mesh.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "support/comma_locale.hpp"
 #include "support/messages.hpp"

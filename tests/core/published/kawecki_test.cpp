@@ -2,6 +2,8 @@
 // those of degree 1 are by an independent implementation (FEniCS).
 #include "core/published/kawecki.hpp"
 #include "core/published/published.hpp"
+#include "core/scenario/toml.hpp"
+#include "core/session/run.hpp"
 #include "core/transport/ring_mesh.hpp"
 
 #include <algorithm>
@@ -119,6 +121,18 @@ TEST(Kawecki, EqualDisksGiveTheIdentity) {
         EXPECT_GE(std::log2(coarse.largest / fine.largest), order.largest) << order.degree;
         EXPECT_GE(std::log2(coarse.mean / fine.mean), order.mean) << order.degree;
     }
+}
+
+TEST(Kawecki, ThePortraitIsTheDensityOfItsMesh) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Scenario scenario = find_scenario(*catalogue, "transport-portrait");
+    set_value(*catalogue, scenario, "domain.cells", std::int64_t{40});
+    gaspard::Run run(catalogue, scenario);
+    EXPECT_LT(density_correlation(*run.snapshot()).of_density, 0.5) << "of the start";
+    run.solve();
+    const DensityCorrelation found = density_correlation(*run.snapshot());
+    EXPECT_GT(found.of_density, 0.9);
+    EXPECT_GT(found.of_compression, 0.9);
 }
 
 TEST(Kawecki, Figure1StopsOnRequest) {

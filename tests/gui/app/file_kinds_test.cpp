@@ -20,6 +20,7 @@ TEST(FileKinds, ContentComesBeforeTheName) {
         EXPECT_EQ(use_of(name, "<VTKFile"), FileUse::field) << name;
     EXPECT_EQ(use_of("p.xml", "<?xml"), FileUse::patch);
     EXPECT_EQ(use_of("p.json", "{"), FileUse::patch);
+    for (const char* name : {"m.obj", "m.off", "m.PLY", "m.stl"}) EXPECT_EQ(use_of(name, ""), FileUse::mesh);
     EXPECT_EQ(use_of("s.toml", "title"), FileUse::scenario);
     EXPECT_EQ(use_of("letter.pdf", "%PDF"), std::nullopt);
     EXPECT_EQ(use_of("none", ""), std::nullopt);
@@ -62,6 +63,19 @@ TEST(FileKinds, APatchBecomesTheDomain) {
     EXPECT_EQ(with_file(catalogue, before, third, FileUse::patch, "/there/q.xml").domain.values.text("patch"),
               "")
         << "the number is of the file before";
+}
+
+TEST(FileKinds, AMeshBecomesTheSourceOfTransport) {
+    const Catalogue catalogue = builtin_catalogue();
+    for (const char* name : {"plane-ring", "transport-ring"}) {
+        const Scenario before = find_scenario(catalogue, name);
+        const Scenario after = with_file(catalogue, before, before, FileUse::mesh, "/there/m.obj");
+        EXPECT_EQ(after.domain.type, "convex") << name;
+        EXPECT_EQ(after.domain.values.text("shape"), "file") << name;
+        EXPECT_EQ(after.domain.values.text("file"), "/there/m.obj") << name;
+        EXPECT_EQ(after.monitor.type, "ring") << name;
+        EXPECT_NO_THROW(check(catalogue, after)) << name;
+    }
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // PLY: a header that describes elements and their properties, then the elements as text or binary.
-#include "core/io/surface_formats.hpp"
-#include "core/io/text_scanner.hpp"
+#include "core/mesh/surface_formats.hpp"
+#include "core/mesh/text_scanner.hpp"
 
 #include <algorithm>
 #include <array>

@@ -19,5 +19,7 @@ SurfaceFile parse_obj(std::string_view text);
 SurfaceFile parse_off(std::string_view text);
 SurfaceFile parse_ply(std::string_view bytes);
 SurfaceFile parse_stl(std::string_view bytes);
+/// Whether the bytes are those of an STL file, by their size or their first word.
+bool is_stl(std::string_view bytes);
 
 } // namespace gaspard

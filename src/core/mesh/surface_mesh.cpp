@@ -1,9 +1,10 @@
-#include "core/io/surface_mesh.hpp"
+#include "core/mesh/surface_mesh.hpp"
 
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
-#include "core/io/facets.hpp"
-#include "core/io/surface_formats.hpp"
+#include "core/base/user_path.hpp"
+#include "core/mesh/number_anew.hpp"
+#include "core/mesh/surface_formats.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,23 +14,31 @@ namespace gaspard {
 
 namespace {
 
-std::string bytes_of(const std::filesystem::path& file) {
+std::string bytes_of(const std::filesystem::path& file, std::uintmax_t limit) {
     std::error_code trouble;
     const auto status = std::filesystem::status(file, trouble);
     if (!std::filesystem::exists(status) || std::filesystem::is_directory(status)) return read_file(file);
     if (!std::filesystem::is_regular_file(status)) throw InputError("it is not a regular file");
-    return read_file(file, largest_surface_file);
+    return read_file(file, limit);
 }
 
+/// By the ending of the name.
 SurfaceFile parse(const std::filesystem::path& file, std::string_view bytes) {
-    std::string extension = file.extension().string();
-    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     if (bytes.empty()) throw InputError("it is empty");
-    if (extension == ".obj") return parse_obj(bytes);
-    if (extension == ".off") return parse_off(bytes);
-    if (extension == ".ply") return parse_ply(bytes);
-    if (extension == ".stl") return parse_stl(bytes);
+    if (has_extension(file, ".obj")) return parse_obj(bytes);
+    if (has_extension(file, ".off")) return parse_off(bytes);
+    if (has_extension(file, ".ply")) return parse_ply(bytes);
+    if (has_extension(file, ".stl")) return parse_stl(bytes);
     throw InputError("surface meshes are .obj, .off, .ply or .stl");
+}
+
+/// By what it begins with; OBJ has no mark.
+SurfaceFile parse(std::string_view bytes) {
+    if (bytes.empty()) throw InputError("it is empty");
+    if (bytes.starts_with("ply")) return parse_ply(bytes);
+    for (const std::string_view mark : {"OFF", "COFF", "NOFF", "STOFF", "CNOFF"})
+        if (bytes.starts_with(mark)) return parse_off(bytes);
+    return is_stl(bytes) ? parse_stl(bytes) : parse_obj(bytes);
 }
 
 /// All faces as triangles, or as quadrilaterals where all are such.
@@ -79,12 +88,12 @@ Mesh mesh_of(const SurfaceFile& file) {
     return mesh;
 }
 
-} // namespace
-
-Mesh read_surface_mesh(const std::filesystem::path& file) {
-    const std::string start = "cannot read " + file.string() + ": ";
+/// The mesh of what `parse_it` returns, with a name for it before what is wrong.
+template <class Parse>
+Mesh named(const std::string& name, const Parse& parse_it) {
+    const std::string start = "cannot read " + name + ": ";
     try {
-        const SurfaceFile surface = parse(file, bytes_of(file));
+        const SurfaceFile surface = parse_it();
         check(surface);
         return mesh_of(surface);
     } catch (const InputError& error) {
@@ -93,6 +102,16 @@ Mesh read_surface_mesh(const std::filesystem::path& file) {
     } catch (const std::filesystem::filesystem_error& error) {
         throw InputError(start + error.code().message());
     }
+}
+
+} // namespace
+
+Mesh read_surface_mesh(const std::filesystem::path& file, std::uintmax_t limit) {
+    return named(file.string(), [&] { return parse(file, bytes_of(file, limit)); });
+}
+
+Mesh parse_surface_mesh(std::string_view bytes, const std::string& name) {
+    return named(name, [&] { return parse(bytes); });
 }
 
 } // namespace gaspard

@@ -3,9 +3,9 @@
 // OpenMesh has readers for all four, but version 9 reads coordinates in single precision, follows the global
 // locale (with a decimal comma its PLY reader never ends), opens the material files that an OBJ names, and
 // drops or duplicates what is not manifold. These parsers keep every digit and every face.
-#include "core/io/surface_formats.hpp"
+#include "core/mesh/surface_formats.hpp"
 
-#include "core/io/text_scanner.hpp"
+#include "core/mesh/text_scanner.hpp"
 
 #include <array>
 #include <bit>
@@ -173,15 +173,21 @@ SurfaceFile text_stl(std::string_view text) {
     return welder.take();
 }
 
+/// Binary files may begin with "solid" as well, so the size decides.
+bool is_binary_stl(std::string_view bytes) {
+    return bytes.size() >= stl_header &&
+           bytes.size() == stl_header + std::size_t{little_endian_word(bytes, 80)} * stl_triangle;
+}
+
+bool is_text_stl(std::string_view bytes) { return next_keyword(bytes) == "solid"; }
+
 } // namespace
 
+bool is_stl(std::string_view bytes) { return is_binary_stl(bytes) || is_text_stl(bytes); }
+
 SurfaceFile parse_stl(std::string_view bytes) {
-    // Binary files may begin with "solid" as well, so the size decides.
-    if (bytes.size() >= stl_header &&
-        bytes.size() == stl_header + std::size_t{little_endian_word(bytes, 80)} * stl_triangle)
-        return binary_stl(bytes);
-    std::string_view rest = bytes;
-    if (next_keyword(rest) == "solid") return text_stl(bytes);
+    if (is_binary_stl(bytes)) return binary_stl(bytes);
+    if (is_text_stl(bytes)) return text_stl(bytes);
     throw InputError("it is neither a text STL file, which begins with solid, nor a binary one of the size "
                      "that its number of triangles gives");
 }

@@ -6,10 +6,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace gaspard GASPARD_API {
 
-/// The largest file that is read.
+/// The largest file that is read unless the caller says otherwise.
 inline constexpr std::uintmax_t largest_surface_file = std::uintmax_t{1} << 30;
 
 /// Reads a mesh of triangles or polygons; the extension .obj, .off, .ply or .stl (any case) tells the format.
@@ -25,9 +27,12 @@ inline constexpr std::uintmax_t largest_surface_file = std::uintmax_t{1} << 30;
 /// and binary; equal corners become one vertex, triangles with two equal corners are left out.
 ///
 /// Throws InputError, one sentence with the file's name, if the file is missing, not a regular file, larger
-/// than the limit, empty, or not of its format; if it has no faces, a coordinate that is not finite, or a
+/// than `limit` bytes, empty, or not of its format; if it has no faces, a coordinate that is not finite, or a
 /// vertex number out of range; and if the surface is not a manifold ("edge 12-40 has three faces"). Faces
 /// are not reversed: SurfaceTopology tells whether their orientations agree.
-Mesh read_surface_mesh(const std::filesystem::path& file);
+Mesh read_surface_mesh(const std::filesystem::path& file, std::uintmax_t limit = largest_surface_file);
+
+/// The mesh of a file's bytes; how they begin tells the format. `name` stands for the file in errors.
+Mesh parse_surface_mesh(std::string_view bytes, const std::string& name);
 
 } // namespace GASPARD_API
