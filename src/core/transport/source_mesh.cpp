@@ -44,7 +44,7 @@ Mesh in_triangles(Mesh mesh) {
     return cut;
 }
 
-void check_size(std::size_t triangles) {
+void check_count(std::size_t triangles) {
     if (triangles > most_source_triangles)
         throw InputError("the mesh would have " + std::to_string(triangles) + " triangles; at most " +
                          std::to_string(most_source_triangles) + " are possible");
@@ -71,7 +71,7 @@ class NumberHash {
 SourceMesh read_source_mesh(const std::string& text, const std::filesystem::path& folder) {
     try {
         Mesh mesh = in_triangles(read(text, folder));
-        check_size(mesh.cell_count());
+        check_count(mesh.cell_count());
         SourceMesh source{.convex = convex_mesh(std::move(mesh)), .name = {}, .topology = {}};
         NumberHash hash;
         for (const auto node : source.convex.mesh.cells) hash.add(static_cast<std::uint64_t>(node));
@@ -92,7 +92,7 @@ SourceMesh read_source_mesh(const std::string& text, const std::filesystem::path
 ConvexMesh refined(const ConvexMesh& mesh, int times) {
     ConvexMesh fine = mesh;
     for (int i = 0; i < times; ++i) {
-        check_size(4 * fine.mesh.cell_count());
+        check_count(4 * fine.mesh.cell_count());
         const LagrangeTriangles halved(fine.mesh, {.nodes = fine.boundary_nodes}, 2);
         ConvexMesh next;
         next.mesh = {.kind = fine.mesh.kind, .space_dimension = 2, .nodes = halved.nodes(), .cells = {}};
