@@ -1,6 +1,7 @@
 #include "core/io/state_file.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/fnv1a.hpp"
 #include "core/base/read_file.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/little_endian.hpp"
@@ -14,12 +15,6 @@ namespace {
 
 constexpr std::string_view mark("GASPARD STATE\n\0\0", 16);
 constexpr std::uint32_t newest_version = 1;
-
-std::uint64_t fnv1a(std::string_view bytes) {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-    return hash;
-}
 
 void append_text(std::string& bytes, std::string_view text) {
     append_little_endian(bytes, static_cast<std::uint32_t>(text.size()));

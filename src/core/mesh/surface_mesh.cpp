@@ -36,8 +36,15 @@ SurfaceFile parse(const std::filesystem::path& file, std::string_view bytes) {
 SurfaceFile parse(std::string_view bytes) {
     if (bytes.empty()) throw InputError("it is empty");
     if (bytes.starts_with("ply")) return parse_ply(bytes);
+    std::string_view rest = bytes; // behind lines that OFF does not count
+    for (auto first = rest.find_first_not_of(" \t\r\n"); first != std::string_view::npos;
+         first = rest.find_first_not_of(" \t\r\n")) {
+        rest.remove_prefix(first);
+        if (!rest.starts_with('#')) break;
+        rest.remove_prefix(std::min(rest.find('\n'), rest.size()));
+    }
     for (const std::string_view mark : {"OFF", "COFF", "NOFF", "STOFF", "CNOFF"})
-        if (bytes.starts_with(mark)) return parse_off(bytes);
+        if (rest.starts_with(mark)) return parse_off(bytes);
     return is_stl(bytes) ? parse_stl(bytes) : parse_obj(bytes);
 }
 

@@ -165,8 +165,10 @@ void BfoIteration<D>::iterate(const JacobianSource& source, std::span<const doub
             double least = sorted.front(), most = sorted.back(), scale = band.g[i];
             if constexpr (D == 3) { // the eigenvalues of the cofactors are the products of two
                 const double t = sorted[0] + sorted[1] + sorted[2];
-                least = t * t - delta<D> / 3 * sorted[1] * sorted[2];
-                most = t * t - delta<D> / 3 * sorted[0] * sorted[1];
+                const auto [low, high] =
+                    std::minmax({sorted[0] * sorted[1], sorted[0] * sorted[2], sorted[1] * sorted[2]});
+                least = t * t - delta<D> / 3 * high;
+                most = t * t - delta<D> / 3 * low;
                 scale *= scale;
             }
             part.convexity = std::min(part.convexity, sorted.front());

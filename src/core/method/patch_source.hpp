@@ -48,7 +48,7 @@ class PatchSource final : public JacobianSource {
     std::size_t row_; ///< points in a row
     double sigma_ = 0;
     mutable Points x_, slope_, first_, second_; ///< workspace for a band of points
-    mutable std::vector<double> area_, rho_;
+    mutable std::vector<double> area_;
 };
 
 /// J at the quadrature points of a form, row by row.

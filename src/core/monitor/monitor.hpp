@@ -11,6 +11,7 @@
 //   patch             x = F(Psi), z = 0 in the plane; Psi may leave the parameter square slightly.
 //                     Differences (Monitor::gradients) also take points beside the patch: across its edges,
 //                     and off a surface in space
+//   convex            the inside of the target, of the source for its density, z = 0
 //
 // and checks the values after every call: they must be positive and finite. The built-in monitors are also
 // asked for other images of points of the periodic square, and for points near a sphere. The mesh cannot

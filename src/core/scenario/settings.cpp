@@ -85,6 +85,8 @@ void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, st
             if (type.name != scenario.domain.type &&
                 has_row(domain_section(catalogue, type.name).values.rows(), key))
                 owners.push_back("'" + type.name + "'");
+        if (has_row(domain_section(catalogue, scenario.domain.type).values.rows(), key))
+            refuse(scenario.domain.values, " as it is set"); // rows depend on values
         if (!owners.empty()) refuse(scenario.domain.values, ", but for " + join(owners, " and "));
     }
     if (section == "method") {

@@ -73,7 +73,6 @@ double flux(const SplineLine& line, const FaceTrace<D>& trace);
 template <std::size_t D>
 inline constexpr std::size_t map_fields_of = D + D*(D + 1) / 2;
 inline constexpr std::size_t map_fields = map_fields_of<2>;
-using FieldRow = std::array<double*, map_fields>;
 
 template <std::size_t D>
 class TensorForm {

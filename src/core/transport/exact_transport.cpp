@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 namespace gaspard {
@@ -14,44 +15,46 @@ namespace {
 
 constexpr double equal = 1e-9; ///< relative difference that counts as none
 
-enum class Symmetry { none, radial, constant };
-
-Symmetry symmetry_of(const std::shared_ptr<const Monitor>& density, const ConvexCurve& curve) {
-    if (!density) return Symmetry::constant;
-    constexpr std::size_t circles = 24, around = 16;
-    Points x(circles * around);
-    for (std::size_t k = 0; k < circles; ++k)
-        for (std::size_t j = 0; j < around; ++j) {
-            const double r = (static_cast<double>(k) + 0.5) / circles,
-                         t = (static_cast<double>(j) + 0.37) / around;
-            x.set(k * around + j, curve.centre() + r * (curve.point(t) - curve.centre()));
-        }
-    std::vector<double> m(x.size());
-    density->values(x, m);
-    const auto one_value = [&](std::size_t first, std::size_t count) {
-        const auto at = m.begin() + static_cast<std::ptrdiff_t>(first);
-        const auto [low, high] = std::minmax_element(at, at + static_cast<std::ptrdiff_t>(count));
-        return *high - *low <= equal * *high;
-    };
-    if (one_value(0, m.size())) return Symmetry::constant;
-    for (std::size_t k = 0; k < circles; ++k)
-        if (!one_value(k * around, around)) return Symmetry::none;
-    return Symmetry::radial;
-}
-
 bool is_disk(const ConvexCurve& curve) {
     const Covariance c = curve.covariance();
     return curve.is_ellipse() && std::abs(c.xx - c.yy) + std::abs(c.xy) <= equal * c.xx;
 }
 
+enum class Symmetry { none, radial, constant };
+
+/// Points on a spiral, of which no two are in the same direction, against those at the same distances on one
+/// ray.
+Symmetry symmetry_of(const std::shared_ptr<const Monitor>& density, const ConvexCurve& curve) {
+    if (!density) return Symmetry::constant;
+    constexpr std::size_t count = 10000;
+    const double radius = 2 * std::sqrt(curve.covariance().xx); // of a disk
+    Points spiral(count), ray(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double r = std::sqrt((static_cast<double>(i) + 0.5) / count);
+        const double t = std::fmod(static_cast<double>(i) / std::numbers::phi, 1.0);
+        spiral.set(i, curve.centre() + r * (curve.point(t) - curve.centre()));
+        ray.set(i, curve.centre() + Vec3{r * radius, 0, 0});
+    }
+    std::vector<double> m(count), along(count);
+    density->values(spiral, m);
+    const auto [low, high] = std::minmax_element(m.begin(), m.end());
+    if (*high - *low <= equal * *high) return Symmetry::constant;
+    if (!is_disk(curve)) return Symmetry::none;
+    density->values(ray, along);
+    for (std::size_t i = 0; i < count; ++i)
+        if (!(std::abs(m[i] - along[i]) <= equal * m[i])) return Symmetry::none;
+    return Symmetry::radial;
+}
+
 /// The integral of m s ds over [0, r] on a disk, at equal distances of r, and m there.
 struct RadialMass {
-    static constexpr std::size_t parts = 2048;
+    std::size_t parts = 0;
     double width = 0; ///< of a part
     std::vector<double> density, mass;
 
-    RadialMass(const std::shared_ptr<const Monitor>& monitor, const ConvexCurve& disk)
-        : width(2 * std::sqrt(disk.covariance().xx) / parts), density(parts + 1, 1.0), mass(parts + 1, 0.0) {
+    RadialMass(const std::shared_ptr<const Monitor>& monitor, const ConvexCurve& disk, std::size_t count)
+        : parts(count), width(2 * std::sqrt(disk.covariance().xx) / static_cast<double>(count)),
+          density(count + 1, 1.0), mass(count + 1, 0.0) {
         const LineQuadrature rule = gauss_legendre(4);
         const std::size_t per_part = rule.points.size();
         std::vector<double> r;
@@ -81,7 +84,7 @@ struct RadialMass {
     }
     /// The r at which at() has a value.
     double radius(double value) const {
-        double low = 0, high = width * parts;
+        double low = 0, high = width * static_cast<double>(parts);
         for (int i = 0; i < 60; ++i) {
             const double middle = (low + high) / 2;
             (at(middle) < value ? low : high) = middle;
@@ -89,6 +92,22 @@ struct RadialMass {
         return high;
     }
 };
+
+/// With as many parts as an error of 1e-10 of the whole takes; null if that is too many.
+std::shared_ptr<const RadialMass> radial_mass(const std::shared_ptr<const Monitor>& monitor,
+                                              const ConvexCurve& disk) {
+    auto coarse = std::make_shared<const RadialMass>(monitor, disk, 1024);
+    while (coarse->parts < 100000) {
+        auto fine = std::make_shared<const RadialMass>(monitor, disk, 2 * coarse->parts);
+        double error = 0;
+        for (std::size_t i = 0; i <= fine->parts; ++i)
+            error =
+                std::max(error, std::abs(coarse->at(static_cast<double>(i) * fine->width) - fine->mass[i]));
+        if (error <= 1e-10 * fine->mass.back()) return fine;
+        coarse = std::move(fine);
+    }
+    return nullptr;
+}
 
 std::function<Vec3(Vec3)> affine(const ConvexCurve& source, const ConvexCurve& target) {
     const Covariance a = transport_of_covariances(source.covariance(), target.covariance());
@@ -98,15 +117,16 @@ std::function<Vec3(Vec3)> affine(const ConvexCurve& source, const ConvexCurve& t
     };
 }
 
-std::function<Vec3(Vec3)> radial(const ConvexCurve& source, const ConvexCurve& target,
-                                 const TransportDensities& densities) {
-    const auto from = std::make_shared<const RadialMass>(densities.source, source),
-               to = std::make_shared<const RadialMass>(densities.target, target);
+std::optional<std::function<Vec3(Vec3)>> radial(const ConvexCurve& source, const ConvexCurve& target,
+                                                const TransportDensities& densities) {
+    const auto from = radial_mass(densities.source, source), to = radial_mass(densities.target, target);
+    if (!from || !to) return std::nullopt;
     return [from, to, c = source.centre(), image = target.centre()](Vec3 xi) {
         const Vec3 d = xi - c;
         const double r = norm(d);
         if (r == 0) return image;
-        const double part = from->at(std::min(r, from->width * RadialMass::parts)) / from->mass.back();
+        const double part =
+            from->at(std::min(r, from->width * static_cast<double>(from->parts))) / from->mass.back();
         return image + (to->radius(part * to->mass.back()) / r) * d;
     };
 }

@@ -15,9 +15,8 @@
 
 namespace gaspard {
 
-/// The map, or nullopt if it is not known. Densities are looked at on 24 circles (their images where the
-/// domain is an ellipse) at 16 points each: they are constant or radial if they are so there, to a relative
-/// 1e-9. The error of phi is about 1e-10.
+/// The map, or nullopt if it is not known. Densities are looked at in 10,000 places: they are constant or
+/// radial if they are so there, to a relative 1e-9. Masses within circles are known to 1e-10 of the whole.
 std::optional<std::function<Vec3(Vec3)>> exact_transport(const ConvexCurve& source, const ConvexCurve& target,
                                                          const TransportDensities& densities);
 

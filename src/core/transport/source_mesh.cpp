@@ -1,14 +1,17 @@
 #include "core/transport/source_mesh.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/fnv1a.hpp"
 #include "core/base/read_data_file.hpp"
 #include "core/base/user_path.hpp"
 #include "core/mesh/surface_mesh.hpp"
 #include "core/transport/lagrange_triangles.hpp"
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <utility>
 
 namespace gaspard {
@@ -44,17 +47,20 @@ Mesh in_triangles(Mesh mesh) {
     return cut;
 }
 
-void check_count(std::size_t triangles) {
+/// `has`: what has the triangles.
+void check_count(std::size_t triangles, const std::string& has) {
     if (triangles > most_source_triangles)
-        throw InputError("the mesh would have " + std::to_string(triangles) + " triangles; at most " +
+        throw InputError(has + " " + std::to_string(triangles) + " triangles; at most " +
                          std::to_string(most_source_triangles) + " are possible");
 }
 
-/// Fowler, Noll and Vo's hash (FNV-1a) of numbers.
+/// The hash of numbers.
 class NumberHash {
   public:
     void add(std::uint64_t number) {
-        for (int k = 0; k < 64; k += 8) hash_ = (hash_ ^ (number >> k & 0xff)) * 0x100000001b3;
+        std::array<char, sizeof number> bytes;
+        std::memcpy(bytes.data(), &number, sizeof number);
+        hash_ = fnv1a({bytes.data(), bytes.size()}, hash_);
     }
     std::string text() const {
         char digits[17];
@@ -63,7 +69,7 @@ class NumberHash {
     }
 
   private:
-    std::uint64_t hash_ = 0xcbf29ce484222325;
+    std::uint64_t hash_ = fnv1a_start;
 };
 
 } // namespace
@@ -71,7 +77,7 @@ class NumberHash {
 SourceMesh read_source_mesh(const std::string& text, const std::filesystem::path& folder) {
     try {
         Mesh mesh = in_triangles(read(text, folder));
-        check_count(mesh.cell_count());
+        check_count(mesh.cell_count(), "it has");
         SourceMesh source{.convex = convex_mesh(std::move(mesh)), .name = {}, .topology = {}};
         NumberHash hash;
         for (const auto node : source.convex.mesh.cells) hash.add(static_cast<std::uint64_t>(node));
@@ -91,8 +97,9 @@ SourceMesh read_source_mesh(const std::string& text, const std::filesystem::path
 
 ConvexMesh refined(const ConvexMesh& mesh, int times) {
     ConvexMesh fine = mesh;
+    check_count(mesh.mesh.cell_count() << 2 * times,
+                "domain.refinements = " + std::to_string(times) + " gives the mesh");
     for (int i = 0; i < times; ++i) {
-        check_count(4 * fine.mesh.cell_count());
         const LagrangeTriangles halved(fine.mesh, {.nodes = fine.boundary_nodes}, 2);
         ConvexMesh next;
         next.mesh = {.kind = fine.mesh.kind, .space_dimension = 2, .nodes = halved.nodes(), .cells = {}};

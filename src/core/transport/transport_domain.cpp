@@ -144,7 +144,7 @@ LagrangeTriangles TransportDomain::make_elements(const std::stop_token& stop) {
         if (boundary.size() == mesh.node_count())
             throw InputError(
                 "domain.file: all nodes of the mesh are on its boundary; set domain.refinements = " +
-                std::to_string(setup_.refinements + 1));
+                std::to_string(setup_.refinements + (mesh.cell_count() == 1 ? 2 : 1)));
         for (std::size_t i = 0; i < mesh.node_count(); ++i)
             mesh.nodes.set(i, mesh.nodes[i] - setup_.source_origin);
         return {mesh, {.nodes = boundary}, setup_.degree};
@@ -164,9 +164,16 @@ LagrangeTriangles TransportDomain::make_elements(const std::stop_token& stop) {
 
 namespace {
 
+constexpr double inside = 1 - 1e-9; ///< of the distance from the middle
+
+Vec3 mean_of(const Points& x) {
+    Vec3 sum;
+    for (std::size_t i = 0; i < x.size(); ++i) sum = sum + x[i];
+    return 1 / static_cast<double>(x.size()) * sum;
+}
+
 /// Points of a domain that end just inside of its boundary, where formulas are still valid.
 std::shared_ptr<const DensityDomain> region_of(const std::shared_ptr<const ConvexCurve>& curve, Vec3 origin) {
-    constexpr double inside = 1 - 1e-9;
     constexpr std::size_t circles = 24, around = 96;
     auto region = std::make_shared<DensityDomain>();
     region->samples = Points(circles * around + 1);
@@ -190,9 +197,12 @@ std::shared_ptr<const DensityDomain> region_of(const std::shared_ptr<const Conve
 
 std::shared_ptr<const DensityDomain> TransportDomain::source_region() const {
     if (setup_.source) return region_of(setup_.source, setup_.source_origin);
-    auto region = std::make_shared<DensityDomain>(); // triangles with straight edges do not leave it
-    region->samples = mesh_->nodes;
-    region->into = [](Vec3 p) { return p; };
+    // Triangles with straight edges leave it by rounding alone, that of the file as well.
+    const auto inwards = [centre = mean_of(mesh_->nodes)](Vec3 p) { return centre + inside * (p - centre); };
+    auto region = std::make_shared<DensityDomain>();
+    region->samples = Points(mesh_->node_count());
+    for (std::size_t i = 0; i < mesh_->node_count(); ++i) region->samples.set(i, inwards(mesh_->nodes[i]));
+    region->into = inwards;
     return region;
 }
 

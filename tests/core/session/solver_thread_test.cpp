@@ -247,9 +247,10 @@ TEST_F(SolverThreadTest, WhatIsSaidAboutAChangeComesWithItsAnswer) {
     broken.method.type = "magic";
     thread.post(ChangeCommand{broken, 7});
     ASSERT_TRUE(eventually([&] { return thread.status().answered == 7; }));
-    watched = false;
-    thread.post(ChangeCommand{scenario(), 8}); // the notice of the answer before has ended
+    thread.post(
+        ChangeCommand{scenario(), 8}); // once this is answered, the notice of the answer before has ended
     ASSERT_TRUE(eventually([&] { return thread.status().answered == 8; }));
+    watched = false;
     EXPECT_EQ(answered, std::vector<std::uint64_t>{7});
 }
 

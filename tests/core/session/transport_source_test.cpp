@@ -47,6 +47,46 @@ class TransportSource : public testing::Test {
 
 const std::string flat_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
+// Coordinates of a file are rounded: nodes of the half disk are beyond the circle by up to 1e-10.
+TEST_F(TransportSource, DensitiesMayEndAtItsBoundary) {
+    for (const char* expression : {"1 - x^2 - y^2", "sqrt(1 - x^2 - y^2)"}) {
+        const gaspard::Run run(
+            catalogue, on("gaspard:half-disk.obj", {"monitor.source.type=formula",
+                                                    std::string("monitor.source.expression=") + expression}));
+        EXPECT_EQ(run.status(), RunStatus::running);
+    }
+}
+
+TEST_F(TransportSource, SaysWhichKeysAndHowManyRefinementsAreOfUse) {
+    EXPECT_NE(message_of<InputError>([&] {
+                  on("gaspard:half-disk.obj", {"domain.cells=16"});
+              }).find("domain.cells is not a key for domain 'convex' as it is set; available: shape"),
+              std::string::npos);
+    const std::string one = written("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_NE(message_of<InputError>([&] {
+                  gaspard::Run run(catalogue, on(one));
+              }).find("set domain.refinements = 2"),
+              std::string::npos);
+    gaspard::Run refined(catalogue, on(one, {"domain.refinements=2"}));
+    EXPECT_EQ(refined.discretisation().mesh()->cell_count(), 16U);
+}
+
+TEST_F(TransportSource, PackedFilesAreKnownByTheirContent) {
+    const std::string corners = "0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 0\n";
+    const std::string faces = "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n";
+    const std::string off = written("m.off", "# of a program\n\nOFF\n5 4 0\n" + corners + faces);
+    const std::string ply = written("m.ply", "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\n"
+                                             "property float y\nproperty float z\nelement face 4\n"
+                                             "property list uchar int vertex_indices\nend_header\n" +
+                                                 corners + faces);
+    for (const std::string& file : {off, ply}) {
+        const Scenario packed = with_packed_data(on(file));
+        EXPECT_NE(packed.domain.values.text("file"), file);
+        const gaspard::Run run(catalogue, packed);
+        EXPECT_EQ(run.discretisation().mesh()->cell_count(), 4U) << file;
+    }
+}
+
 TEST_F(TransportSource, AMeshOfOurOwnExportIsReadBack) {
     const Mesh mesh = ring_mesh(*ellipse({4, -2, 0}, 2, 1, 20), 8).mesh;
     write_obj(folder / "ellipse.obj", mesh, mesh.nodes);
