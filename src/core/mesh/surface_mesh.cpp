@@ -22,8 +22,14 @@ std::string bytes_of(const std::filesystem::path& file, std::uintmax_t limit) {
     return read_file(file, limit);
 }
 
+std::string_view without_mark(std::string_view bytes) {
+    if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3); // UTF-8's byte order mark
+    return bytes;
+}
+
 /// By the ending of the name.
-SurfaceFile parse(const std::filesystem::path& file, std::string_view bytes) {
+SurfaceFile parse(const std::filesystem::path& file, std::string_view whole) {
+    const std::string_view bytes = without_mark(whole);
     if (bytes.empty()) throw InputError("it is empty");
     if (has_extension(file, ".obj")) return parse_obj(bytes);
     if (has_extension(file, ".off")) return parse_off(bytes);
@@ -33,7 +39,8 @@ SurfaceFile parse(const std::filesystem::path& file, std::string_view bytes) {
 }
 
 /// By what it begins with; OBJ has no mark.
-SurfaceFile parse(std::string_view bytes) {
+SurfaceFile parse(std::string_view whole) {
+    const std::string_view bytes = without_mark(whole);
     if (bytes.empty()) throw InputError("it is empty");
     if (bytes.starts_with("ply")) return parse_ply(bytes);
     std::string_view rest = bytes; // behind lines that OFF does not count

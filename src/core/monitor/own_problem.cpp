@@ -195,7 +195,7 @@ void check_positive(const Points& x, std::span<const double> values) {
     bool good = true; // a loop without branches
     for (const double value : values) good &= (value > 0) & (value <= std::numeric_limits<double>::max());
     for (std::size_t i = 0; !good && i < values.size(); ++i)
-        if (!(values[i] > 0) || !std::isfinite(values[i]))
+        if ((!(values[i] > 0) || !std::isfinite(values[i])) && std::isfinite(norm(x[i])))
             throw InputError("the monitor must be positive and finite, but is " + format_number(values[i]) +
                              " at (" + format_number(x.x[i]) + ", " + format_number(x.y[i]) + ", " +
                              format_number(x.z[i]) + ")");

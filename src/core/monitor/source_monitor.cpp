@@ -31,7 +31,8 @@ class SourceMonitor final : public Monitor {
         bool good = true; // a loop without branches
         for (const double value : values) good &= (value > 0) & (value <= std::numeric_limits<double>::max());
         for (std::size_t i = 0; !good && i < values.size(); ++i)
-            if (!(values[i] > 0) || !std::isfinite(values[i])) refuse(x[i], values[i]);
+            if ((!(values[i] > 0) || !std::isfinite(values[i])) && std::isfinite(norm(x[i])))
+                refuse(x[i], values[i]); // the value at a place that is none is for the method to see
     }
 
     void gradients(const Points& x, Points& gradients) const override {

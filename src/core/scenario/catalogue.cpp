@@ -276,22 +276,36 @@ static void add_notes(ProblemData& data, const std::vector<std::string>& notes) 
     data.report = std::make_shared<const MonitorReport>(std::move(report));
 }
 
+/// The second moments of points about their mean.
+static Covariance covariance_of(const Points& x) {
+    Vec3 mean;
+    for (std::size_t i = 0; i < x.size(); ++i) mean = mean + 1 / static_cast<double>(x.size()) * x[i];
+    Covariance sum;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const Vec3 d = x[i] - mean;
+        sum.xx += d.x * d.x, sum.xy += d.x * d.y, sum.yy += d.y * d.y;
+    }
+    return sum;
+}
+
 /// The error of the recovered gradient is a part of the length of a domain, and may exceed its width.
 static std::vector<std::string> thin_notes(const TransportDomain& domain) {
     constexpr double thin = 30; // to 1/30 degree 1 converges
     std::vector<std::string> notes;
     const auto& setup = domain.setup();
-    for (const auto& [curve, whose] :
-         {std::pair{setup.source.get(), "source"}, std::pair{setup.target.get(), "target"}}) {
-        if (curve == nullptr || setup.degree > 1) continue;
-        const Covariance c = curve->covariance();
-        const auto [least, most] = symmetric_eigenvalues(c.xx, c.xy, c.yy);
-        const double ratio = std::sqrt(most / least);
-        if (ratio > thin)
-            notes.push_back("The " + std::string(whose) + " is " + std::to_string(std::lround(ratio)) +
-                            " times as long as wide, which is too thin for elements of degree 1; set "
-                            "domain.degree = 2");
-    }
+    if (setup.degree > 1) return notes;
+    const auto look = [&](const Covariance& c, const std::string& whose) {
+        const double most = symmetric_eigenvalues(c.xx, c.xy, c.yy).largest;
+        const double ratio = most / std::sqrt(std::max(c.xx * c.yy - c.xy * c.xy, 0.0));
+        if (!(ratio > thin)) return;
+        const bool counted = ratio < 1e6; // beyond, rounding
+        notes.push_back("The " + whose + " is " + (counted ? "" : "more than ") +
+                        std::to_string(std::lround(counted ? ratio : 1e6)) +
+                        " times as long as wide, which is too thin for elements of degree 1; set "
+                        "domain.degree = 2");
+    };
+    look(setup.source ? setup.source->covariance() : covariance_of(domain.mesh()->nodes), "source");
+    look(setup.target->covariance(), "target");
     return notes;
 }
 

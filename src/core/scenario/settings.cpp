@@ -72,6 +72,21 @@ std::string list_keys(const Values& values) {
     return join(keys, ", ");
 }
 
+void update_domain_rows(const Catalogue& catalogue, Section& domain);
+
+/// The first choice of the domain's that brings a key, such as "domain.shape = file"; empty if none does.
+std::string choice_with_key(const Catalogue& catalogue, const Section& domain, std::string_view key) {
+    for (const ParameterRow& row : domain.values.rows())
+        if (row.kind == ParameterKind::choice)
+            for (const std::string& choice : row.choices) {
+                Section other = domain;
+                other.values.set(row.key, choice);
+                update_domain_rows(catalogue, other);
+                if (has_row(other.values.rows(), key)) return "domain." + row.key + " = " + choice;
+            }
+    return {};
+}
+
 /// Throws a specific InputError if the key belongs to another domain, or to this monitor on another domain.
 void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, std::string_view full_key,
                         std::string_view section, std::string_view key) {
@@ -85,15 +100,17 @@ void refuse_foreign_key(const Catalogue& catalogue, const Scenario& scenario, st
             if (type.name != scenario.domain.type &&
                 has_row(domain_section(catalogue, type.name).values.rows(), key))
                 owners.push_back("'" + type.name + "'");
-        if (has_row(domain_section(catalogue, scenario.domain.type).values.rows(), key))
-            refuse(scenario.domain.values, " as it is set"); // rows depend on values
+        if (const std::string choice = choice_with_key(catalogue, scenario.domain, key); !choice.empty())
+            refuse(scenario.domain.values, " as it is set, but with " + choice);
         if (!owners.empty()) refuse(scenario.domain.values, ", but for " + join(owners, " and "));
     }
     if (section == "method") {
         std::vector<std::string> owners;
         for (const Capability& row : catalogue.capabilities)
             if (has_row(row.method_rows, key)) owners.push_back("'" + row.domain + "'");
-        if (!owners.empty()) refuse(scenario.method.values, ", but for " + join(owners, " and "));
+        const bool own = std::count(owners.begin(), owners.end(), "'" + scenario.domain.type + "'") > 0;
+        if (!owners.empty() && !own) // on its own domain it is for other methods
+            refuse(scenario.method.values, ", but for " + join(owners, " and "));
     }
     if (section == "monitor" && scenario.monitor.type != own_monitor)
         for (const auto kind : {SpaceKind::euclidean, SpaceKind::sphere})
@@ -143,6 +160,9 @@ void set_type(const Catalogue& catalogue, Scenario& scenario, Section& section, 
     else
         section = monitor_section(catalogue, type, space_of(catalogue, scenario), name);
     update_rows(catalogue, scenario);
+    if ((&section == &scenario.source || &section == &scenario.pde) && section.type != type)
+        throw InputError(name + ".type = " + type + " is not possible on domain '" + scenario.domain.type +
+                         "' with method '" + scenario.method.type + "'");
 }
 
 /// Copies values that differ from the default, if the key still exists and allows them; on a domain of
@@ -393,6 +413,15 @@ void set_value_unlocated(const Catalogue& catalogue, Scenario& scenario, std::st
     scenario = std::move(changed);
 }
 
+/// Types first, of which the domain and the method decide what else there is; then the domain, to which ranges
+/// and values of the monitor refer.
+static int order_of_key(std::string_view key) {
+    if (key == "domain.type") return 0;
+    if (key == "method.type") return 1;
+    if (key.ends_with(".type")) return 2;
+    return key.starts_with("domain.") ? 3 : 4;
+}
+
 void apply_settings(const Catalogue& catalogue, Scenario& scenario,
                     const std::vector<std::string>& settings) {
     std::deque<std::pair<std::string, std::string>> pairs;
@@ -402,11 +431,9 @@ void apply_settings(const Catalogue& catalogue, Scenario& scenario,
             throw InputError("--set must be key=value, not '" + setting + "'");
         pairs.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
     }
-    const auto domain_first = std::stable_partition(
-        pairs.begin(), pairs.end(), [](const auto& pair) { return pair.first.ends_with(".type"); });
-    // Then the domain, to which ranges and values of the monitor refer.
-    std::stable_partition(domain_first, pairs.end(),
-                          [](const auto& pair) { return pair.first.starts_with("domain."); });
+    std::stable_sort(pairs.begin(), pairs.end(), [](const auto& one, const auto& other) {
+        return order_of_key(one.first) < order_of_key(other.first);
+    });
     // Some keys exist only after another one is set (the constants of a formula); they are postponed.
     for (std::size_t waiting = 0; !pairs.empty();) {
         auto [key, text] = std::move(pairs.front());

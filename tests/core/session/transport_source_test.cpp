@@ -58,9 +58,10 @@ TEST_F(TransportSource, DensitiesMayEndAtItsBoundary) {
 }
 
 TEST_F(TransportSource, SaysWhichKeysAndHowManyRefinementsAreOfUse) {
-    EXPECT_NE(message_of<InputError>([&] {
-                  on("gaspard:half-disk.obj", {"domain.cells=16"});
-              }).find("domain.cells is not a key for domain 'convex' as it is set; available: shape"),
+    EXPECT_NE(message_of<InputError>([&] { on("gaspard:half-disk.obj", {"domain.cells=16"}); })
+                  .find("domain.cells is not a key for domain 'convex' as it is set, but with domain.shape = "
+                        "ellipse; "
+                        "available: shape"),
               std::string::npos);
     const std::string one = written("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_NE(message_of<InputError>([&] {
@@ -69,6 +70,57 @@ TEST_F(TransportSource, SaysWhichKeysAndHowManyRefinementsAreOfUse) {
               std::string::npos);
     gaspard::Run refined(catalogue, on(one, {"domain.refinements=2"}));
     EXPECT_EQ(refined.discretisation().mesh()->cell_count(), 16U);
+}
+
+TEST_F(TransportSource, BeginsBehindAByteOrderMark) {
+    const std::string mark = "\xef\xbb\xbf",
+                      square = flat_square + "v 0.5 0.5 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+    const gaspard::Run run(catalogue, on(written("marked.obj", mark + square)));
+    EXPECT_EQ(run.discretisation().mesh()->node_count(), 5U);
+}
+
+TEST_F(TransportSource, ThinDomainsAreNoted) {
+    const std::string thin = "v 0 0 0\nv 1 0 0\nv 1 1e-4 0\nv 0 1e-4 0\nv 0.5 0.5e-4 0\n"
+                             "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+    const auto note = [&](const Scenario& scenario) {
+        const gaspard::Run run(catalogue, scenario);
+        return run.monitor_report() && !run.monitor_report()->notes.empty()
+                   ? run.monitor_report()->notes.back()
+                   : std::string();
+    };
+    EXPECT_TRUE(note(on(written("thin.obj", thin))).starts_with("The source is 10000 times as long as wide"));
+    Scenario extreme = find_scenario(*catalogue, "transport-ellipse");
+    apply_settings(*catalogue, extreme, {"domain.target.a=1e6", "domain.target.b=1e-6"});
+    EXPECT_TRUE(note(extreme).starts_with("The target is more than 1000000 times as long as wide"))
+        << note(extreme);
+}
+
+TEST_F(TransportSource, TypesThatAreNotPossibleAreRefused) {
+    const auto refusal = [&](const std::vector<std::string>& settings, const char* name) {
+        Scenario scenario = find_scenario(*catalogue, name);
+        return message_of<InputError>([&] { apply_settings(*catalogue, scenario, settings); });
+    };
+    EXPECT_EQ(refusal({"monitor.source.type=spiral"}, "transport-ellipse"),
+              "monitor.source.type = spiral is not possible on domain 'convex' with method 'nvfem'");
+    EXPECT_EQ(refusal({"pde.type=reaction-diffusion-2d"}, "layer-1d"),
+              "pde.type = reaction-diffusion-2d is not possible on domain 'interval' with method 'mesh-pde'");
+    Scenario scenario = find_scenario(*catalogue, "layer-1d"); // in any order
+    apply_settings(*catalogue, scenario, {"pde.type=reaction-diffusion-2d", "domain.type=quadrilateral"});
+    EXPECT_EQ(scenario.pde.type, "reaction-diffusion-2d");
+    EXPECT_NE(
+        refusal({"domain.file=m.obj"}, "transport-ellipse")
+            .find("not a key for domain 'convex' as it is set, but with domain.shape = file; available: "),
+        std::string::npos);
+}
+
+// An iterate of Newton's method may leave a patch so far that its places are none.
+TEST_F(TransportSource, FormulasMayBeAskedForPlacesThatAreNone) {
+    Scenario scenario = find_scenario(*catalogue, "spline-formula");
+    apply_settings(*catalogue, scenario,
+                   {"monitor.ranges=", "domain.type=spline-disk", "domain.cells=32", "method.type=newton",
+                    "monitor.expression=1+50/cosh(20*((x-0.8)^2+(y-0.45)^2))^2"});
+    gaspard::Run run(catalogue, scenario);
+    EXPECT_EQ(run.solve().status, RunStatus::converged);
 }
 
 TEST_F(TransportSource, PackedFilesAreKnownByTheirContent) {
