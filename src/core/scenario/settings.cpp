@@ -413,8 +413,8 @@ void set_value_unlocated(const Catalogue& catalogue, Scenario& scenario, std::st
     scenario = std::move(changed);
 }
 
-/// Types first, of which the domain and the method decide what else there is; then the domain, to which ranges
-/// and values of the monitor refer.
+/// Types first, of which the domain and the method decide what else there is; then the domain, to which
+/// ranges and values of the monitor refer.
 static int order_of_key(std::string_view key) {
     if (key == "domain.type") return 0;
     if (key == "method.type") return 1;
