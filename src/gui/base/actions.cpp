@@ -31,7 +31,8 @@ std::span<const MouseHelp> mouse_help() {
         {"Drag the view", "Pan; rotate a mesh in space (with Shift, the middle or the right button: pan)."},
         {"Drag the monitor's centre",
          "Move the monitor by its handle, a small circle with a cross; the mesh follows."},
-        {"Drag a control point", "Move a control point of a planar patch or of a convex domain, a small square; the mesh follows."},
+        {"Drag a control point",
+         "Move a control point of a planar patch or of a convex domain, a small square; the mesh follows."},
         {"Wheel", "Zoom at the pointer."},
         {"Click", "Click a cell or a node to inspect it; click beside the mesh to clear the selection."},
         {"Double-click", "Center the view on a point; on a globe, rotate the point to the front."},
@@ -39,7 +40,8 @@ std::span<const MouseHelp> mouse_help() {
         {"Right drag on a plot", "Zoom to a rectangle; double-click to show everything."},
         {"Ctrl+click a slider", "Type a value."},
         {"Drop a file",
-         "Open a scenario; use an image or a field as the monitor, a spline patch as the domain."},
+         "Open a scenario; use an image or a field as the monitor, a spline patch or the mesh of a "
+         "convex domain as the domain."},
     };
     return rows;
 }
