@@ -11,11 +11,14 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace gaspard GASPARD_API {
 
 class PatchMap;
+struct DensityDomain; // core/mesh/data_context.hpp
 
 /// Reports the progress of long work: the fraction done, from 0 to 1, and a description of the current step.
 /// Called on the thread that does the work.
@@ -31,6 +34,12 @@ class Discretisation {
     /// Of transport to another domain: points of its boundary, in their order; null: the mesh stays in its
     /// own.
     virtual std::shared_ptr<const Points> target_outline() const { return nullptr; }
+    /// Where the monitor and the density of the source are known; null: at the nodes of the mesh, wherever
+    /// they go.
+    virtual std::shared_ptr<const DensityDomain> target_region() const { return nullptr; }
+    virtual std::shared_ptr<const DensityDomain> source_region() const { return nullptr; }
+    /// What is to be said of the domain, in sentences without a full stop.
+    virtual std::vector<std::string> notes() const { return {}; }
     /// The patches of the domain's file if it has several; otherwise null.
     virtual std::shared_ptr<const PatchList> patches() const { return nullptr; }
     /// The parameters of points of a patch; null on other domains.

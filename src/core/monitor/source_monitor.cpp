@@ -67,9 +67,8 @@ class SourceMonitor final : public Monitor {
         }
         if (!(most > 0) || least > none * most) return;
         floor_ = part * sum / static_cast<double>(values.size());
-        made_.notes.push_back(words_.what + " is 0 or nearly so somewhere; values below " +
-                              format_number(part) + " of its mean count as that");
-        made_.notes.back()[0] = 'T';
+        made_.notes.push_back("Where " + words_.what + " is 0 or nearly so, " + format_number(100 * part) +
+                              " % of its mean counts instead");
     }
     [[noreturn]] void refuse(Vec3 x, double value) const {
         std::string place = "(" + format_number(x.x) + ", " + format_number(x.y);

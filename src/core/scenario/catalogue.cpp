@@ -1,7 +1,6 @@
 #include "core/scenario/catalogue.hpp"
 
 #include "core/base/check.hpp"
-#include "core/base/eigenvalues.hpp"
 #include "core/base/growing_values.hpp"
 #include "core/base/join.hpp"
 #include "core/layer/interval_domain.hpp"
@@ -21,7 +20,6 @@
 #include "core/transport/transport_domain.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gaspard {
 
@@ -276,45 +274,14 @@ static void add_notes(ProblemData& data, const std::vector<std::string>& notes) 
     data.report = std::make_shared<const MonitorReport>(std::move(report));
 }
 
-/// The second moments of points about their mean.
-static Covariance covariance_of(const Points& x) {
-    Vec3 mean;
-    for (std::size_t i = 0; i < x.size(); ++i) mean = mean + 1 / static_cast<double>(x.size()) * x[i];
-    Covariance sum;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const Vec3 d = x[i] - mean;
-        sum.xx += d.x * d.x, sum.xy += d.x * d.y, sum.yy += d.y * d.y;
-    }
-    return sum;
-}
-
-/// The error of the recovered gradient is a part of the length of a domain, and may exceed its width.
-static std::vector<std::string> thin_notes(const TransportDomain& domain) {
-    constexpr double thin = 30; // to 1/30 degree 1 converges
-    std::vector<std::string> notes;
-    const auto& setup = domain.setup();
-    if (setup.degree > 1) return notes;
-    const auto look = [&](const Covariance& c, const std::string& whose) {
-        const double most = symmetric_eigenvalues(c.xx, c.xy, c.yy).largest;
-        const double ratio = most / std::sqrt(std::max(c.xx * c.yy - c.xy * c.xy, 0.0));
-        if (!(ratio > thin)) return;
-        const bool counted = ratio < 1e6; // beyond, rounding
-        notes.push_back("The " + whose + " is " + (counted ? "" : "more than ") +
-                        std::to_string(std::lround(counted ? ratio : 1e6)) +
-                        " times as long as wide, which is too thin for elements of degree 1; set "
-                        "domain.degree = 2");
-    };
-    look(setup.source ? setup.source->covariance() : covariance_of(domain.mesh()->nodes), "source");
-    look(setup.target->covariance(), "target");
-    return notes;
-}
-
 ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenario,
                               std::shared_ptr<const Monitor> own, const MonitorContext& context) {
-    const auto* transport = dynamic_cast<const TransportDomain*>(context.discretisation);
-    const bool has_box = !transport && !catalogue.domain(scenario.domain.type).spline_patch;
-    MonitorContext on_target = context;
-    if (transport) on_target.within = transport->target_region();
+    MonitorContext on_target = context, on_source = context;
+    if (context.discretisation) {
+        on_target.within = context.discretisation->target_region();
+        on_source.within = context.discretisation->source_region();
+    }
+    const bool has_box = !on_target.within && !catalogue.domain(scenario.domain.type).spline_patch;
     const auto in_its_unit = [&](std::shared_ptr<const Monitor> monitor) {
         ProblemData plain = scalar_problem(monitor);
         if (!context.discretisation) return plain;
@@ -338,9 +305,7 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
     };
     ProblemData data = own ? make_own() : make(scenario.monitor, on_target);
     if (!scenario.source.type.empty()) {
-        MonitorContext on_source = context;
         on_source.space = source_space_of(catalogue, scenario);
-        if (transport) on_source.within = transport->source_region();
         const ProblemData source = make(scenario.source, on_source);
         data.source = source.monitor;
         std::vector<std::string> notes;
@@ -348,7 +313,7 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
             for (const std::string& note : source.report->notes) notes.push_back("Source: " + note);
         add_notes(data, notes);
     }
-    if (transport) add_notes(data, thin_notes(*transport));
+    if (context.discretisation) add_notes(data, context.discretisation->notes());
     if (!scenario.pde.type.empty()) {
         data.pde_type = scenario.pde.type;
         data.pde = std::make_shared<const Values>(scenario.pde.values);

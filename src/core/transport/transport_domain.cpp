@@ -1,9 +1,11 @@
 #include "core/transport/transport_domain.hpp"
 
+#include "core/base/eigenvalues.hpp"
 #include "core/base/error.hpp"
 #include "core/transport/convex_shape.hpp"
 #include "core/transport/ring_mesh.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <exception>
@@ -302,6 +304,37 @@ std::shared_ptr<const TransportDomain> make_transport_domain(const Values& value
         setup.source_name = name_of_source(values);
     }
     return std::make_shared<const TransportDomain>(std::move(setup), stop);
+}
+
+/// The second moments of points about their mean.
+static Covariance covariance_of(const Points& x) {
+    const Vec3 mean = mean_of(x);
+    Covariance sum;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const Vec3 d = x[i] - mean;
+        sum.xx += d.x * d.x, sum.xy += d.x * d.y, sum.yy += d.y * d.y;
+    }
+    return sum;
+}
+
+// The error of the recovered gradient is a part of the length of a domain, and may exceed its width.
+std::vector<std::string> TransportDomain::notes() const {
+    constexpr double thin = 30; // to 1/30 degree 1 converges
+    std::vector<std::string> notes;
+    if (setup_.degree > 1) return notes;
+    const auto look = [&](const Covariance& c, const std::string& whose) {
+        const double most = symmetric_eigenvalues(c.xx, c.xy, c.yy).largest;
+        const double ratio = most / std::sqrt(std::max(c.xx * c.yy - c.xy * c.xy, 0.0));
+        if (!(ratio > thin)) return;
+        const bool counted = ratio < 1e6; // beyond, rounding
+        notes.push_back("The " + whose + " is " + (counted ? "" : "more than ") +
+                        std::to_string(std::lround(counted ? ratio : 1e6)) +
+                        " times as long as wide, which is too thin for elements of degree 1; set "
+                        "domain.degree = 2");
+    };
+    look(setup_.source ? setup_.source->covariance() : covariance_of(mesh_->nodes), "source");
+    look(setup_.target->covariance(), "target");
+    return notes;
 }
 
 } // namespace gaspard

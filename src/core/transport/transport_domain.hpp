@@ -46,8 +46,10 @@ class TransportDomain final : public Discretisation {
     std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
     std::shared_ptr<const Points> target_outline() const override { return outline_; }
     /// Where densities are known, in the user's coordinates.
-    std::shared_ptr<const DensityDomain> source_region() const;
-    std::shared_ptr<const DensityDomain> target_region() const;
+    std::shared_ptr<const DensityDomain> source_region() const override;
+    std::shared_ptr<const DensityDomain> target_region() const override;
+    /// Whether a domain is too thin for elements of degree 1.
+    std::vector<std::string> notes() const override;
     std::size_t unknowns() const override { return elements_.nodes().size() + 1; }
 
     const Setup& setup() const { return setup_; }

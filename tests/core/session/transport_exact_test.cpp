@@ -143,7 +143,7 @@ TEST(TransportDensity, ZerosGetAFloorThatIsSaid) {
     ASSERT_TRUE(run.monitor_report());
     ASSERT_EQ(run.monitor_report()->notes.size(), 1U);
     EXPECT_EQ(run.monitor_report()->notes[0],
-              "The formula is 0 or nearly so somewhere; values below 0.01 of its mean count as that");
+              "Where the formula is 0 or nearly so, 1 % of its mean counts instead");
     std::vector<std::string> negative = settings;
     negative.back() = "monitor.expression=0.5 - x^2 - y^2";
     EXPECT_NE(message_of<InputError>([&] {
