@@ -164,14 +164,23 @@ void read_surface(std::string_view bytes, const char* ending) {
     GASPARD_CHECK(mesh.cell_count() > 0);
 }
 
-void read_patch_file(std::string_view bytes, const char* ending) {
+void read_patch_file(std::string_view bytes, const char* ending, std::size_t directions) {
     SplinePatch patch;
     {
         const InputFile file(bytes, ending);
-        patch = read_patch(file.path()).patch;
+        patch = read_patch(file.path(), {}, directions).patch;
     }
     const std::string text = patch_json(patch);
-    GASPARD_CHECK(patch_json(parse_patch({text, "again", {}}).patch) == text);
+    GASPARD_CHECK(patch_json(parse_patch({text, "again", {}, directions}).patch) == text);
+}
+
+/// For a surface, and if there is none for a solid.
+void read_patch_file(std::string_view bytes, const char* ending) {
+    try {
+        read_patch_file(bytes, ending, 2);
+    } catch (const InputError&) {
+        read_patch_file(bytes, ending, 3);
+    }
 }
 
 /// All variables of a file.

@@ -33,23 +33,25 @@ QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int po
     for (const auto& [point, weight] : cell_quadrature(mesh_->kind.shape, points)) add_sample(point, weight);
     quadrature_points_ = samples_.size();
     for (const Vec3 node : reference_nodes(mesh_->kind)) add_sample(node, 0);
-    if (mesh_->kind.shape == CellShape::quadrilateral && mesh_->kind.order > 2) {
-        quadrature_cell_.emplace(mesh_->kind.order, gauss_legendre(points).points);
+    const bool solid = mesh_->kind.shape == CellShape::hexahedron;
+    if (solid || (mesh_->kind.shape == CellShape::quadrilateral && mesh_->kind.order > 2)) {
+        quadrature_cell_.emplace(mesh_->kind, gauss_legendre(points).points);
         std::vector<double> nodes; // of an edge; the order of samples without weight is of no importance
         for (int k = 0; k <= mesh_->kind.order; ++k)
             nodes.push_back(static_cast<double>(k) / mesh_->kind.order);
-        node_cell_.emplace(mesh_->kind.order, nodes);
+        node_cell_.emplace(mesh_->kind, nodes);
     }
 
     const std::size_t cells = mesh_->cell_count();
     std::vector<Vec3> nodes(static_cast<std::size_t>(nodes_per_cell(mesh_->kind)));
+    std::vector<PlaceInCell> places;
+    TensorCell::Workspace workspace;
     cell_measure_.assign(cells, 0.0);
     for (std::size_t i = 0; i < cells; ++i) {
         gather(i, mesh_->nodes, nodes);
-        for (std::size_t q = 0; q < quadrature_points_; ++q) {
-            const Tangents t = tangents(nodes, samples_[q]);
-            cell_measure_[i] += samples_[q].weight * signed_measure(t, t);
-        }
+        find_places(nodes, places, workspace);
+        for (std::size_t q = 0; q < quadrature_points_; ++q)
+            cell_measure_[i] += samples_[q].weight * signed_measure(places[q].tangents, places[q].tangents);
         if (cell_measure_[i] == 0) pointlike_.push_back(i);
     }
     quality_.cell_jacobian.resize(cells);

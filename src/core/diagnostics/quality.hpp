@@ -17,8 +17,8 @@
 #include "core/base/team.hpp"
 #include "core/diagnostics/flat_squares.hpp"
 #include "core/diagnostics/sphere_cells.hpp"
-#include "core/diagnostics/tensor_cell.hpp"
 #include "core/mesh/cell_measure.hpp"
+#include "core/mesh/tensor_cell.hpp"
 #include "core/monitor/monitor.hpp"
 
 #include <memory>
@@ -54,7 +54,8 @@ class QualityMeter {
   public:
     /// `points`: Gauss points per direction for the integral of m; at least the order of the cells is used.
     /// With 6, the relative error of the ring's equidistribution is 3e-7 at n = 30 and 1e-8 from n = 60 on.
-    /// `threads` share the cells; the result does not depend on their number.
+    /// Runs take 4 for solids, whose points are many. `threads` share the cells; the result does not depend
+    /// on their number.
     explicit QualityMeter(std::shared_ptr<const Mesh> mesh, int threads = 1, int points = 6,
                           const Space& space = {});
     /// The returned reference is valid until the next call.
@@ -108,7 +109,8 @@ class QualityMeter {
     int dimension_;
     std::optional<FlatSquares> flat_; ///< if all cells are such
     std::optional<SphereCellMeter> sphere_;
-    std::optional<TensorCell> quadrature_cell_, node_cell_; ///< of quadrilaterals of high order
+    std::optional<TensorCell> quadrature_cell_,
+        node_cell_; ///< of quadrilaterals of high order, and of hexahedra
     std::vector<Sample> samples_;
     std::size_t quadrature_points_ = 0;  ///< number of quadrature points, the first samples
     std::vector<double> cell_measure_;   ///< of the computational cells

@@ -23,6 +23,9 @@ inline const CellTypeNumbers& cell_type_numbers(CellKind kind) {
         {{CellShape::line, 5}, 68, 28},        {{CellShape::quadrilateral, 5}, 70, 38},
         {{CellShape::line, 6}, 68, 62},        {{CellShape::quadrilateral, 6}, 70, 47},
         {{CellShape::line, 7}, 68, 63},        {{CellShape::quadrilateral, 7}, 70, 48},
+        {{CellShape::hexahedron, 3}, 72, 92},  {{CellShape::hexahedron, 4}, 72, 93},
+        {{CellShape::hexahedron, 5}, 72, 94},  {{CellShape::hexahedron, 6}, 72, 95},
+        {{CellShape::hexahedron, 7}, 72, 96},
     };
     for (const CellTypeNumbers& row : table)
         if (row.kind == kind) return row;

@@ -14,30 +14,26 @@ namespace {
 /// The facets of one cell as lists of local node numbers.
 using LocalFacets = std::vector<std::vector<int>>;
 
-Vec3 mean_of(CellKind kind, std::span<const int> local) {
-    Vec3 sum;
-    for (const int node : local) sum = sum + reference_nodes(kind)[static_cast<std::size_t>(node)];
-    return 1.0 / static_cast<double>(local.size()) * sum;
-}
-
+/// The node of a solid cell at a place of the reference cell.
 int node_at(CellKind kind, Vec3 where) {
     const auto nodes = reference_nodes(kind);
-    const auto found = std::find(nodes.begin(), nodes.end(), where);
+    const auto found = std::find_if(nodes.begin(), nodes.end(), [&](Vec3 node) {
+        return norm(node - where) < 1e-3; // far less than between nodes
+    });
     GASPARD_CHECK(found != nodes.end());
     return static_cast<int>(found - nodes.begin());
 }
 
-/// The faces of a solid cell with the nodes on their edges and in their interior.
+/// The faces of a hexahedron with all their nodes.
 LocalFacets whole_faces(CellKind kind) {
+    const auto nodes = reference_nodes(kind);
     LocalFacets faces;
     for (const auto& corners : cell_faces(kind)) {
-        auto face = corners;
-        for (std::size_t i = 0; i < corners.size() && kind.order == 2; ++i) {
-            const std::array edge = {corners[i], corners[(i + 1) % corners.size()]};
-            face.push_back(node_at(kind, mean_of(kind, edge)));
-        }
-        if (kind.order == 2) face.push_back(node_at(kind, mean_of(kind, corners)));
-        faces.push_back(face);
+        const auto corner = [&](std::size_t i) { return nodes[static_cast<std::size_t>(corners[i])]; };
+        auto& face = faces.emplace_back();
+        for (const Vec3 at : reference_nodes({CellShape::quadrilateral, kind.order}))
+            face.push_back(
+                node_at(kind, corner(0) + at.x * (corner(1) - corner(0)) + at.y * (corner(3) - corner(0))));
     }
     return faces;
 }

@@ -10,7 +10,9 @@
 #include "core/io/formats.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace gaspard {
@@ -19,40 +21,75 @@ namespace {
 
 constexpr int point_type = 15;
 
-/// Gmsh numbers a quadrilateral's nodes ring by ring from outside: corners, then edges around it.
-std::vector<int> rings(int order) {
-    const auto ours = [order](int i, int j) { // column, row
-        const auto nodes = reference_nodes({CellShape::quadrilateral, order});
-        for (std::size_t k = 0; k < nodes.size(); ++k)
-            if (std::lround(order * nodes[k].x) == i && std::lround(order * nodes[k].y) == j)
-                return static_cast<int>(k);
-        check_failed("every column and row of a cell has a node");
-    };
-    std::vector<int> all;
-    for (int low = 0, high = order; low <= high; ++low, --high) {
-        if (low == high) all.push_back(ours(low, low));
-        if (low >= high) break;
-        for (const auto& [i, j] : {std::pair(low, low), {high, low}, {high, high}, {low, high}})
-            all.push_back(ours(i, j));
-        for (int k = low + 1; k < high; ++k) all.push_back(ours(k, low));
-        for (int k = low + 1; k < high; ++k) all.push_back(ours(high, k));
-        for (int k = high - 1; k > low; --k) all.push_back(ours(k, high));
-        for (int k = high - 1; k > low; --k) all.push_back(ours(low, k));
+using Lattice = std::array<int, 3>; // place of a node in its cell, in units of 1 / order
+
+Lattice between(const Lattice& a, const Lattice& b, int step, int steps) {
+    Lattice at = a;
+    for (std::size_t d = 0; d < 3; ++d) at[d] += (b[d] - a[d]) / steps * step;
+    return at;
+}
+
+/// Gmsh numbers a quadrilateral's nodes ring by ring from outside: corners, then edges around it. `length`:
+/// its order.
+void append_rings(std::array<Lattice, 4> corners, int length, std::vector<Lattice>& all) {
+    for (; length > 0; length -= 2) {
+        all.insert(all.end(), corners.begin(), corners.end());
+        for (std::size_t e = 0; e < 4; ++e)
+            for (int k = 1; k < length; ++k)
+                all.push_back(between(corners[e], corners[(e + 1) % 4], k, length));
+        std::array<Lattice, 4> inner{};
+        for (std::size_t c = 0; c < 4; ++c)
+            for (std::size_t d = 0; d < 3; ++d) {
+                const int on = corners[(c + 1) % 4][d] + corners[(c + 3) % 4][d] - 2 * corners[c][d];
+                inner[c][d] = corners[c][d] + on / length;
+            }
+        corners = inner;
     }
-    return all;
+    if (length == 0) all.push_back(corners[0]);
+}
+
+/// The same for hexahedra, shell by shell: corners, edges, the insides of faces.
+void append_shells(int low, int high, std::vector<Lattice>& all) {
+    if (low == high) all.push_back({low, low, low});
+    if (low >= high) return;
+    static constexpr int edges[12][2] = {{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 5}, {2, 3},
+                                         {2, 6}, {3, 7}, {4, 5}, {4, 7}, {5, 6}, {6, 7}};
+    static constexpr int faces[6][4] = {{0, 3, 2, 1}, {0, 1, 5, 4}, {0, 4, 7, 3},
+                                        {1, 2, 6, 5}, {2, 3, 7, 6}, {4, 5, 6, 7}};
+    std::array<Lattice, 8> corners{};
+    for (std::size_t c = 0; c < 8; ++c) {
+        const Vec3 at = reference_nodes({CellShape::hexahedron, 1})[c];
+        corners[c] = {at.x > 0 ? high : low, at.y > 0 ? high : low, at.z > 0 ? high : low};
+    }
+    const auto corner = [&](int c) { return corners[static_cast<std::size_t>(c)]; };
+    all.insert(all.end(), corners.begin(), corners.end());
+    for (const auto& [a, b] : edges)
+        for (int k = 1; k < high - low; ++k) all.push_back(between(corner(a), corner(b), k, high - low));
+    for (const auto& face : faces) {
+        std::vector<Lattice> whole; // corners and edges, then what is wanted
+        append_rings({corner(face[0]), corner(face[1]), corner(face[2]), corner(face[3])}, high - low, whole);
+        all.insert(all.end(), whole.begin() + 4 * (high - low), whole.end());
+    }
+    append_shells(low + 1, high - 1, all);
 }
 
 /// Which of our nodes Gmsh wants at each place. It differs from VTK in the edges and faces of curved solids,
 /// and in edges and interiors from order 3 on.
 std::vector<int> gmsh_order(CellKind kind) {
-    if (kind == CellKind{CellShape::hexahedron, 2})
-        return {0,  1,  2,  3,  4,  5,  6,  7,                  // corners
-                8,  11, 16, 9,  17, 10, 18, 19, 12, 15, 13, 14, // edges
-                24, 22, 20, 21, 23, 25, 26};                    // faces, interior
-    if (kind.shape == CellShape::quadrilateral) return rings(kind.order);
-    std::vector<int> same;
-    for (int i = 0; i < nodes_per_cell(kind); ++i) same.push_back(i);
-    return same;
+    const int order = kind.order;
+    std::vector<Lattice> places;
+    if (kind.shape == CellShape::hexahedron) append_shells(0, order, places);
+    if (kind.shape == CellShape::quadrilateral)
+        append_rings({Lattice{0, 0, 0}, {order, 0, 0}, {order, order, 0}, {0, order, 0}}, order, places);
+    std::map<Lattice, int> ours;
+    for (int i = 0; i < nodes_per_cell(kind); ++i) {
+        const Vec3 at = order * reference_nodes(kind)[static_cast<std::size_t>(i)];
+        ours[{static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)),
+              static_cast<int>(std::lround(at.z))}] = i;
+    }
+    std::vector<int> numbers;
+    for (const Lattice& place : places) numbers.push_back(ours.at(place));
+    return numbers;
 }
 
 void append_reals(std::string& text, std::initializer_list<double> values) {
@@ -97,10 +134,11 @@ std::string elements(const Mesh& mesh, const Facets& facets, const std::vector<B
     std::size_t number = 0;
     for (std::size_t c = 0; c < mesh.cell_count(); ++c)
         append_element(text, ++number, cell_type_numbers(mesh.kind).gmsh, 1, mesh.cell(c), order);
+    const auto facet_order = facets.nodes_each == 1 ? std::vector<int>() : gmsh_order(facets.kind);
     const int type = facets.nodes_each == 1 ? point_type : cell_type_numbers(facets.kind).gmsh;
     for (std::size_t g = 0; g < groups.size(); ++g)
         for (const std::size_t f : groups[g].facets)
-            append_element(text, ++number, type, 2 + g, facets[f], {});
+            append_element(text, ++number, type, 2 + g, facets[f], facet_order);
     return text + "$EndElements\n";
 }
 

@@ -42,10 +42,16 @@ std::uint64_t peak_memory_bytes() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
 }
 
+bool is_of_splines(const Run& run) {
+    return run.discretisation().patch_map() || run.discretisation().solid_map();
+}
+
 std::shared_ptr<const SplinePatch> patch_of(const Run& run) {
-    const auto map = run.discretisation().patch_map();
-    if (!map) return nullptr;
-    auto patch = adapted_patch(run.state(), *map);
+    const auto patch_map = run.discretisation().patch_map();
+    const auto solid_map = run.discretisation().solid_map();
+    auto patch = patch_map   ? adapted_patch(run.state(), *patch_map)
+                 : solid_map ? adapted_patch(run.state(), *solid_map)
+                             : std::nullopt;
     return patch ? std::make_shared<const SplinePatch>(std::move(*patch)) : nullptr;
 }
 
@@ -88,7 +94,11 @@ Json values_json(const Scenario& scenario) {
 /// Null if nothing is measured, or the function is interpolated exactly, or has no value somewhere.
 static Json interpolation_of(Run& run, std::stop_token stop) {
     try {
-        const auto errors = run.interpolation({.tolerance = 1e-2, .parts = 100, .stop = std::move(stop)});
+        // A solid has many cells, each of which is divided into eight.
+        const bool solid = cell_dimension(run.discretisation().mesh()->kind) == 3;
+        const auto errors = run.interpolation({.tolerance = solid ? 1e-1 : 1e-2,
+                                               .parts = solid ? std::size_t{10} : std::size_t{100},
+                                               .stop = std::move(stop)});
         if (errors && !errors->exact()) return interpolation_json(*errors);
     } catch (const InputError&) { // the function; the monitor made of it has values
     }
@@ -139,7 +149,7 @@ std::string summary_json(Run& run, std::stop_token stop) {
 
 std::vector<std::string> run_file_names(const Run& run, const std::vector<const Format*>& formats) {
     std::vector<std::string> names{"history.csv", "summary.json", "state.bin"};
-    if (run.discretisation().patch_map()) names.emplace_back("map.json");
+    if (is_of_splines(run)) names.emplace_back("map.json");
     for (const Format* format : formats)
         names.insert(names.end(), format->files.begin(), format->files.end());
     return names;
@@ -171,7 +181,7 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
     run.complete();
     make_folder(folder);
     std::exception_ptr first;
-    const bool of_splines = run.discretisation().patch_map() != nullptr;
+    const bool of_splines = is_of_splines(run);
     const double all = (of_splines ? 4 : 3) + static_cast<double>(formats.size());
     double done = 0;
     const auto attempt = [&](const std::string& what, const auto& write) {

@@ -10,7 +10,8 @@ std::optional<std::string> spline_map_json(const State& state) {
     const auto map = spline_map(state);
     if (!map) return std::nullopt;
     nlohmann::ordered_json json;
-    json["what"] = "Psi, from the parameter square to itself, as splines; the mesh is F(Psi)";
+    json["what"] = std::string("Psi, from the parameter ") + (map->size() == 2 ? "square" : "cube") +
+                   " to itself, as splines; the mesh is F(Psi)";
     for (const SplineFunction& function : *map) {
         nlohmann::ordered_json component;
         for (const KnotVector& direction : function.space.directions) {

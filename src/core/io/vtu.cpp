@@ -166,9 +166,12 @@ void write_vtu(const std::filesystem::path& file, const Snapshot& snapshot) {
         section(text, "FieldData", [&] { field_data(text, snapshot.report); });
         section(text, "Piece", piece, counts);
     };
+    // Before version 2.1, readers expect two edges of Lagrange hexahedra exchanged.
+    const bool lagrange = mesh.kind.shape == CellShape::hexahedron && mesh.kind.order > 2;
     section(
         text, "VTKFile", [&] { section(text, "UnstructuredGrid", grid); },
-        " type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"");
+        std::string(" type=\"UnstructuredGrid\" version=\"") + (lagrange ? "2.2" : "1.0") +
+            "\" byte_order=\"LittleEndian\" header_type=\"UInt64\"");
     write_atomically(file, text);
 }
 

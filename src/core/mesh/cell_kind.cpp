@@ -23,27 +23,38 @@ struct CellTable {
 const std::vector<std::vector<int>> cube_faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                                   {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 
-std::vector<Vec3> cube_nodes(int order) {
-    std::vector<Vec3> nodes = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                               {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-    if (order == 1) return nodes;
-    for (const Vec3 middle : {Vec3{.5, 0, 0},
-                              {1, .5, 0},
-                              {.5, 1, 0},
-                              {0, .5, 0},
-                              {.5, 0, 1},
-                              {1, .5, 1},
-                              {.5, 1, 1},
-                              {0, .5, 1},
-                              {0, 0, .5},
-                              {1, 0, .5},
-                              {1, 1, .5},
-                              {0, 1, .5}})
-        nodes.push_back(middle);
-    for (const Vec3 face : {Vec3{0, .5, .5}, {1, .5, .5}, {.5, 0, .5}, {.5, 1, .5}, {.5, .5, 0}, {.5, .5, 1}})
-        nodes.push_back(face);
-    nodes.push_back({.5, .5, .5});
-    return nodes;
+/// VTK's Lagrange hexahedron.
+CellTable hexahedron_of_order(int order) {
+    CellTable cell{
+        {CellShape::hexahedron, order},
+        "hexahedron",
+        3,
+        8,
+        {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+        {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}},
+        cube_faces};
+    const auto place = [order](int i) { return static_cast<double>(i) / order; };
+    for (auto& edge : cell.edges) { // their nodes run along the axes, whatever the direction of the edge
+        const Vec3 a = cell.nodes[static_cast<std::size_t>(edge[0])],
+                   way = cell.nodes[static_cast<std::size_t>(edge[1])] - a;
+        const bool against = way.x + way.y + way.z < 0;
+        const int first = static_cast<int>(cell.nodes.size());
+        for (int i = 1; i < order; ++i) {
+            cell.nodes.push_back(a + (against ? 1 - place(i) : place(i)) * way);
+            edge.push_back(against ? first + order - 1 - i : first + i - 1);
+        }
+    }
+    for (const int normal : {0, 1, 2})
+        for (const double side : {0.0, 1.0})
+            for (int j = 1; j < order; ++j)
+                for (int i = 1; i < order; ++i)
+                    cell.nodes.push_back(normal == 0   ? Vec3{side, place(i), place(j)}
+                                         : normal == 1 ? Vec3{place(i), side, place(j)}
+                                                       : Vec3{place(i), place(j), side});
+    for (int k = 1; k < order; ++k)
+        for (int j = 1; j < order; ++j)
+            for (int i = 1; i < order; ++i) cell.nodes.push_back({place(i), place(j), place(k)});
+    return cell;
 }
 
 /// A line with equidistant nodes.
@@ -120,36 +131,12 @@ std::vector<CellTable> make_cell_tables() {
           {.5, .5, 0}},
          {{0, 1, 4}, {1, 2, 5}, {2, 3, 6}, {3, 0, 7}},
          {}},
-        {{CellShape::hexahedron, 1},
-         "hexahedron",
-         3,
-         8,
-         cube_nodes(1),
-         {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}},
-         cube_faces},
-        {{CellShape::hexahedron, 2},
-         "hexahedron",
-         3,
-         8,
-         cube_nodes(2),
-         {{0, 1, 8},
-          {1, 2, 9},
-          {2, 3, 10},
-          {3, 0, 11},
-          {4, 5, 12},
-          {5, 6, 13},
-          {6, 7, 14},
-          {7, 4, 15},
-          {0, 4, 16},
-          {1, 5, 17},
-          {2, 6, 18},
-          {3, 7, 19}},
-         cube_faces},
     };
     for (int order = 3; order <= highest_order; ++order) {
         tables.push_back(line_of_order(order));
         tables.push_back(quadrilateral_of_order(order));
     }
+    for (int order = 1; order <= highest_order; ++order) tables.push_back(hexahedron_of_order(order));
     return tables;
 }
 

@@ -17,7 +17,8 @@
 
 namespace gaspard GASPARD_API {
 
-class PatchMap;
+template <std::size_t D>
+class TensorMap;      // core/spline/patch_map.hpp
 struct DensityDomain; // core/mesh/data_context.hpp
 
 /// Reports the progress of long work: the fraction done, from 0 to 1, and a description of the current step.
@@ -45,7 +46,9 @@ class Discretisation {
     /// The parameters of points of a patch; null on other domains.
     virtual std::shared_ptr<const PatchParameters> parameters() const { return nullptr; }
     /// The map of the parameter square to a spline patch; null on other domains.
-    virtual std::shared_ptr<const PatchMap> patch_map() const { return nullptr; }
+    virtual std::shared_ptr<const TensorMap<2>> patch_map() const { return nullptr; }
+    /// The map of the parameter cube to a spline solid; null on other domains.
+    virtual std::shared_ptr<const TensorMap<3>> solid_map() const { return nullptr; }
     /// Number of unknowns.
     virtual std::size_t unknowns() const = 0;
 };

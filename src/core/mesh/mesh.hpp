@@ -1,5 +1,5 @@
-// Cells of dimension 1 to 3 and order 1 or 2, lines and quadrilaterals up to order 7, and a mesh of cells of
-// one kind, in plain arrays.
+// Lines, quadrilaterals and hexahedra of order 1 to 7, triangles of order 1 or 2, and a mesh of cells of one
+// kind, in plain arrays.
 //
 // A Mesh is the computational mesh with nodes xi. The physical mesh has the same cells and other positions x
 // of the same nodes. A periodic domain is unwrapped: it has nodes on both sides, which only the function
@@ -9,6 +9,7 @@
 #include "core/base/export.hpp"
 #include "core/base/points.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -18,11 +19,11 @@ namespace gaspard GASPARD_API {
 
 enum class CellShape { line, triangle, quadrilateral, hexahedron };
 
-inline constexpr int highest_order = 7; ///< of lines and quadrilaterals; 2 for other shapes
+inline constexpr int highest_order = 7; ///< 2 for triangles
 
 /// Shape and order of a cell. Nodes are equidistant and numbered as in VTK: corners, edges, faces, interior.
-/// Of a quadrilateral of order 3 or higher (a Lagrange cell), those on edges run in the direction of s or t,
-/// those of the interior by rows.
+/// Of a cell of order 3 or higher (a Lagrange cell), those on edges run in the direction of s, t or u, those
+/// of faces and of the interior by rows.
 struct CellKind {
     CellShape shape = CellShape::quadrilateral;
     /// 1: straight edges; k: k - 1 more nodes per edge, (k - 1)^2 per face of quadrilaterals and hexahedra
@@ -54,6 +55,9 @@ struct Mesh {
     int space_dimension = 2;         ///< 1, 2 or 3; further coordinates are zero
     Points nodes;                    ///< xi
     std::vector<std::int32_t> cells; ///< nodes_per_cell node numbers per cell
+    /// Cells per direction if solid cells are numbered as a lattice, the first direction fastest; zeros: they
+    /// are not.
+    std::array<std::int32_t, 3> lattice{};
 
     std::size_t node_count() const { return nodes.size(); }
     std::size_t cell_count() const { return cells.size() / static_cast<std::size_t>(nodes_per_cell(kind)); }

@@ -18,7 +18,8 @@ enum class SpaceKind {
 
 struct Space {
     SpaceKind kind = SpaceKind::euclidean;
-    int dimension = 2; ///< of the Euclidean space around a patch: 3 for a surface in space
+    int dimension = 2;  ///< of the Euclidean space around a patch: 3 for a surface in space, and for a solid
+    bool solid = false; ///< the domain fills the space
     /// Around a domain of any size and place (a patch from a file): built-in monitors are scaled to it
     /// (monitor/placement.hpp). Without it they are those of the unit square, whatever the domain.
     std::optional<Box> box{};

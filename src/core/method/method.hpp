@@ -137,6 +137,8 @@ MethodType newton_method();
 MethodType automatic_method();
 MethodType picard_method();
 MethodType picard_mixed_method();
+/// These two on solids: for Capability::makers.
+MethodMaker picard_in_solids(bool mixed);
 MethodType mesh_pde_method();
 MethodType bakhvalov_method();
 MethodType shishkin_method();

@@ -1,6 +1,8 @@
 #include "core/method/patch_form.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/symmetric.hpp"
+#include "core/spline/solid_folds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,45 +24,56 @@ double variation(const std::vector<double>& values) {
     return std::sqrt(squares / count) / mean;
 }
 
-/// The spline phi, transferred from the space `from` to the space `to` in both directions.
+/// The spline phi, transferred from the space `from` to the space `to` in all directions.
+template <std::size_t D>
 std::vector<double> transferred(const KnotVector& from, const KnotVector& to, std::span<const double> phi) {
     const LineMatrix along = transfer(from, to);
-    std::vector<double> half(from.size() * to.size(), 0.0), all(to.size() * to.size(), 0.0);
-    for (std::size_t j = 0; j < from.size(); ++j)
-        for (std::size_t i = 0; i < to.size(); ++i)
-            for (std::size_t k = 0; k < from.size(); ++k)
-                half[j * to.size() + i] += along(i, k) * phi[j * from.size() + k];
-    for (std::size_t j = 0; j < to.size(); ++j)
-        for (std::size_t k = 0; k < from.size(); ++k)
-            for (std::size_t i = 0; along(j, k) != 0 && i < to.size(); ++i)
-                all[j * to.size() + i] += along(j, k) * half[k * to.size() + i];
-    return all;
+    std::vector<double> now(phi.begin(), phi.end()), next;
+    std::size_t before = 1, after = tensor_size<D - 1>(from.size()); // sizes of the directions around
+    for (std::size_t d = 0; d < D; ++d) {
+        next.assign(before * to.size() * after, 0.0);
+        for (std::size_t slow = 0; slow < after; ++slow)
+            for (std::size_t i = 0; i < to.size(); ++i)
+                for (std::size_t k = 0; k < from.size(); ++k) {
+                    if (along(i, k) == 0) continue;
+                    for (std::size_t fast = 0; fast < before; ++fast)
+                        next[(slow * to.size() + i) * before + fast] +=
+                            along(i, k) * now[(slow * from.size() + k) * before + fast];
+                }
+        now.swap(next);
+        before *= to.size();
+        after /= from.size();
+    }
+    return now;
 }
 
 } // namespace
 
 std::string spline_layout(const SplineLayout& layout) {
-    return std::string("spline ") + (layout.formulation == Formulation::standard ? "standard" : "mixed") +
+    return std::string(layout.dimension == 3 ? "solid " : "spline ") +
+           (layout.formulation == Formulation::standard ? "standard" : "mixed") +
            " p=" + std::to_string(layout.degree) + " n=" + std::to_string(layout.cells);
 }
 
 std::optional<SplineLayout> parse_spline_layout(const std::string& text) {
     constexpr int most_cells = 100000;
-    char kind[9] = {};
+    char what[7] = {}, kind[9] = {};
     int degree = 0, cells = 0;
-    if (std::sscanf(text.c_str(), "spline %8s p=%d n=%d", kind, &degree, &cells) != 3) return std::nullopt;
+    if (std::sscanf(text.c_str(), "%6s %8s p=%d n=%d", what, kind, &degree, &cells) != 4) return std::nullopt;
     if (degree < 2 || degree > highest_degree || cells < 1 || cells > most_cells) return std::nullopt;
     const SplineLayout layout{std::string(kind) == "mixed" ? Formulation::mixed : Formulation::standard,
-                              degree, static_cast<std::size_t>(cells)};
-    if (spline_layout(layout) != text) return std::nullopt; // unknown formulation or trailing text
+                              degree, static_cast<std::size_t>(cells),
+                              std::string(what) == "solid" ? std::size_t{3} : std::size_t{2}};
+    if (spline_layout(layout) != text) return std::nullopt; // unknown words or trailing text
     return layout;
 }
 
-std::unique_ptr<SplineForm> make_form(const SplineLayout& layout) {
+template <std::size_t D>
+std::unique_ptr<TensorForm<D>> make_form(const SplineLayout& layout) {
     const SplineLine line(uniform_knots(layout.degree, layout.cells));
-    const NormalTrace trace = identity_trace(line);
-    return layout.formulation == Formulation::standard ? make_standard_form(line, trace)
-                                                       : make_mixed_form(line, trace);
+    const FaceTrace<D> trace = identity_trace<D>(line);
+    return layout.formulation == Formulation::standard ? make_standard_form<D>(line, trace)
+                                                       : make_mixed_form<D>(line, trace);
 }
 
 ParameterRow measure_row() {
@@ -69,8 +82,9 @@ ParameterRow measure_row() {
             .kind = ParameterKind::choice,
             .default_value = std::string("parameter"),
             .choices = {"parameter", "physical"},
-            .help = "what the areas of cells refer to. parameter: the parameter square, as in the paper; "
-                    "physical: the patch itself, so that finer meshes are equidistributed on every patch"};
+            .help = "what the sizes of cells refer to. parameter: the parameter square or cube, as in the "
+                    "paper; physical: the patch itself, so that finer meshes are equidistributed on every "
+                    "patch"};
 }
 
 Measure measure_of(const Values& method) {
@@ -84,6 +98,7 @@ struct PatchMeasure {
     ParameterScale scale;
     std::string help;
     double PatchMeasures::*value;
+    bool patch = true, solid = true; ///< where it is measured
 };
 
 const std::vector<PatchMeasure>& patch_measures() {
@@ -98,103 +113,159 @@ const std::vector<PatchMeasure>& patch_measures() {
         {"qual_f", "Displacement cost over f", "", linear, "root of the integral of |Ψ − ξ|² / f",
          &PatchMeasures::qual_f},
         {"min_jacobian_psi", "Min. Jacobian of Ψ", "min det", linear,
-         "smallest Jacobian of Ψ on a grid of 100 × 100 points", &PatchMeasures::min_jacobian},
+         "smallest Jacobian of Ψ on a grid of 100 points per direction", &PatchMeasures::min_jacobian},
         {"max_jacobian_psi", "Max. Jacobian of Ψ", "max det", linear,
-         "largest Jacobian of Ψ on a grid of 100 × 100 points", &PatchMeasures::max_jacobian},
+         "largest Jacobian of Ψ on a grid of 100 points per direction", &PatchMeasures::max_jacobian},
         {"bound_jacobian_psi", "Bound of the Jacobian of Ψ", "min det", linear,
          "lower bound of the Jacobian of Ψ on the whole square, within 1e-6 of its largest value",
-         &PatchMeasures::bound_jacobian},
+         &PatchMeasures::bound_jacobian, true, false},
         {"border_error", "Border error", "|(Ψ − ξ) · n|", logarithmic,
-         "largest distance of Ψ from the border on a grid of 100 × 100 points", &PatchMeasures::border_error},
+         "largest distance of Ψ from the border on a grid of 100 points per direction",
+         &PatchMeasures::border_error},
         {"equidistribution_square", "Equidistribution in the parameter square", "", logarithmic,
          "like the equidistribution, but with the areas of the parameter square instead of those in space",
-         &PatchMeasures::variation_in_square}};
+         &PatchMeasures::variation_in_square, true, false},
+        {"equidistribution_cube", "Equidistribution in the parameter cube", "", logarithmic,
+         "like the equidistribution, but with the volumes of the parameter cube instead of those in space",
+         &PatchMeasures::variation_in_square, false, true},
+        {"err_last_layer", "Density error, last layer", "", logarithmic,
+         "the density error over the last layer of cells alone, as in tables 16 to 19 of Bahari et al.",
+         &PatchMeasures::err_last_layer, false, true},
+        {"qual_last_layer", "Displacement cost, last layer", "", linear,
+         "the displacement cost over the last layer of cells alone, likewise",
+         &PatchMeasures::qual_last_layer, false, true}};
     return table;
 }
 
 } // namespace
 
-std::vector<SeriesInfo> patch_series() {
+std::vector<SeriesInfo> patch_series(std::size_t dimension) {
     std::vector<SeriesInfo> all;
     for (const PatchMeasure& one : patch_measures())
-        all.push_back({.name = one.name,
-                       .label = one.label,
-                       .symbol = one.symbol,
-                       .scale = one.scale,
-                       .help = one.help,
-                       .measured = true,
-                       .column = false});
+        if (dimension == 2 ? one.patch : one.solid)
+            all.push_back({.name = one.name,
+                           .label = one.label,
+                           .symbol = one.symbol,
+                           .scale = one.scale,
+                           .help = one.help,
+                           .measured = true,
+                           .column = false});
     return all;
 }
 
-std::vector<double> values_of(const PatchMeasures& measures) {
+std::vector<double> values_of(const PatchMeasures& measures, std::size_t dimension) {
     std::vector<double> values;
-    for (const PatchMeasure& one : patch_measures()) values.push_back(measures.*one.value);
+    for (const PatchMeasure& one : patch_measures())
+        if (dimension == 2 ? one.patch : one.solid) values.push_back(measures.*one.value);
     return values;
 }
 
-PatchForm::PatchForm(std::shared_ptr<const SplineDomain> domain, Formulation formulation, std::size_t cells)
+template <std::size_t D>
+MappedForm<D>::MappedForm(std::shared_ptr<const TensorDomain<D>> domain, Formulation formulation,
+                          std::size_t cells)
     : domain_(std::move(domain)), formulation_(formulation), cells_(cells),
-      form_(make_form({formulation, domain_->degree(), cells})), identity_(form_->identity()),
+      form_(make_form<D>({formulation, domain_->degree(), cells, D})), identity_(form_->identity()),
       nodes_(form_->line(), domain_->node_lines()), workspace_(form_->make_workspace()) {}
 
-void PatchForm::set_measure(Measure measure) {
-    if (measure == Measure::parameter || domain_->patch_map()->is_identity())
-        areas_.clear(); // of the identity all area elements are 1
-    else if (areas_.empty())
-        areas_ = area_elements(*domain_->patch_map(), form_->line());
+template <std::size_t D>
+void MappedForm<D>::set_measure(Measure measure) {
+    if (measure == Measure::parameter || domain_->map()->is_identity())
+        elements_.clear(); // of the identity all are 1
+    else if (elements_.empty())
+        elements_ = elements_of(*domain_->map(), form_->line());
 }
 
-void PatchForm::add_identity(std::span<const double> phi, std::span<double> whole) const {
+template <std::size_t D>
+void MappedForm<D>::add_identity(std::span<const double> phi, std::span<double> whole) const {
     for (std::size_t i = 0; i < identity_.size(); ++i) whole[i] = phi[i] + identity_[i];
 }
 
-std::vector<double> PatchForm::without_identity(std::span<const double> whole) const {
+template <std::size_t D>
+std::vector<double> MappedForm<D>::without_identity(std::span<const double> whole) const {
     std::vector<double> phi(whole.begin(), whole.end());
     for (std::size_t i = 0; i < identity_.size(); ++i) phi[i] -= identity_[i];
     return phi;
 }
 
-std::vector<double> PatchForm::adopt(const std::string& layout, std::span<const double> phi) const {
+template <std::size_t D>
+std::vector<double> MappedForm<D>::adopt(const std::string& layout, std::span<const double> phi) const {
     const auto other = parse_spline_layout(layout);
-    if (!other) return {};
+    if (!other || other->dimension != D) return {};
     KnotVector from = uniform_knots(other->degree, other->cells);
     if (other->formulation == Formulation::mixed) from = derivative_space(from);
-    if (phi.size() != from.size() * from.size()) return {};
+    if (phi.size() != tensor_size<D>(from.size())) return {};
     if (from == form_->space()) return {phi.begin(), phi.end()};
-    return transferred(from, form_->space(), phi);
+    return transferred<D>(from, form_->space(), phi);
 }
 
-void PatchForm::positions(std::span<const double> whole, Points& x) {
+namespace {
+
+/// One coordinate of points.
+std::vector<double>& coordinate(Points& points, std::size_t d) {
+    return d == 0 ? points.x : d == 1 ? points.y : points.z;
+}
+
+/// Where TensorForm::row() writes Psi, from point `first` on; the other fields are not wanted.
+template <std::size_t D>
+typename TensorForm<D>::Fields map_at(Points& psi, std::size_t first) {
+    typename TensorForm<D>::Fields fields{};
+    for (std::size_t d = 0; d < D; ++d) fields[d] = &coordinate(psi, d)[first];
+    return fields;
+}
+
+/// The upper triangle of grad Psi at the points of a slab.
+template <std::size_t D>
+struct Gradients {
+    std::array<std::vector<double>, D*(D + 1) / 2> entries;
+
+    explicit Gradients(std::size_t points) { entries.fill(std::vector<double>(points)); }
+    /// Psi and its gradient.
+    typename TensorForm<D>::Fields with(Points& psi) {
+        auto fields = map_at<D>(psi, 0);
+        for (std::size_t e = 0; e < entries.size(); ++e) fields[D + e] = entries[e].data();
+        return fields;
+    }
+    double determinant(std::size_t i) const {
+        Symmetric<D> h;
+        for (std::size_t e = 0; e < entries.size(); ++e) h[e] = entries[e][i];
+        return gaspard::determinant(h);
+    }
+};
+
+} // namespace
+
+template <std::size_t D>
+void MappedForm<D>::positions(std::span<const double> whole, Points& x) {
+    const std::size_t side = nodes_.points.size(), slab = tensor_size<D - 1>(side);
+    psi_.resize(side * slab); // in the plane z stays zero
+    form_->expand(whole, Form::Border::given, nodes_, D, workspace_);
+    for (std::size_t s = 0; s < side; ++s) form_->row(nodes_, s, D, map_at<D>(psi_, s * slab), workspace_);
+    keep_sides();
+    domain_->map()->points(psi_, x);
+}
+
+// Beyond a collapsed side, F has the opposite orientation. The penalty of the standard form lets the map pass
+// such a side, or end before it, by its error at the boundary: the side is put on its place. In the mixed
+// form this only removes rounding errors.
+template <std::size_t D>
+void MappedForm<D>::keep_sides() {
     const std::size_t side = nodes_.points.size();
-    psi_.resize(side * side);
-    form_->expand(whole, SplineForm::Border::given, nodes_, 2, workspace_);
-    for (std::size_t j = 0; j < side; ++j)
-        form_->row(nodes_, j, 2, {&psi_.x[j * side], &psi_.y[j * side], nullptr, nullptr, nullptr},
-                   workspace_);
-    if (formulation_ == Formulation::mixed) // removes rounding errors
-        for (std::size_t k = 0; k < side; ++k) {
-            psi_.x[k * side] = psi_.y[k] = 0;
-            psi_.x[k * side + side - 1] = psi_.y[(side - 1) * side + k] = 1;
+    const auto& [low, high] = domain_->collapsed();
+    const bool exact = formulation_ == Formulation::mixed;
+    for (std::size_t d = 0, step = 1; d < D; ++d, step *= side) {
+        std::vector<double>& psi = coordinate(psi_, d);
+        for (std::size_t i = 0; i < psi.size(); ++i) {
+            const std::size_t at = i / step % side;
+            if (at == 0 && (exact || low[d])) psi[i] = 0;
+            if (at == side - 1 && (exact || high[d])) psi[i] = 1;
+            if (low[d] && psi[i] < 0) psi[i] = 0;
+            if (high[d] && psi[i] > 1) psi[i] = 1;
         }
-    // Beyond an edge that is one point, F has the opposite orientation. The penalty of the standard form lets
-    // the map pass such an edge, or end before it, by its error at the boundary: the edge is put on its
-    // point.
-    const PointEdges& tips = domain_->point_edges();
-    for (std::size_t k = 0; k < side; ++k) {
-        if (tips.left) psi_.x[k * side] = 0;
-        if (tips.right) psi_.x[k * side + side - 1] = 1;
-        if (tips.bottom) psi_.y[k] = 0;
-        if (tips.top) psi_.y[(side - 1) * side + k] = 1;
     }
-    for (std::size_t i = 0; i < psi_.size(); ++i) {
-        psi_.x[i] = std::clamp(psi_.x[i], tips.left ? 0 : psi_.x[i], tips.right ? 1 : psi_.x[i]);
-        psi_.y[i] = std::clamp(psi_.y[i], tips.bottom ? 0 : psi_.y[i], tips.top ? 1 : psi_.y[i]);
-    }
-    domain_->patch_map()->points(psi_, x);
 }
 
-const JacobianBounds& PatchForm::jacobian(std::span<const double> whole) {
+template <std::size_t D>
+const JacobianBounds& MappedForm<D>::jacobian(std::span<const double> whole) requires(D == 2) {
     if (!std::equal(whole.begin(), whole.end(), whole_of_jacobian_.begin(), whole_of_jacobian_.end())) {
         jacobian_ = bound_jacobian(form_->map(whole), domain_->cells());
         whole_of_jacobian_.assign(whole.begin(), whole.end());
@@ -202,70 +273,91 @@ const JacobianBounds& PatchForm::jacobian(std::span<const double> whole) {
     return jacobian_;
 }
 
-PatchMeasures PatchForm::measure(const Monitor& monitor, std::span<const double> whole) {
+template <std::size_t D>
+std::vector<std::uint32_t> MappedForm<D>::folded_cells(std::span<const double> whole) {
+    if constexpr (D == 2) return jacobian(whole).folded;
+    return folded_solid_cells(form_->map(whole), domain_->cells());
+}
+
+template <std::size_t D>
+PatchMeasures MappedForm<D>::measure(const Monitor& monitor, std::span<const double> whole) {
     PatchMeasures result;
-    result.bound_jacobian = jacobian(whole).bound;
+    if constexpr (D == 2) result.bound_jacobian = jacobian(whole).bound;
     integrate(monitor, whole, result);
     find_extremes(whole, result);
     return result;
 }
 
-void PatchForm::integrate(const Monitor& monitor, std::span<const double> whole, PatchMeasures& result) {
-    const PatchSource of_patch = source(monitor);
+template <std::size_t D>
+void MappedForm<D>::integrate(const Monitor& monitor, std::span<const double> whole, PatchMeasures& result) {
+    const TensorSource<D> of_patch = source(monitor);
     const SplineLine& line = form_->line();
-    const std::size_t n = line.points.size();
+    const std::size_t n = line.points.size(), slab = form_->slab();
     const std::size_t per_cell = n / cells_; // points
-    std::vector<double> xx(n), xy(n), yy(n), f(n), rho(n), mass(cells_ * cells_, 0.0);
-    psi_.resize(n);
-    form_->expand(whole, SplineForm::Border::given, form_->quadrature(), map_fields, workspace_);
-    for (std::size_t j = 0; j < n; ++j) {
-        form_->row(form_->quadrature(), j, map_fields,
-                   {psi_.x.data(), psi_.y.data(), xx.data(), xy.data(), yy.data()}, workspace_);
-        of_patch.values(j, psi_, f);
-        of_patch.monitor_values(f, rho);
-        for (std::size_t i = 0; i < n; ++i) {
-            const double weight = line.weights[i] * line.weights[j];
-            const double det = xx[i] * yy[i] - xy[i] * xy[i];
-            const double dx = psi_.x[i] - line.points[i], dy = psi_.y[i] - line.points[j];
-            const double far = dx * dx + dy * dy;
-            result.err_printed += weight * (det / f[i] - 1) * (det / f[i] - 1);
+    std::vector<double> f(slab), rho(slab), mass(tensor_size<D>(cells_), 0.0);
+    Gradients<D> gradients(slab);
+    psi_.resize(slab);
+    form_->expand(whole, Form::Border::given, form_->quadrature(), Form::fields, workspace_);
+    for_each_slab<D>(line, [&](std::size_t s, const Points& xi, std::span<const double> weights) {
+        form_->row(form_->quadrature(), s, Form::fields, gradients.with(psi_), workspace_);
+        of_patch.values(s, psi_, f, rho);
+        const bool last_layer = s >= n - per_cell;
+        for (std::size_t i = 0; i < slab; ++i) {
+            const double weight = weights[i] * line.weights[s], det = gradients.determinant(i);
+            const Vec3 way = psi_[i] - xi[i];
+            const double far = dot(way, way), relative = weight * (det / f[i] - 1) * (det / f[i] - 1);
+            result.err_printed += relative;
             result.err_defined += weight * (det - f[i]) * (det - f[i]);
             result.qual_det += weight * far / std::abs(det);
             result.qual_f += weight * far / f[i];
-            mass[j / per_cell * cells_ + i / per_cell] += weight * rho[i] * det;
+            if (last_layer) {
+                result.err_last_layer += relative;
+                result.qual_last_layer += weight * far / std::abs(det);
+            }
+            std::size_t cell = s / per_cell * cells_ + i / tensor_size<D - 2>(n) / per_cell;
+            if constexpr (D == 3) cell = cell * cells_ + i % n / per_cell;
+            mass[cell] += weight * rho[i] * det;
         }
-    }
-    for (double* square : {&result.err_printed, &result.err_defined, &result.qual_det, &result.qual_f})
+    });
+    for (double* square : {&result.err_printed, &result.err_defined, &result.qual_det, &result.qual_f,
+                           &result.err_last_layer, &result.qual_last_layer})
         *square = std::sqrt(*square);
     result.variation_in_square = variation(mass);
 }
 
-void PatchForm::find_extremes(std::span<const double> whole, PatchMeasures& result) {
+template <std::size_t D>
+void MappedForm<D>::find_extremes(std::span<const double> whole, PatchMeasures& result) {
     const SplineLine& line = form_->line();
     std::vector<double> at(shown);
     for (std::size_t i = 0; i < shown; ++i) at[i] = static_cast<double>(i) / (shown - 1);
     const SplineGrid grid(line, at);
+    constexpr std::size_t slab = tensor_size<D - 1>(shown);
     result.min_jacobian = 1e300, result.max_jacobian = -1e300;
-    std::vector<double> xx(shown), xy(shown), yy(shown);
-    psi_.resize(shown);
-    form_->expand(whole, SplineForm::Border::given, grid, map_fields, workspace_);
-    for (std::size_t j = 0; j < shown; ++j) {
-        form_->row(grid, j, map_fields, {psi_.x.data(), psi_.y.data(), xx.data(), xy.data(), yy.data()},
-                   workspace_);
-        const auto note = [&](double error) {
-            result.border_error = std::max(result.border_error, std::abs(error));
-        };
-        note(psi_.x[0]);
-        note(psi_.x[shown - 1] - 1);
-        for (std::size_t i = 0; i < shown; ++i) {
-            if (j == 0) note(psi_.y[i]);
-            if (j == shown - 1) note(psi_.y[i] - 1);
-            if (i == 0 || j == 0 || i == shown - 1 || j == shown - 1) continue;
-            const double det = xx[i] * yy[i] - xy[i] * xy[i];
+    Gradients<D> gradients(slab);
+    psi_.resize(slab);
+    form_->expand(whole, Form::Border::given, grid, Form::fields, workspace_);
+    for (std::size_t s = 0; s < shown; ++s) {
+        form_->row(grid, s, Form::fields, gradients.with(psi_), workspace_);
+        for (std::size_t i = 0; i < slab; ++i) {
+            bool inside = true;
+            for (std::size_t d = 0, rest = i; d < D; ++d, rest /= shown) {
+                const std::size_t index = d == D - 1 ? s : rest % shown;
+                if (index != 0 && index != shown - 1) continue;
+                inside = false;
+                const double side = index == 0 ? 0 : 1;
+                result.border_error = std::max(result.border_error, std::abs(coordinate(psi_, d)[i] - side));
+            }
+            if (!inside) continue;
+            const double det = gradients.determinant(i);
             result.min_jacobian = std::min(result.min_jacobian, det);
             result.max_jacobian = std::max(result.max_jacobian, det);
         }
     }
 }
+
+template class MappedForm<2>;
+template class MappedForm<3>;
+template std::unique_ptr<TensorForm<2>> make_form<2>(const SplineLayout& layout);
+template std::unique_ptr<TensorForm<3>> make_form<3>(const SplineLayout& layout);
 
 } // namespace gaspard

@@ -10,97 +10,141 @@ namespace {
 // a corner where J = 0, since Psi keeps edges and corners. The weak boundary condition of the standard form
 // keeps them up to an error only, so on coarse meshes a point near such an edge may come arbitrarily close to
 // it: this bounds the ratio.
-constexpr double least_area = 1e-3; // J(Psi), relative to J(xi)
+constexpr double least_element = 1e-3; // J(Psi), relative to J(xi)
 
 } // namespace
 
-PatchSource::PatchSource(const Monitor& monitor, const PatchMap& map, const SplineLine& line,
-                         std::span<const double> areas)
-    : monitor_(monitor), map_(map), areas_(areas), row_(line.points.size()) {
-    const std::size_t n = line.points.size();
-    Points xi(n);
-    std::vector<double> rho(n);
-    xi.x = line.points;
-    double total = 0; // the integral of J
-    for (std::size_t j = 0; j < n; ++j) {
-        xi.y.assign(n, line.points[j]);
-        monitor_.values(place(xi), rho);
-        double sum = 0, area = 0;
-        if (areas_.empty())
-            for (std::size_t i = 0; i < n; ++i) sum += line.weights[i] * rho[i];
-        else
-            for (std::size_t i = 0; i < n; ++i) {
-                const double weight = line.weights[i] * areas_[j * n + i];
-                sum += weight * rho[i];
-                area += weight;
-            }
-        sigma_ += line.weights[j] * sum;
-        total += line.weights[j] * area;
+template <std::size_t D>
+class TensorSource<D>::Borrowed {
+  public:
+    explicit Borrowed(const TensorSource& of) : of_(of) {
+        const std::lock_guard lock(of_.mutex_);
+        if (of_.free_.empty()) of_.free_.push_back(std::make_unique<Workspace>());
+        mine_ = std::move(of_.free_.back());
+        of_.free_.pop_back();
     }
-    if (!areas_.empty()) sigma_ /= total;
+    ~Borrowed() {
+        const std::lock_guard lock(of_.mutex_);
+        of_.free_.push_back(std::move(mine_));
+    }
+    Borrowed(const Borrowed&) = delete;
+    Borrowed& operator=(const Borrowed&) = delete;
+    Workspace& operator*() const { return *mine_; }
+
+  private:
+    const TensorSource& of_;
+    std::unique_ptr<Workspace> mine_;
+};
+
+template <std::size_t D>
+TensorSource<D>::TensorSource(const Monitor& monitor, const TensorMap<D>& map, const SplineLine& line,
+                              std::span<const double> elements)
+    : monitor_(monitor), map_(map), elements_(elements), slab_(tensor_size<D - 1>(line.points.size())) {
+    const Borrowed workspace(*this);
+    std::vector<double> rho(slab_);
+    double total = 0; // the integral of J
+    for_each_slab<D>(line, [&](std::size_t s, const Points& xi, std::span<const double> weights) {
+        densities(xi, rho, *workspace);
+        double sum = 0, size = 0;
+        if (elements_.empty())
+            for (std::size_t i = 0; i < slab_; ++i) sum += weights[i] * rho[i];
+        else
+            for (std::size_t i = 0; i < slab_; ++i) {
+                const double weight = weights[i] * elements_[s * slab_ + i];
+                sum += weight * rho[i];
+                size += weight;
+            }
+        sigma_ += line.weights[s] * sum;
+        total += line.weights[s] * size;
+    });
+    if (!elements_.empty()) sigma_ /= total;
 }
 
-const Points& PatchSource::place(const Points& psi) const {
-    if (map_.is_identity()) return psi;
-    map_.points(psi, x_);
-    return x_;
+template <std::size_t D>
+void TensorSource<D>::densities(const Points& psi, std::span<double> rho, Workspace& workspace) const {
+    if (elements_.empty() && map_.is_identity()) return monitor_.values(psi, rho);
+    if (elements_.empty()) {
+        map_.points(psi, workspace.x);
+    } else {
+        workspace.element.resize(psi.size());
+        map_.places(psi, workspace.x, workspace.element);
+    }
+    monitor_.values(workspace.x, rho);
 }
 
-void PatchSource::values(std::size_t y, const Points& psi, std::span<double> f) const {
-    if (areas_.empty()) {
-        monitor_.values(place(psi), f);
+template <std::size_t D>
+void TensorSource<D>::sources(std::size_t y, std::span<double> f, const Workspace& workspace) const {
+    if (elements_.empty()) {
         for (double& value : f) value = sigma_ / value;
         return;
     }
-    area_.resize(psi.size());
-    map_.places(psi, x_, area_);
-    monitor_.values(x_, f);
-    const std::span<const double> before = areas_of(y, f.size());
+    const std::span<const double> before = elements_at(y, f.size());
     for (std::size_t i = 0; i < f.size(); ++i)
-        f[i] = sigma_ * before[i] / (f[i] * std::max(area_[i], least_area * before[i]));
+        f[i] = sigma_ * before[i] / (f[i] * std::max(workspace.element[i], least_element * before[i]));
 }
 
-void PatchSource::monitor_values(std::span<const double> f, std::span<double> rho) const {
-    if (!areas_.empty()) return monitor_.values(x_, rho);
-    for (std::size_t i = 0; i < f.size(); ++i) rho[i] = sigma_ / f[i];
+template <std::size_t D>
+void TensorSource<D>::values(std::size_t y, const Points& psi, std::span<double> f) const {
+    const Borrowed workspace(*this);
+    densities(psi, f, *workspace);
+    sources(y, f, *workspace);
 }
 
-void PatchSource::gradients(std::size_t y, const Points& psi, std::span<double> f, Points& gradient) const {
-    values(y, psi, f);
-    const Points& x = map_.is_identity() ? psi : x_;
-    monitor_.gradients(x, slope_);
-    map_.tangents(psi, first_, second_);
+template <std::size_t D>
+void TensorSource<D>::values(std::size_t y, const Points& psi, std::span<double> f,
+                             std::span<double> rho) const {
+    const Borrowed workspace(*this);
+    densities(psi, rho, *workspace);
+    std::copy(rho.begin(), rho.end(), f.begin());
+    sources(y, f, *workspace);
+}
+
+template <std::size_t D>
+void TensorSource<D>::gradients(std::size_t y, const Points& psi, std::span<double> f,
+                                Points& gradient) const {
+    const Borrowed borrowed(*this);
+    auto& [x, slope, tangents, element] = *borrowed;
+    densities(psi, f, *borrowed);
+    sources(y, f, *borrowed);
+    monitor_.gradients(elements_.empty() && map_.is_identity() ? psi : x, slope);
+    map_.tangents(psi, tangents);
     gradient.resize(psi.size());
-    if (areas_.empty()) {
-        for (std::size_t i = 0; i < psi.size(); ++i) { // d(sigma / rho) = -f^2 / sigma drho
-            const double factor = -f[i] * f[i] / sigma_;
-            gradient.set(i, {factor * dot(slope_[i], first_[i]), factor * dot(slope_[i], second_[i]), 0});
-        }
+    /// factor grad rho, by the parameters
+    const auto pulled_back = [&](std::size_t i, double factor) {
+        Vec3 all{factor * dot(slope[i], tangents[0][i]), factor * dot(slope[i], tangents[1][i]), 0};
+        if constexpr (D == 3) all.z = factor * dot(slope[i], tangents[2][i]);
+        return all;
+    };
+    if (elements_.empty()) {
+        for (std::size_t i = 0; i < psi.size(); ++i) // d(sigma / rho) = -f^2 / sigma drho
+            gradient.set(i, pulled_back(i, -f[i] * f[i] / sigma_));
         return;
     }
     // df = -f (drho / rho + dJ / J), J = J(Psi)
-    map_.area_gradients(psi, area_, gradient);
-    const std::span<const double> before = areas_of(y, f.size());
+    map_.element_gradients(psi, element, gradient);
+    const std::span<const double> before = elements_at(y, f.size());
     for (std::size_t i = 0; i < psi.size(); ++i) {
-        const bool bounded = !(area_[i] > least_area * before[i]);
-        const double area = bounded ? least_area * before[i] : area_[i];
-        const Vec3 turn = bounded ? Vec3{} : (-f[i] / area) * gradient[i];
-        const double factor = -f[i] * f[i] * area / (sigma_ * before[i]);
-        gradient.set(i,
-                     Vec3{factor * dot(slope_[i], first_[i]), factor * dot(slope_[i], second_[i]), 0} + turn);
+        const bool bounded = !(element[i] > least_element * before[i]);
+        const double here = bounded ? least_element * before[i] : element[i];
+        const Vec3 turn = bounded ? Vec3{} : (-f[i] / here) * gradient[i];
+        gradient.set(i, pulled_back(i, -f[i] * f[i] * here / (sigma_ * before[i])) + turn);
     }
 }
 
-std::vector<double> area_elements(const PatchMap& map, const SplineLine& line) {
-    const std::size_t n = line.points.size();
-    std::vector<double> areas(n * n);
-    Points xi(n), x;
-    xi.x = line.points;
-    for (std::size_t j = 0; j < n; ++j) {
-        xi.y.assign(n, line.points[j]);
-        map.places(xi, x, std::span(areas).subspan(j * n, n));
-    }
-    return areas;
+template <std::size_t D>
+std::vector<double> elements_of(const TensorMap<D>& map, const SplineLine& line) {
+    const std::size_t n = line.points.size(), slab = tensor_size<D - 1>(n);
+    std::vector<double> elements(n * slab);
+    Points x;
+    for_each_slab<D>(line, [&](std::size_t s, const Points& xi, std::span<const double>) {
+        map.places(xi, x, std::span(elements).subspan(s * slab, slab));
+    });
+    return elements;
 }
+
+template class TensorSource<2>;
+template class TensorSource<3>;
+template std::vector<double> elements_of(const TensorMap<2>& map, const SplineLine& line);
+template std::vector<double> elements_of(const TensorMap<3>& map, const SplineLine& line);
 
 } // namespace gaspard

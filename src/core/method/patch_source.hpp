@@ -1,5 +1,5 @@
-// The prescribed Jacobian for a monitor rho on a patch F, for either measure of the cells, with J = the area
-// element of F (|det grad F|, on a surface sqrt(det(grad F^T grad F))):
+// The prescribed Jacobian for a monitor rho on a patch F, for either measure of the cells, with J = the
+// element of area or volume of F (|det grad F|, on a surface sqrt(det(grad F^T grad F))):
 //
 //   parameter   f = sigma / rho(F(Psi))                      Bahari et al. (3.15)
 //               sigma = integral of rho(F(xi))
@@ -7,8 +7,8 @@
 //   physical    f = sigma J(xi) / (rho(F(Psi)) J(Psi))
 //               sigma = (integral of rho(F(xi)) J(xi)) / (integral of J(xi))
 //
-// over the parameter square. The first gives equal areas of the square equal integrals of rho over it, the
-// second gives cells in space integrals of rho in proportion to the areas of their uniform ancestors. Where J
+// over the parameter square or cube. The first gives equal parts of it equal integrals of rho over them, the
+// second gives cells in space integrals of rho in proportion to the sizes of their uniform ancestors. Where J
 // is constant they are the same. sigma is computed with the quadrature of the iteration.
 #pragma once
 
@@ -16,42 +16,80 @@
 #include "core/monitor/monitor.hpp"
 #include "core/spline/patch_map.hpp"
 
+#include <memory>
+#include <mutex>
+
 namespace gaspard {
 
 /// In which measure cells of a patch are to have the share of rho that their uniform ancestors have of it.
 enum class Measure { parameter, physical };
 
-class PatchSource final : public JacobianSource {
+template <std::size_t D>
+class TensorSource final : public JacobianSource {
   public:
-    /// `monitor`, `map` and `areas` must outlive this object. `areas`: J at the quadrature points for
-    /// Measure::physical (area_elements()), empty for Measure::parameter.
-    PatchSource(const Monitor& monitor, const PatchMap& map, const SplineLine& line,
-                std::span<const double> areas = {});
+    /// `monitor`, `map` and `elements` must outlive this object. `elements`: J at the quadrature points for
+    /// Measure::physical (elements_of()), empty for Measure::parameter.
+    TensorSource(const Monitor& monitor, const TensorMap<D>& map, const SplineLine& line,
+                 std::span<const double> elements = {});
 
     double sigma() const { return sigma_; }
-    /// rho(F(psi)) at the points of the last call of values(); `f`: its result.
-    void monitor_values(std::span<const double> f, std::span<double> rho) const;
     void values(std::size_t y, const Points& psi, std::span<double> f) const override;
     void gradients(std::size_t y, const Points& psi, std::span<double> f, Points& gradient) const override;
+    /// values(), and rho(F(psi)).
+    void values(std::size_t y, const Points& psi, std::span<double> f, std::span<double> rho) const;
 
   private:
-    /// F(psi).
-    const Points& place(const Points& psi) const;
-    /// J at the quadrature points of `count` points from row y on.
-    std::span<const double> areas_of(std::size_t y, std::size_t count) const {
-        return areas_.subspan(y * row_, count);
+    /// For a band of points.
+    struct Workspace {
+        Points x, slope;
+        std::array<Points, D> tangents;
+        std::vector<double> element;
+    };
+    /// Several threads may ask at once: each call takes a workspace, or makes one, and gives it back.
+    class Borrowed;
+
+    /// rho(F(psi)); with elements also J(psi).
+    void densities(const Points& psi, std::span<double> rho, Workspace& workspace) const;
+    /// f from rho.
+    void sources(std::size_t y, std::span<double> f, const Workspace& workspace) const;
+    /// J at the quadrature points of `count` points from slab y on.
+    std::span<const double> elements_at(std::size_t y, std::size_t count) const {
+        return elements_.subspan(y * slab_, count);
     }
 
     const Monitor& monitor_;
-    const PatchMap& map_;
-    std::span<const double> areas_;
-    std::size_t row_; ///< points in a row
+    const TensorMap<D>& map_;
+    std::span<const double> elements_;
+    std::size_t slab_; ///< points in a slab
     double sigma_ = 0;
-    mutable Points x_, slope_, first_, second_; ///< workspace for a band of points
-    mutable std::vector<double> area_;
+    mutable std::mutex mutex_;
+    mutable std::vector<std::unique_ptr<Workspace>> free_;
 };
+using PatchSource = TensorSource<2>;
+using SolidSource = TensorSource<3>;
 
-/// J at the quadrature points of a form, row by row.
-std::vector<double> area_elements(const PatchMap& map, const SplineLine& line);
+/// Calls work(slab, xi, weights) for the quadrature points of every slab of [0, 1]^D.
+template <std::size_t D, class Work>
+void for_each_slab(const SplineLine& line, const Work& work) {
+    const std::size_t n = line.points.size(), slab = tensor_size<D - 1>(n);
+    Points xi(slab);
+    std::vector<double> weights(slab);
+    for (std::size_t s = 0; s < n; ++s) {
+        for (std::size_t i = 0; i < slab; ++i) {
+            if constexpr (D == 2) {
+                xi.set(i, {line.points[i], line.points[s], 0});
+                weights[i] = line.weights[i];
+            } else {
+                xi.set(i, {line.points[i % n], line.points[i / n], line.points[s]});
+                weights[i] = line.weights[i % n] * line.weights[i / n];
+            }
+        }
+        work(s, xi, std::span<const double>(weights));
+    }
+}
+
+/// J at the quadrature points of a form, slab by slab.
+template <std::size_t D>
+std::vector<double> elements_of(const TensorMap<D>& map, const SplineLine& line);
 
 } // namespace gaspard

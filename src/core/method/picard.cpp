@@ -5,10 +5,10 @@
 // increment of phi; at the start, that of the next increment. The residual is that of
 // method/spline_equation.hpp, in the mixed form with its own test functions:
 //
-//   |r| / |<v, 2>|,   r_v = <div Psi - s G(Psi), v>
+//   |r| / |<v, d>|,   r_v = <div Psi - s G(Psi), v>
 //
-// From the identity map, the iteration starts on 16 cells (multilevel start) and continues on finer meshes by
-// knot insertion (remark 4.1). One iteration is one update on any level.
+// From the identity map, the iteration starts on 16 cells per direction, in the cube 8 (multilevel start),
+// and continues on finer meshes by knot insertion (remark 4.1). One iteration is one update on any level.
 #include "core/base/check.hpp"
 #include "core/linear/reduce.hpp"
 #include "core/mesh/discretisation_as.hpp"
@@ -23,7 +23,9 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t fewest_cells = 16;    // of the coarsest mesh
+constexpr std::size_t fewest_cells(std::size_t dimension) { // of the coarsest mesh, per direction
+    return dimension == 2 ? 16 : 8;
+}
 constexpr double coarse_increment = 1e-5;   // for the increment, on all levels except the finest
 constexpr int most_coarse_iterations = 100; // maximum on each of these levels
 
@@ -45,9 +47,12 @@ SeriesInfo increment_series() {
             .help = "L² norm of the last increment of φ, which ends the iteration"};
 }
 
+template <std::size_t D>
 class Picard final : public Method {
+    using Bfo = BfoIteration<D>;
+
   public:
-    Picard(std::shared_ptr<const SplineDomain> domain, Formulation formulation, const Values& values)
+    Picard(std::shared_ptr<const TensorDomain<D>> domain, Formulation formulation, const Values& values)
         : domain_(std::move(domain)), formulation_(formulation) {
         levels_.push_back(make_level(domain_->cells()));
         configure(values);
@@ -61,7 +66,7 @@ class Picard final : public Method {
         const double shift = formulation_ == Formulation::standard ? values.real("penalty") : 0;
         if (shift == shift_) return;
         shift_ = shift;
-        for (Level& level : levels_) level.bfo = Bfo(level.form->form(), shift_);
+        for (Level& level : levels_) level.bfo = Bfo(level.form->form(), shift_, threads_);
         next_.clear();
         load_of_whole_.clear();
     }
@@ -124,7 +129,7 @@ class Picard final : public Method {
             evaluation = report(level_of_update);
             evaluation.note = "continuing on " + std::to_string(levels_[level_].form->cells()) + " cells";
         }
-        const PatchForm& here = *levels_[level_].form;
+        const MappedForm<D>& here = *levels_[level_].form;
         state = {here.layout(), {{"phi", here.without_identity(whole_)}}};
         evaluation.step_size = 1;
         return evaluation;
@@ -136,28 +141,38 @@ class Picard final : public Method {
     }
 
     std::vector<SeriesInfo> series() const override {
-        std::vector<SeriesInfo> all = patch_series();
+        std::vector<SeriesInfo> all = patch_series(D);
         all.insert(all.begin(), {sigma_series(), increment_series(), level_series()});
         return all;
     }
     std::vector<double> measures(const ProblemData& data) override {
-        return values_of(levels_[level_].form->measure(*data.monitor, whole_));
+        return values_of(levels_[level_].form->measure(*data.monitor, whole_), D);
     }
     bool knows_map() const override { return true; }
-    std::vector<std::uint32_t> folded_cells() override {
-        return levels_[level_].form->jacobian(whole_).folded;
+    std::vector<std::uint32_t> folded_cells() override { return levels_[level_].form->folded_cells(whole_); }
+    void use_threads(int threads) override {
+        const auto wanted = static_cast<std::size_t>(threads);
+        if (D == 2 || wanted == threads_) return; // sums of the square are too short to be shared
+        threads_ = wanted;
+        for (Level& level : levels_) level.bfo = Bfo(level.form->form(), shift_, threads_);
+        load_of_whole_.clear();
+    }
+    double other_cpu_seconds() const override {
+        double sum = 0;
+        for (const Level& level : levels_) sum += level.bfo.other_cpu_seconds();
+        return sum;
     }
 
   private:
     struct Level {
-        std::unique_ptr<PatchForm> form;
+        std::unique_ptr<MappedForm<D>> form;
         Bfo bfo;
-        double unit; ///< |<v, 2>|
+        double unit; ///< |<v, d>|
     };
     Level make_level(std::size_t cells) const {
-        auto form = std::make_unique<PatchForm>(domain_, formulation_, cells);
+        auto form = std::make_unique<MappedForm<D>>(domain_, formulation_, cells);
         form->set_measure(measure_);
-        Bfo bfo(form->form(), shift_);
+        Bfo bfo(form->form(), shift_, threads_);
         const double unit = norm_of_divergence(*form->form());
         return {std::move(form), std::move(bfo), unit};
     }
@@ -173,7 +188,7 @@ class Picard final : public Method {
     /// Computes next_, next_increment_, load_ and residual_.
     void iterate(const ProblemData& data) {
         Level& here = levels_[level_];
-        const PatchSource source = here.form->source(*data.monitor);
+        const TensorSource<D> source = here.form->source(*data.monitor);
         sigma_ = data.unit * source.sigma();
         next_.resize(whole_.size());
         here.bfo.iterate(source, whole_, next_);
@@ -189,7 +204,7 @@ class Picard final : public Method {
     }
     /// Transfers the map to another level.
     void go_to(std::size_t level) {
-        const PatchForm &from = *levels_[level_].form, &to = *levels_[level].form;
+        const MappedForm<D>&from = *levels_[level_].form, &to = *levels_[level].form;
         const auto phi = to.adopt(from.layout(), from.without_identity(whole_));
         whole_.resize(phi.size());
         to.add_identity(phi, whole_);
@@ -202,7 +217,7 @@ class Picard final : public Method {
     }
 
     void go_to_coarsest(const ProblemData& data) {
-        while (levels_.back().form->cells() % 2 == 0 && levels_.back().form->cells() / 2 >= fewest_cells)
+        while (levels_.back().form->cells() % 2 == 0 && levels_.back().form->cells() / 2 >= fewest_cells(D))
             levels_.push_back(make_level(levels_.back().form->cells() / 2));
         if (levels_.size() == 1) return;
         level_ = levels_.size() - 1;
@@ -212,11 +227,12 @@ class Picard final : public Method {
         iterate(data);
     }
 
-    std::shared_ptr<const SplineDomain> domain_;
+    std::shared_ptr<const TensorDomain<D>> domain_;
     Formulation formulation_;
     std::vector<Level> levels_; ///< the first is the finest; the others are made when needed
     Measure measure_ = Measure::parameter;
     double shift_ = 0, tolerance_ = 0;
+    std::size_t threads_ = 1;
     bool multilevel_ = true;
     // Results for the state last evaluated:
     std::size_t level_ = 0;
@@ -254,8 +270,8 @@ MethodType picard_type(Formulation formulation, std::string name, std::string la
         .rows = std::move(rows),
         .criterion = increment_series().name,
         .make = [formulation](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
-            auto domain = discretisation_as<SplineDomain>(context.discretisation);
-            return std::make_unique<Picard>(std::move(domain), formulation, values);
+            return std::make_unique<Picard<2>>(discretisation_as<SplineDomain>(context.discretisation),
+                                               formulation, values);
         }};
 }
 
@@ -271,6 +287,13 @@ MethodType picard_mixed_method() {
     return picard_type(
         Formulation::mixed, "picard-mixed", "Picard, mixed",
         "the same iteration in mixed form, with the map as unknown; boundaries are preserved exactly");
+}
+
+MethodMaker picard_in_solids(bool mixed) {
+    return [mixed](const MethodContext& context, const Values& values) -> std::unique_ptr<Method> {
+        return std::make_unique<Picard<3>>(discretisation_as<SolidDomain>(context.discretisation),
+                                           mixed ? Formulation::mixed : Formulation::standard, values);
+    };
 }
 
 } // namespace gaspard

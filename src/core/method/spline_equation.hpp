@@ -1,10 +1,11 @@
-// The standard form on a patch as a nonlinear problem for phi = Phi - |xi|^2 / 2, with Psi = grad Phi:
+// The standard form on a patch or a solid as a nonlinear problem for phi = Phi - |xi|^2 / 2, with Psi = grad
+// Phi:
 //
 //   r_v = <Psi . n, v>_boundary - <s G(Phi), v> - <grad Phi, grad v>
 //
 // Its solution is the fixed point of the method picard; direction() is the Picard increment, so that
-// relaxation with step size 1 is Picard's method. The normalised residual is |r| / |<v, 2>|, where 2 is the
-// divergence of the identity map.
+// relaxation with step size 1 is Picard's method. The normalised residual is |r| / |<v, d>|, where d = 2 or 3
+// is the divergence of the identity map.
 #pragma once
 
 #include "core/method/monge_ampere.hpp"
@@ -12,12 +13,13 @@
 
 namespace gaspard {
 
-class SplineEquation final : public MongeAmpereEquation {
+template <std::size_t D>
+class TensorEquation final : public MongeAmpereEquation {
   public:
-    explicit SplineEquation(std::shared_ptr<const SplineDomain> domain)
-        : SplineEquation(domain, domain->cells()) {}
+    explicit TensorEquation(std::shared_ptr<const TensorDomain<D>> domain)
+        : TensorEquation(domain, domain->cells()) {}
     /// On a coarser mesh than that of the domain.
-    SplineEquation(std::shared_ptr<const SplineDomain> domain, std::size_t cells);
+    TensorEquation(std::shared_ptr<const TensorDomain<D>> domain, std::size_t cells);
 
     std::optional<State> adopt(const State& other, const Discretisation* of) override;
     State adopt(NonlinearProblem& other, std::span<const double> phi) override;
@@ -29,10 +31,10 @@ class SplineEquation final : public MongeAmpereEquation {
     const Points& positions() const override { return positions_; }
     std::vector<SeriesInfo> series() const override;
     std::vector<double> measures(const ProblemData& data) override {
-        return values_of(patch_->measure(*data.monitor, shown_));
+        return values_of(patch_->measure(*data.monitor, shown_), D);
     }
     bool knows_map() const override { return true; }
-    std::vector<std::uint32_t> folded_cells() override { return patch_->jacobian(shown_).folded; }
+    std::vector<std::uint32_t> folded_cells() override { return patch_->folded_cells(shown_); }
     void move(std::span<const double> phi) override;
     std::span<const double> residual() const override { return residual_; }
     Ellipticity ellipticity() const override { return {shape_.convexity, shape_.slowest, shape_.fastest}; }
@@ -43,17 +45,23 @@ class SplineEquation final : public MongeAmpereEquation {
     void derivative(std::span<const double> w, std::span<double> out) override { bfo_.derivative(w, out); }
     void precondition(std::span<const double> r, std::span<double> u) override { bfo_.poisson(r, u); }
 
-  private:
-    SplineEquation(std::shared_ptr<const SplineDomain> domain, std::unique_ptr<PatchForm> patch);
+    void use_threads(int threads) override;
+    double other_cpu_seconds() const override { return bfo_.other_cpu_seconds(); }
 
-    std::shared_ptr<const SplineDomain> domain_;
-    std::unique_ptr<PatchForm> patch_;
-    Bfo bfo_;
-    double unit_ = 0; ///< |<v, 2>|
+  private:
+    TensorEquation(std::shared_ptr<const TensorDomain<D>> domain, std::unique_ptr<MappedForm<D>> patch);
+
+    std::shared_ptr<const TensorDomain<D>> domain_;
+    std::unique_ptr<MappedForm<D>> patch_;
+    std::size_t threads_ = 1;
+    BfoIteration<D> bfo_;
+    double unit_ = 0; ///< |<v, d>|
     Points positions_;
-    Bfo::Shape shape_;
+    typename BfoIteration<D>::Shape shape_;
     std::vector<double> whole_, next_, residual_; ///< Phi, T(Phi), r
     std::vector<double> shown_;                   ///< the Phi of positions()
 };
+using SplineEquation = TensorEquation<2>;
+using SolidEquation = TensorEquation<3>;
 
 } // namespace gaspard

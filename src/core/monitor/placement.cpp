@@ -17,7 +17,7 @@ bool is_placed(MonitorFigure figure, const Space& space) {
 }
 
 /// The same space without its place.
-Space figure_space(const Space& space) { return {.kind = space.kind, .dimension = space.dimension}; }
+Space figure_space(const Space& space) { return {.kind = space.kind, .dimension = space.dimension, .solid = space.solid}; }
 
 /// 0, 1 or 2 for the coordinates of a point, else nothing.
 std::optional<std::size_t> axis_of(const ParameterRow& row) {
@@ -157,7 +157,7 @@ Placement placement_of(MonitorFigure figure, const Space& space) {
     const Box& box = *space.box;
     const double side = longest_side(box);
     if (figure == MonitorFigure::unit_disk) return {box.centre(), side / 2};
-    return {box.centre() - side * Vec3{0.5, 0.5, 0}, side};
+    return {box.centre() - side * Vec3{0.5, 0.5, space.solid ? 0.5 : 0}, side};
 }
 
 std::vector<ParameterRow> rows_on(const MonitorType& type, const Space& space) {

@@ -87,7 +87,7 @@ std::vector<ParameterRow> center_rows(const Space& space) {
     if (space.dimension == 3) {
         rows.push_back(row("center_z", "Centre z", "c₃", ParameterRole::z));
         rows.back().minimum = -10, rows.back().maximum = 10;
-        rows.back().default_value = 0.0;
+        rows.back().default_value = space.solid ? 0.5 : 0.0; // in a cube the middle
     }
     return rows;
 }

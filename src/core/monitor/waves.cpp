@@ -126,7 +126,7 @@ MonitorType cosine_waves_monitor() {
             .figure = MonitorFigure::unit_square,
             .spaces = {SpaceKind::euclidean},
             .rows =
-                [](const Space&) {
+                [](const Space& space) {
                     std::vector<ParameterRow> rows = {{.key = "frequency",
                                                        .label = "Frequency",
                                                        .symbol = "k",
@@ -136,7 +136,8 @@ MonitorType cosine_waves_monitor() {
                                                        .scale = ParameterScale::logarithmic,
                                                        .default_value = 4.0,
                                                        .help = "number of rings per unit length"}};
-                    for (auto& row : center_in_space_rows({0.5, 0.5, 0})) rows.push_back(std::move(row));
+                    for (auto& row : center_in_space_rows({0.5, 0.5, space.solid ? 0.5 : 0}))
+                        rows.push_back(std::move(row));
                     return rows;
                 },
             .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {

@@ -13,7 +13,7 @@ struct PublishedSolve {
 };
 std::span<const PublishedSolve> published_solves(int table);
 
-/// A row of tables 3 to 6 and 9 to 15: an adapted mesh.
+/// A row of tables 3 to 6 and 9 to 19: an adapted mesh.
 struct PublishedMap {
     int degree, cells;
     double err, qual, min_jacobian, max_jacobian, border;

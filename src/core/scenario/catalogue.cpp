@@ -17,6 +17,8 @@
 #include "core/scenario/output_rows.hpp"
 #include "core/scenario/problem_on.hpp"
 #include "core/scenario/view_rows.hpp"
+#include "core/spline/solid_domain.hpp"
+#include "core/spline/spline_domain.hpp"
 #include "core/transport/transport_domain.hpp"
 
 #include <algorithm>
@@ -87,6 +89,22 @@ Capability spline_capability(const std::string& domain_type) {
             .method_rows = {measure_row()}};
 }
 
+Capability solid_capability(const std::string& domain_type) {
+    return {.domain = domain_type,
+            .boundaries = {},
+            .monitors = {"cosine-waves", "ring", "bell", "ring-and-bell", "random-bells", "random-waves",
+                         "constant", "formula"},
+            .methods = {"picard", "picard-mixed", "newton", "accelerated", "auto"},
+            .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
+                if (context.progress) context.progress(0, "preparing the solid");
+                return make_solid_domain(context.scenario.domain.type, context.scenario.domain.values,
+                                         context.scenario.folder, context.scenario.place.content);
+            },
+            .problem = problem_on<SolidEquation, SolidDomain>,
+            .makers = {{"picard", picard_in_solids(false)}, {"picard-mixed", picard_in_solids(true)}},
+            .method_rows = {measure_row()}};
+}
+
 Capability interval_capability() {
     return {.domain = "interval",
             .boundaries = {},
@@ -154,6 +172,10 @@ Catalogue builtin_catalogue() {
         .output_rows = output_rows()};
     for (auto& domain : spline_domains()) {
         catalogue.capabilities.push_back(spline_capability(domain.name));
+        catalogue.domains.push_back(std::move(domain));
+    }
+    for (auto& domain : solid_domains()) {
+        catalogue.capabilities.push_back(solid_capability(domain.name));
         catalogue.domains.push_back(std::move(domain));
     }
     catalogue.domains.push_back(interval_domain());

@@ -8,6 +8,7 @@
 #include "core/monitor/own_problem.hpp"
 #include "core/scenario/view_rows.hpp"
 #include "core/spline/patch_file.hpp"
+#include "core/spline/solid_domain.hpp"
 #include "core/spline/spline_domain.hpp"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ std::unique_ptr<Method> Run::make_method(const Course& course, const Progress& p
 }
 
 std::shared_ptr<QualityMeter> Run::make_meter(const Course& course) const {
-    constexpr int points = 6; // see quality.hpp
+    const int points = cell_dimension(course.discretisation->mesh()->kind) == 3 ? 4 : 6; // see quality.hpp
     return std::make_shared<QualityMeter>(course.discretisation->mesh(), threads_, points,
                                           space_of(*catalogue_, course.problem.scenario));
 }
@@ -82,11 +83,12 @@ static Scenario located(const Catalogue& catalogue, Scenario scenario, bool anew
     return scenario;
 }
 
-/// Sets the scenario's domain to the caller's patch. Of a scenario on another patch, its mesh remains.
+/// Sets the scenario's domain to the caller's patch or solid. Of a scenario on another one, its mesh remains.
 static Scenario on_patch(const Catalogue& catalogue, Scenario scenario, const SplinePatch* patch) {
     if (!patch) return located(catalogue, std::move(scenario));
-    Section domain = domain_section(catalogue, own_patch_domain);
-    if (scenario.domain.type == own_patch_domain)
+    const std::string_view type = patch->space.directions.size() == 3 ? own_solid_domain : own_patch_domain;
+    Section domain = domain_section(catalogue, type);
+    if (scenario.domain.type == type)
         for (const char* key : {"cells", "degree"}) domain.values.set(key, scenario.domain.values.at(key));
     domain.values.set("file", patch_json(*patch));
     scenario.domain = std::move(domain);

@@ -1,13 +1,13 @@
 #include "core/spline/jacobian_bounds.hpp"
 
 #include "core/base/check.hpp"
+#include "core/spline/bernstein.hpp"
 #include "core/spline/line_table.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -20,41 +20,10 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_parts_per_cell = 4096, most_parts = 1 << 17;
 
-/// Points of every cell at which its polynomials of this degree are interpolated (Chebyshev's, all inside, so
-/// that each belongs to one cell), and the matrix from values there to Bernstein coefficients. At degree 12
-/// its rounding errors are some 1e-10 of the largest |J|.
-struct Interpolation {
-    Interpolation(std::size_t degree, std::size_t cells) : size(degree + 1) {
-        std::vector<double> place(size);
-        for (std::size_t k = 0; k < size; ++k)
-            place[k] = (1 - std::cos(std::numbers::pi * (2.0 * static_cast<double>(k) + 1) /
-                                     (2.0 * static_cast<double>(size)))) /
-                       2;
-        for (std::size_t c = 0; c < cells; ++c)
-            for (const double t : place)
-                points.push_back((static_cast<double>(c) + t) / static_cast<double>(cells));
-        const auto n = static_cast<Eigen::Index>(size);
-        Eigen::MatrixXd bernstein = Eigen::MatrixXd::Zero(n, n);
-        for (Eigen::Index k = 0; k < n; ++k) {
-            const double t = place[static_cast<std::size_t>(k)];
-            bernstein(k, 0) = 1; // raised from degree 0, one degree at a time
-            for (Eigen::Index q = 1; q < n; ++q)
-                for (Eigen::Index i = q; i >= 0; --i)
-                    bernstein(k, i) =
-                        (i < q ? (1 - t) * bernstein(k, i) : 0) + (i > 0 ? t * bernstein(k, i - 1) : 0);
-        }
-        to_bernstein = bernstein.partialPivLu().inverse();
-    }
-
-    std::size_t size; ///< points per cell
-    std::vector<double> points;
-    RowMajor to_bernstein;
-};
-
 /// One of the four derivatives, tabulated at the interpolation points.
 class Factor {
   public:
-    Factor(SplineFunction of, const Interpolation& at)
+    Factor(SplineFunction of, const BernsteinPoints& at)
         : of_(std::move(of)), size_(at.size), x_(of_.space.directions[0], at.points, 0),
           y_(of_.space.directions[1], at.points, 0) {}
 
@@ -187,7 +156,9 @@ class Bounding {
         for (std::size_t f = 0; f < factors_.size(); ++f)
             factors_[f].values(cell % cells_, cell / cells_, values_[f]);
         const RowMajor j = values_[0].cwiseProduct(values_[1]) - values_[2].cwiseProduct(values_[3]);
-        return interpolation_.to_bernstein * j * interpolation_.to_bernstein.transpose();
+        const auto n = static_cast<Eigen::Index>(interpolation_.size);
+        const Eigen::Map<const RowMajor> to_bernstein(interpolation_.to_bernstein.data(), n, n);
+        return to_bernstein * j * to_bernstein.transpose();
     }
 
     void look_at(std::uint32_t cell) {
@@ -225,7 +196,7 @@ class Bounding {
     }
 
     std::size_t cells_;
-    Interpolation interpolation_;
+    BernsteinPoints interpolation_;
     std::array<Factor, 4> factors_; ///< psi1,1 psi2,2 psi1,2 psi2,1
     std::array<RowMajor, 4> values_;
     double largest_ = 0; ///< upper bound of |J| on the cells looked at

@@ -91,7 +91,7 @@ void check_coordinates(const Points& control, const std::string& origin) {
 
 SplinePatch make_patch(PatchParts parts, const std::string& origin) {
     SplinePatch patch;
-    for (std::size_t d = 0; d < 2; ++d)
+    for (std::size_t d = 0; d < parts.directions; ++d)
         patch.space.directions.push_back(
             checked_direction(parts.degrees[d], std::move(parts.knots[d]), std::to_string(d), origin));
     const std::size_t n = patch.space.size();
@@ -141,29 +141,57 @@ static std::optional<Vec3> common_direction(const Points& vectors) {
     return unit;
 }
 
+/// At points xi; the Jacobian must have one sign.
+static void check_jacobians(const Points& xi, const std::vector<double>& jacobians, const std::string& what,
+                            const std::string& origin) {
+    constexpr double least = 1e-9; // relative to the largest Jacobian
+    double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
+    for (const double one : jacobians) {
+        if (!std::isfinite(one)) not_a_patch(origin, "the map is not finite everywhere");
+        smallest = std::min(smallest, one), largest = std::max(largest, one);
+    }
+    const double size = std::max(std::abs(smallest), std::abs(largest));
+    if (smallest > least * size || largest < -least * size) return;
+    // A mirrored map folds where the sign is that of fewer points.
+    const bool mirrored = largest + smallest < 0;
+    const double worst = mirrored ? largest : smallest;
+    const auto where =
+        static_cast<std::size_t>(std::find(jacobians.begin(), jacobians.end(), worst) - jacobians.begin());
+    const bool solid = what == "volume";
+    not_a_patch(origin, "the map folds or has no " + what + ", for example at ξ = (" +
+                            format_number(xi.x[where]) + ", " + format_number(xi.y[where]) +
+                            (solid ? ", " + format_number(xi.z[where]) : "") + ")");
+}
+
 void check_regular(const PatchMap& map, const std::string& origin) {
     constexpr std::size_t side = 64; // sampled at the centres of side x side squares
-    constexpr double least = 1e-9;   // relative to the largest Jacobian
-    Points xi(side * side), first, second;
+    Points xi(side * side);
+    std::array<Points, 2> tangents;
     for (std::size_t i = 0; i < xi.size(); ++i)
         xi.set(i, {(static_cast<double>(i % side) + 0.5) / side, (static_cast<double>(i / side) + 0.5) / side,
                    0});
-    map.tangents(xi, first, second);
+    map.tangents(xi, tangents);
     Points normals(xi.size());
-    for (std::size_t i = 0; i < xi.size(); ++i) normals.set(i, cross(first[i], second[i]));
+    for (std::size_t i = 0; i < xi.size(); ++i) normals.set(i, cross(tangents[0][i], tangents[1][i]));
     const std::optional<Vec3> plane = common_direction(normals);
-    double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
-    std::size_t where = 0;
-    for (std::size_t i = 0; i < xi.size(); ++i) {
-        const double jacobian = plane ? dot(normals[i], *plane) : norm(normals[i]);
-        if (!std::isfinite(jacobian)) not_a_patch(origin, "the map is not finite everywhere");
-        if (jacobian < smallest) smallest = jacobian, where = i;
-        largest = std::max(largest, jacobian);
-    }
-    const double size = std::max(std::abs(smallest), std::abs(largest));
-    if (!(smallest > least * size) && !(largest < -least * size))
-        not_a_patch(origin, "the map folds or has no area, for example at ξ = (" +
-                                format_number(xi.x[where]) + ", " + format_number(xi.y[where]) + ")");
+    std::vector<double> jacobians(xi.size());
+    for (std::size_t i = 0; i < xi.size(); ++i)
+        jacobians[i] = plane ? dot(normals[i], *plane) : norm(normals[i]);
+    check_jacobians(xi, jacobians, "area", origin);
+}
+
+void check_regular(const SolidMap& map, const std::string& origin) {
+    constexpr std::size_t side = 24; // sampled at the centres of side^3 cubes
+    Points xi(side * side * side);
+    const auto middle = [](std::size_t i) { return (static_cast<double>(i) + 0.5) / side; };
+    for (std::size_t i = 0; i < xi.size(); ++i)
+        xi.set(i, {middle(i % side), middle(i / side % side), middle(i / side / side)});
+    std::array<Points, 3> tangents;
+    map.tangents(xi, tangents);
+    std::vector<double> jacobians(xi.size());
+    for (std::size_t i = 0; i < xi.size(); ++i)
+        jacobians[i] = dot(cross(tangents[0][i], tangents[1][i]), tangents[2][i]);
+    check_jacobians(xi, jacobians, "volume", origin);
 }
 
 } // namespace gaspard

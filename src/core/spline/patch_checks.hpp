@@ -11,8 +11,9 @@ namespace gaspard {
 
 /// A patch as a file has it, not yet checked.
 struct PatchParts {
-    std::array<double, 2> degrees{};
-    std::array<std::vector<double>, 2> knots{};
+    std::size_t directions = 2; ///< 3: of a solid
+    std::array<double, 3> degrees{};
+    std::array<std::vector<double>, 3> knots{};
     Points control{};              ///< first direction fastest
     std::vector<double> weights{}; ///< empty: all 1
 };
@@ -29,7 +30,8 @@ Points points_in_columns(const std::vector<double>& coordinates, std::size_t dim
 /// positive and as many as the points.
 void divide_by_weights(PatchParts& parts, const std::string& origin);
 
-/// Checks at sample points that the Jacobian does not vanish or, in the plane, change sign.
+/// Checks at sample points that the Jacobian does not vanish or, in the plane and of solids, change sign.
 void check_regular(const PatchMap& map, const std::string& origin);
+void check_regular(const SolidMap& map, const std::string& origin);
 
 } // namespace gaspard

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 
@@ -71,6 +72,18 @@ std::size_t find_entry(const std::vector<PatchEntry>& all, const std::vector<std
 
 void cannot_read(const std::string& origin, const std::string& why) {
     throw InputError("cannot read a patch from " + origin + ": " + why);
+}
+
+std::string refusal_of_directions(std::size_t directions, const PatchText& file) {
+    static const std::array<const char*, 4> names = {"a point", "a curve", "a surface", "a solid"};
+    static const std::array<const char*, 4> domains = {"", "", "spline-patch", "spline-solid"};
+    if (directions == file.directions) return {};
+    const std::string not_wanted = std::string(", not ") + names.at(file.directions);
+    if (directions >= names.size())
+        return "a spline of " + std::to_string(directions) + " directions" + not_wanted;
+    const std::string domain = domains.at(directions);
+    return names.at(directions) + not_wanted +
+           (domain.empty() ? "" : " (domain.type = " + domain + " reads it)");
 }
 
 ChosenPatch choose_patch(const std::vector<PatchEntry>& entries, const PatchText& file) {

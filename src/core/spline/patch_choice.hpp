@@ -34,7 +34,13 @@ struct PatchText {
     std::string_view text;
     std::string origin; ///< the file's name, for messages
     std::string which;  ///< domain.patch
+    /// Of the geometry that is wanted: 2, surfaces, or 3, solids.
+    std::size_t directions = 2;
 };
+
+/// Why a geometry with this number of directions is not what `file` is read for: "a solid, not a surface,
+/// ..."; empty if it is.
+std::string refusal_of_directions(std::size_t directions, const PatchText& file);
 
 struct ChosenPatch {
     std::size_t entry = 0; ///< its index among all entries

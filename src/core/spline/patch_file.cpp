@@ -72,28 +72,34 @@ FoundPatch parse_patch(const PatchText& given) {
     for (const FileKind& kind : kinds) {
         if (!begin.starts_with(kind.begins)) continue;
         if (kind.read == nullptr) cannot_read(file.origin, "it is " + std::string(kind.name));
-        return kind.read(file);
+        FoundPatch found = kind.read(file);
+        if (const auto refusal = refusal_of_directions(found.patch.space.directions.size(), file);
+            !refusal.empty())
+            cannot_read(found.origin, "it is " + refusal);
+        return found;
     }
     cannot_read(file.origin,
                 "it is none of the kinds of patch file that are read: JSON of Gaspard, geomdl or "
                 "splinepy, XML of G+Smo, NURBS meshes of MFEM, geometries of GeoPDEs");
 }
 
-FoundPatch read_patch(const std::filesystem::path& file, const std::string& which) {
+FoundPatch read_patch(const std::filesystem::path& file, const std::string& which, std::size_t directions) {
     const std::string text = read_file(file, largest_patch_file);
-    return parse_patch({text, file.string(), which});
+    return parse_patch({text, file.string(), which, directions});
 }
 
 FoundPatch find_patch(const std::string& json_or_file, const std::filesystem::path& folder,
-                      const std::string& which) {
-    if (is_path(json_or_file)) return read_patch(user_path(json_or_file, folder), which);
+                      const std::string& which, std::size_t directions) {
+    if (is_path(json_or_file)) return read_patch(user_path(json_or_file, folder), which, directions);
     if (is_data_uri(json_or_file)) {
         const std::string text = read_data_file(json_or_file, folder, largest_patch_file);
-        return parse_patch({text, data_file_name(json_or_file), which});
+        return parse_patch({text, data_file_name(json_or_file), which, directions});
     }
-    if (!without_blanks(json_or_file).empty()) return parse_patch({json_or_file, "domain.file", which});
-    choose_patch({{"disk", {}, {}}}, {{}, "the built-in disk", which});
-    return {nurbs_disk(), "the built-in disk"};
+    if (!without_blanks(json_or_file).empty())
+        return parse_patch({json_or_file, "domain.file", which, directions});
+    const std::string built_in = directions == 2 ? "the built-in disk" : "the built-in cylinder";
+    choose_patch({{"patch", {}, {}}}, {{}, built_in, which, directions});
+    return {directions == 2 ? nurbs_disk() : nurbs_cylinder(), built_in};
 }
 
 std::string patch_json(const SplinePatch& patch) {
@@ -120,6 +126,18 @@ SplinePatch nurbs_disk() {
         for (std::size_t i = 0; i < 3; ++i)
             patch.control.set(3 * j + i, {j == 1 ? out[i] : at[i], i == 1 ? out[j] : at[j], 0});
     return patch;
+}
+
+SplinePatch nurbs_cylinder() {
+    SplinePatch disk = nurbs_disk();
+    const std::size_t n = disk.control.size();
+    disk.space.directions.push_back({1, {0, 0, 1, 1}});
+    disk.control.resize(2 * n);
+    for (std::size_t i = 0; i < n; ++i) {
+        disk.control.set(n + i, disk.control[i] + Vec3{0, 0, 2});
+        disk.weights.push_back(disk.weights[i]);
+    }
+    return disk;
 }
 
 } // namespace gaspard

@@ -178,7 +178,9 @@ class Inverse final : public PatchParameters {
     }
     void points(const Points& uv, Points& x) const override { map_->points(uv, x); }
     void tangents(const Points& uv, Points& first, Points& second) const override {
-        map_->tangents(uv, first, second);
+        std::array<Points, 2> both;
+        map_->tangents(uv, both);
+        first = std::move(both[0]), second = std::move(both[1]);
     }
     std::array<PatchClosure, 2> closure() const override { return samples().closure; }
 
@@ -196,16 +198,18 @@ class Inverse final : public PatchParameters {
             active.push_back(
                 {.index = i, .uv = uv[i], .step = {}, .residual = {}, .first = {}, .second = {}});
         }
-        Points trial, there, first, second;
+        Points trial, there;
+        std::array<Points, 2> tangents;
         for (int k = 0; k < most_steps && !active.empty(); ++k) {
             trial.resize(active.size());
             for (std::size_t j = 0; j < active.size(); ++j) trial.set(j, next(active[j], known));
             map_->points(trial, there);
-            map_->tangents(trial, first, second);
+            map_->tangents(trial, tangents);
             std::size_t left = 0;
             for (std::size_t j = 0; j < active.size(); ++j) {
                 Search& s = active[j];
-                const bool done = judge(s, trial[j], x[s.index] - there[j], first[j], second[j], known);
+                const bool done =
+                    judge(s, trial[j], x[s.index] - there[j], tangents[0][j], tangents[1][j], known);
                 uv.set(s.index, s.uv);
                 if (!done) active[left++] = s;
             }

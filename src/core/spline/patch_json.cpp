@@ -83,14 +83,19 @@ void check_keys(const Json& json, const std::string& origin) {
                                     "; allowed: degrees, knots, control_points, weights");
 }
 
-SplinePatch own_patch(const Json& json, const std::string& origin) {
+SplinePatch own_patch(const Json& json, const PatchText& file) {
+    const std::string& origin = file.origin;
     if (!json.is_object()) not_a_patch(origin, "it must be an object with degrees, knots and control_points");
     check_keys(json, origin);
     const Json &degrees = list_in(json, "degrees", origin), &knots = list_in(json, "knots", origin);
-    if (degrees.size() != 2 || knots.size() != 2)
-        not_a_patch(origin, "degrees and knots must have two entries, one per direction");
-    PatchParts parts;
-    for (std::size_t d = 0; d < 2; ++d) {
+    const bool other = degrees.size() == knots.size() && (degrees.size() == 2 || degrees.size() == 3);
+    if (const auto refusal = refusal_of_directions(degrees.size(), file); other && !refusal.empty())
+        cannot_read(origin, "it is " + refusal);
+    if (degrees.size() != file.directions || knots.size() != file.directions)
+        not_a_patch(origin, std::string("degrees and knots must have ") +
+                                (file.directions == 2 ? "two" : "three") + " entries, one per direction");
+    PatchParts parts{.directions = file.directions};
+    for (std::size_t d = 0; d < parts.directions; ++d) {
         parts.degrees[d] = number(degrees[d]);
         parts.knots[d] = numbers(knots[d], "knots[" + std::to_string(d) + "]", origin);
     }
@@ -154,9 +159,10 @@ SplinePatch geomdl_patch(const Json& json, const std::string& origin) {
     return make_patch(std::move(parts), origin);
 }
 
-std::string geomdl_refusal(const Json& shape, const Json& entry) {
+std::string geomdl_refusal(const Json& shape, const Json& entry, const PatchText& file) {
     const std::string type = text_in(shape, "type");
     if (type != "surface") return "a " + (type.empty() ? "shape without type" : type) + ", not a surface";
+    if (file.directions == 3) return refusal_of_directions(2, file);
     if (!entry.is_object()) return "not an object";
     const auto trims = entry.find("trims");
     return trims != entry.end() && !trims->empty() ? "a trimmed surface" : "";
@@ -168,7 +174,7 @@ FoundPatch geomdl(const Json& shape, const PatchText& file) {
     const Json list = data.is_array() ? data : Json::array({data});
     check_said(shape, "count", list.size(), "the number of entries of 'data' is", file.origin);
     std::vector<PatchEntry> entries;
-    for (const Json& one : list) entries.push_back({"surface", {}, geomdl_refusal(shape, one)});
+    for (const Json& one : list) entries.push_back({"surface", {}, geomdl_refusal(shape, one, file)});
     ChosenPatch chosen = choose_patch(entries, file);
     SplinePatch patch = geomdl_patch(list[chosen.entry], chosen.origin);
     return {std::move(patch), std::move(chosen.origin), std::move(chosen.patches)};
@@ -192,16 +198,18 @@ std::vector<double> splinepy_numbers(const Json& json, const std::string& what, 
 bool has_knots(const std::string& type) { return type == "BSpline" || type == "NURBS"; }
 bool has_weights(const std::string& type) { return type == "RationalBezier" || type == "NURBS"; }
 
-SplinePatch splinepy_patch(const Json& json, const std::string& origin) {
+SplinePatch splinepy_patch(const Json& json, std::size_t directions, const std::string& origin) {
     const std::string type = text_in(json, "SplineType");
     const Json& degrees = list_in(json, "degrees", origin);
-    PatchParts parts;
+    PatchParts parts{.directions = directions};
     check_said(json, "para_dim", degrees.size(), "the number of degrees is", origin);
-    for (std::size_t d = 0; d < 2; ++d) {
+    for (std::size_t d = 0; d < directions; ++d) {
         const double degree = parts.degrees[d] = d < degrees.size() ? number(degrees[d]) : 0;
         if (has_knots(type)) {
             const Json& knots = list_in(json, "knot_vectors", origin);
-            if (knots.size() != 2) not_a_patch(origin, "knot_vectors must have two entries");
+            if (knots.size() != directions)
+                not_a_patch(origin, std::string("knot_vectors must have ") +
+                                        (directions == 2 ? "two" : "three") + " entries");
             parts.knots[d] = numbers(knots[d], "knot_vectors[" + std::to_string(d) + "]", origin);
         } else if (degree >= 1 && degree <= highest_degree) {
             parts.knots[d].assign(static_cast<std::size_t>(degree) + 1, 0.0);
@@ -241,12 +249,12 @@ FoundPatch splinepy(const Json& json, const PatchText& file) {
         const std::size_t directions = degrees != one.end() && degrees->is_array() ? degrees->size() : 0;
         if (!known)
             entry.refusal = "no kind of spline that is known";
-        else if (directions != 2)
-            entry.refusal = directions == 3 ? "a solid, not a surface" : "not a surface";
+        else
+            entry.refusal = refusal_of_directions(directions, file);
         entries.push_back(std::move(entry));
     }
     ChosenPatch chosen = choose_patch(entries, file);
-    SplinePatch patch = splinepy_patch(list[chosen.entry], chosen.origin);
+    SplinePatch patch = splinepy_patch(list[chosen.entry], file.directions, chosen.origin);
     return {std::move(patch), std::move(chosen.origin), std::move(chosen.patches)};
 }
 
@@ -262,7 +270,7 @@ FoundPatch read_json_patch(const PatchText& file) {
     if (json.is_object() && json.contains("shape")) return geomdl(json["shape"], file);
     if (json.is_object() && json.contains("SplineList")) return splinepy(json, file);
     const ChosenPatch chosen = choose_patch({{"patch", {}, {}}}, file);
-    return {own_patch(json, file.origin), chosen.origin, nullptr};
+    return {own_patch(json, file), chosen.origin, nullptr};
 }
 
 } // namespace gaspard

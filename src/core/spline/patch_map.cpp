@@ -10,7 +10,7 @@ namespace {
 using std::numbers::pi;
 
 /// A point of the surface and the two tangents.
-struct Place {
+struct SurfacePlace {
     Vec3 x, first, second;
 };
 
@@ -19,7 +19,8 @@ struct Area {
     double value, first, second;
 };
 
-/// A map from functions of (xi1, xi2) that return a Place and an Area; unused members are optimised away.
+/// A map from functions of (xi1, xi2) that return a SurfacePlace and an Area; unused members are optimised
+/// away.
 template <int dimension, class Formula>
 class FormulaMap final : public PatchMap {
   public:
@@ -28,13 +29,12 @@ class FormulaMap final : public PatchMap {
         x.resize(xi.size());
         for (std::size_t i = 0; i < xi.size(); ++i) x.set(i, Formula::at(xi.x[i], xi.y[i]).x);
     }
-    void tangents(const Points& xi, Points& first, Points& second) const override {
-        first.resize(xi.size());
-        second.resize(xi.size());
+    void tangents(const Points& xi, std::array<Points, 2>& tangents) const override {
+        for (Points& one : tangents) one.resize(xi.size());
         for (std::size_t i = 0; i < xi.size(); ++i) {
-            const Place place = Formula::at(xi.x[i], xi.y[i]);
-            first.set(i, place.first);
-            second.set(i, place.second);
+            const SurfacePlace place = Formula::at(xi.x[i], xi.y[i]);
+            tangents[0].set(i, place.first);
+            tangents[1].set(i, place.second);
         }
     }
     void places(const Points& xi, Points& x, std::span<double> area) const override {
@@ -45,7 +45,7 @@ class FormulaMap final : public PatchMap {
             area[i] = std::abs(Formula::area(a, b).value);
         }
     }
-    void area_gradients(const Points& xi, std::span<double> area, Points& gradient) const override {
+    void element_gradients(const Points& xi, std::span<double> area, Points& gradient) const override {
         gradient.resize(xi.size());
         for (std::size_t i = 0; i < xi.size(); ++i) {
             const Area of = Formula::area(xi.x[i], xi.y[i]);
@@ -59,13 +59,13 @@ class FormulaMap final : public PatchMap {
 
 struct Square {
     static constexpr bool identity = true;
-    static Place at(double a, double b) { return {{a, b, 0}, {1, 0, 0}, {0, 1, 0}}; }
+    static SurfacePlace at(double a, double b) { return {{a, b, 0}, {1, 0, 0}, {0, 1, 0}}; }
     static Area area(double, double) { return {1, 0, 0}; }
 };
 
 struct Disk {
     static constexpr bool identity = false;
-    static Place at(double a, double b) {
+    static SurfacePlace at(double a, double b) {
         const double u = 2 * a - 1, v = 2 * b - 1;
         const double su = std::sqrt(1 - u * u / 2), sv = std::sqrt(1 - v * v / 2);
         return {{u * sv, v * su, 0}, {2 * sv, -u * v / su, 0}, {-u * v / sv, 2 * su, 0}};
@@ -79,7 +79,7 @@ struct Disk {
 
 struct QuarterAnnulus {
     static constexpr bool identity = false;
-    static Place at(double a, double b) {
+    static SurfacePlace at(double a, double b) {
         const double r = 0.5 + 0.5 * a, c = std::cos(pi / 2 * b), s = std::sin(pi / 2 * b);
         return {{r * c, r * s, 0}, {0.5 * c, 0.5 * s, 0}, {-pi / 2 * r * s, pi / 2 * r * c, 0}};
     }
@@ -88,7 +88,7 @@ struct QuarterAnnulus {
 
 struct TorusPart {
     static constexpr bool identity = false;
-    static Place at(double a, double b) {
+    static SurfacePlace at(double a, double b) {
         const double cu = std::cos(pi * a), su = std::sin(pi * a);
         const double cv = std::cos(1.5 * pi * b), sv = std::sin(1.5 * pi * b), r = 3 + cv;
         return {{r * cu, r * su, sv},
@@ -103,7 +103,7 @@ struct TorusPart {
 
 struct Moebius {
     static constexpr bool identity = false;
-    static Place at(double a, double b) {
+    static SurfacePlace at(double a, double b) {
         const double u = 2 * pi * a, v = b - 0.5, cu = std::cos(u), su = std::sin(u);
         const double ch = std::cos(u / 2), sh = std::sin(u / 2), r = 1 + v * ch, slope = -v * sh / 2;
         return {{r * cu, r * su, v * sh},

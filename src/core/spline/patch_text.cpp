@@ -172,7 +172,8 @@ FoundPatch read_geopdes(const PatchText& file) {
         if (!parse_number(words.peek())) words.skip_line(); // its name
         PatchParts parts;
         std::array<std::size_t, 2> size{};
-        for (double& degree : parts.degrees) degree = static_cast<double>(words.count("a degree", 100));
+        for (std::size_t d = 0; d < 2; ++d)
+            parts.degrees[d] = static_cast<double>(words.count("a degree", 100));
         for (std::size_t& one : size) one = words.count("a number of control points", most_points);
         for (std::size_t d = 0; d < 2; ++d)
             parts.knots[d] =

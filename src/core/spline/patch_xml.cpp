@@ -107,15 +107,17 @@ constexpr std::array<Refused, 5> other_elements = {{
 }};
 
 /// Why a <Geometry> of this type is not read; empty if it is.
-std::string refusal_of(std::string_view type) {
-    if (type == "TensorBSpline2" || type == "TensorNurbs2") return {};
-    if (type == "BSpline" || type == "Nurbs" || type == "TensorBSpline1" || type == "TensorNurbs1")
-        return "a curve, not a surface";
-    if (type == "TensorBSpline3" || type == "TensorNurbs3") return "a solid, not a surface";
+std::string refusal_of(std::string_view type, const PatchText& file) {
+    if (type == "BSpline" || type == "Nurbs") return refusal_of_directions(1, file);
+    for (const std::string_view tensor : {"TensorBSpline", "TensorNurbs"})
+        for (const char directions : {'1', '2', '3', '4'})
+            if (type == std::string(tensor) + directions)
+                return refusal_of_directions(static_cast<std::size_t>(directions - '0'), file);
     if (type.starts_with("THBSpline"))
         return "a truncated hierarchical spline (THB); convert it to tensor form";
     if (type.starts_with("HBSpline")) return "a hierarchical spline (HB); convert it to tensor form";
-    return "a geometry of another kind (Gaspard reads TensorBSpline2 and TensorNurbs2)";
+    const std::string d = std::to_string(file.directions);
+    return "a geometry of another kind (Gaspard reads TensorBSpline" + d + " and TensorNurbs" + d + ")";
 }
 
 struct Found {
@@ -123,7 +125,7 @@ struct Found {
     Node node;
 };
 
-std::vector<Found> geometries(const pugi::xml_document& document) {
+std::vector<Found> geometries(const pugi::xml_document& document, const PatchText& file) {
     std::vector<Found> all;
     const auto add = [&](const Node& node, std::string_view kind, std::string refusal) {
         all.push_back({{std::string(kind), node.attribute("id").value(), std::move(refusal)}, node});
@@ -134,7 +136,7 @@ std::vector<Found> geometries(const pugi::xml_document& document) {
         inside = true;
         if (name == "Geometry") {
             const std::string_view type = at.attribute("type").value();
-            add(at, type.empty() ? "Geometry without type" : type, refusal_of(type));
+            add(at, type.empty() ? "Geometry without type" : type, refusal_of(type, file));
             inside = false;
         }
         for (const Refused& other : other_elements)
@@ -207,16 +209,19 @@ void read_coefs(PatchParts& parts, const Node& geometry, const std::string& orig
     parts.control = order.empty() ? points_in_rows(values, d) : points_in_columns(values, d);
 }
 
-SplinePatch read_geometry(const Node& geometry, bool rational, const std::string& origin) {
+SplinePatch read_geometry(const Node& geometry, std::size_t directions, const std::string& origin) {
+    const std::string type = geometry.attribute("type").value();
+    const bool rational = type.starts_with("TensorNurbs");
     if (geometry.child("transform"))
         not_a_patch(origin,
                     "it has a <transform>, which is not applied; transform the control points instead");
     const Node basis = child(geometry, "Basis", origin);
     const auto lines = elements(basis, "KnotVector");
-    if (lines.size() != 2)
-        not_a_patch(origin, "it must have two <KnotVector>, but has " + std::to_string(lines.size()));
-    PatchParts parts;
-    for (std::size_t d = 0; d < 2; ++d) {
+    if (lines.size() != directions)
+        not_a_patch(origin, std::string("it must have ") + (directions == 2 ? "two" : "three") +
+                                " <KnotVector>, but has " + std::to_string(lines.size()));
+    PatchParts parts{.directions = directions};
+    for (std::size_t d = 0; d < directions; ++d) {
         parts.degrees[d] = number(lines[d], "degree", 0);
         parts.knots[d] = std::string_view(lines[d].attribute("mode").value()) == "uniform"
                              ? uniform(parts.degrees[d], number(lines[d], "csize", 0), origin)
@@ -225,7 +230,7 @@ SplinePatch read_geometry(const Node& geometry, bool rational, const std::string
     read_coefs(parts, geometry, origin);
     const Node weights = optional_child(basis, "weights", origin);
     if (rational != static_cast<bool>(weights))
-        not_a_patch(origin, rational ? "its <Basis> has no <weights>" : "a TensorBSpline2 has no <weights>");
+        not_a_patch(origin, rational ? "its <Basis> has no <weights>" : "a " + type + " has no <weights>");
     if (rational) {
         parts.weights = numbers(weights, origin);
         if (parts.weights.empty()) not_a_patch(origin, "there must be as many weights as control points");
@@ -238,16 +243,17 @@ SplinePatch read_geometry(const Node& geometry, bool rational, const std::string
 FoundPatch read_gismo(const PatchText& file) {
     pugi::xml_document document;
     load(document, file);
-    const auto found = geometries(document);
+    const auto found = geometries(document, file);
     if (found.empty())
-        cannot_read(file.origin, "it has no <Geometry> of type TensorBSpline2 or TensorNurbs2 (G+Smo); its "
-                                 "root element is <" +
+        cannot_read(file.origin, "it has no <Geometry> of type TensorBSpline" +
+                                     std::to_string(file.directions) + " or TensorNurbs" +
+                                     std::to_string(file.directions) + " (G+Smo); its root element is <" +
                                      std::string(document.document_element().name()) + ">");
     std::vector<PatchEntry> entries;
     for (const Found& one : found) entries.push_back(one.entry);
     ChosenPatch chosen = choose_patch(entries, file);
     const Found& one = found[chosen.entry];
-    SplinePatch patch = read_geometry(one.node, one.entry.kind == "TensorNurbs2", chosen.origin);
+    SplinePatch patch = read_geometry(one.node, file.directions, chosen.origin);
     return {std::move(patch), std::move(chosen.origin), std::move(chosen.patches)};
 }
 
@@ -255,13 +261,15 @@ std::string patch_xml(const SplinePatch& patch) {
     const auto& w = patch.weights;
     const bool rational = std::any_of(w.begin(), w.end(), [](double one) { return one != 1; });
     const auto& z = patch.control.z;
-    const bool flat = std::all_of(z.begin(), z.end(), [](double one) { return one == 0; });
+    const std::size_t directions = patch.space.directions.size();
+    const std::string dimension = std::to_string(directions);
+    const bool flat = directions == 2 && std::all_of(z.begin(), z.end(), [](double one) { return one == 0; });
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<xml>\n";
-    text +=
-        std::string(" <Geometry type=\"") + (rational ? "TensorNurbs2" : "TensorBSpline2") + "\" id=\"0\">\n";
-    if (rational) text += "  <Basis type=\"TensorNurbsBasis2\">\n";
-    text += "  <Basis type=\"TensorBSplineBasis2\">\n";
-    for (std::size_t d = 0; d < 2; ++d) {
+    text += std::string(" <Geometry type=\"") + (rational ? "TensorNurbs" : "TensorBSpline") + dimension +
+            "\" id=\"0\">\n";
+    if (rational) text += "  <Basis type=\"TensorNurbsBasis" + dimension + "\">\n";
+    text += "  <Basis type=\"TensorBSplineBasis" + dimension + "\">\n";
+    for (std::size_t d = 0; d < directions; ++d) {
         const KnotVector& line = patch.space.directions[d];
         text += "   <Basis type=\"BSplineBasis\" index=\"" + std::to_string(d) +
                 "\">\n    <KnotVector degree=\"" + std::to_string(line.degree) + "\">";

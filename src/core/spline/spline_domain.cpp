@@ -5,8 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/mesh/control_points.hpp"
 #include "core/spline/patch_checks.hpp"
-#include "core/spline/patch_file.hpp"
-#include "core/spline/patch_inverse.hpp"
+#include "core/spline/patch_content.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,70 +17,6 @@
 namespace gaspard {
 
 namespace {
-
-/// Where an edge of the patch is a single point (the tip of a cone), rounding leaves nodes that differ. They
-/// become equal, so that their cells have no area there, exactly.
-void join_collapsed_nodes(std::size_t side, Points& nodes) {
-    double largest = 0;
-    for (const auto* coordinate : {&nodes.x, &nodes.y, &nodes.z})
-        for (const double c : *coordinate) largest = std::max(largest, std::abs(c));
-    const double rounding = 64 * std::numeric_limits<double>::epsilon() * largest;
-    const auto join = [&](std::size_t first, std::size_t step) {
-        for (std::size_t k = 1; k < side; ++k) {
-            const std::size_t here = first + k * step;
-            if (norm(nodes[here] - nodes[here - step]) <= rounding) nodes.set(here, nodes[here - step]);
-        }
-    };
-    join(0, 1), join((side - 1) * side, 1), join(0, side), join(side - 1, side);
-}
-
-PointEdges find_point_edges(std::size_t side, const Points& nodes) {
-    const auto one_point = [&](std::size_t first, std::size_t step) {
-        for (std::size_t k = 1; k < side; ++k)
-            if (nodes[first + k * step] != nodes[first]) return false;
-        return true;
-    };
-    return {one_point(0, side), one_point(side - 1, side), one_point(0, 1), one_point((side - 1) * side, 1)};
-}
-
-/// Whether F reverses the orientation of a patch in the plane; of a surface in space, orientation is free.
-bool mirrored(std::size_t side, const Points& nodes, int space_dimension) {
-    if (space_dimension == 3) return false;
-    double area = 0;
-    for (std::size_t j = 0; j + 1 < side; ++j)
-        for (std::size_t i = 0; i + 1 < side; ++i) {
-            const std::size_t k = j * side + i;
-            area += cross(nodes[k + side + 1] - nodes[k], nodes[k + side] - nodes[k + 1]).z;
-        }
-    return area < 0;
-}
-
-/// The cells of a mirrored patch list their nodes with both directions exchanged, so that they are
-/// anticlockwise in the plane. Parameters, and with them the map, are those of the patch.
-Mesh patch_mesh(std::size_t cells, int order, const std::vector<double>& line, const PatchMap& map) {
-    const std::size_t side = line.size();
-    const CellKind kind{CellShape::quadrilateral, order};
-    Points xi(side * side);
-    for (std::size_t j = 0; j < side; ++j)
-        for (std::size_t i = 0; i < side; ++i) xi.set(j * side + i, {line[i], line[j], 0});
-    Mesh mesh{.kind = kind, .space_dimension = map.space_dimension(), .nodes = {}, .cells = {}};
-    map.points(xi, mesh.nodes);
-    join_collapsed_nodes(side, mesh.nodes);
-    const bool exchanged = mirrored(side, mesh.nodes, mesh.space_dimension);
-    const auto step = static_cast<std::size_t>(order);
-    std::vector<std::size_t> local; // numbers of a cell's nodes, relative to its first
-    for (const Vec3 node : reference_nodes(kind)) {
-        const auto i = static_cast<std::size_t>(std::lround(order * (exchanged ? node.y : node.x)));
-        const auto j = static_cast<std::size_t>(std::lround(order * (exchanged ? node.x : node.y)));
-        local.push_back(j * side + i);
-    }
-    mesh.cells.reserve(local.size() * cells * cells);
-    for (std::size_t row = 0; row < cells; ++row)
-        for (std::size_t column = 0; column < cells; ++column)
-            for (const std::size_t node : local)
-                mesh.cells.push_back(static_cast<std::int32_t>(step * (row * side + column) + node));
-    return mesh;
-}
 
 /// A built-in patch.
 struct Shipped {
@@ -160,22 +95,6 @@ DomainType domain_type(const Shipped& one, std::vector<ParameterRow> rows) {
             .spline_patch = true};
 }
 
-/// The patch of domain.file and domain.patch, or why there is none.
-struct PatchContent {
-    std::optional<FoundPatch> found{};
-    std::exception_ptr error{};
-};
-
-DomainContent read_content(const Values& values, const std::filesystem::path& folder) {
-    auto content = std::make_shared<PatchContent>();
-    try {
-        content->found = find_patch(values.text("file"), folder, values.text("patch"));
-    } catch (const std::exception&) {
-        content->error = std::current_exception();
-    }
-    return content;
-}
-
 /// A patch from a file has its box. The unit disk without a file is a built-in patch like the others. Moved
 /// control points extend the ranges only, so that a monitor stays where it is while they are dragged.
 Space space_of_patch(const Values& values, const DomainContent& content) {
@@ -205,29 +124,6 @@ Space space_of_patch(const Values& values, const DomainContent& content) {
 
 } // namespace
 
-SplineDomain::SplineDomain(int degree, std::size_t cells, std::shared_ptr<const PatchMap> map,
-                           std::shared_ptr<const Points> control, std::shared_ptr<const PatchList> patches)
-    : degree_(degree), cells_(cells), map_(std::move(map)), control_(std::move(control)),
-      patches_(std::move(patches)) {
-    GASPARD_CHECK(map_ != nullptr && cells_ >= 1 && degree_ >= 2 && degree_ <= highest_degree);
-    parameters_ = patch_parameters(map_);
-    mesh_ = std::make_shared<const Mesh>(patch_mesh(cells_, degree_, node_lines(), *map_));
-    point_edges_ = find_point_edges(node_lines().size(), mesh_->nodes);
-}
-
-std::size_t SplineDomain::unknowns() const {
-    const std::size_t size = cells_ + static_cast<std::size_t>(degree_);
-    return size * size;
-}
-
-std::vector<double> SplineDomain::node_lines() const {
-    const std::size_t pieces = static_cast<std::size_t>(degree_) * cells_;
-    std::vector<double> line(pieces + 1);
-    for (std::size_t i = 0; i < line.size(); ++i)
-        line[i] = static_cast<double>(i) / static_cast<double>(pieces);
-    return line;
-}
-
 std::vector<DomainType> spline_domains() {
     std::vector<DomainType> types;
     for (const auto& one : shipped()) types.push_back(domain_type(one, rows()));
@@ -241,14 +137,7 @@ std::vector<DomainType> spline_domains() {
              "patch file, such as JSON or G+Smo's XML (docs/splines.md), or the JSON text itself; if empty, "
              "the unit disk as a NURBS patch",
          .role = ParameterRole::file});
-    with_file.push_back(
-        {.key = "patch",
-         .label = "Patch",
-         .kind = ParameterKind::text,
-         .default_value = std::string(),
-         .help = "which patch of a file that has several: its number, from 1, or id:ID with its id "
-                 "in the file; if empty, the first",
-         .role = ParameterRole::patch});
+    with_file.push_back(patch_row());
     with_file.push_back(
         {.key = "control_points",
          .label = "Control points",
@@ -257,13 +146,15 @@ std::vector<DomainType> spline_domains() {
          .help = "control points of a planar patch, \"x y, x y, ...\", instead of the file's; in the window, "
                  "drag them",
          .role = ParameterRole::control_points});
-    types.push_back({.name = from_file,
-                     .label = "Patch from a file",
-                     .help = "a spline or NURBS patch with control points, in the plane or in space",
-                     .rows = std::move(with_file),
-                     .space = space_of_patch,
-                     .read = read_content,
-                     .spline_patch = true});
+    types.push_back(
+        {.name = from_file,
+         .label = "Patch from a file",
+         .help = "a spline or NURBS patch with control points, in the plane or in space",
+         .rows = std::move(with_file),
+         .space = space_of_patch,
+         .read = [](const Values& values,
+                    const std::filesystem::path& folder) { return read_patch_content(values, folder, 2); },
+         .spline_patch = true});
     return types;
 }
 
@@ -275,9 +166,7 @@ std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, 
     for (const auto& one : shipped())
         if (type == one.name) return std::make_shared<SplineDomain>(degree, cells, one.map());
     GASPARD_CHECK(type == from_file);
-    const auto* read = static_cast<const PatchContent*>(content.get());
-    if (read && read->error) std::rethrow_exception(read->error);
-    FoundPatch found = read ? *read->found : find_patch(values.text("file"), folder, values.text("patch"));
+    FoundPatch found = patch_of_content(values, folder, content, 2);
     SplinePatch& patch = found.patch;
     const bool flat = patch_map(patch)->space_dimension() == 2;
     if (const std::string& points = values.text("control_points"); !points.empty()) {

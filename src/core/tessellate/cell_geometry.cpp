@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/fem/cell_quadrature.hpp"
+#include "core/fem/gauss.hpp"
 
 #include <algorithm>
 #include <array>
@@ -84,7 +85,30 @@ CellGeometry::CellGeometry(std::shared_ptr<const Mesh> mesh)
     for (const Vec3 node : reference_nodes(mesh_->kind)) nodes_.push_back(sample(node, 0));
     for (const auto& [point, weight] : cell_quadrature(mesh_->kind.shape, quadrature_points(mesh_->kind)))
         quadrature_.push_back(sample(point, weight));
+    if (mesh_->kind.shape == CellShape::hexahedron) {
+        std::vector<double> line; // the order of the nodes is of no importance
+        for (int k = 0; k <= mesh_->kind.order; ++k)
+            line.push_back(static_cast<double>(k) / mesh_->kind.order);
+        node_cell_.emplace(mesh_->kind, line);
+        quadrature_cell_.emplace(mesh_->kind, gauss_legendre(quadrature_points(mesh_->kind)).points);
+    }
     turns_left_ = straight_in_the_plane() && tangled_in_the_plane(mesh_->nodes).empty();
+}
+
+void CellGeometry::find_tangents(std::size_t cell, const Points& x, bool at_nodes, std::vector<Tangents>& out,
+                                 Work& work) const {
+    const auto& samples = at_nodes ? nodes_ : quadrature_;
+    const auto numbers = mesh_->cell(cell);
+    out.resize(samples.size());
+    if (!node_cell_) {
+        for (std::size_t s = 0; s < samples.size(); ++s) out[s] = tangents(numbers, x, samples[s]);
+        return;
+    }
+    work.nodes.resize(numbers.size());
+    for (std::size_t k = 0; k < numbers.size(); ++k) work.nodes[k] = x[static_cast<std::size_t>(numbers[k])];
+    work.places.resize(samples.size());
+    (at_nodes ? node_cell_ : quadrature_cell_)->evaluate(work.nodes, work.places, work.tensor);
+    for (std::size_t s = 0; s < samples.size(); ++s) out[s] = work.places[s].tangents;
 }
 
 Tangents CellGeometry::tangents(std::span<const std::int32_t> cell, const Points& x,
@@ -120,10 +144,14 @@ std::vector<double> CellGeometry::measures(const Points& x) const {
         }
         return found;
     }
-    for (std::size_t i = 0; i < found.size(); ++i)
-        for (const Sample& sample : quadrature_)
-            found[i] += sample.weight * signed_measure(tangents(mesh_->cell(i), x, sample),
-                                                       tangents(mesh_->cell(i), mesh_->nodes, sample));
+    std::vector<Tangents> here, reference;
+    Work work;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        find_tangents(i, x, false, here, work);
+        find_tangents(i, mesh_->nodes, false, reference, work);
+        for (std::size_t s = 0; s < quadrature_.size(); ++s)
+            found[i] += quadrature_[s].weight * signed_measure(here[s], reference[s]);
+    }
     return found;
 }
 
@@ -154,20 +182,20 @@ std::vector<double> CellGeometry::jacobians(const Points& x) const {
             straight_jacobians<4>(*mesh_, x, found);
         return found;
     }
-    std::vector<Tangents> reference(nodes_.size());
+    std::vector<Tangents> here, reference;
     std::vector<double> before(nodes_.size());
+    Work work;
     for (std::size_t i = 0; i < found.size(); ++i) {
         double smallest = std::numeric_limits<double>::infinity(), whole = 0;
+        find_tangents(i, x, true, here, work);
+        find_tangents(i, mesh_->nodes, true, reference, work);
         for (std::size_t s = 0; s < nodes_.size(); ++s) {
-            reference[s] = tangents(mesh_->cell(i), mesh_->nodes, nodes_[s]);
             before[s] = signed_measure(reference[s], reference[s]);
             whole = std::max(whole, std::abs(before[s]));
         }
         for (std::size_t s = 0; s < nodes_.size(); ++s)
             if (std::abs(before[s]) > degenerate_measure * whole)
-                smallest =
-                    smaller(smallest,
-                            signed_measure(tangents(mesh_->cell(i), x, nodes_[s]), reference[s]) / before[s]);
+                smallest = smaller(smallest, signed_measure(here[s], reference[s]) / before[s]);
         found[i] = smallest;
     }
     return found;

@@ -2,10 +2,11 @@
 // measurement (core/diagnostics), so that an image can be coloured in between.
 #pragma once
 
-#include "core/mesh/cell_measure.hpp"
+#include "core/mesh/tensor_cell.hpp"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,7 +40,14 @@ class CellGeometry {
         double weight = 0;
     };
 
-    /// Of a surface on a ball the third is the position.
+    /// At the nodes or at the quadrature points of a cell. Of a surface on a ball the third is the position.
+    struct Work {
+        std::vector<Vec3> nodes;
+        std::vector<PlaceInCell> places;
+        TensorCell::Workspace tensor;
+    };
+    void find_tangents(std::size_t cell, const Points& x, bool at_nodes, std::vector<Tangents>& out,
+                       Work& work) const;
     Tangents tangents(std::span<const std::int32_t> cell, const Points& x, const Sample& sample) const;
     double signed_measure(const Tangents& of, const Tangents& reference) const;
     bool straight_in_the_plane() const;
@@ -49,6 +57,7 @@ class CellGeometry {
     int dimension_;
     bool on_ball_;
     std::vector<Sample> nodes_, quadrature_;
+    std::optional<TensorCell> node_cell_, quadrature_cell_; ///< of hexahedra
     bool turns_left_ = false; ///< straight-edged planar mesh whose corners all turn left
 };
 

@@ -7,6 +7,7 @@
 #include "core/scenario/data_files.hpp"
 #include "core/scenario/own_names.hpp"
 #include "core/scenario/toml.hpp"
+#include "core/spline/solid_domain.hpp"
 #include "core/spline/spline_domain.hpp"
 #include "core/tessellate/interval_plots.hpp"
 #include "gui/document/runs_csv.hpp"
@@ -455,7 +456,9 @@ void Application::ask_what_to_open() {
 void Application::ask_for_file(const FileWish& wish) {
     choosing_for_ = wish.key;
     const bool domain = wish.key.starts_with("domain.");
-    const FileUse of_domain = run().scenario.domain.type == own_patch_domain ? FileUse::patch : FileUse::mesh;
+    const std::string& type = run().scenario.domain.type;
+    const bool splines = type == own_patch_domain || type == own_solid_domain;
+    const FileUse of_domain = splines ? FileUse::patch : FileUse::mesh;
     std::vector<std::string_view> endings = endings_of(domain ? of_domain : FileUse::image);
     if (!domain)
         for (const std::string_view ending : endings_of(FileUse::field)) endings.push_back(ending);

@@ -4,6 +4,8 @@
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
 #include "core/base/user_path.hpp"
+#include "core/spline/solid_domain.hpp"
+#include "core/spline/spline_domain.hpp"
 #include "core/transport/convex_shape.hpp"
 #include "gui/panels/sections.hpp"
 
@@ -22,6 +24,21 @@ bool is_netcdf(std::string_view head) {
            head.starts_with("\x89HDF\r\n\x1a\n");
 }
 
+/// Whether the beginning of a patch's file tells that it has three directions: degrees of our own JSON and of
+/// splinepy, the type of G+Smo's first geometry.
+bool begins_solid(std::string_view head) {
+    const auto degrees = head.find("\"degrees\"");
+    if (degrees != std::string_view::npos) {
+        const auto open = head.find('[', degrees), close = head.find(']', degrees);
+        if (open == std::string_view::npos || close == std::string_view::npos || close < open) return false;
+        const std::string_view list = head.substr(open, close - open);
+        return std::count(list.begin(), list.end(), ',') == 2;
+    }
+    const auto solid = std::min(head.find("TensorBSpline3"), head.find("TensorNurbs3"));
+    const auto patch = std::min(head.find("TensorBSpline2"), head.find("TensorNurbs2"));
+    return solid < patch;
+}
+
 /// The section and the type that a use needs.
 struct Destination {
     SectionKind section;
@@ -35,7 +52,9 @@ Destination destination_of(FileUse use) {
     case FileUse::field:
         return {SectionKind::monitor, "field"};
     case FileUse::patch:
-        return {SectionKind::domain, "spline-patch"};
+        return {SectionKind::domain, std::string(own_patch_domain)};
+    case FileUse::solid:
+        return {SectionKind::domain, std::string(own_solid_domain)};
     case FileUse::mesh:
         return {SectionKind::domain, "convex"};
     case FileUse::scenario:
@@ -51,7 +70,7 @@ std::span<const FileKind> file_kinds() {
         {FileUse::scenario, "a scenario", {".toml"}},
         {FileUse::image, "an image", {".png", ".jpg", ".jpeg"}},
         {FileUse::field, "a field", {".nc", ".csv", ".txt", ".vtk", ".vti", ".vtr", ".vts", ".vtu", ".vtp"}},
-        {FileUse::patch, "a spline patch", {".json", ".xml"}},
+        {FileUse::patch, "a spline patch or solid", {".json", ".xml"}},
         {FileUse::mesh, "the mesh of a convex domain", {".obj", ".off", ".ply", ".stl"}},
     };
     return kinds;
@@ -62,7 +81,8 @@ std::optional<FileUse> use_of(const std::filesystem::path& file, std::string_vie
     if (is_netcdf(head)) return FileUse::field;
     for (const FileKind& kind : file_kinds())
         for (const std::string_view ending : kind.endings)
-            if (has_extension(file, ending)) return kind.use;
+            if (has_extension(file, ending))
+                return kind.use == FileUse::patch && begins_solid(head) ? FileUse::solid : kind.use;
     return std::nullopt;
 }
 
@@ -78,6 +98,7 @@ std::string what_opens() {
 
 std::vector<std::string_view> endings_of(std::optional<FileUse> use) {
     std::vector<std::string_view> endings;
+    if (use == FileUse::solid) use = FileUse::patch;
     for (const FileKind& kind : file_kinds())
         if (!use || *use == kind.use) endings.insert(endings.end(), kind.endings.begin(), kind.endings.end());
     return endings;
@@ -98,7 +119,7 @@ Scenario with_file(const Catalogue& catalogue, const Scenario& opened, const Sce
         update_typed_rows(catalogue, *changed);
     }
     Values& values = section_of(*changed, section).values;
-    if (use == FileUse::patch) // they belong to the file before
+    if (use == FileUse::patch || use == FileUse::solid) // they belong to the file before
         for (const ParameterRow& row : std::vector<ParameterRow>(values.rows()))
             if (row.role == ParameterRole::patch || row.role == ParameterRole::control_points)
                 values.set(row.key, row.default_value);

@@ -17,6 +17,7 @@ enum class FileUse {
     image,    ///< becomes monitor.file of the monitor "image"
     field,    ///< becomes monitor.file of the monitor "field"
     patch,    ///< becomes domain.file of the domain "spline-patch"
+    solid,    ///< becomes domain.file of the domain "spline-solid"
     mesh,     ///< becomes domain.file of the domain "convex", whose shape becomes "file"
 };
 
@@ -27,11 +28,13 @@ struct FileKind {
 };
 std::span<const FileKind> file_kinds();
 
-/// By the first bytes of the file (at least 16, if it has so many) for images and NetCDF, whatever they are
-/// called, and else by the name; nothing if it is none of the kinds.
+/// How much of a file use_of() looks at.
+inline constexpr std::size_t head_size = 4096;
+/// By the first bytes of the file for images and NetCDF, whatever they are called, and else by the name;
+/// whether a patch is a surface or a solid again by the first bytes. Nothing if it is none of the kinds.
 std::optional<FileUse> use_of(const std::filesystem::path& file, std::string_view head);
 
-/// "a scenario (.toml), an image (.png, .jpg, .jpeg), ... a spline patch (.json, .xml) or the
+/// "a scenario (.toml), an image (.png, .jpg, .jpeg), ... a spline patch or solid (.json, .xml) or the
 /// mesh of a convex domain (.obj, .off, .ply, .stl)"
 std::string what_opens();
 /// The endings of all kinds, or of one.

@@ -42,7 +42,7 @@ std::optional<ScenarioOnDisk> FileTasks::take_opened() {
 /// Finds out what a file is that is no scenario.
 std::string FileTasks::look_at(Arrivals& arrivals, const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
-    std::string head(16, '\0');
+    std::string head(head_size, '\0');
     if (!std::filesystem::is_regular_file(file) || !stream)
         throw InputError(
             "cannot read " + file.string() + ": " +

@@ -3,7 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/io/formats.hpp"
-#include "core/spline/spline_domain.hpp"
+#include "core/spline/tensor_domain.hpp"
 #include "fixtures/fixture_meshes.hpp"
 #include "support/comma_locale.hpp"
 #include "support/middle_nodes.hpp"
@@ -325,6 +325,53 @@ TEST(Msh, PatchesAreCellsOfTheirDegreeInGmshsRings) {
             const Vec3 step = (1.0 / degree) * (at(edge[1]) - at(edge[0]));
             for (std::size_t k = 2; k < edge.size(); ++k)
                 EXPECT_LT(norm(at(edge[k]) - at(edge[0]) - (static_cast<double>(k) - 1) * step), 1e-12);
+        }
+    }
+}
+
+// The order in which Gmsh itself writes the nodes of one cell (gmsh -3 -order 3 and 4), in units of 1 /
+// order.
+TEST(Msh, SolidsAreCellsInGmshsOrder) {
+    const TemporaryFolder folder;
+    const std::map<int, std::pair<int, std::string>> written = {
+        {3,
+         {92, "000 300 330 030 003 303 333 033 100 200 010 020 001 002 310 320 301 302 230 130 "
+              "331 332 031 032 103 203 013 023 313 323 233 133 110 120 220 210 101 201 202 102 "
+              "011 012 022 021 311 321 322 312 231 131 132 232 113 213 223 123 111 211 221 121 "
+              "112 212 222 122 "}},
+        {4,
+         {93, "000 400 440 040 004 404 444 044 100 200 300 010 020 030 001 002 003 410 420 430 "
+              "401 402 403 340 240 140 441 442 443 041 042 043 104 204 304 014 024 034 414 424 "
+              "434 344 244 144 110 130 330 310 120 230 320 210 220 101 301 303 103 201 302 203 "
+              "102 202 011 013 033 031 012 023 032 021 022 411 431 433 413 421 432 423 412 422 "
+              "341 141 143 343 241 142 243 342 242 114 314 334 134 214 324 234 124 224 111 311 "
+              "331 131 113 313 333 133 211 121 112 321 312 231 332 132 213 123 323 233 221 212 "
+              "122 322 232 223 222 "}}};
+    for (const auto& [degree, cell] : written) {
+        Snapshot snapshot = sample_snapshot(*SolidDomain(degree, 1, cube_map()).mesh());
+        snapshot.x = snapshot.mesh->nodes;
+        write_msh(folder / "m.msh", snapshot, {});
+        const ReadMsh msh(folder / "m.msh");
+        ASSERT_EQ(msh.elements.size(), 1U + 6U) << "the cell, and the faces of its boundary";
+        EXPECT_EQ(msh.elements[0].type, cell.first);
+        std::string order;
+        for (const std::size_t node : msh.elements[0].nodes)
+            for (const double c : {msh.nodes[node].x, msh.nodes[node].y, msh.nodes[node].z})
+                order += std::to_string(std::lround(degree * c));
+        std::string expected = cell.second;
+        std::erase(expected, ' ');
+        EXPECT_EQ(order, expected);
+        for (std::size_t f = 1; f < 7; ++f) { // corners around the face, then those of its edges in turn
+            const auto& face = msh.elements[f].nodes;
+            ASSERT_EQ(face.size(), static_cast<std::size_t>((degree + 1) * (degree + 1)));
+            for (std::size_t e = 0; e < 4; ++e) {
+                const Vec3 a = msh.nodes[face[e]], b = msh.nodes[face[(e + 1) % 4]];
+                const auto m = static_cast<std::size_t>(degree - 1);
+                for (std::size_t k = 0; k < m; ++k)
+                    EXPECT_LT(norm(msh.nodes[face[4 + e * m + k]] - a -
+                                   (static_cast<double>(k) + 1) / degree * (b - a)),
+                              1e-12);
+            }
         }
     }
 }

@@ -98,6 +98,19 @@ TEST(Vtu, PatchesAreLagrangeCellsOfTheirDegree) {
     }
 }
 
+TEST(Vtu, SolidsAreLagrangeHexahedraOfTheirDegree) {
+    const TemporaryFolder folder;
+    for (const int degree : {3, 7}) {
+        const Snapshot snapshot = sample_snapshot(*SolidDomain(degree, 2, ball_map()).mesh());
+        write_vtu(folder / "m.vtu", snapshot);
+        ReadVtu vtu(folder / "m.vtu");
+        EXPECT_EQ(vtu.cells["types"].bytes, std::string(8, 72));               // VTK_LAGRANGE_HEXAHEDRON
+        EXPECT_EQ(vtu.cells["connectivity"].integers(), snapshot.mesh->cells); // see cell_kind_test.cpp
+        const std::string text = read_file(folder / "m.vtu");
+        EXPECT_NE(text.find("version=\"2.2\" byte_order"), std::string::npos) << "the numbering of VTK 9";
+    }
+}
+
 TEST(Vtu, SaysHowFarTheRunIs) {
     const TemporaryFolder folder;
     write_vtu(folder / "m.vtu", sample_snapshot(two_triangles()));

@@ -15,7 +15,8 @@ const std::vector<CellKind> all_kinds = {
     {CellShape::triangle, 2},      {CellShape::quadrilateral, 1}, {CellShape::quadrilateral, 2},
     {CellShape::hexahedron, 1},    {CellShape::hexahedron, 2},    {CellShape::line, 3},
     {CellShape::quadrilateral, 3}, {CellShape::line, 4},          {CellShape::quadrilateral, 4},
-    {CellShape::line, 7},          {CellShape::quadrilateral, 7}};
+    {CellShape::line, 7},          {CellShape::quadrilateral, 7}, {CellShape::hexahedron, 3},
+    {CellShape::hexahedron, 7}};
 
 class Shapes : public testing::TestWithParam<CellKind> {
   protected:
@@ -207,8 +208,37 @@ TEST(CellKind, NumbersNodesOfHigherOrderAsInVtk) {
     }
 }
 
+// vtkHigherOrderHexahedron::PointIndexFromIJK of VTK 9: corners, edges along the axes, faces x, y, z, inside.
+TEST(CellKind, NumbersNodesOfHexahedraAsInVtk) {
+    for (const int k : {2, 3, 4, highest_order}) {
+        const auto nodes = reference_nodes({CellShape::hexahedron, k});
+        ASSERT_EQ(nodes.size(), static_cast<std::size_t>((k + 1) * (k + 1) * (k + 1)));
+        const int m = k - 1;
+        const auto number = [k, m](int i, int j, int l) {
+            const bool x = i == 0 || i == k, y = j == 0 || j == k, z = l == 0 || l == k;
+            const int corner = i > 0 ? (j > 0 ? 2 : 1) : (j > 0 ? 3 : 0);
+            if (x && y && z) return corner + (l > 0 ? 4 : 0);
+            if (y && z) return 8 + (j > 0 ? 2 * m : 0) + (l > 0 ? 4 * m : 0) + i - 1;
+            if (x && z) return 8 + (i > 0 ? m : 3 * m) + (l > 0 ? 4 * m : 0) + j - 1;
+            if (x && y) return 8 + 8 * m + corner * m + l - 1;
+            const int faces = 8 + 12 * m;
+            if (x) return faces + (i > 0 ? m * m : 0) + (l - 1) * m + j - 1;
+            if (y) return faces + 2 * m * m + (j > 0 ? m * m : 0) + (l - 1) * m + i - 1;
+            if (z) return faces + 4 * m * m + (l > 0 ? m * m : 0) + (j - 1) * m + i - 1;
+            return faces + 6 * m * m + ((l - 1) * m + j - 1) * m + i - 1;
+        };
+        const auto place = [k](int i) { return static_cast<double>(i) / k; };
+        for (int l = 0; l <= k; ++l)
+            for (int j = 0; j <= k; ++j)
+                for (int i = 0; i <= k; ++i)
+                    EXPECT_LT(norm(nodes[static_cast<std::size_t>(number(i, j, l))] -
+                                   Vec3{place(i), place(j), place(l)}),
+                              1e-15);
+    }
+}
+
 TEST(CellKind, TurnsFacesOutward) {
-    for (const int order : {1, 2}) {
+    for (const int order : {1, 2, 5}) {
         const CellKind kind{CellShape::hexahedron, order};
         const auto nodes = reference_nodes(kind);
         const auto node = [&](int i) { return nodes[static_cast<std::size_t>(i)]; };

@@ -12,7 +12,7 @@ namespace {
 double bound(const gaspard::Run& run) { return *run.history().back().value("bound_jacobian_psi"); }
 
 /// det grad Psi from the derivatives of its components, without polynomials on cells.
-double determinant(const std::array<SplineFunction, 2>& psi, double x, double y) {
+double determinant(const std::vector<SplineFunction>& psi, double x, double y) {
     const auto slope = [&](std::size_t component, std::array<int, 3> orders) {
         return evaluate(psi[component].space, psi[component].coefficients, {x, y, 0}, orders);
     };

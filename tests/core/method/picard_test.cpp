@@ -7,6 +7,7 @@
 #include "core/scenario/toml.hpp"
 #include "core/session/run.hpp"
 #include "core/spline/patch_file.hpp"
+#include "core/spline/spline_domain.hpp"
 #include "support/built_in.hpp"
 #include "support/largest_distance.hpp"
 

@@ -97,5 +97,39 @@ TEST(BahariNumbers, Surfaces) {
     expect_map({"spline-torus", "picard-mixed", 3, 32, 0.2698, 0, 0, 0, 0, false});                     // 14
 }
 
+struct SolidNumbers {
+    const char* scenario;
+    int degree, cells;
+    double err, err_last_layer, qual_last_layer, min_jacobian, max_jacobian;
+};
+
+// Tables 16 to 19 print integrals over the last layer of cells; those over the cube (0: not known) are those
+// of the prototype.
+TEST(BahariNumbers, SolidsInSpace) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    for (const SolidNumbers& row :
+         {SolidNumbers{"spline-cube", 3, 16, 3.127e-2, 5.303e-3, 4.925e-3, 0.4922, 1.791},
+          {"spline-cube", 4, 16, 0, 3.763e-3, 4.922e-3, 0.5166, 1.779},
+          {"spline-ball", 3, 16, 0.1228, 2.148e-2, 3.108e-3, 0.3825, 1.920},
+          {"spline-cylinder", 3, 16, 0.1559, 3.196e-2, 2.769e-3, 0.3252, 1.845},
+          {"spline-half-torus", 3, 16, 0, 4.801e-2, 2.029e-3, 0.3284, 1.893}}) {
+        Scenario scenario = find_scenario(*catalogue, row.scenario);
+        apply_settings(*catalogue, scenario,
+                       {"domain.degree=" + std::to_string(row.degree),
+                        "domain.cells=" + std::to_string(row.cells), "method.diagnostics_every=1000",
+                        "method.interpolation=false"});
+        gaspard::Run run(catalogue, scenario);
+        const StepReport& last = run.solve();
+        EXPECT_EQ(last.status, RunStatus::converged) << row.scenario;
+        EXPECT_EQ(last.tangled_cells, 0U) << row.scenario;
+        if (row.err > 0) expect_digits(*last.value("err"), row.err, row.scenario);
+        expect_digits(*last.value("err_last_layer"), row.err_last_layer, row.scenario);
+        expect_digits(*last.value("qual_last_layer"), row.qual_last_layer, row.scenario);
+        expect_digits(*last.value("min_jacobian_psi"), row.min_jacobian, row.scenario);
+        expect_digits(*last.value("max_jacobian_psi"), row.max_jacobian, row.scenario);
+        EXPECT_LT(*last.value("border_error"), 1e-14) << row.scenario;
+    }
+}
+
 } // namespace
 } // namespace gaspard

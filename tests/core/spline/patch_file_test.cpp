@@ -369,8 +369,10 @@ TEST(PatchXml, OtherGeometriesAreNamed) {
     const std::string solid =
         document(R"(<MultiPatch id="0"/><Geometry type="TensorBSpline3" id="5"/><Mesh id="6"/>)");
     for (const char* which : {"", "1", "2", "id:7", "first"})
-        EXPECT_EQ(refusal(solid, which), "cannot read a patch from p.file: TensorBSpline3, id 5 is a solid, not a "
-                                         "surface; Mesh, id 6 is a mesh, not a spline");
+        EXPECT_EQ(refusal(solid, which),
+                  "cannot read a patch from p.file: TensorBSpline3, id 5 is a solid, not a "
+                  "surface (domain.type = spline-solid reads it); Mesh, id 6 is a mesh, "
+                  "not a spline");
     EXPECT_EQ(refusal(solid, "id:6"), "cannot read a patch from p.file: Mesh, id 6 is a mesh, not a spline");
 }
 

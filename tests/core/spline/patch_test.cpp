@@ -35,16 +35,16 @@ INSTANTIATE_TEST_SUITE_P(All, PatchMaps,
 TEST_P(PatchMaps, TangentsMatchFiniteDifferences) {
     const PatchMap& map = *GetParam().map;
     const Points xi = random_points(200, 3);
-    Points first, second;
-    map.tangents(xi, first, second);
+    std::array<Points, 2> tangents;
+    map.tangents(xi, tangents);
     constexpr double h = 1e-5;
     for (std::size_t i = 0; i < xi.size(); ++i) {
         Points around(4), x;
         around.set(0, xi[i] + Vec3{h, 0, 0}), around.set(1, xi[i] - Vec3{h, 0, 0});
         around.set(2, xi[i] + Vec3{0, h, 0}), around.set(3, xi[i] - Vec3{0, h, 0});
         map.points(around, x);
-        EXPECT_LT(norm((1 / (2 * h)) * (x[0] - x[1]) - first[i]), 2e-8);
-        EXPECT_LT(norm((1 / (2 * h)) * (x[2] - x[3]) - second[i]), 2e-8);
+        EXPECT_LT(norm((1 / (2 * h)) * (x[0] - x[1]) - tangents[0][i]), 2e-8);
+        EXPECT_LT(norm((1 / (2 * h)) * (x[2] - x[3]) - tangents[1][i]), 2e-8);
         EXPECT_TRUE(map.space_dimension() == 3 || x.z[0] == 0);
     }
 }
@@ -52,16 +52,17 @@ TEST_P(PatchMaps, TangentsMatchFiniteDifferences) {
 TEST_P(PatchMaps, AreaElementsAreThoseOfTheTangents) {
     const PatchMap& map = *GetParam().map;
     const Points xi = random_points(200, 5);
-    Points x, expected, first, second;
+    Points x, expected;
+    std::array<Points, 2> tangents;
     std::vector<double> area(xi.size());
     map.places(xi, x, area);
     map.points(xi, expected);
-    map.tangents(xi, first, second);
+    map.tangents(xi, tangents);
     EXPECT_EQ(x.x, expected.x);
     EXPECT_EQ(x.y, expected.y);
     EXPECT_EQ(x.z, expected.z);
     for (std::size_t i = 0; i < xi.size(); ++i)
-        EXPECT_NEAR(area[i], norm(cross(first[i], second[i])), 1e-13 * (1 + area[i]));
+        EXPECT_NEAR(area[i], norm(cross(tangents[0][i], tangents[1][i])), 1e-13 * (1 + area[i]));
 }
 
 TEST_P(PatchMaps, AreaElementsHaveTheGradientsOfTheirDifferences) {
@@ -69,7 +70,7 @@ TEST_P(PatchMaps, AreaElementsHaveTheGradientsOfTheirDifferences) {
     const Points xi = random_points(200, 6);
     Points gradient, x;
     std::vector<double> area(xi.size()), again(xi.size());
-    map.area_gradients(xi, area, gradient);
+    map.element_gradients(xi, area, gradient);
     map.places(xi, x, again);
     constexpr double h = 1e-5;
     for (std::size_t i = 0; i < xi.size(); ++i) {
@@ -91,7 +92,7 @@ TEST(PatchMaps, HaveNoAreaAtTheCornersOfTheDisk) {
         double area = 1;
         map->places(corner, x, std::span(&area, 1));
         EXPECT_NEAR(area, 0, 1e-14);
-        map->area_gradients(corner, std::span(&area, 1), gradient);
+        map->element_gradients(corner, std::span(&area, 1), gradient);
         EXPECT_TRUE(std::isfinite(gradient.x[0]) && std::isfinite(gradient.y[0]));
     }
 }

@@ -20,6 +20,11 @@ TEST(FileKinds, ContentComesBeforeTheName) {
         EXPECT_EQ(use_of(name, "<VTKFile"), FileUse::field) << name;
     EXPECT_EQ(use_of("p.xml", "<?xml"), FileUse::patch);
     EXPECT_EQ(use_of("p.json", "{"), FileUse::patch);
+    EXPECT_EQ(use_of("p.json", "{\"degrees\": [2, 2], \"knots\""), FileUse::patch);
+    EXPECT_EQ(use_of("p.json", "{\"degrees\": [2, 2, 1], \"knots\""), FileUse::solid);
+    EXPECT_EQ(use_of("p.xml", "<xml> <Geometry type=\"TensorNurbs3\""), FileUse::solid);
+    EXPECT_EQ(use_of("p.xml", "<xml> <Geometry type=\"TensorNurbs2\"/> <Geometry type=\"TensorBSpline3\""),
+              FileUse::patch);
     for (const char* name : {"m.obj", "m.off", "m.PLY", "m.stl"}) EXPECT_EQ(use_of(name, ""), FileUse::mesh);
     EXPECT_EQ(use_of("s.toml", "title"), FileUse::scenario);
     EXPECT_EQ(use_of("letter.pdf", "%PDF"), std::nullopt);

@@ -27,6 +27,8 @@ struct FrameCost {
     int snapshots = 0;           ///< different ones among the frames
 };
 
+constexpr int few_snapshots = 5;
+
 FrameCost measure(int cells, int frames) {
     const Theme theme = dark_theme();
     HeadlessUi ui(1400, 900, &theme);
@@ -48,7 +50,8 @@ FrameCost measure(int cells, int frames) {
     FrameCost cost;
     std::vector<double> milliseconds;
     std::uint64_t version = 0;
-    for (int i = 0; i < frames; ++i) {
+    // On a busy machine the solver is slow: there must be snapshots to be drawn.
+    for (int i = 0; i < frames || (cost.snapshots <= few_snapshots && i < 20 * frames); ++i) {
         const Stopwatch watch;
         application.collect();
         ui.frame([&] { application.frame(); });
@@ -72,7 +75,7 @@ TEST(FrameCost, SixtyFramesASecondAreLeftOverAtAnyResolution) {
         std::printf(
             "n = %d: %.2f ms of CPU a frame, one in twenty above %.2f ms, %d snapshots in %d frames\n", cells,
             cost.median, cost.high, cost.snapshots, frames);
-        EXPECT_GT(cost.snapshots, 5) << "nothing was solved";
+        EXPECT_GT(cost.snapshots, few_snapshots) << "nothing was solved";
         EXPECT_LT(cost.high, 1000.0 / 60) << "n = " << cells;
     }
 }

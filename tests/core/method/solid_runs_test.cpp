@@ -1,0 +1,159 @@
+// Meshes of solids: methods against each other, measures, threads, folds.
+#include "core/method/patch_form.hpp"
+#include "core/method/spline_map.hpp"
+#include "core/scenario/toml.hpp"
+#include "core/session/run.hpp"
+#include "core/spline/patch_file.hpp"
+#include "core/spline/solid_folds.hpp"
+#include "support/largest_distance.hpp"
+#include "support/solved_run.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+/// A run of a solid of degree 3 with a shell as monitor.
+std::vector<std::string> shell(const std::string& domain, int cells, std::vector<std::string> further = {}) {
+    std::vector<std::string> settings = {
+        "domain.type=" + domain, "domain.cells=" + std::to_string(cells), "monitor.type=formula",
+        "monitor.expression=1 + 3*exp(-4*(sqrt(x^2 + y^2 + z^2) - 0.6)^2)", "method.interpolation=false"};
+    settings.insert(settings.end(), further.begin(), further.end());
+    return settings;
+}
+
+TEST(SolidRuns, AllMethodsFindTheSameMeshWithBothForms) {
+    gaspard::Run picard =
+        solved_run("spline-cube", shell("spline-cube", 8, {"method.type=picard", "method.tolerance=1e-11"}));
+    EXPECT_EQ(picard.status(), RunStatus::converged);
+    for (const std::string method : {"newton", "accelerated", "auto"}) {
+        gaspard::Run other = solved_run(
+            "spline-cube", shell("spline-cube", 8, {"method.type=" + method, "method.tolerance=1e-11"}));
+        EXPECT_EQ(other.status(), RunStatus::converged) << method;
+        EXPECT_LT(largest_distance(picard.snapshot()->x, other.snapshot()->x), 1e-8) << method;
+        if (method == "newton") {
+            EXPECT_LE(other.history().back().iteration, 8);
+        }
+    }
+    gaspard::Run mixed = solved_run("spline-cube", shell("spline-cube", 8, {"method.type=picard-mixed"}));
+    EXPECT_LT(largest_distance(picard.snapshot()->x, mixed.snapshot()->x), 0.02)
+        << "the forms approach each other";
+}
+
+TEST(SolidRuns, TheMultilevelStartLeadsToTheSameMesh) {
+    std::vector<Points> found;
+    for (const std::string start : {"multilevel", "identity"}) {
+        gaspard::Run run = solved_run(
+            "spline-ball",
+            shell("spline-ball", 16,
+                  {"method.type=picard-mixed", "method.tolerance=1e-10", "method.start=" + start}));
+        EXPECT_EQ(run.status(), RunStatus::converged);
+        found.push_back(run.snapshot()->x);
+    }
+    EXPECT_LT(largest_distance(found[0], found[1]), 1e-7);
+}
+
+TEST(SolidRuns, AConstantMonitorMovesNothing) {
+    for (const std::string measure : {"parameter", "physical"})
+        for (const std::string domain : {"spline-ball", "spline-half-torus"}) {
+            gaspard::Run run =
+                solved_run(domain, {"domain.cells=6", "monitor.type=constant", "method.measure=" + measure,
+                                    "method.tolerance=1e-11", "method.interpolation=false"});
+            EXPECT_EQ(run.status(), RunStatus::converged);
+            EXPECT_LT(largest_distance(run.snapshot()->x, run.snapshot()->mesh->nodes), 1e-8)
+                << domain << measure;
+        }
+}
+
+TEST(SolidRuns, EquidistributeInSpaceWithTheirMeasure) {
+    for (const std::string domain : {"spline-ball", "spline-cylinder", "spline-half-torus"}) {
+        std::vector<double> physical, parameter;
+        for (const int cells : {8, 16})
+            for (const std::string measure : {"parameter", "physical"}) {
+                gaspard::Run run =
+                    solved_run(domain, shell(domain, cells,
+                                             {"method.type=picard-mixed", "method.measure=" + measure,
+                                              "method.tolerance=1e-8"}));
+                EXPECT_EQ(run.status(), RunStatus::converged) << domain << measure;
+                (measure == "physical" ? physical : parameter)
+                    .push_back(*run.history().back().value("equidistribution"));
+                EXPECT_LT(*run.history().back().value("border_error"), 1e-14);
+            }
+        const double order = std::log2(physical[0] / physical[1]);
+        // Below some 1e-3, the corners of the section, where J = 0, limit the order (docs/splines.md).
+        EXPECT_TRUE(order > 1.5 || (order > 0.5 && physical[0] < 1e-3)) << domain << ": " << order;
+        EXPECT_LT(physical[1], 0.25 * parameter[1]) << domain << ", where the paper's form stays";
+    }
+}
+
+TEST(SolidRuns, DoNotDependOnTheNumberOfThreads) {
+    std::vector<Points> found;
+    for (const int threads : {1, 3}) {
+        const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+        Scenario scenario = find_scenario(*catalogue, "spline-ball");
+        apply_settings(*catalogue, scenario, shell("spline-ball", 8, {"method.measure=physical"}));
+        gaspard::Run run(catalogue, scenario, {.threads = threads});
+        run.solve();
+        found.push_back(run.snapshot()->x);
+    }
+    EXPECT_EQ(found[0].x, found[1].x);
+    EXPECT_EQ(found[0].z, found[1].z);
+}
+
+// The derivative of a potential with a bump: Psi_d = xi_d + s b'(xi_d) over one direction, det = 1 + s b''.
+TEST(SolidRuns, FoldsAreFoundBetweenSamples) {
+    const MappedForm<3> form(std::make_shared<SolidDomain>(3, 6, cube_map()), Formulation::standard, 6);
+    const std::size_t n = form.form()->size();
+    std::vector<double> phi(n * n * n, 0.0), whole(phi.size());
+    const auto folded = [&](double size) {
+        for (std::size_t i = 0; i < phi.size(); ++i)
+            phi[i] = i % n == 4 ? size : 0; // a function of xi1 alone
+        form.add_identity(phi, whole);
+        const auto map = form.form()->map(whole);
+        return folded_solid_cells(map, 6);
+    };
+    EXPECT_TRUE(folded(0).empty());
+    // phi'' of the B-spline is -2/h^2 times its coefficient at its middle, which is a knot, and up to 1/h^2
+    // beside.
+    const double h = 1.0 / 6, limit = h * h / 2;
+    EXPECT_TRUE(folded(0.99 * limit).empty());
+    const auto cells = folded(1.01 * limit);
+    EXPECT_EQ(cells.size(), 2U * 36); // on both sides of the knot, all along the other directions
+    for (const std::uint32_t cell : cells) EXPECT_TRUE(cell % 6 == 2 || cell % 6 == 3) << cell % 6;
+}
+
+TEST(SolidRuns, StatesOfPatchesAndSolidsAreNotMistaken) {
+    const auto layout = parse_spline_layout("solid mixed p=3 n=8");
+    ASSERT_TRUE(layout);
+    EXPECT_EQ(layout->dimension, 3U);
+    EXPECT_EQ(spline_layout(*layout), "solid mixed p=3 n=8");
+    EXPECT_EQ(parse_spline_layout("spline mixed p=3 n=8")->dimension, 2U);
+    EXPECT_FALSE(parse_spline_layout("cube mixed p=3 n=8"));
+    const PatchForm patch(std::make_shared<SplineDomain>(2, 4, square_map()), Formulation::standard, 4);
+    EXPECT_TRUE(patch.adopt("solid standard p=2 n=4", std::vector<double>(216)).empty());
+}
+
+TEST(SolidRuns, TheAdaptedSolidIsASplineAgain) {
+    gaspard::Run run = solved_run("spline-ball", shell("spline-ball", 8, {"method.type=picard-mixed"}));
+    const auto adapted = adapted_patch(run.state(), *ball_map());
+    ASSERT_TRUE(adapted);
+    const auto again = solid_map(parse_patch({patch_json(*adapted), "adapted-patch.json", {}, 3}).patch);
+    const auto psi = spline_map(run.state());
+    ASSERT_TRUE(psi && psi->size() == 3);
+    Points xi(27), there(27), expected, x;
+    for (std::size_t i = 0; i < 27; ++i) {
+        xi.set(i, {0.1 + 0.37 * static_cast<double>(i % 3), 0.12 + 0.33 * static_cast<double>(i / 3 % 3),
+                   0.2 + 0.3 * static_cast<double>(i / 9)});
+        const auto at = [&](std::size_t d) {
+            return evaluate((*psi)[d].space, (*psi)[d].coefficients, xi[i]);
+        };
+        there.set(i, {at(0), at(1), at(2)});
+    }
+    ball_map()->points(there, expected);
+    again->points(xi, x);
+    EXPECT_LT(largest_distance(x, expected), 1e-3);
+}
+
+} // namespace
+} // namespace gaspard
