@@ -180,6 +180,7 @@ std::vector<Recipe> bahari_recipes() {
         all.push_back(make_recipe("bahari-table" + std::to_string(one.table), one.title, make(false),
                                   one.solid ? make(true) : MakeInWorkshop{}));
     }
+    for (Recipe& one : bahari_solid_recipes()) all.push_back(std::move(one));
     return all;
 }
 

@@ -14,7 +14,10 @@ namespace gaspard {
 struct FigurePanel {
     std::string title;
     std::variant<std::shared_ptr<const Snapshot>, Plot> content;
-    std::string camera{}; ///< for meshes: view.camera; empty shows the whole mesh
+    // For meshes: values of the view.
+    std::string camera{};        ///< view.camera; empty shows the whole mesh
+    std::string colour = "none"; ///< view.color
+    std::string cut{};           ///< view.cut
 };
 
 struct Figure {

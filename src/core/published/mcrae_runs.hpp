@@ -38,5 +38,7 @@ Recipe make_recipe(const std::string& id, const std::string& title, MakeInWorksh
 std::vector<Recipe> mcrae_sphere_recipes();
 std::vector<Recipe> mcrae_newton_recipes();
 std::vector<Recipe> mcrae_refinement_recipes();
+// Figures of solids of Bahari and others.
+std::vector<Recipe> bahari_solid_recipes();
 
 } // namespace gaspard

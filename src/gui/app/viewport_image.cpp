@@ -56,6 +56,7 @@ Values view_of(const MeshPanel& panel) {
     view.set("color", panel.colour);
     view.set("blend", panel.blend);
     view.set("camera", panel.camera);
+    view.set("cut", panel.cut);
     view.set("histogram", false);
     return view;
 }

@@ -43,6 +43,7 @@ struct MeshPanel {
     std::string colour = "none"; ///< as view.color
     double blend = 1;
     std::string camera{}; ///< as view.camera
+    std::string cut{};    ///< as view.cut
 };
 using Panel = std::variant<MeshPanel, Plot>;
 
