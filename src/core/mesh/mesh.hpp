@@ -9,6 +9,7 @@
 #include "core/base/export.hpp"
 #include "core/base/points.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -54,6 +55,8 @@ struct Mesh {
     int space_dimension = 2;         ///< 1, 2 or 3; further coordinates are zero
     Points nodes;                    ///< xi
     std::vector<std::int32_t> cells; ///< nodes_per_cell node numbers per cell
+    /// If the cells are a lattice, their numbers in its directions, of which the first runs fastest; else zeros.
+    std::array<std::int32_t, 3> lattice{};
 
     std::size_t node_count() const { return nodes.size(); }
     std::size_t cell_count() const { return cells.size() / static_cast<std::size_t>(nodes_per_cell(kind)); }
