@@ -327,6 +327,9 @@ Tessellation SectionMaker::make(const Points& x, std::span<const char> visible, 
     GASPARD_CHECK(visible.size() == mesh_->cell_count());
     const int order = mesh_->kind.order;
     if (order != 2) pieces = order;
+    constexpr auto most = std::size_t{600000}; // triangles of cells that stand apart
+    const auto triangles = [&] { return 12 * visible.size() * static_cast<std::size_t>(pieces * pieces); };
+    while (order == 2 && choice.explode > 0 && pieces > 2 && triangles() > most) --pieces;
     if (table_.pieces() != pieces) table_ = LatticeTable(mesh_->kind, pieces);
     return SectionBuilder(*mesh_, *faces_, table_, x, visible, choice, tolerance_).build();
 }

@@ -29,7 +29,7 @@ class SectionMaker {
     SectionMaker(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const SolidFaces> faces);
 
     /// `visible`: of visible_cells(). `x`: where the nodes are seen. `pieces`: m; of cells of order 1 it is 1,
-    /// of order 3 and higher the order. The triangles face outward where the cells are not tangled; those of
+    /// of order 3 and higher the order; many cells that stand apart get fewer. The triangles face outward where the cells are not tangled; those of
     /// caps are the last (Tessellation::caps).
     Tessellation make(const Points& x, std::span<const char> visible, const InsideChoice& choice, int pieces);
 

@@ -50,6 +50,22 @@ std::vector<char> visible_cells(const Mesh& mesh, const SolidFaces& faces, const
     return visible;
 }
 
+std::vector<std::vector<double>> condition_values(ColouringMaker& maker, const Snapshot& snapshot,
+                                                  const InsideChoice& choice, const std::string& colour) {
+    std::vector<std::vector<double>> values;
+    for (const CellCondition& condition : choice.only) {
+        ColourChoice wish;
+        wish.colouring = condition.of == "value" ? colour : condition.of;
+        const auto found = maker.make(snapshot, wish);
+        if (!found)
+            values.emplace_back();
+        else
+            values.push_back(found->place == FieldPlace::cell ? found->values
+                                                              : corner_means(*snapshot.mesh, found->values));
+    }
+    return values;
+}
+
 std::vector<double> corner_means(const Mesh& mesh, std::span<const double> nodes) {
     GASPARD_CHECK(nodes.size() == mesh.node_count());
     const auto corners = static_cast<std::size_t>(corners_per_cell(mesh.kind));

@@ -1,6 +1,7 @@
 // Which cells of a solid are shown at all, before some of them are cut.
 #pragma once
 
+#include "core/tessellate/colouring.hpp"
 #include "core/tessellate/inside_choice.hpp"
 #include "core/tessellate/solid_faces.hpp"
 
@@ -14,6 +15,10 @@ namespace gaspard {
 std::vector<char> visible_cells(const Mesh& mesh, const SolidFaces& faces, const InsideChoice& choice,
                                 std::span<const std::vector<double>> values, const Points& x);
 
+/// Per condition of choice.only the values of all cells; empty where the snapshot has none. `colour`: what
+/// the colours show, for conditions on "value".
+std::vector<std::vector<double>> condition_values(ColouringMaker& maker, const Snapshot& snapshot,
+                                                  const InsideChoice& choice, const std::string& colour);
 /// Of values at nodes, the mean over the corners of every cell.
 std::vector<double> corner_means(const Mesh& mesh, std::span<const double> nodes);
 
