@@ -88,7 +88,7 @@ SvgScene svg_section(const Snapshot& snapshot, const std::optional<Colouring>& c
         scene.tangled.push_back(std::binary_search(tangled.begin(), tangled.end(), cell));
     for (std::size_t i = 0; i < shape.segments.size(); i += 2) {
         const auto [from, to] =
-            std::minmax(signed_number(shape.segments[i]), signed_number(shape.segments[i + 1]));
+            std::minmax({signed_number(shape.segments[i]), signed_number(shape.segments[i + 1])});
         scene.section_sides.push_back(
             {from, to, signed_number(shape.segment_sides[i]), signed_number(shape.segment_sides[i + 1])});
     }
