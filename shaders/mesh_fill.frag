@@ -5,10 +5,12 @@
 uniform vec4 surface;             // used where its alpha is above zero
 uniform bool flat_cells;          // each cell has a value of its own
 uniform usampler2D shown_cells;   // which cell a triangle belongs to
+uniform int first_triangle;       // of those that are drawn
 uniform sampler2D cell_values;    // where a cell's value lies in the range
 uniform bool round_cells;         // curved cells of a ball: `outward` is their normal
 uniform vec3 viewer;              // towards the viewer, of unit length
 uniform float dusk;               // how much of its colour a surface loses that is seen from its edge
+uniform float pallor;             // of the skin of a solid that is cut: how pale and dark it is, 0 to 1
 
 in float value; // linear in each half of a quadrilateral
 in vec2 inside;
@@ -19,7 +21,8 @@ in vec3 outward;
 out vec4 colour;
 
 float own_value() {
-    uint cell = texelFetch(shown_cells, ivec2(gl_PrimitiveID & 2047, gl_PrimitiveID >> 11), 0).r;
+    int triangle = first_triangle + gl_PrimitiveID;
+    uint cell = texelFetch(shown_cells, ivec2(triangle & 2047, triangle >> 11), 0).r;
     return texelFetch(cell_values, ivec2(int(cell & 2047u), int(cell >> 11)), 0).r;
 }
 
@@ -36,5 +39,7 @@ void main() {
     vec3 base = surface.a > 0.0 ? surface.rgb : colour_of(flat_cells ? own_value() : nodal_value());
     vec3 normal = cross(dFdx(pixel), dFdy(pixel));
     float facing = round_cells ? dot(normalize(outward), viewer) : abs(normal.z) / max(length(normal), 1e-20);
+    vec3 grey = vec3(dot(base, vec3(0.299, 0.587, 0.114)));
+    base = mix(base, 0.78 * mix(base, grey, 0.55), pallor);
     colour = vec4(base * (1.0 - dusk * pow(1.0 - clamp(facing, 0.0, 1.0), 1.6)), 1.0);
 }

@@ -161,6 +161,7 @@ Snapshot cube_snapshot(int n) {
     Mesh mesh;
     mesh.kind = {CellShape::hexahedron, 1};
     mesh.space_dimension = 3;
+    mesh.lattice = {n, n, n};
     mesh.nodes = Points(static_cast<std::size_t>(row * row * row));
     const auto number = [row](int i, int j, int k) { return (k * row + j) * row + i; };
     for (int k = 0; k < row; ++k)
@@ -177,6 +178,35 @@ Snapshot cube_snapshot(int n) {
     Points x = mesh.nodes;
     for (std::size_t i = 0; i < x.size(); ++i) x.x[i] += 0.05 * std::sin(6 * x.z[i]);
     return finished(std::move(mesh), std::move(x));
+}
+
+Snapshot bent_snapshot(int n) {
+    const int row = 2 * n + 1;
+    Mesh mesh;
+    mesh.kind = {CellShape::hexahedron, 2};
+    mesh.space_dimension = 3;
+    mesh.lattice = {n, n, n};
+    mesh.nodes = Points(static_cast<std::size_t>(row * row * row));
+    for (int i = 0; i < row * row * row; ++i) {
+        const Vec3 at =
+            (1.0 / (row - 1)) * Vec3{1.0 * (i % row), 1.0 * (i / row % row), 1.0 * (i / row / row)};
+        const double angle = 1.6 * at.x + 0.5 * at.z, radius = 0.5 + at.y + 0.15 * std::sin(4 * at.z);
+        mesh.nodes.set(static_cast<std::size_t>(i),
+                       {radius * std::cos(angle), -radius * std::sin(angle), 0.8 * at.z});
+    }
+    for (int c = 0; c < n * n * n; ++c)
+        for (const Vec3 local : reference_nodes(mesh.kind)) {
+            const auto place = [&](int cell, double s) { return 2 * cell + static_cast<int>(2 * s); };
+            mesh.cells.push_back((place(c / n / n, local.z) * row + place(c / n % n, local.y)) * row +
+                                 place(c % n, local.x));
+        }
+    Points x = mesh.nodes;
+    Snapshot snapshot = finished(std::move(mesh), std::move(x));
+    for (std::size_t i = 0; i < snapshot.x.size(); ++i) {
+        const Vec3 p = snapshot.x[i];
+        snapshot.fields[0].values[i] = 2 + std::sin(7 * std::hypot(p.x, p.y)) * std::cos(5 * p.z);
+    }
+    return snapshot;
 }
 
 Snapshot interval_snapshot(int n) {
@@ -263,6 +293,33 @@ const std::vector<Scene>& scenes() {
         {"tangled", [](OffscreenBackend backend) { return draw(tangled_snapshot(16), backend); }},
         {"sphere", [](OffscreenBackend backend) { return draw(sphere_snapshot(6), backend); }},
         {"cube", [](OffscreenBackend backend) { return draw(cube_snapshot(5), backend); }},
+        {"cube-cut",
+         [](OffscreenBackend backend) {
+             return draw_with(cube_snapshot(8), backend, {{"cut", "-x 0.55 and -y 0.45 and z 0.5"}});
+         }},
+        {"cube-cut-cells",
+         [](OffscreenBackend backend) {
+             return draw_with(cube_snapshot(8), backend,
+                              {{"cut", "normal 1 -1 0.6 at 0.5 0.5 0.5"},
+                               {"color", "area"},
+                               {"theme", "light"},
+                               {"pick", "cell 219"}});
+         }},
+        {"cube-exploded",
+         [](OffscreenBackend backend) {
+             return draw_with(cube_snapshot(5), backend,
+                              {{"explode", "0.3"}, {"layers", "i 0 to 3; k 0 to 2"}});
+         }},
+        {"bent-cut",
+         [](OffscreenBackend backend) {
+             return draw_with(bent_snapshot(5), backend,
+                              {{"cut", "z 0.45"}, {"layout", "side-by-side"}, {"theme", "light"}});
+         }},
+        {"bent-cut-whole",
+         [](OffscreenBackend backend) {
+             return draw_with(bent_snapshot(6), backend,
+                              {{"cut", "normal 1 -0.4 0.8 at 0.5 -0.5 0.45"}, {"cut_cells", "whole"}});
+         }},
         {"interval", [](OffscreenBackend backend) { return draw(interval_snapshot(20), backend, "none"); }},
         {"interval-colours",
          [](OffscreenBackend backend) {

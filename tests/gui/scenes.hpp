@@ -19,6 +19,8 @@ Snapshot tangled_snapshot(int n);
 Snapshot sphere_snapshot(int n);
 /// n x n x n cubes, sheared.
 Snapshot cube_snapshot(int n);
+/// n x n x n curved cells of order 2: a quarter of a thick ring, twisted.
+Snapshot bent_snapshot(int n);
 /// n lines in [0, 1], finer towards 0.
 Snapshot interval_snapshot(int n);
 

@@ -104,7 +104,8 @@ void write_svg_files(const std::filesystem::path& folder, const RunResult& resul
                    .aspect = aspect,
                    .background = background,
                    .elevation = view.real("elevation"),
-                   .elevation_camera = view.text("elevation_camera")});
+                   .elevation_camera = view.text("elevation_camera"),
+                   .inside = inside_choice(view)});
     write_svg(folder / "residual.svg", history_plot(result.history, "residual"));
     write_svg(folder / "equidistribution.svg", history_plot(result.history, "equidistribution"));
 }

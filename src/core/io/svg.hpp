@@ -7,6 +7,7 @@
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/background.hpp"
 #include "core/tessellate/colouring.hpp"
+#include "core/tessellate/inside_choice.hpp"
 #include "core/tessellate/interval_plots.hpp"
 #include "core/tessellate/plot.hpp"
 
@@ -36,6 +37,7 @@ struct MeshSvgOptions {
     Background background{}; ///< the theme's is white
     double elevation = 0;    ///< as view.elevation: above 0, a plane mesh is a surface in space
     std::string elevation_camera{}; ///< of that surface, instead of `camera`
+    InsideChoice inside{};          ///< what is hidden of a solid
 };
 
 /// Throws InputError if `camera` cannot be read, or shows so small a part of points within `nodes` that their
@@ -44,7 +46,8 @@ void check_svg_camera(const Points& nodes, const std::string& camera, double asp
 
 /// The mesh at x: cells filled in classes of the colouring (white without one), edges as long lines (curved
 /// ones as exact parabolas), tangled cells in magenta above all others, a legend. Of a mesh in space hidden
-/// faces are left out. Contour lines are those of the colouring, except on the border of a solid.
+/// faces are left out. Contour lines are those of the colouring, except on the border of a whole solid. A
+/// solid that is looked into is drawn with straight pieces of curves.
 /// A curve is drawn as a line; of an interval, see svg_of_plots(). The camera says from
 /// where and which part; the height of the drawing follows from the mesh or, for a part, from `aspect`.
 /// Throws InputError if the camera cannot be read.

@@ -3,6 +3,7 @@
 #include "core/io/svg.hpp"
 #include "core/io/svg_document.hpp"
 #include "core/io/svg_scene.hpp"
+#include "core/io/svg_section.hpp"
 #include "core/tessellate/colouring.hpp"
 #include "core/tessellate/ticks.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 constexpr const char *dark_ink = "#14171c", *light_ink = "#d4d2de", *tangled_colour = "#e600b8";
 constexpr double margin = 6, legend_gap = 10, bar_width = 10; // points
 constexpr double contour_width = 0.7;
+constexpr double skin_light = 0.78, skin_grey = 0.55; // as in mesh_fill.frag
 
 /// From 0 to 1, of linear light.
 double luminance(std::array<unsigned char, 3> colour) {
@@ -45,6 +47,7 @@ class Classes {
     std::size_t count() const { return colours_.size(); }
     const ColourRange& range() const { return range_; }
     std::string colour(std::size_t k) const { return svg_colour(colours_[k]); }
+    std::array<unsigned char, 3> parts(std::size_t k) const { return colours_[k]; }
     std::size_t of(std::size_t face) const {
         if (scene_.values.empty()) return 0;
         const double place = std::clamp(range_.position(scene_.values[face]), 0.0, 1.0);
@@ -285,6 +288,58 @@ std::string spatial_faces(const Drawing& drawing) {
     return text + (group.empty() ? "" : "</g>\n") + "</g>\n";
 }
 
+/// Paler and darker, as the window shows the skin of a solid that is cut (shaders/mesh_fill.frag).
+std::array<unsigned char, 3> pale(std::array<unsigned char, 3> colour) {
+    const double grey = 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2];
+    for (unsigned char& part : colour)
+        part =
+            static_cast<unsigned char>(std::lround(skin_light * ((1 - skin_grey) * part + skin_grey * grey)));
+    return colour;
+}
+
+/// How far a side is from the next one.
+double spacing(const Drawing& drawing, const SectionSide& side) {
+    const PagePoint a = drawing.node(side.from), b = drawing.node(side.to);
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const auto away = [&](std::int32_t far) {
+        const PagePoint p = drawing.node(far);
+        return std::abs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / std::max(length, 1e-9);
+    };
+    return std::min(away(side.first), away(side.second));
+}
+
+/// Triangle by triangle, the nearer over the farther, each with those of its sides that are lines.
+std::string section_faces(const Drawing& drawing) {
+    const SvgScene& scene = drawing.scene;
+    std::string text = "<g id=\"cells\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
+    std::string group; // the one that is open
+    for (const auto f : painters_order(scene, drawing.view)) {
+        if (!drawing.shown[f]) continue;
+        const std::size_t k = drawing.classes.of(f);
+        const bool skin = scene.caps > 0 && f < scene.size() - scene.caps;
+        const auto own = drawing.classes.parts(k), colour = skin ? pale(own) : own;
+        const std::string fill = scene.tangled[f] ? tangled_colour : svg_colour(colour);
+        const std::string look = "<g fill=\"" + fill + "\" stroke=\"" + fill + "\" stroke-width=\".2\">\n";
+        if (group != look) text += (group.empty() ? "" : "</g>\n") + look;
+        group = look;
+        const bool light = !scene.tangled[f] && luminance(colour) < 0.13;
+        SvgPath path(drawing.decimals);
+        drawing.add(path, sides_of_face(scene.faces, f), true);
+        text += path_element(path);
+        for (const Side& side : sides_of_face(scene.faces, f))
+            if (const SectionSide* line = find_section_side(scene, side.from, side.to)) {
+                SvgPath stroke(drawing.decimals);
+                drawing.add(stroke, {side}, false);
+                const double width = line_widths[width_class(spacing(drawing, *line))];
+                text += path_element(stroke, " fill=\"none\" stroke=\"" +
+                                                 std::string(light ? light_ink : dark_ink) +
+                                                 "\" stroke-width=\"" + svg_number(width) + '"');
+            }
+        text += face_contours(drawing, f, light);
+    }
+    return text + (group.empty() ? "" : "</g>\n") + "</g>\n";
+}
+
 /// A curve's cells in their colours, with dots between them.
 std::string coloured_lines(const Drawing& drawing) {
     const SvgScene& scene = drawing.scene;
@@ -377,6 +432,7 @@ std::string tangled_note(const SvgScene& scene, PagePoint at) {
 
 std::string mesh_content(const Drawing& drawing) {
     if (!drawing.scene.lines.empty()) return coloured_lines(drawing);
+    if (drawing.scene.section) return section_faces(drawing);
     if (drawing.scene.spatial) return spatial_faces(drawing);
     return flat_fill(drawing) + flat_edges(drawing) + flat_contours(drawing) + flat_tangled(drawing);
 }
@@ -410,7 +466,9 @@ std::string cropped(const SvgView& view, const std::string& content) {
 
 std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>& colouring,
                         const MeshSvgOptions& options) {
-    const SvgScene scene = svg_scene(snapshot, colouring, options.elevation);
+    const bool section = cell_dimension(snapshot.mesh->kind) == 3 && options.inside.looks_inside();
+    const SvgScene scene = section ? svg_section(snapshot, colouring, options.inside)
+                                   : svg_scene(snapshot, colouring, options.elevation);
     const Classes classes(scene, colouring, options.classes);
     const double width = options.width_mm * points_per_mm;
     constexpr double highest_bar = 170;

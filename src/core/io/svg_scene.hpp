@@ -14,6 +14,11 @@
 
 namespace gaspard {
 
+/// A drawn side of triangles, from the smaller number to the larger one, and points far beside it.
+struct SectionSide {
+    std::int32_t from = 0, to = 0, first = 0, second = 0;
+};
+
 struct SvgScene {
     Facets faces;               ///< cells of a surface, border of a solid
     std::vector<Side> lines;    ///< the cells of a curve in the plane or in space, which has no faces
@@ -24,6 +29,11 @@ struct SvgScene {
     bool spatial = false;       ///< has depth, so that some of it may hide the rest
     bool closed = false;        ///< no border: what turns away is hidden
     bool elevated = false;      ///< a plane mesh with heights
+    /// Of a solid that is looked into (core/io/svg_section.hpp): the number of last faces that are caps, and
+    /// the sides of faces that are drawn.
+    bool section = false;
+    std::size_t caps = 0;
+    std::vector<SectionSide> section_sides{};
 
     std::size_t size() const { return lines.empty() ? faces.size() : lines.size(); }
 };

@@ -189,6 +189,37 @@ std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further, std::str
          .default_value = 0.0,
          .help = "a plane mesh as a surface, as high as the field that the colours show, if it has values at "
                  "the nodes: with 1, the range of colours is half as high as the domain is long; 0: flat"},
+        text(
+            "cut", "Cut",
+            "planes that cut a solid open, such as 'x 0.5' (hides x > 0.5), '-z 0' (hides z < 0) or 'normal "
+            "1 "
+            "1 0 at 0 0 0'; what lies beyond all planes joined by 'and' is hidden, after ';' begins the next "
+            "such wedge"),
+        choice("cut_cells", "Cut cells", {"clean", "whole"},
+               "clean: planes cut through cells; whole: a cell is shown whole if its middle is on the side "
+               "that stays"),
+        {.key = "peel",
+         .label = "Peel",
+         .kind = ParameterKind::integer,
+         .minimum = 0,
+         .maximum = 1000,
+         .slider = SliderRange{0, 16},
+         .default_value = std::int64_t{0},
+         .help = "so many layers of cells of a solid are hidden, from its boundary inward"},
+        text("layers", "Layers",
+             "the only layers of cells that are shown of a solid whose cells are a lattice, counted from 0: "
+             "'i "
+             "4 to 11; k 0'"),
+        text("only", "Only",
+             "the only cells that are shown of a solid: 'jacobian < 0.5', 'monitor > 2 and area < 1e-3'; "
+             "names "
+             "as for view.color, or value: what the colours show"),
+        {.key = "explode",
+         .label = "Explode",
+         .minimum = 0,
+         .maximum = 0.9,
+         .default_value = 0.0,
+         .help = "by what part of their size the cells of a solid are shrunk towards their middles"},
         boolean("arrows", "Arrows", false, "from ξ to x, as many as fit"),
         layout_row(),
         {.key = "projection_longitude",

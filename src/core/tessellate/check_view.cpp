@@ -4,13 +4,13 @@
 #include "core/tessellate/background.hpp"
 #include "core/tessellate/camera.hpp"
 #include "core/tessellate/cell_geometry.hpp"
+#include "core/tessellate/inside_choice.hpp"
 #include "core/tessellate/pick.hpp"
 
 namespace gaspard {
 
 void check_view(const Values& view, const Mesh* mesh) {
-    for (const char* key : {"camera", "projection_camera", "elevation_camera"})
-        try {
+    for (const char* key : {"camera", "projection_camera", "elevation_camera"}) try {
             if (!view.text(key).empty()) parse_camera(view.text(key), {1, 1});
         } catch (const InputError& error) {
             throw InputError("view." + std::string(key) + ": " + error.what());
@@ -22,6 +22,8 @@ void check_view(const Values& view, const Mesh* mesh) {
                          (pick->kind == Pick::Kind::cell ? std::to_string(mesh->cell_count()) + " cells"
                                                          : std::to_string(mesh->node_count()) + " nodes") +
                          ", counted from 0");
+    const InsideChoice inside = inside_choice(view);
+    if (mesh != nullptr) check_layers(inside, *mesh);
     const std::string& layout = view.text("layout");
     if (mesh != nullptr && layout == "projection" && !(radius_of_ball(*mesh) > 0))
         throw InputError(

@@ -28,8 +28,9 @@ struct Tessellation {
     std::vector<double> weights;
     std::vector<std::uint32_t> triangles;      ///< three points per triangle
     std::vector<std::uint32_t> triangle_cells; ///< cell of each triangle
-    std::vector<std::uint32_t> segments;       ///< two points per segment; shared edges occur once
-    std::vector<std::uint32_t> segment_cells;  ///< cell of each segment if cells are lines; else empty
+    std::size_t caps = 0;                     ///< so many of the last triangles close cells that a plane cuts
+    std::vector<std::uint32_t> segments;      ///< two points per segment; shared edges occur once
+    std::vector<std::uint32_t> segment_cells; ///< cell of each segment if cells are lines; else empty
     /// Two points per segment: a corner on the far side of each adjacent cell, from which a renderer can tell
     /// the distance to the next line. On a boundary the same point twice; without any cell, the segment's
     /// first point.

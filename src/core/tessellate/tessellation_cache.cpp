@@ -1,6 +1,7 @@
 #include "core/tessellate/tessellation_cache.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace gaspard {
 
@@ -11,12 +12,29 @@ TessellationCache::Entry* TessellationCache::find(const std::shared_ptr<const Me
     return found == entries_.end() ? nullptr : &*found;
 }
 
+TessellationCache::Entry& TessellationCache::find_or_add(const std::shared_ptr<const Mesh>& mesh) {
+    Entry* known = find(mesh);
+    return known != nullptr ? *known : entries_.emplace_back(Entry{.mesh = mesh});
+}
+
+std::shared_ptr<const SolidFaces> TessellationCache::faces(const Snapshot& snapshot) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (const Entry* known = find(snapshot.mesh); known != nullptr && known->faces) return known->faces;
+    }
+    auto made = std::make_shared<const SolidFaces>(solid_faces(*snapshot.mesh)); // not under the lock
+    const std::lock_guard lock(mutex_);
+    auto& faces = find_or_add(snapshot.mesh).faces;
+    if (!faces) faces = std::move(made);
+    return faces;
+}
+
 std::shared_ptr<const Tessellation> TessellationCache::get(const Snapshot& snapshot) {
     const Mesh& mesh = *snapshot.mesh;
     int cuts = 0; // of the cached tessellation
     {
         const std::lock_guard lock(mutex_);
-        if (const Entry* known = find(snapshot.mesh)) {
+        if (const Entry* known = find(snapshot.mesh); known != nullptr && known->tessellation) {
             if (known->version == snapshot.version || mesh.kind.order == 1) return known->tessellation;
             cuts = known->tessellation->cuts;
         }
@@ -27,12 +45,11 @@ std::shared_ptr<const Tessellation> TessellationCache::get(const Snapshot& snaps
     std::shared_ptr<const Tessellation> made;
     if (needed > cuts) made = std::make_shared<const Tessellation>(tessellate(mesh, needed));
     const std::lock_guard lock(mutex_);
-    Entry* known = find(snapshot.mesh);
-    if (known == nullptr) known = &entries_.emplace_back(snapshot.mesh, nullptr, 0);
+    Entry& known = find_or_add(snapshot.mesh);
     // If another thread was faster, use its result.
-    if (made && (!known->tessellation || known->tessellation->cuts < made->cuts)) known->tessellation = made;
-    known->version = snapshot.version;
-    return known->tessellation;
+    if (made && (!known.tessellation || known.tessellation->cuts < made->cuts)) known.tessellation = made;
+    known.version = snapshot.version;
+    return known.tessellation;
 }
 
 } // namespace gaspard

@@ -31,9 +31,13 @@ Application::Application(std::shared_ptr<const Catalogue> catalogue, Application
       theme_(dark_theme()), files_(catalogue, messages_.board(), std::move(options.output)),
       study_(catalogue, options.wake), error_plots_(catalogue, options.wake),
       document_(std::move(catalogue), std::move(options.wake),
-                [cache = tessellations_](const Snapshot& snapshot) { cache->get(snapshot); }) {
+                [cache = tessellations_](const Snapshot& snapshot) {
+                    cache->get(snapshot);
+                    if (cell_dimension(snapshot.mesh->kind) == 3) cache->faces(snapshot);
+                }) {
     if (const auto choice = parse_choice(settings_.window.text("first_plot"))) plot_pane_.choose(0, *choice);
     if (const auto choice = parse_choice(settings_.window.text("second_plot"))) plot_pane_.choose(1, *choice);
+    if (options.in_background) viewport_pane_.work_in_background();
     for (std::string& complaint : options.complaints) messages_.note({std::move(complaint), true});
 }
 
@@ -168,7 +172,7 @@ WindowState Application::window_state() const {
             quit_,
             (open_dialog_.opening() || save_dialog_.opening() || panel_.awaits_text()) &&
                 !messages_.error().open(),
-            viewport_pane_.spinning() || panel_.waiting()};
+            viewport_pane_.changing() || panel_.waiting()};
 }
 
 void Application::follow(const MenuChoice& choice) {
@@ -189,6 +193,30 @@ bool Application::on_interval() { return run().snapshot && is_interval(*run().sn
 bool Application::in_space() {
     const bool elevated = !views().empty() && views().front().scene.elevation > 0;
     return elevated || (run().snapshot && run().snapshot->mesh->space_dimension == 3);
+}
+
+bool Application::shows_solid() { return !views().empty() && views().front().scene.cell_dimension == 3; }
+
+/// Opens as it was cut before, or by a plane through the middle.
+void Application::toggle_cut() {
+    Values& view = viewport().view;
+    if (const std::string text = view.text("cut"); !text.empty()) {
+        closed_cut_ = text;
+        return view.set("cut", std::string());
+    }
+    const ShownView& shown = views().front();
+    if (closed_cut_.empty())
+        closed_cut_ = format_cut({{usual_cut(shown.scene.home_box, towards_viewer(shown.camera))}});
+    view.set("cut", closed_cut_);
+}
+
+void Application::flip_cut() {
+    Values& view = viewport().view;
+    try {
+        view.set("cut", format_cut(flipped(parse_cut(view.text("cut")))));
+    } catch (const InputError& error) {
+        messages_.say({error.what(), true});
+    }
 }
 
 bool Application::available(const std::string& choice) const {

@@ -42,6 +42,7 @@ struct ApplicationOptions {
     std::optional<Scenario> named{};     ///< see Document::open
     Settings settings{};
     std::vector<std::string> complaints{}; ///< what was wrong with the settings, for the log
+    bool in_background = false;            ///< parts of a picture that take long may follow later
 };
 
 /// What the window's loop has to know after a frame.
@@ -119,6 +120,9 @@ class Application {
     const Action& action(std::string_view name) const { return find_action(actions_, name); }
     bool on_interval(); ///< the active run has a mesh of an interval, shown as plots
     bool in_space();
+    bool shows_solid();
+    void toggle_cut();
+    void flip_cut();
     /// The other runs whose meshes can be shown beside that of the active run.
     std::vector<const DocumentRun*> runs_beside();
     bool working();
@@ -202,6 +206,7 @@ class Application {
     RunList run_list_;
     std::optional<Plot> plot_to_save_;
     std::string plot_name_;    ///< of the file to come
+    std::string closed_cut_;   ///< view.cut before it was closed
     double wheeled_ = 0;       ///< when the wheel was last turned, by ImGui::GetTime()
     bool wheel_burst_ = false; ///< nothing else was done since
     bool quit_ = false, help_ = false, fullscreen_ = false;

@@ -24,6 +24,10 @@ std::string not_for_plots(std::string_view label) {
     return std::string(label) + ": an interval is shown as plots.";
 }
 
+std::string only_for_solids(std::string_view label) {
+    return std::string(label) + ": only for meshes of solid cells.";
+}
+
 void append(std::vector<Action>& rows, std::vector<Action> more) {
     std::move(more.begin(), more.end(), std::back_inserter(rows));
 }
@@ -272,6 +276,28 @@ std::vector<Action> Application::show_actions() {
          .checked = [this] { return viewport().view.text("overlay") == "exact"; },
          .reason =
              [] { return "Exact mesh: known only on a sphere, for monitors symmetric about an axis."; }},
+        {.name = "cut",
+         .label = "Cut open",
+         .menu = "View",
+         .keys = {"I"},
+         .help = "Cut a solid open with a plane that can be dragged and turned, or close it.",
+         .run = [this] { toggle_cut(); },
+         .enabled = [this] { return shows_solid(); },
+         .checked = [this] { return !viewport().view.text("cut").empty(); },
+         .reason = [] { return only_for_solids("Cut open"); }},
+        {.name = "flip-cut",
+         .label = "Flip the cut",
+         .menu = "View",
+         .keys = {"J"},
+         .help = "Show what the planes of a cut hide, and hide what they show.",
+         .run = [this] { flip_cut(); },
+         .enabled = [this] { return shows_solid() && !viewport().view.text("cut").empty(); },
+         .reason =
+             [this] {
+                 return shows_solid()
+                            ? "Flip the cut: press " + describe_keys(action("cut")) + " to cut first."
+                            : only_for_solids("Flip the cut");
+             }},
         view_toggle("lines", "Lines", "L", "Show or hide the cell edges, or the nodes of an interval."),
         std::move(arrows),
         {.name = "copy-camera",

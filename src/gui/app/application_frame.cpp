@@ -57,6 +57,7 @@ void Application::frame() {
                 handles.push_back(std::move(one));
     }
     viewport_pane_.offer_handles(std::move(handles));
+    viewport_pane_.offer_cut_handles(!taking_screenshot_);
     viewport_pane_.frame(run(), viewport(), layout_.viewport, context, runs_beside());
     if (const auto move = viewport_pane_.take_handle_move()) {
         if (!run().status.refused) messages_.clear();
@@ -234,6 +235,10 @@ std::vector<std::string> Application::view_keys() {
     if (scene != nullptr && scene->cell_dimension > 1 && scene->colouring != nullptr && !scene->flat()) {
         keys.emplace_back("contours");
         if (in_plane) keys.emplace_back("elevation");
+    }
+    if (scene != nullptr && scene->cell_dimension == 3) {
+        keys.insert(keys.end(), {"cut", "cut_cells", "peel", "only", "explode"});
+        if (run().snapshot->mesh->lattice[0] > 0) keys.emplace_back("layers");
     }
     keys.insert(keys.end(), {"arrows", "layout"});
     const bool projection = view.text("layout") == "projection" && available("layout=projection");

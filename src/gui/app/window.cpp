@@ -297,7 +297,8 @@ class Window {
                                                 .output = options.output,
                                                 .named = options.named,
                                                 .settings = options.settings,
-                                                .complaints = options.complaints});
+                                                .complaints = options.complaints,
+                                                .in_background = true});
         style();
         scene_.emplace(gl_);
         stop_ = options.stop;

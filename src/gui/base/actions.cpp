@@ -33,6 +33,7 @@ std::span<const MouseHelp> mouse_help() {
          "Move the monitor by its handle, a small circle with a cross; the mesh follows."},
         {"Drag a control point",
          "Move a control point of a planar patch or of a convex domain, a small square; the mesh follows."},
+        {"Drag the arrow of a cut", "Move the plane by the arrow's foot, turn it by the tip."},
         {"Wheel", "Zoom at the pointer."},
         {"Click", "Click a cell or a node to inspect it; click beside the mesh to clear the selection."},
         {"Double-click", "Center the view on a point; on a globe, rotate the point to the front."},

@@ -1,5 +1,6 @@
 #include "gui/panels/viewport_pane.hpp"
 
+#include "core/base/error.hpp"
 #include "gui/base/part_window.hpp"
 #include "gui/plot/plot_widget.hpp"
 
@@ -18,6 +19,7 @@ constexpr float drag_threshold = 4; // pixels at scale 1; a shorter drag is a cl
 constexpr double pick_reach = 8;    // pixels at scale 1
 constexpr double handle_reach = 11;
 constexpr double wheel_factor = 1.15;
+constexpr double arrow_of_cut = 52; // pixels at scale 1
 
 Pixel pixel_in(const PlannedView& shown, ImVec2 mouse) {
     return {static_cast<double>(mouse.x - shown.rect.min.x), static_cast<double>(mouse.y - shown.rect.min.y)};
@@ -62,6 +64,16 @@ std::string title_among_others(const DocumentRun& run) {
     return text + std::string(status_name(run.status.run));
 }
 
+/// The planes of the view where they cut something.
+std::vector<CutWedge> cut_of(const ViewportPlan& plan, const Values& view) {
+    if (plan.views.empty() || plan.views.front().scene.cell_dimension != 3) return {};
+    try {
+        return parse_cut(view.text("cut"));
+    } catch (const InputError&) { // it is being typed
+        return {};
+    }
+}
+
 /// The mouse button that is held; -1 for none.
 int held_button() {
     for (const int button : {0, 1, 2})
@@ -102,7 +114,8 @@ void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, con
                           {{area.left, area.top}, {area.right, area.bottom}}, context.scale, beside, zooms_);
         if (plots) draw_plots(context);
         draw_viewport_overlay(*ImGui::GetWindowDrawList(), *plan_, context.theme, context.scale);
-        if (!plots) draw_handles(context);
+        cut_ = cut_of(*plan_, viewport.view);
+        if (!plots) draw_handles(context), draw_cut(context);
         views_.clear();
         for (const PlannedView& shown : plan_->views)
             views_.push_back({shown.scene,
@@ -118,7 +131,7 @@ void ViewportPane::interact(Values& view, const ItemRectangle& area, const Frame
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                                ImGuiButtonFlags_MouseButtonRight);
     if (!plan_ || plan_->views.empty()) return;
-    if (!drag_handle(context.scale)) steer(view, context.scale);
+    if (!drag_cut(view, context.scale) && !drag_handle(context.scale)) steer(view, context.scale);
     turn(view);
 }
 
@@ -207,6 +220,69 @@ void ViewportPane::draw_handles(const FrameContext& context) {
         list.PopClipRect();
     }
     if (lit < none) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+}
+
+std::vector<CutHandle> ViewportPane::cut_handles_in(const PlannedView& shown, float scale) const {
+    if (!offers_cut_) return {};
+    return cut_handles(cut_, shown, arrow_of_cut * static_cast<double>(scale));
+}
+
+std::optional<CutHandle> ViewportPane::cut_handle_at(ImVec2 at, float scale) const {
+    const PlannedView& shown = view_at(*plan_, at);
+    const Pixel pointer = pixel_in(shown, at);
+    const double reach = handle_reach * static_cast<double>(scale);
+    for (const CutHandle& handle : cut_handles_in(shown, scale)) {
+        const Pixel pixel = to_pixel(shown.camera, shown.size(), handle.place());
+        if (std::hypot(pixel.x - pointer.x, pixel.y - pointer.y) < reach) return handle;
+    }
+    return std::nullopt;
+}
+
+/// Moves or turns the plane on whose handle the button was pressed. True if it did.
+bool ViewportPane::drag_cut(Values& view, float scale) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemActivated()) {
+        const auto handle =
+            ImGui::IsMouseDown(0) ? cut_handle_at(io.MouseClickedPos[0], scale) : std::nullopt;
+        held_cut_ = handle ? std::optional(HeldCut{*handle, cut_}) : std::nullopt;
+    }
+    if (!held_cut_) return false;
+    const bool ends = ImGui::IsItemDeactivated();
+    if (ends || ImGui::IsItemActive()) {
+        const ImVec2 clicked = io.MouseClickedPos[0];
+        const PlannedView& shown = view_at(*plan_, clicked);
+        if (io.MousePos.x != clicked.x || io.MousePos.y != clicked.y)
+            view.set("cut",
+                     format_cut(with_cut_handle_at(held_cut_->before, held_cut_->handle, shown,
+                                                   pixel_in(shown, clicked), pixel_in(shown, io.MousePos))));
+    }
+    if (!ImGui::IsItemActive()) held_cut_.reset();
+    return true;
+}
+
+void ViewportPane::draw_cut(const FrameContext& context) {
+    if (cut_.empty()) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto lit = held_cut_                ? std::optional(held_cut_->handle)
+                     : ImGui::IsItemHovered() ? cut_handle_at(ImGui::GetIO().MousePos, context.scale)
+                                              : std::nullopt;
+    for (const PlannedView& shown : plan_->views) {
+        const std::vector<CutHandle> handles = cut_handles_in(shown, context.scale);
+        std::size_t which = handles.size();
+        for (std::size_t i = 0; i < handles.size(); ++i) {
+            const CutHandle& handle = handles[i];
+            if (lit && handle.wedge == lit->wedge && handle.plane == lit->plane && handle.turns == lit->turns)
+                which = i;
+            const Pixel at = to_pixel(shown.camera, shown.size(), handle.place());
+            const float x = shown.rect.min.x + static_cast<float>(at.x),
+                        y = shown.rect.min.y + static_cast<float>(at.y);
+            context.items[item_name(cut_, handle)] = {x, y, x, y};
+        }
+        list.PushClipRect(shown.rect.min, shown.rect.max, true);
+        draw_cut_handles(list, cut_, handles, which, shown, context.theme, context.scale);
+        list.PopClipRect();
+    }
+    if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
 }
 
 void ViewportPane::go_home(DocumentViewport& viewport) {

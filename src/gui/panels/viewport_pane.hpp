@@ -8,6 +8,7 @@
 
 #include "gui/base/frame_context.hpp"
 #include "gui/document/document.hpp"
+#include "gui/viewport/cut_handles.hpp"
 #include "gui/viewport/handles.hpp"
 #include "gui/viewport/viewport.hpp"
 
@@ -51,14 +52,18 @@ class ViewportPane {
     void look_as(DocumentViewport& viewport, const std::string& camera);
     /// The handles of the next frames, which the mouse can drag.
     void offer_handles(std::vector<Handle> handles) { handles_ = std::move(handles); }
+    /// Whether the planes of a cut have handles in the next frames.
+    void offer_cut_handles(bool offered) { offers_cut_ = offered; }
     struct HandleMove {
         Handle handle;
         Vec3 place; ///< its new place
     };
     /// The last drag of a handle since the last call.
     std::optional<HandleMove> take_handle_move() { return std::exchange(handle_move_, std::nullopt); }
-    /// The mesh rotates by itself: the next frame differs from this one.
-    bool spinning() const { return spinning_; }
+    /// The mesh rotates by itself, or a part of it is on its way: the next frame differs from this one.
+    bool changing() const { return spinning_ || planner_.awaits_section(); }
+    /// Parts of a picture that take long follow later.
+    void work_in_background() { planner_.work_in_background(); }
     /// Choices of the view that are not available for this mesh, such as "layout=projection".
     std::vector<std::string> unavailable() const {
         return plan_ ? plan_->unavailable : std::vector<std::string>();
@@ -80,6 +85,10 @@ class ViewportPane {
     std::optional<std::size_t> handle_at(ImVec2 at, float scale) const;
     bool drag_handle(float scale);
     void draw_handles(const FrameContext& context);
+    std::vector<CutHandle> cut_handles_in(const PlannedView& shown, float scale) const;
+    std::optional<CutHandle> cut_handle_at(ImVec2 at, float scale) const;
+    bool drag_cut(Values& view, float scale);
+    void draw_cut(const FrameContext& context);
     void set_camera(Values& view, const PlannedView& shown, Camera camera);
 
     ViewportPlanner planner_;
@@ -91,6 +100,14 @@ class ViewportPane {
     std::vector<Handle> handles_;
     std::optional<std::size_t> held_; ///< the handle being dragged
     std::optional<HandleMove> handle_move_;
+    /// A handle of a plane that is being dragged, and the cut before.
+    struct HeldCut {
+        CutHandle handle;
+        std::vector<CutWedge> before;
+    };
+    bool offers_cut_ = true;
+    std::vector<CutWedge> cut_; ///< of the view in the last frame, where the mesh is solid
+    std::optional<HeldCut> held_cut_;
     bool dragging_ = false;
     bool spinning_ = false;
     double spun_ = 0;           ///< rotation in radians since the view's camera was last set

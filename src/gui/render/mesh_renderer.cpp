@@ -36,7 +36,7 @@ constexpr Fading plain_fading{1.5F, 3.8F, 1}, coloured_fading{1.6F, 5.5F, 0.015F
 constexpr float pull_pixels = 2;
 constexpr float contour_width = 1.5F;
 constexpr float overlay_width = 1, overlay_pull = 0.004F; // the second of half the view's depth
-constexpr float dusk = 0.42F;                             // as in mesh_fill.frag
+constexpr float dusk = 0.42F, dusk_of_caps = 0.16F;       // as in mesh_fill.frag
 constexpr float bent = 0.3F;                              // as in mesh_line.vert
 constexpr float limb_begin = 0.04F, limb_end = 0.5F;
 
@@ -82,9 +82,10 @@ MeshRenderer::MeshRenderer(const Gl& gl)
     const auto fill = [&](const char* name) { return uniform(gl, fill_program_, name); };
     const auto line = [&](const char* name) { return uniform(gl, line_program_, name); };
     const auto arrow = [&](const char* name) { return uniform(gl, arrow_program_, name); };
-    fill_ = {fill("clip"),        fill("blend"),      fill("clip_to_pixels"), fill("surface"),
-             fill("logarithm"),   fill("flat_cells"), fill("ball"),           fill("viewer"),
-             fill("round_cells"), fill("dusk"),       fill("nodal")};
+    fill_ = {fill("clip"),          fill("blend"),      fill("clip_to_pixels"), fill("surface"),
+             fill("logarithm"),     fill("flat_cells"), fill("ball"),           fill("viewer"),
+             fill("round_cells"),   fill("dusk"),       fill("nodal"),          fill("pallor"),
+             fill("first_triangle")};
     line_ = {line("clip"),      line("blend"),  line("half_viewport"), line("half_width"), line("fade"),
              line("haze"),      line("pieces"), line("pull"),          line("surface"),    line("flat_ink"),
              line("logarithm"), line("by_map"), line("flat_cells"),    line("ball"),       line("viewer"),
@@ -320,23 +321,33 @@ void MeshRenderer::bind_tables() {
     bind(facets_unit, facet_table_.texture.name());
 }
 
-void MeshRenderer::draw_fill(const Frame& frame, const GlVertexArray& array, std::size_t count,
-                             Colour surface) {
+void MeshRenderer::draw_fill(const Frame& frame, const FillPart& part) {
+    if (part.count == 0) return;
     gl_.UseProgram(fill_program_.name());
     gl_.UniformMatrix4fv(fill_.clip, 1, GL_FALSE, glm::value_ptr(frame.clip));
     gl_.Uniform1f(fill_.blend, frame.blend);
     gl_.Uniform3f(fill_.clip_to_pixels, frame.clip_to_pixels.x, frame.clip_to_pixels.y,
                   frame.clip_to_pixels.z);
-    set_colour(gl_, fill_.surface, surface);
+    set_colour(gl_, fill_.surface, part.surface);
     gl_.Uniform1f(fill_.logarithm, frame.logarithm);
     gl_.Uniform1i(fill_.flat_cells, shown_.flat() ? 1 : 0);
     gl_.Uniform4f(fill_.ball, frame.ball.x, frame.ball.y, frame.ball.z, frame.ball.w);
     gl_.Uniform3f(fill_.viewer, frame.viewer.x, frame.viewer.y, frame.viewer.z);
     gl_.Uniform1i(fill_.round_cells, shown_.ball > 0 && shown_.tessellation->cuts > 1 ? 1 : 0);
-    gl_.Uniform1f(fill_.dusk, frame.planar ? 0 : dusk);
+    gl_.Uniform1f(fill_.dusk, frame.planar ? 0 : part.dusk);
+    gl_.Uniform1f(fill_.pallor, part.pallor);
+    gl_.Uniform1i(fill_.first_triangle, static_cast<GLint>(part.first / 3));
     gl_.Uniform1i(fill_.nodal, shown_.point_values != nullptr && !shown_.flat() ? 1 : 0);
-    gl_.BindVertexArray(array.name());
-    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT, nullptr);
+    gl_.BindVertexArray(part.array.name());
+    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
+                     reinterpret_cast<const void*>(part.first * sizeof(std::uint32_t)));
+}
+
+/// All cells; where planes cut a solid, its caps in full colour and the rest paler.
+void MeshRenderer::draw_cells(const Frame& frame, Colour surface) {
+    const std::size_t all = shown_.tessellation->triangles.size(), caps = 3 * shown_.tessellation->caps;
+    draw_fill(frame, {fill_array_, 0, all - caps, surface, dusk, caps > 0 ? 1.0F : 0.0F});
+    draw_fill(frame, {fill_array_, all - caps, caps, surface, dusk_of_caps, 0});
 }
 
 void MeshRenderer::draw_lines(const Frame& frame, const LineSet& set, const LineStyle& style) {
@@ -382,7 +393,7 @@ void MeshRenderer::begin_layer(const Frame& frame, PixelRect area) {
         gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
         gl_.PolygonOffset(2, 2); // away from the viewer, more so for steep faces, so that edges stay visible
-        draw_fill(frame, fill_array_, shown_.tessellation->triangles.size(), {});
+        draw_fill(frame, {fill_array_, 0, shown_.tessellation->triangles.size()});
         gl_.Disable(GL_POLYGON_OFFSET_FILL);
         gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     }
@@ -419,7 +430,7 @@ void MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect 
     const bool plain = scene.colouring == nullptr;
     const Colour surface = plain ? theme.surface : nothing;
     set_depth_test(!frame.planar);
-    draw_fill(frame, fill_array_, shown_.tessellation->triangles.size(), surface);
+    draw_cells(frame, surface);
 
     // On denser displays lines become finer relative to the image.
     const float fineness = std::max(1.0F, 0.7F * scale);
@@ -515,7 +526,7 @@ void MeshRenderer::draw_tangled(const Frame& frame, LineStyle style, const Theme
     };
     outline(tangled_rim_width, opaque(theme.background));
     outline(tangled_ring_width, theme.text);
-    if (tangled_count_ > 0) draw_fill(frame, tangled_array_, tangled_count_, theme.tangled);
+    if (tangled_count_ > 0) draw_fill(frame, {tangled_array_, 0, tangled_count_, theme.tangled, dusk});
     outline(tangled_width, theme.tangled);
     if (tangled_count_ == 0 || !shown_.lines) return;
     style.fade_begin = thin.fade_end,

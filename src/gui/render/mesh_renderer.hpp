@@ -78,7 +78,7 @@ class MeshRenderer {
     };
     struct FillUniforms {
         GLint clip, blend, clip_to_pixels, surface, logarithm, flat_cells, ball, viewer, round_cells, dusk,
-            nodal;
+            nodal, pallor, first_triangle;
     };
     struct LineUniforms {
         GLint clip, blend, half_viewport, half_width, fade, haze, pieces, pull, surface, flat_ink, logarithm,
@@ -105,7 +105,15 @@ class MeshRenderer {
     void bind_points(const Table& computational, const Table& physical);
     void bind_tables();
     void set_depth_test(bool on);
-    void draw_fill(const Frame& frame, const GlVertexArray& array, std::size_t count, Colour surface);
+    /// Which corners of an array of triangles to draw, and how.
+    struct FillPart {
+        const GlVertexArray& array;
+        std::size_t first = 0, count = 0;
+        Colour surface{};
+        float dusk = 0, pallor = 0; ///< as in mesh_fill.frag
+    };
+    void draw_fill(const Frame& frame, const FillPart& part);
+    void draw_cells(const Frame& frame, Colour surface);
     void draw_line_cells(const Frame& frame, LineStyle style, const Theme& theme, float scale);
     void draw_tangled(const Frame& frame, LineStyle style, const Theme& theme, float scale);
     void draw_contours(const Frame& frame, LineStyle style, float scale);

@@ -1,10 +1,13 @@
 #include "gui/scene/mesh_scene.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/error.hpp"
 #include "core/tessellate/elevation.hpp"
+#include "core/tessellate/visible_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gaspard {
 
@@ -35,15 +38,56 @@ std::shared_ptr<const MeshContours> make_contours(const MeshScene& scene) {
 }
 
 void SceneBuilder::take_mesh(const Snapshot& snapshot, std::shared_ptr<const Tessellation> tessellation) {
+    const MeshScene before = std::exchange(last_, {});
+    if (mesh_ == snapshot.mesh) last_.colouring = before.colouring, last_.tangled = before.tangled;
     mesh_ = snapshot.mesh;
-    last_ = {};
     workspaces_.clear();
     last_.tessellation = std::move(tessellation);
     computational_ = std::make_shared<const Points>(shown_points(*last_.tessellation, mesh_->nodes));
     last_.cell_dimension = cell_dimension(mesh_->kind);
     last_.mesh = mesh_;
     last_.ball = radius_of_ball(*mesh_);
-    computational_box_ = bounding_box(*computational_);
+    computational_box_ = bounding_box(inside_.looks_inside() ? mesh_->nodes : *computational_);
+}
+
+/// Whether a section may be made while a frame waits for it.
+static bool is_quick(const SectionJob& job, double last_seconds) {
+    constexpr double longest = 0.005;   // seconds
+    constexpr std::size_t many = 20000; // faces of cells that stand apart
+    const auto pieces = static_cast<std::size_t>(job.pieces);
+    const bool few = 6 * job.mesh->cell_count() * pieces * pieces <= many;
+    return last_seconds < longest && (job.choice.explode == 0 || few);
+}
+
+/// What is left to see of a solid; planes cut it where it is shown. Null if it comes later.
+std::shared_ptr<const Tessellation> SceneBuilder::section(const Snapshot& snapshot, const Values& view) {
+    const Mesh& mesh = *snapshot.mesh;
+    const double blend = view.real("blend");
+    SectionJob job{.mesh = snapshot.mesh,
+                   .faces = cache_->faces(snapshot),
+                   .x = Points(mesh.node_count()),
+                   .choice = inside_,
+                   .pieces = cache_->get(snapshot)->cuts};
+    for (std::size_t i = 0; i < job.x.size(); ++i)
+        job.x.set(i, (1 - blend) * mesh.nodes[i] + blend * snapshot.x[i]);
+    job.visible =
+        visible_cells(mesh, *job.faces, inside_,
+                      condition_values(colouring_maker_, snapshot, inside_, view.text("color")), job.x);
+    if (worker_ && !is_quick(job, section_seconds_)) {
+        worker_->post(std::move(job));
+        return nullptr;
+    }
+    const MadeSection made = section_making_.make(job);
+    section_seconds_ = made.seconds;
+    return made.tessellation;
+}
+
+/// What the other thread has made of this mesh since the last call; else null.
+std::shared_ptr<const Tessellation> SceneBuilder::finished_section(const std::shared_ptr<const Mesh>& mesh) {
+    const auto made = worker_ ? worker_->take() : std::nullopt;
+    if (!made || made->mesh != mesh) return nullptr;
+    section_seconds_ = made->seconds;
+    return made->tessellation;
 }
 
 std::shared_ptr<Points> SceneBuilder::available() {
@@ -57,6 +101,7 @@ void SceneBuilder::take_positions(const Snapshot& snapshot) {
     const std::shared_ptr<Points> shown = available();
     put_shown_points(*last_.tessellation, snapshot.x, *shown);
     physical_ = shown;
+    last_.nodes = inside_.looks_inside() ? std::make_shared<const Points>(snapshot.x) : nullptr;
     last_version_ = snapshot.version;
 }
 
@@ -67,7 +112,8 @@ void SceneBuilder::take_elevation(double factor) {
     if (last_.colouring != nullptr) nodes = elevations(*mesh_, *last_.colouring, factor);
     last_.elevation = nodes.empty() ? 0 : factor;
     last_.computational = computational_, last_.physical = physical_;
-    Box computational = merge(computational_box_, target_box_), physical = bounding_box(*physical_);
+    Box computational = merge(computational_box_, target_box_),
+        physical = bounding_box(last_.nodes ? *last_.nodes : *physical_);
     last_.burst = physical.size() > 1.5 * computational.size();
     if (!nodes.empty()) {
         const std::vector<double> z = shown_values(*last_.tessellation, nodes);
@@ -90,12 +136,15 @@ void SceneBuilder::take_tangled(const Snapshot& snapshot) {
 void SceneBuilder::take_colouring(const Snapshot& snapshot, const ColourChoice& choice) {
     choice_ = choice;
     last_.colouring = nullptr;
+    if (auto made = colouring_maker_.make(snapshot, choice))
+        last_.colouring = std::make_shared<const Colouring>(std::move(*made));
+}
+
+void SceneBuilder::take_point_values() {
     last_.point_values = nullptr;
-    auto made = colouring_maker_.make(snapshot, choice);
-    if (!made) return;
-    const auto colouring = std::make_shared<const Colouring>(std::move(*made));
+    const auto colouring = last_.colouring;
+    if (colouring == nullptr) return;
     const Tessellation& tessellation = *last_.tessellation;
-    last_.colouring = colouring;
     if (colouring->place == FieldPlace::cell)
         last_.point_values =
             std::make_shared<const std::vector<double>>(point_means(tessellation, colouring->values));
@@ -118,19 +167,42 @@ void SceneBuilder::take_overlay(const Snapshot& snapshot, bool wanted) {
         last_.tessellation, std::make_shared<const Points>(shown_points(*last_.tessellation, *exact_))});
 }
 
+/// What the view says of the inside of a solid; a text that cannot be read is as good as empty.
+static InsideChoice inside_of(const Mesh& mesh, const Values& view) {
+    if (cell_dimension(mesh.kind) != 3) return {};
+    try {
+        return inside_choice(view);
+    } catch (const InputError&) {
+        return {};
+    }
+}
+
 MeshScene SceneBuilder::make(const Snapshot& snapshot, const Values& view) {
     GASPARD_CHECK(snapshot.mesh != nullptr);
     const bool new_mesh = mesh_ != snapshot.mesh;
     const bool new_positions = new_mesh || snapshot.version != last_version_;
-    if (new_positions) {
-        auto tessellation = cache_->get(snapshot);
-        if (new_mesh || tessellation != last_.tessellation) take_mesh(snapshot, std::move(tessellation));
+    const ColourChoice choice = colour_choice(view);
+    const InsideChoice before = std::exchange(inside_, inside_of(*snapshot.mesh, view));
+    const bool inside = inside_.looks_inside();
+    const bool by_values = !inside_.only.empty() && (new_positions || !(choice == choice_));
+    const bool new_section =
+        inside_ != before || (inside && (new_mesh || view.real("blend") != last_.blend || by_values ||
+                                         (new_positions && !inside_.cut.empty())));
+    std::shared_ptr<const Tessellation> shape;
+    if (inside && new_section) shape = section(snapshot, view);
+    if (inside && !shape) shape = finished_section(snapshot.mesh);
+    const bool come = shape != nullptr;
+    if (!shape && inside && !new_mesh) shape = last_.tessellation;
+    if (!shape) shape = new_positions || new_section ? cache_->get(snapshot) : last_.tessellation;
+    if (new_positions || new_section || come) {
+        if (new_mesh || shape != last_.tessellation) take_mesh(snapshot, std::move(shape));
         take_positions(snapshot);
     }
-    const ColourChoice choice = colour_choice(view);
     const bool new_colours = new_positions || !(choice == choice_);
     if (new_colours) take_colouring(snapshot, choice);
-    if (const double factor = view.real("elevation"); new_colours || factor != elevation_) {
+    const bool new_shape = new_section || come;
+    if (new_colours || new_shape) take_point_values();
+    if (const double factor = view.real("elevation"); new_colours || new_shape || factor != elevation_) {
         take_elevation(factor);
         last_.contours = make_contours(last_);
     }

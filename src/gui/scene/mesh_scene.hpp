@@ -11,6 +11,7 @@
 #include "core/tessellate/colouring.hpp"
 #include "core/tessellate/sphere_map.hpp"
 #include "core/tessellate/tessellation_cache.hpp"
+#include "gui/scene/section_worker.hpp"
 
 #include <memory>
 #include <optional>
@@ -49,8 +50,10 @@ struct MeshScene {
     std::shared_ptr<const Mesh> mesh;
     double ball = 0; ///< radius of the sphere around the origin that all nodes of the mesh lie on; 0: none
     std::optional<MapProjection> projection; ///< the scene is a projection of that ball; its blend is 1
-    Box box;                                 ///< around both meshes
-    bool burst = false;   ///< the physical mesh is far larger than the computational one: it has diverged
+    /// All nodes at x where some of a solid is hidden (core/tessellate/inside_choice.hpp); else null.
+    std::shared_ptr<const Points> nodes;
+    Box box;            ///< around both meshes, with what is hidden of them
+    bool burst = false; ///< the physical mesh is far larger than the computational one: it has diverged
     /// What "home" shows: both meshes, or the computational one and its target if the other has burst.
     Box home_box;
     double blend = 1;     ///< 0 shows xi, 1 shows x
@@ -78,22 +81,34 @@ class SceneBuilder {
     /// `view`: values of view_rows(). Without the arrows, which depend on the camera.
     MeshScene make(const Snapshot& snapshot, const Values& view);
     const std::shared_ptr<TessellationCache>& cache() const { return cache_; }
+    /// From now on sections of solids that take long are made on another thread, and shown once they are
+    /// there; until then what was shown before.
+    void work_in_background() { worker_ = std::make_unique<SectionWorker>(); }
+    /// Whether the next scene may differ because such a section will be there.
+    bool awaits_section() const { return worker_ && worker_->busy(); }
     /// What is known of the cells; of the snapshot last shown.
     ColouringMaker& cells() { return colouring_maker_; }
 
   private:
     /// Arrays that no scene uses any more, to avoid an allocation with every snapshot.
     std::shared_ptr<Points> available();
+    std::shared_ptr<const Tessellation> section(const Snapshot& snapshot, const Values& view);
+    std::shared_ptr<const Tessellation> finished_section(const std::shared_ptr<const Mesh>& mesh);
     void take_mesh(const Snapshot& snapshot, std::shared_ptr<const Tessellation> tessellation);
     void take_positions(const Snapshot& snapshot);
     void take_elevation(double factor);
     void take_tangled(const Snapshot& snapshot);
     void take_overlay(const Snapshot& snapshot, bool wanted);
     void take_colouring(const Snapshot& snapshot, const ColourChoice& choice);
+    void take_point_values();
 
     std::shared_ptr<TessellationCache> cache_;
     std::shared_ptr<const Mesh> mesh_;
     Box computational_box_, target_box_; ///< of the flat mesh, as the two below; where it is to lie
+    InsideChoice inside_;                ///< what was asked for
+    SectionMaking section_making_;
+    double section_seconds_ = 0; ///< that the last section took
+    std::unique_ptr<SectionWorker> worker_;
     std::shared_ptr<const Points> computational_, physical_;
     double elevation_ = 0; ///< what was asked for
     ColouringMaker colouring_maker_;

@@ -21,14 +21,6 @@ const ParameterRow& row_of(const Values& values, const std::string& key) {
 
 double rounded(double value, double digits) { return std::round(value * digits) / digits; }
 
-/// The step of dragged values: 1e-4 of a length, rounded to a power of ten.
-double rounded_within(double span, double value) {
-    if (!(span > 0)) return value;
-    const double decimals = 4 - std::floor(std::log10(span));
-    const double factor = std::pow(10.0, std::abs(decimals)); // a whole number, so that texts stay short
-    return decimals >= 0 ? rounded(value, factor) : std::round(value / factor) * factor;
-}
-
 /// Within the range of its row; a periodic one is wrapped.
 void put(Values& values, const std::string& key, double value) {
     const ParameterRow& row = row_of(values, key);
@@ -75,6 +67,13 @@ std::shared_ptr<const Points> points_of(const std::string& text, const Snapshot&
 }
 
 } // namespace
+
+double rounded_within(double span, double value) {
+    if (!(span > 0)) return value;
+    const double decimals = 4 - std::floor(std::log10(span));
+    const double factor = std::pow(10.0, std::abs(decimals)); // a whole number, so that texts stay short
+    return decimals >= 0 ? rounded(value, factor) : std::round(value / factor) * factor;
+}
 
 std::vector<Handle> monitor_handles(const Scenario& scenario) {
     return point_handles(scenario.monitor.values);

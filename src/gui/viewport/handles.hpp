@@ -39,6 +39,8 @@ std::optional<Vec3> place_under(const Handle& handle, const PlannedView& shown, 
 
 void draw_handle(const Handle& handle, ImDrawList& list, ImVec2 at, bool lit, const Theme& theme,
                  float scale);
+/// A dragged coordinate: in steps of about 1e-4 of a length, a power of ten.
+double rounded_within(double span, double value);
 /// "handle.center_x", "handle.control_points.3"
 std::string item_name(const Handle& handle);
 

@@ -89,6 +89,10 @@ class ViewportPlanner {
     /// Home is what showed the whole mesh when it was first seen, so that the view does not shake while it
     /// moves; from now on it is for the mesh of the next plan.
     void forget_home() { home_ = {}; }
+    /// As SceneBuilder::work_in_background(), of a view's own mesh.
+    void work_in_background() { maker_.work_in_background(); }
+    /// Whether the next plan may show more.
+    bool awaits_section() const { return maker_.awaits_section(); }
     /// A mesh in space is shown turned eastward by so many radians, from now on.
     void turn_by(double radians) { spun_ = radians; }
 

@@ -130,8 +130,8 @@ Camera ViewportPlanner::camera_of(const MeshScene& scene, const Values& view, Si
         fit_ball(home_.camera, pivot_of(scene), scene.ball, size, insets);
     } else {
         home_.camera.centre = scene.home_box.centre();
-        std::vector<const Points*> points{scene.computational.get()};
-        if (!scene.burst) points.push_back(scene.physical.get());
+        std::vector<const Points*> points{scene.nodes ? &scene.mesh->nodes : scene.computational.get()};
+        if (!scene.burst) points.push_back(scene.nodes ? scene.nodes.get() : scene.physical.get());
         fit_points(home_.camera, points, size, insets);
     }
     return turned(home_.camera, scene);
@@ -141,9 +141,11 @@ Camera ViewportPlanner::camera_of(const MeshScene& scene, const Values& view, Si
 MeshScene ViewportPlanner::computational(const MeshScene& scene, const Snapshot& snapshot,
                                          const Values& view) {
     MeshScene left = scene;
-    if (view.text("color") == "interpolation_error" && snapshot.interpolation) {
+    const bool of_errors = view.text("color") == "interpolation_error" && snapshot.interpolation;
+    if (of_errors || scene.nodes) { // planes cut a mesh where it is shown
         Values of_uniform = view;
-        of_uniform.set("color", std::string("interpolation_error_uniform"));
+        if (of_errors) of_uniform.set("color", std::string("interpolation_error_uniform"));
+        of_uniform.set("blend", 0.0);
         left = uniform_maker_.make(snapshot, of_uniform);
     }
     left.blend = 0, left.overlay = nullptr;
@@ -280,6 +282,16 @@ void ViewportPlanner::add_arrows(ViewportPlan& plan, float scale) {
     }
 }
 
+/// What is wrong with the texts that say what is hidden of a solid; else empty.
+static std::string complaint_about_inside(const Values& view) {
+    try {
+        inside_choice(view);
+        return {};
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+
 void ViewportPlanner::add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan) {
     try {
         plan.pick = parse_pick(view.text("pick"));
@@ -307,6 +319,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
         return plan;
     }
     const MeshScene scene = maker_.make(snapshot, view);
+    if (scene.cell_dimension == 3) plan.complaint = complaint_about_inside(view);
     plan.colouring = scene.colouring;
     plan.histogram = view.boolean("histogram");
     if (!in_space(scene)) plan.unavailable.emplace_back("layout=front-and-rear");
@@ -338,6 +351,9 @@ std::string missing_note(const Values& view, const Snapshot& snapshot) {
     const bool plane = snapshot.mesh->space_dimension == 2 && cell_dimension(snapshot.mesh->kind) == 2;
     if (!plane && !is_default(view, "elevation"))
         return "view.elevation shows nothing: only a surface in the plane has heights";
+    for (const std::string& key : inside_keys())
+        if (cell_dimension(snapshot.mesh->kind) != 3 && !is_default(view, key))
+            return "view." + key + " shows nothing: only a solid can be looked into";
     for (const char* key : {"contours", "elevation"})
         if (!is_default(view, key) && !has_nodal_colours(view, snapshot))
             return "view." + std::string(key) + " shows nothing: view.color = " + view.text("color") +
