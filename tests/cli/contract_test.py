@@ -797,6 +797,12 @@ class Information(Contract):
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 5 * 8)
         self.assertEqual({row["pde.eps"] for row in rows}, {"1", "0.01", "1e-04", "1e-06", "1e-08"})
+        sweep = self.study("--over", "monitor.sigma", "--set", "pde.eps=1e-5", "--no-render")
+        self.assertEqual((sweep.returncode, sweep.stderr), (0, ""))
+        with open(self.path("study.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 6 * 19)
+        self.assertEqual({row["pde.eps"] for row in rows}, {"1", "0.01", "1e-04", "1e-05", "1e-06", "1e-08"})
         ring = self.study("--set", "method.type=auto", "--set", "domain.cells=12", "--no-render", "--overwrite",
                           name="plane-ring")
         self.assertEqual((ring.returncode, ring.stderr), (0, ""))
@@ -807,7 +813,8 @@ class Information(Contract):
 
     def test_study_refuses_what_is_not_allowed(self):
         for over, part in (("domain.cells=8,0", "1 to 65536"), ("pde.eps=0", "1e-12 to 1"), ("cells=8", "cells"),
-                           ("monitor.q=0.1:0.9", "number of values"), ("domain.cells=8,8", "twice")):
+                           ("monitor.q=0.1:0.9", "number of values"), ("domain.cells=8,8", "twice"),
+                           ("monitor.left", "monitor.left=VALUES"), ("monitor.p", "monitor.p")):
             self.refused(self.study("--over", over), part)
         self.refused(self.study("--measure", "energy"), "energy_error")
         self.refused(self.study("--over", "pde.eps=1,1e-4", "--lines", "pde.eps=1"), "pde.eps twice")
