@@ -26,7 +26,7 @@ TEST(PlotChoice, ReadsBackFromItsText) {
     for (const char* plot : {"residual", "equidistribution", "jacobian", "step-size", "error-study"}) {
         const bool study = std::string_view(plot) == error_study_plot;
         for (const Abscissa& abscissa : study ? std::vector<Abscissa>{"cells", "monitor.eps", "K"}
-                                             : std::vector<Abscissa>{"iterations", "seconds"})
+                                              : std::vector<Abscissa>{"iterations", "seconds"})
             for (const bool log_x : {false, true})
                 for (const bool log_y : {false, true}) {
                     const PlotChoice choice{plot, abscissa, log_x, log_y};
