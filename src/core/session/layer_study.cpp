@@ -162,8 +162,7 @@ std::optional<double> study_number(const Scenario& scenario, std::string_view ke
 StudyAxis usual_axis(const Catalogue& catalogue, const Scenario& scenario, const std::string& key) {
     const ParameterRow* row = study_row(scenario, key);
     if (!row || !has_a_range(*row))
-        throw InputError(key + " is no number with two ends, which has usual values; write " + key +
-                         "=VALUES");
+        throw InputError(key + " has no range of numbers to take values from; write " + key + "=VALUES");
     return parse_study_numbers(catalogue, scenario, key + "=" + usual_values(*row, key, is_plane(scenario)),
                                key);
 }
