@@ -757,6 +757,26 @@ class Information(Contract):
     def study(self, *arguments, name="layer-1d"):
         return gaspard("study", name, "--out", self.out, *arguments)
 
+    def test_the_svg_has_the_layout_of_the_view(self):
+        def drawn(*settings):
+            options = [word for setting in settings for word in ("--set", setting)]
+            result = gaspard("run", "layer-2d", "--set", "domain.cells=8", "--no-render", "--formats", "svg", "--out",
+                             self.out, *options)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            root = xml.etree.ElementTree.parse(self.path("adapted.svg")).getroot()
+            return root.get("width"), [element.get("id") for element in root if element.get("id")]
+        physical = ["cells", "edges", "contours", "legend"]
+        self.assertEqual(drawn(), ("120mm", physical))
+        before = self.bytes("adapted.svg")
+        self.assertEqual(drawn("view.layout=computational"), ("120mm", physical))
+        self.assertNotEqual(self.bytes("adapted.svg"), before)
+        computational = self.bytes("adapted.svg")
+        self.assertEqual(drawn("view.blend=0"), ("120mm", physical))
+        self.assertEqual(self.bytes("adapted.svg"), computational)
+        both = ["computational-" + one for one in physical[:3]] + physical
+        self.assertEqual(drawn("view.layout=side-by-side"), ("180mm", both))
+        self.assertEqual(drawn("view.lines=false"), ("120mm", ["cells", "contours", "legend"]))
+
     def test_study_prints_errors_and_orders(self):
         result = self.study("--over", "domain.cells=32,16,64", "--lines", "pde.eps=1,1e-4")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
