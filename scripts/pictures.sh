@@ -21,6 +21,8 @@ draw window plane-bell --whole-window --size 1400x900
 draw side-by-side plane-ring --size 1400x640 --set view.layout=side-by-side --set view.color=equidistribution \
   --set view.theme=light --set domain.cells=40
 draw layer-2d layer-2d --size 1200x560 --set view.layout=side-by-side --set view.lines=false --set view.theme=light
+draw layer-2d-heights layer-2d --size 1200x520 --set view.layout=side-by-side --set view.elevation=1.4 \
+  --set view.lines=false --set view.theme=light
 draw sphere-x16 sphere-x16 --size 1400x740 --set view.layout=front-and-rear --set view.color=none \
   --set view.theme=light
 draw sphere-cross sphere-cross --size 1200x900 --set view.theme=light --set view.histogram=false \

@@ -84,9 +84,9 @@ void add_study(CLI::App& app, StudyArguments& study) {
     add_settings(*command, study.settings);
     command
         ->add_option("--over", study.over,
-                     "What varies, such as domain.cells=8,16,32, domain.cells=8:1024 (times two) or "
-                     "monitor.q=0.1:0.9:9 (nine values)")
-        ->type_name("KEY=VALUES");
+                     "What varies, such as domain.cells=8,16,32, domain.cells=8:1024 (times two), "
+                     "monitor.q=0.1:0.9:9 (nine values) or monitor.q (values of its range)")
+        ->type_name("KEY[=VALUES]");
     command
         ->add_option("--lines", study.lines, "One line per value, such as pde.eps=1:1e-8 (by powers of ten)")
         ->type_name("KEY=VALUES");

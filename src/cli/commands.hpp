@@ -43,7 +43,7 @@ struct WhyArguments {
 struct StudyArguments {
     std::string scenario;
     std::vector<std::string> settings;
-    std::optional<std::string> over, lines; ///< key=values; default: usual_study()
+    std::optional<std::string> over, lines; ///< key=values, over also a key alone; default: usual_study()
     std::optional<std::string> measure;
     std::string out; ///< empty: ./gaspard-out/SCENARIO-study
     bool no_render = false;

@@ -18,6 +18,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -25,25 +26,42 @@ namespace gaspard {
 
 namespace {
 
+/// The study of the window over this key; nullopt if that has none.
+std::optional<StudyPlan> layer_study(const Catalogue& catalogue, const Scenario& scenario,
+                                     const std::string& key) {
+    for (const StudyVariable& variable : study_variables(scenario))
+        if (study_key(scenario, variable) == key) return usual_study(catalogue, scenario, variable);
+    return std::nullopt;
+}
+
+StudyPlan plan_over_cells(const Catalogue& catalogue, const Scenario& scenario) {
+    if (auto plan = layer_study(catalogue, scenario, "domain.cells")) return *std::move(plan);
+    StudyPlan plan{.scenario = scenario, .over = {.key = "domain." + resolution_key(scenario)}};
+    for (const std::int64_t one : usual_resolutions(scenario))
+        plan.over.values.push_back(std::to_string(one));
+    return plan;
+}
+
+/// `over`: KEY=VALUES, or a key alone.
+StudyPlan plan_over(const Catalogue& catalogue, const Scenario& scenario, const std::string& over) {
+    if (over.find('=') != std::string::npos)
+        return {.scenario = scenario, .over = parse_study_numbers(catalogue, scenario, over, "--over")};
+    if (auto plan = layer_study(catalogue, scenario, over)) return *std::move(plan);
+    Scenario copy = scenario;
+    check_key(catalogue, copy, over);
+    if (over == "domain.cells" || over == "domain.refinements") return plan_over_cells(catalogue, scenario);
+    return {.scenario = scenario, .over = usual_axis(catalogue, scenario, over)};
+}
+
 /// What the options leave open is that of usual_study(), or of a problem without PDE the equidistribution
 /// over the usual numbers of cells.
 StudyPlan make_plan(const Catalogue& catalogue, const Scenario& scenario, const StudyArguments& arguments) {
+    StudyPlan plan = arguments.over ? plan_over(catalogue, scenario, *arguments.over)
+                                    : plan_over_cells(catalogue, scenario);
+    plan.scenario = scenario;
     const bool layers = !study_variables(scenario).empty();
-    StudyPlan plan{.scenario = scenario, .over = {}};
     plan.measure = arguments.measure.value_or(layers ? "energy_error" : "equidistribution");
-    if (arguments.over) {
-        plan.over = parse_study_numbers(catalogue, scenario, *arguments.over, "--over");
-    } else if (layers) {
-        plan.over = usual_study(catalogue, scenario, StudyVariable::cells).over;
-    } else {
-        plan.over.key = "domain." + resolution_key(scenario);
-        for (const std::int64_t one : usual_resolutions(scenario))
-            plan.over.values.push_back(std::to_string(one));
-    }
-    if (arguments.lines)
-        plan.lines = parse_study_axis(catalogue, scenario, *arguments.lines, "--lines");
-    else if (!arguments.over && layers)
-        plan.lines = usual_study(catalogue, scenario, StudyVariable::cells).lines;
+    if (arguments.lines) plan.lines = parse_study_axis(catalogue, scenario, *arguments.lines, "--lines");
     return plan;
 }
 

@@ -757,6 +757,26 @@ class Information(Contract):
     def study(self, *arguments, name="layer-1d"):
         return gaspard("study", name, "--out", self.out, *arguments)
 
+    def test_the_svg_has_the_layout_of_the_view(self):
+        def drawn(*settings):
+            options = [word for setting in settings for word in ("--set", setting)]
+            result = gaspard("run", "layer-2d", "--set", "domain.cells=8", "--no-render", "--formats", "svg", "--out",
+                             self.out, *options)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            root = xml.etree.ElementTree.parse(self.path("adapted.svg")).getroot()
+            return root.get("width"), [element.get("id") for element in root if element.get("id")]
+        physical = ["cells", "edges", "contours", "legend"]
+        self.assertEqual(drawn(), ("120mm", physical))
+        before = self.bytes("adapted.svg")
+        self.assertEqual(drawn("view.layout=computational"), ("120mm", physical))
+        self.assertNotEqual(self.bytes("adapted.svg"), before)
+        computational = self.bytes("adapted.svg")
+        self.assertEqual(drawn("view.blend=0"), ("120mm", physical))
+        self.assertEqual(self.bytes("adapted.svg"), computational)
+        both = ["computational-" + one for one in physical[:3]] + physical
+        self.assertEqual(drawn("view.layout=side-by-side"), ("180mm", both))
+        self.assertEqual(drawn("view.lines=false"), ("120mm", ["cells", "contours", "legend"]))
+
     def test_study_prints_errors_and_orders(self):
         result = self.study("--over", "domain.cells=32,16,64", "--lines", "pde.eps=1,1e-4")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
@@ -797,6 +817,12 @@ class Information(Contract):
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 5 * 8)
         self.assertEqual({row["pde.eps"] for row in rows}, {"1", "0.01", "1e-04", "1e-06", "1e-08"})
+        sweep = self.study("--over", "monitor.sigma", "--set", "pde.eps=1e-5", "--no-render")
+        self.assertEqual((sweep.returncode, sweep.stderr), (0, ""))
+        with open(self.path("study.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 6 * 19)
+        self.assertEqual({row["pde.eps"] for row in rows}, {"1", "0.01", "1e-04", "1e-05", "1e-06", "1e-08"})
         ring = self.study("--set", "method.type=auto", "--set", "domain.cells=12", "--no-render", "--overwrite",
                           name="plane-ring")
         self.assertEqual((ring.returncode, ring.stderr), (0, ""))
@@ -807,7 +833,8 @@ class Information(Contract):
 
     def test_study_refuses_what_is_not_allowed(self):
         for over, part in (("domain.cells=8,0", "1 to 65536"), ("pde.eps=0", "1e-12 to 1"), ("cells=8", "cells"),
-                           ("monitor.q=0.1:0.9", "number of values"), ("domain.cells=8,8", "twice")):
+                           ("monitor.q=0.1:0.9", "number of values"), ("domain.cells=8,8", "twice"),
+                           ("monitor.left", "monitor.left=VALUES"), ("monitor.p", "monitor.p")):
             self.refused(self.study("--over", over), part)
         self.refused(self.study("--measure", "energy"), "energy_error")
         self.refused(self.study("--over", "pde.eps=1,1e-4", "--lines", "pde.eps=1"), "pde.eps twice")

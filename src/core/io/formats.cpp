@@ -9,6 +9,7 @@
 #include "core/scenario/catalogue.hpp"
 #include "core/spline/patch_file.hpp"
 #include "core/spline/patch_xml.hpp"
+#include "core/tessellate/blend.hpp"
 #include "core/tessellate/colouring.hpp"
 #include "core/tessellate/fine_tessellation.hpp"
 #include "core/tessellate/interval_plots.hpp"
@@ -90,6 +91,24 @@ Plot history_plot(const std::vector<StepReport>& history, std::string_view name)
     return plot;
 }
 
+/// As the layout of the view says; a drawing has no other side and no map.
+std::vector<SvgPanel> panels_of(const Snapshot& snapshot, const Values& view) {
+    const ColourChoice choice = colour_choice(view);
+    ColourChoice uniform = choice; // there the interpolation error is another
+    if (choice.colouring == "interpolation_error" && snapshot.interpolation)
+        uniform.colouring = "interpolation_error_uniform";
+    const std::string& layout = view.text("layout");
+    const double blend = view.real("blend");
+    SvgPanel computational{"computational", 0, make_colouring(snapshot, uniform)};
+    SvgPanel shown{layout == "side-by-side" ? blend_title(blend) : "", blend,
+                   make_colouring(snapshot, choice)};
+    std::vector<SvgPanel> panels;
+    if (layout == "computational") computational.title.clear();
+    if (layout == "computational" || layout == "side-by-side") panels.push_back(std::move(computational));
+    if (layout != "computational") panels.push_back(std::move(shown));
+    return panels;
+}
+
 void write_svg_files(const std::filesystem::path& folder, const RunResult& result) {
     const Values& view = result.view;
     const Background background = parse_background(view.text("background"));
@@ -97,15 +116,19 @@ void write_svg_files(const std::filesystem::path& folder, const RunResult& resul
         static_cast<double>(view.integer("height")) / static_cast<double>(view.integer("width"));
     if (is_interval(*result.snapshot.mesh))
         write_svg(folder / "adapted.svg", interval_plots(result.snapshot, view), background);
-    else
-        write_svg(folder / "adapted.svg", result.snapshot,
-                  make_colouring(result.snapshot, colour_choice(view)),
-                  {.camera = view.text("camera"),
+    else {
+        const std::vector<SvgPanel> panels = panels_of(result.snapshot, view);
+        constexpr double single = 120, beside = 180; // mm, as of an interval
+        write_svg(folder / "adapted.svg", result.snapshot, panels,
+                  {.width_mm = panels.size() > 1 ? beside : single,
+                   .camera = view.text("camera"),
                    .aspect = aspect,
                    .background = background,
+                   .lines = view.boolean("lines"),
                    .elevation = view.real("elevation"),
                    .elevation_camera = view.text("elevation_camera"),
                    .inside = inside_choice(view)});
+    }
     write_svg(folder / "residual.svg", history_plot(result.history, "residual"));
     write_svg(folder / "equidistribution.svg", history_plot(result.history, "equidistribution"));
 }
@@ -169,8 +192,8 @@ const std::vector<Format>& formats() {
          &write_patch_files,
          true},
         {"svg",
-         "vector graphics: the adapted mesh (of an interval, its plots), and plots of residual and "
-         "equidistribution",
+         "vector graphics: the meshes of view.layout (of an interval, its plots), and plots of residual "
+         "and equidistribution",
          {"adapted.svg", "residual.svg", "equidistribution.svg"},
          &write_svg_files},
     };

@@ -40,8 +40,12 @@ bool bounds_apply(const StudyPlan& plan) { return plan.measure.ends_with("energy
 Axis axis_of(const StudyPlan& plan) {
     const ParameterRow* row = study_row(plan.scenario, plan.over.key);
     if (!row) return {plan.over.key};
-    return {row->symbol.empty() ? row->label : row->symbol,
-            has_orders(plan) && row->kind != ParameterKind::choice && row->minimum > 0};
+    const ParameterRow* lines = study_row(plan.scenario, plan.lines.key);
+    const bool twice = lines && lines->symbol == row->symbol; // the symbol alone would be that of the lines
+    return {row->symbol.empty() ? row->label
+            : twice             ? row->label + " " + row->symbol
+                                : row->symbol,
+            has_factors(plan.scenario, plan.over.key)};
 }
 
 /// The curve of one line, and its bounds.

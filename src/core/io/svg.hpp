@@ -35,9 +35,17 @@ struct MeshSvgOptions {
     std::string camera{};    ///< as view.camera; empty: the whole mesh, a mesh in space from slightly above
     double aspect = 0.75;    ///< height over width of what a camera with a centre and a height shows
     Background background{}; ///< the theme's is white
+    bool lines = true;       ///< the edges of cells
     double elevation = 0;    ///< as view.elevation: above 0, a plane mesh is a surface in space
     std::string elevation_camera{}; ///< of that surface, instead of `camera`
     InsideChoice inside{};          ///< what is hidden of a solid
+};
+
+/// A mesh of a drawing that shows several states of it.
+struct SvgPanel {
+    std::string title{};                  ///< above it; empty where it is the only one
+    double blend = 1;                     ///< as view.blend: nodes are at ξ + t (x − ξ)
+    std::optional<Colouring> colouring{}; ///< white without one
 };
 
 /// Throws InputError if `camera` cannot be read, or shows so small a part of points within `nodes` that their
@@ -53,11 +61,15 @@ void check_svg_camera(const Points& nodes, const std::string& camera, double asp
 /// Throws InputError if the camera cannot be read.
 std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>& colouring,
                         const MeshSvgOptions& options = {});
+/// The same for several states of a mesh beside each other, on one scale, with the legend of the last. The
+/// ids of the groups of all but the last begin with the title ("computational-cells").
+std::string svg_of_meshes(const Snapshot& snapshot, const std::vector<SvgPanel>& panels,
+                          const MeshSvgOptions& options = {});
 
 void write_svg(const std::filesystem::path& file, const Plot& plot, const PlotSvgOptions& options = {});
 void write_svg(const std::filesystem::path& file, const std::vector<IntervalColumn>& columns,
                const Background& background = {});
 void write_svg(const std::filesystem::path& file, const Snapshot& snapshot,
-               const std::optional<Colouring>& colouring, const MeshSvgOptions& options = {});
+               const std::vector<SvgPanel>& panels, const MeshSvgOptions& options = {});
 
 } // namespace gaspard

@@ -4,6 +4,7 @@
 #include "core/io/svg_document.hpp"
 #include "core/io/svg_scene.hpp"
 #include "core/io/svg_section.hpp"
+#include "core/tessellate/blend.hpp"
 #include "core/tessellate/colouring.hpp"
 #include "core/tessellate/ticks.hpp"
 
@@ -16,7 +17,7 @@ namespace gaspard {
 namespace {
 
 constexpr const char *dark_ink = "#14171c", *light_ink = "#d4d2de", *tangled_colour = "#e600b8";
-constexpr double margin = 6, legend_gap = 10, bar_width = 10; // points
+constexpr double margin = 6, legend_gap = 10, bar_width = 10, panel_gap = 10; // points
 constexpr double contour_width = 0.7;
 constexpr double skin_light = 0.78, skin_grey = 0.55; // as in mesh_fill.frag
 
@@ -81,8 +82,12 @@ struct Drawing {
     const SvgScene& scene;
     const SvgView& view;
     const Classes& classes;
+    std::string name{}; ///< of the mesh, before the ids of its groups
+    bool lines = true;
     int decimals = 2;
     std::vector<bool> shown{}; ///< per face or line
+
+    std::string group(const std::string& id) const { return "<g id=\"" + name + id + "\""; }
 
     PagePoint node(std::int32_t number) const { return view.page(scene.x[static_cast<std::size_t>(number)]); }
     void go(SvgPath& path, const Side& side) const {
@@ -177,7 +182,7 @@ std::string flat_fill(const Drawing& drawing) {
     for (std::size_t f = 0; f < scene.faces.size(); ++f)
         if (drawing.shown[f] && !scene.tangled[f])
             members[drawing.classes.of(f)].push_back(static_cast<std::uint32_t>(f));
-    std::string text = "<g id=\"cells\">\n";
+    std::string text = drawing.group("cells") + ">\n";
     for (std::size_t k = 0; k < members.size(); ++k) {
         SvgPath path(drawing.decimals);
         for (const auto& loop : outline(scene.faces, members[k])) drawing.add(path, loop, true);
@@ -209,7 +214,7 @@ std::string flat_edges(const Drawing& drawing) {
         const double narrow = std::min(drawing.narrowness(a), drawing.narrowness(b));
         groups[ink][width_class(narrow)].push_back(edge.side);
     }
-    std::string text = "<g id=\"edges\">\n";
+    std::string text = drawing.group("edges") + ">\n";
     for (std::size_t ink = 0; ink < 2; ++ink)
         for (std::size_t k = 0; k < line_widths.size(); ++k)
             text += line_group(drawing, groups[ink][k], ink == 0 ? light_ink : dark_ink, line_widths[k]);
@@ -234,7 +239,7 @@ std::string flat_contours(const Drawing& drawing) {
         }
         text += path_element(path, contour_look(ink == 0));
     }
-    return text.empty() ? text : "<g id=\"contours\">\n" + text + "</g>\n";
+    return text.empty() ? text : drawing.group("contours") + ">\n" + text + "</g>\n";
 }
 
 /// Those of one face of a surface, whose faces are its cells.
@@ -261,7 +266,7 @@ std::string flat_tangled(const Drawing& drawing) {
     }
     if (cells.empty()) return "";
     const std::string colour = tangled_colour;
-    std::string group = "<g id=\"tangled\" fill=\"";
+    std::string group = drawing.group("tangled") + " fill=\"";
     group += colour + "\" stroke=\"" + colour + "\" stroke-width=\".8\" stroke-linejoin=\"round\">\n";
     return group + cells + "</g>\n";
 }
@@ -269,15 +274,15 @@ std::string flat_tangled(const Drawing& drawing) {
 /// Face by face, the nearer over the farther; neighbours of one class in one group.
 std::string spatial_faces(const Drawing& drawing) {
     const SvgScene& scene = drawing.scene;
-    std::string text = "<g id=\"cells\" stroke-linejoin=\"round\">\n";
+    std::string text = drawing.group("cells") + " stroke-linejoin=\"round\">\n";
     std::string group; // the one that is open
     for (const auto f : painters_order(scene, drawing.view)) {
         if (!drawing.shown[f]) continue;
         const std::size_t k = drawing.classes.of(f);
         const bool light = !scene.tangled[f] && drawing.classes.wants_light_ink(k, k);
-        const std::string look = "<g fill=\"" +
-                                 (scene.tangled[f] ? tangled_colour : drawing.classes.colour(k)) +
-                                 "\" stroke=\"" + (light ? light_ink : dark_ink) + "\" stroke-width=\"" +
+        const std::string fill = scene.tangled[f] ? tangled_colour : drawing.classes.colour(k);
+        const std::string ink = !drawing.lines ? fill : light ? light_ink : dark_ink; // or gaps shine through
+        const std::string look = "<g fill=\"" + fill + "\" stroke=\"" + ink + "\" stroke-width=\"" +
                                  svg_number(line_widths[width_class(drawing.narrowness(f))]) + "\">\n";
         if (group != look) text += (group.empty() ? "" : "</g>\n") + look;
         group = look;
@@ -355,7 +360,8 @@ std::string coloured_lines(const Drawing& drawing) {
     std::vector<Side> tangled;
     for (std::size_t i = 0; i < scene.lines.size(); ++i)
         if (drawing.shown[i] && scene.tangled[i]) tangled.push_back(scene.lines[i]);
-    text += line_group(drawing, tangled, tangled_colour, 2) + "<g id=\"nodes\" fill=\"" + dark_ink + "\">\n";
+    text += line_group(drawing, tangled, tangled_colour, 2) + drawing.group("nodes") + " fill=\"" + dark_ink +
+            "\">\n";
     for (std::size_t i = 0; i < scene.lines.size(); ++i)
         for (const std::int32_t end : {scene.lines[i].from, scene.lines[i].to}) {
             if (!drawing.shown[i]) continue;
@@ -434,7 +440,8 @@ std::string mesh_content(const Drawing& drawing) {
     if (!drawing.scene.lines.empty()) return coloured_lines(drawing);
     if (drawing.scene.section) return section_faces(drawing);
     if (drawing.scene.spatial) return spatial_faces(drawing);
-    return flat_fill(drawing) + flat_edges(drawing) + flat_contours(drawing) + flat_tangled(drawing);
+    return flat_fill(drawing) + (drawing.lines ? flat_edges(drawing) : "") + flat_contours(drawing) +
+           flat_tangled(drawing);
 }
 
 /// Which faces or lines of the scene the view shows.
@@ -455,49 +462,99 @@ std::vector<bool> shown_parts(const SvgScene& scene, const SvgView& view) {
 }
 
 /// Clips what lies outside the view.
-std::string cropped(const SvgView& view, const std::string& content) {
+std::string cropped(const SvgView& view, const std::string& name, const std::string& content) {
     if (!view.cropped) return content;
-    return "<clipPath id=\"view\">" +
+    return "<clipPath id=\"" + name + "view\">" +
            svg_block(view.corner.x, view.corner.y, view.width, view.height, "fill=\"none\"") +
-           "</clipPath>\n<g clip-path=\"url(#view)\">\n" + content + "</g>\n";
+           "</clipPath>\n<g clip-path=\"url(#" + name + "view)\">\n" + content + "</g>\n";
+}
+
+Snapshot moved(const Snapshot& snapshot, double t) {
+    if (t == 1) return snapshot;
+    Snapshot between = snapshot;
+    const Points& xi = snapshot.mesh->nodes;
+    for (auto of : {&Points::x, &Points::y, &Points::z})
+        for (std::size_t i = 0; i < (xi.*of).size(); ++i)
+            (between.x.*of)[i] = blended((xi.*of)[i], (snapshot.x.*of)[i], t);
+    return between;
+}
+
+/// One view of all meshes, so that they are of one scale.
+SvgView common_view(const std::vector<SvgScene>& scenes, const MeshSvgOptions& options, PagePoint corner,
+                    double width) {
+    if (scenes.size() == 1) return svg_view(scenes.front(), options, corner, width);
+    SvgScene all = scenes.back();
+    for (const SvgScene& scene : scenes)
+        for (auto of : {&Points::x, &Points::y, &Points::z})
+            (all.x.*of).insert((all.x.*of).end(), (scene.x.*of).begin(), (scene.x.*of).end());
+    return svg_view(all, options, corner, width);
+}
+
+std::string panel_title(const std::string& title, PagePoint above) {
+    return title.empty() ? "" : svg_text(above, Anchor::middle, title, "fill=\"#222\"");
+}
+
+std::string panel_content(const SvgScene& scene, const SvgView& view, const Classes& classes,
+                          const std::string& name, bool lines) {
+    Drawing drawing{scene, view, classes, name, lines};
+    drawing.shown = shown_parts(scene, view);
+    drawing.decimals = decimals_of(drawing);
+    return cropped(view, name, mesh_content(drawing));
 }
 
 } // namespace
 
-std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>& colouring,
-                        const MeshSvgOptions& options) {
+std::string svg_of_meshes(const Snapshot& snapshot, const std::vector<SvgPanel>& panels,
+                          const MeshSvgOptions& options) {
+    GASPARD_CHECK(!panels.empty());
     const bool section = cell_dimension(snapshot.mesh->kind) == 3 && options.inside.looks_inside();
-    const SvgScene scene = section ? svg_section(snapshot, colouring, options.inside)
-                                   : svg_scene(snapshot, colouring, options.elevation);
-    const Classes classes(scene, colouring, options.classes);
+    std::vector<SvgScene> scenes;
+    for (const SvgPanel& panel : panels) {
+        const Snapshot at = moved(snapshot, panel.blend);
+        scenes.push_back(section ? svg_section(at, panel.colouring, options.inside)
+                                 : svg_scene(at, panel.colouring, options.elevation));
+    }
+    const std::optional<Colouring>& colouring = panels.back().colouring;
+    const Classes classes(scenes.back(), colouring, options.classes);
+    const auto count = static_cast<double>(panels.size());
     const double width = options.width_mm * points_per_mm;
     constexpr double highest_bar = 170;
     const double beside = colouring ? legend_gap + legend_width(*colouring, highest_bar) : 0;
-    const double free_width = width - 2 * margin - beside;
-    const SvgView view = svg_view(scene, options, {margin, margin}, free_width);
+    const double part = (width - 2 * margin - beside - (count - 1) * panel_gap) / count;
+    const double top = margin + (panels.front().title.empty() ? 0 : 2 * svg_font_size);
+    SvgView view = common_view(scenes, options, {margin, top}, part);
 
-    Drawing drawing{scene, view, classes};
-    drawing.shown = shown_parts(scene, view);
-    drawing.decimals = decimals_of(drawing);
-    std::string content = cropped(view, mesh_content(drawing));
+    std::string content;
+    for (std::size_t k = 0; k < panels.size(); ++k) {
+        const bool last = k + 1 == panels.size();
+        content += panel_title(panels[k].title, {view.corner.x + part / 2, margin + svg_font_size});
+        content += panel_content(scenes[k], view, Classes(scenes[k], panels[k].colouring, options.classes),
+                                 last ? "" : panels[k].title + "-", options.lines);
+        view.corner.x += part + panel_gap, view.origin.x += part + panel_gap;
+    }
     const double shown_height = std::max(view.height, colouring ? 90.0 : 0.0);
     if (colouring)
         content +=
-            colour_bar(classes, *colouring, {width - margin - beside + legend_gap, margin},
+            colour_bar(classes, *colouring, {width - margin - beside + legend_gap, top},
                        std::min(shown_height - 1.5 * svg_font_size *
                                                    static_cast<double>(legend_words(*colouring).size()),
                                 highest_bar));
-    double height = shown_height + 2 * margin;
-    const std::string note = tangled_note(scene, {margin, height + 0.75 * svg_font_size});
+    double height = top + shown_height + margin;
+    const std::string note = tangled_note(scenes.back(), {margin, height + 0.75 * svg_font_size});
     if (!note.empty()) content += note, height += 1.5 * svg_font_size;
     return svg_document(width, height,
                         "Mesh after " + std::to_string(snapshot.report.iteration) + " iterations", content,
                         svg_background(options.background));
 }
 
+std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>& colouring,
+                        const MeshSvgOptions& options) {
+    return svg_of_meshes(snapshot, {{.colouring = colouring}}, options);
+}
+
 void write_svg(const std::filesystem::path& file, const Snapshot& snapshot,
-               const std::optional<Colouring>& colouring, const MeshSvgOptions& options) {
-    write_atomically(file, svg_of_mesh(snapshot, colouring, options));
+               const std::vector<SvgPanel>& panels, const MeshSvgOptions& options) {
+    write_atomically(file, svg_of_meshes(snapshot, panels, options));
 }
 
 } // namespace gaspard

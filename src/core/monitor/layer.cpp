@@ -85,8 +85,7 @@ struct Shape {
 };
 
 Shape shape_of(const Values& values) {
-    const double sigma = values.real("sigma"), q = values.real("q");
-    return {values.real_or_auto("K").value_or(q / (sigma * (1 - q))), values.real("beta"), sigma};
+    return {layer_weight_of(values), values.real("beta"), values.real("sigma")};
 }
 
 /// The larger of 1 and the sum of the terms of sides and eps, or 1 and their sum.

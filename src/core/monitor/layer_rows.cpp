@@ -26,6 +26,11 @@ std::optional<double> layer_width_of(const Values* pde, const std::string& key) 
     return smallest;
 }
 
+double layer_weight_of(const Values& values) {
+    const double sigma = values.real("sigma"), q = values.real("q");
+    return values.real_or_auto("K").value_or(q / (sigma * (1 - q)));
+}
+
 std::vector<ParameterRow> layer_shape_rows() {
     return {{.key = "q",
              .label = "Share in layers",

@@ -16,6 +16,8 @@ ParameterRow layer_width_row(const std::string& key, const std::string& symbol);
 /// The width of layers with this key among the values of a problem; for "eps" the smallest if it has several.
 /// nullopt if it has none, or if `pde` is null.
 std::optional<double> layer_width_of(const Values* pde, const std::string& key);
+/// The weight K of a layer; where it is "auto", that which gives it the share q of the cells.
+double layer_weight_of(const Values& values);
 /// q, sigma and beta.
 std::vector<ParameterRow> layer_shape_rows();
 

@@ -22,9 +22,11 @@ namespace {
 constexpr std::size_t most_runs = 5000;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool over_cells(const StudyPlan& plan) {
-    return plan.over.key.starts_with("domain.") && plan.over.key == "domain." + resolution_key(plan.scenario);
+bool is_resolution(const Scenario& scenario, std::string_view key) {
+    return key.starts_with("domain.") && key == "domain." + resolution_key(scenario);
 }
+
+bool over_cells(const StudyPlan& plan) { return is_resolution(plan.scenario, plan.over.key); }
 
 std::string setting(const StudyAxis& axis, std::size_t place) { return axis.key + "=" + axis.values[place]; }
 
@@ -188,6 +190,12 @@ std::vector<std::string> study_absences(std::span<const StudyPoint> points) {
             std::find(all.begin(), all.end(), point.absence) == all.end())
             all.push_back(point.absence);
     return all;
+}
+
+bool has_factors(const Scenario& scenario, std::string_view key) {
+    const ParameterRow* row = study_row(scenario, key);
+    if (!row || row->kind == ParameterKind::choice || !(row->minimum > 0)) return false;
+    return row->scale == ParameterScale::logarithmic || is_resolution(scenario, key);
 }
 
 bool has_orders(const StudyPlan& plan) {

@@ -59,6 +59,8 @@ std::vector<std::string> study_absences(std::span<const StudyPoint> points);
 /// The exponent p of value ~ x^p between two points of a line; where cells vary the order of convergence, so
 /// that it is positive if the value falls. NaN where it is not defined.
 double study_order(const StudyPlan& plan, const StudyPoint& before, const StudyPoint& now);
+/// Whether such a key is drawn on a logarithmic axis: cells, and positive numbers whose row has that scale.
+bool has_factors(const Scenario& scenario, std::string_view key);
 /// Whether these exponents mean something: cells or a row with a logarithmic scale vary.
 bool has_orders(const StudyPlan& plan);
 /// What they are called: "order" or "exponent".

@@ -31,7 +31,8 @@ struct Axis {
 /// A thin vertical line that marks an event.
 struct PlotMark {
     double x = 0;
-    std::string label; ///< the event
+    std::string label;   ///< the event
+    bool handle = false; ///< in the window it can be dragged along x: a knob and the value say so
 };
 
 /// Places on the x axis, each a short stroke in a row below the curves.

@@ -9,7 +9,7 @@ namespace gaspard {
 ErrorStudy::ErrorStudy(std::shared_ptr<const Catalogue> catalogue, std::function<void()> wake)
     : catalogue_(std::move(catalogue)), study_(std::move(wake)) {}
 
-void ErrorStudy::follow(const Scenario& scenario, StudyVariable variable, bool rests) {
+void ErrorStudy::follow(const Scenario& scenario, const StudyVariable& variable, bool rests) {
     if (!seen_ || variable != variable_ || scenario != *seen_) {
         seen_ = scenario, variable_ = variable;
         wanted_.reset();

@@ -1,4 +1,4 @@
-// Errors of a problem with layers over cells, eps, sigma or q (core/session/layer_study.hpp), computed on a
+// Errors of a problem with layers over one of its variables (core/session/layer_study.hpp), computed on a
 // thread of its own with the values of a run, except those that vary.
 #pragma once
 
@@ -25,7 +25,7 @@ class ErrorStudy {
     ErrorStudy(std::shared_ptr<const Catalogue> catalogue, std::function<void()> wake);
 
     /// A study of other values is cancelled, and once the run `rests`, that of these begins.
-    void follow(const Scenario& scenario, StudyVariable variable, bool rests);
+    void follow(const Scenario& scenario, const StudyVariable& variable, bool rests);
     /// Nobody looks: what is at work ends. A result that is complete stays.
     void leave();
 
@@ -40,7 +40,7 @@ class ErrorStudy {
 
     std::shared_ptr<const Catalogue> catalogue_;
     std::optional<Scenario> seen_{}; ///< of wanted_
-    StudyVariable variable_ = StudyVariable::cells;
+    StudyVariable variable_{};
     std::optional<StudyPlan> wanted_{}, begun_{};
     bool incomplete_ = false; ///< begun_ was cancelled at work
     BackgroundStudy<Result> study_;

@@ -1,10 +1,11 @@
 #include "gui/panels/error_plots.hpp"
 
-#include "core/base/check.hpp"
 #include "core/io/study_files.hpp"
 #include "gui/panels/slider_scale.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -18,15 +19,8 @@ namespace {
 std::optional<StudyVariable> variable_shown(const DocumentRun& run, const PlotChoice& choice) {
     if (choice.plot != error_study_plot || !run.live() || study_variables(run.scenario).empty())
         return std::nullopt;
-    const auto variable = variable_of(choice.abscissa);
-    return variable && !study_key(run.scenario, *variable).empty() ? variable : std::nullopt;
-}
-
-double value_of(const Scenario& scenario, const std::string& key) {
-    const std::string section = key.substr(0, key.find('.'));
-    for (const Section* one : {&scenario.domain, &scenario.monitor, &scenario.method, &scenario.pde})
-        if (one->values.section() == section) return number_of(one->values, *study_row(scenario, key));
-    check_failed("a study varies a row of one of these sections");
+    if (study_key(run.scenario, choice.abscissa).empty()) return std::nullopt;
+    return choice.abscissa;
 }
 
 double last_error(const DocumentRun& run, const std::string& measure) {
@@ -67,9 +61,10 @@ Plot plot_of(const ErrorStudy& study, const DocumentRun& run, const PlotChoice& 
     const ErrorStudy::Result result = study.result();
     plot = with_axes(study_plot(*study.plan(), result.points), choice);
     plot.title = state_text(study, result);
-    const double x = value_of(run.scenario, key);
-    plot.curves.push_back({"now", {x}, {last_error(run, study.plan()->measure)}, true, neutral_colour});
-    plot.marks.push_back({x, "the present values"});
+    if (const auto x = study_number(run.scenario, key)) {
+        plot.curves.push_back({"now", {*x}, {last_error(run, study.plan()->measure)}, true, neutral_colour});
+        plot.marks.push_back({*x, "the present values", *variable != "cells"});
+    }
     return plot;
 }
 
@@ -89,7 +84,7 @@ void ErrorPlots::follow(const DocumentRun& run, const Choices& choices, bool plo
     for (std::size_t place = 0; place < studies_.size(); ++place)
         serve(studies_[place], plots ? variable_shown(run, choices[place]) : std::nullopt);
     const bool layers = run.live() && !study_variables(run.scenario).empty();
-    serve(table_, table && layers ? std::optional(StudyVariable::cells) : std::nullopt);
+    serve(table_, table && layers ? std::optional<StudyVariable>("cells") : std::nullopt);
 }
 
 std::array<Plot, 2> ErrorPlots::plots(const DocumentRun& run, const Choices& choices) const {
@@ -117,8 +112,10 @@ Scenario with_sweep(const Catalogue& catalogue, const Scenario& scenario, const 
     if (!row) return scenario;
     const double allowed = std::clamp(sweep.value, row->minimum, row->maximum);
     const double value = std::clamp(rounded(*row, slider_ends(*row), allowed), row->minimum, row->maximum);
+    const bool whole = row->kind == ParameterKind::integer;
     Scenario changed = scenario;
-    set_value_unlocated(catalogue, changed, key, value);
+    set_value_unlocated(catalogue, changed, key,
+                        whole ? Value(std::int64_t{std::llround(value)}) : Value(value));
     return changed;
 }
 

@@ -17,16 +17,20 @@ namespace {
 
 constexpr std::string_view axis_name(bool logarithmic) { return logarithmic ? "log" : "linear"; }
 
-std::optional<Abscissa> abscissa_of(std::string_view plot, std::string_view name) {
-    for (const Abscissa one : abscissas(plot))
-        if (name_of(one) == name) return one;
-    return std::nullopt;
-}
-
 /// Which series there are depends on the methods.
 bool is_plot_name(std::string_view name) {
     return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
         return c == '-' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    });
+}
+
+bool of_runs(const Abscissa& abscissa) { return abscissa == "iterations" || abscissa == "seconds"; }
+
+/// Which an error study can have depends on the problem.
+bool is_abscissa(std::string_view plot, const Abscissa& name) {
+    if (plot != error_study_plot) return of_runs(name);
+    return !name.empty() && !of_runs(name) && std::none_of(name.begin(), name.end(), [](char c) {
+        return c == ' ' || c == '"' || static_cast<unsigned char>(c) < ' ';
     });
 }
 
@@ -36,7 +40,7 @@ std::optional<bool> logarithmic_of(std::string_view name) {
 }
 
 PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_window) {
-    const bool by_iteration = choice.abscissa == Abscissa::iterations;
+    const bool by_iteration = choice.abscissa == "iterations";
     PlotView view;
     view.x = {by_iteration ? "iteration" : "seconds", choice.log_x};
     view.y = {"", choice.log_y};
@@ -106,8 +110,8 @@ const SeriesInfo& error_study_info() {
     static const SeriesInfo info{.name = std::string(error_study_plot),
                                  .label = "Error study",
                                  .scale = ParameterScale::logarithmic,
-                                 .help = "the energy error of runs with other numbers of cells, ε, σ or q, "
-                                         "which are solved in the background"};
+                                 .help = "the energy error of runs with other numbers of cells, other ε or "
+                                         "other numbers of the monitor, which are solved in the background"};
     return info;
 }
 
@@ -133,86 +137,40 @@ std::string_view plot_label(const DocumentRuns& runs, std::string_view name) {
     return name;
 }
 
-std::span<const Abscissa> abscissas(std::string_view plot) {
-    static constexpr std::array of_runs = {Abscissa::iterations, Abscissa::seconds};
-    static constexpr std::array of_studies = {Abscissa::cells, Abscissa::eps, Abscissa::sigma, Abscissa::q};
-    if (plot == error_study_plot) return of_studies;
-    return of_runs;
-}
-
 std::vector<Abscissa> abscissas_of(const DocumentRuns& runs, std::string_view plot) {
-    std::vector<Abscissa> all;
+    if (plot != error_study_plot) return {"iterations", "seconds"};
     const DocumentRun* run = studied_run(runs);
-    for (const Abscissa one : abscissas(plot)) {
-        const auto variable = variable_of(one);
-        if (!variable || (run && !study_key(run->scenario, *variable).empty())) all.push_back(one);
-    }
-    return all;
+    return run ? study_variables(run->scenario) : std::vector<Abscissa>{};
 }
 
-std::optional<StudyVariable> variable_of(Abscissa abscissa) {
-    switch (abscissa) {
-    case Abscissa::cells:
-        return StudyVariable::cells;
-    case Abscissa::eps:
-        return StudyVariable::eps;
-    case Abscissa::sigma:
-        return StudyVariable::sigma;
-    case Abscissa::q:
-        return StudyVariable::q;
-    case Abscissa::iterations:
-    case Abscissa::seconds:
-        break;
-    }
-    return std::nullopt;
-}
-
-PlotChoice with_plot(const PlotChoice& choice, const RunPlot& plot) {
+PlotChoice with_plot(const DocumentRuns& runs, const PlotChoice& choice, const RunPlot& plot) {
     PlotChoice changed = choice;
     changed.plot = plot.name;
     changed.log_y = plot.info->scale == ParameterScale::logarithmic;
-    const auto possible = abscissas(plot.name);
-    if (std::find(possible.begin(), possible.end(), choice.abscissa) != possible.end()) return changed;
-    return with_abscissa(changed, possible.front());
+    if (is_abscissa(plot.name, choice.abscissa)) return changed;
+    return with_abscissa(runs, changed, plot.name == error_study_plot ? "cells" : "iterations");
 }
 
-PlotChoice with_abscissa(const PlotChoice& choice, Abscissa abscissa) {
+PlotChoice with_abscissa(const DocumentRuns& runs, const PlotChoice& choice, const Abscissa& abscissa) {
     PlotChoice changed = choice;
-    const bool study = variable_of(abscissa).has_value();
-    if (study) changed.log_x = abscissa != Abscissa::q; // as the rows
-    if (!study && variable_of(choice.abscissa)) changed.log_x = false;
+    const DocumentRun* run = studied_run(runs);
+    if (!of_runs(abscissa))
+        changed.log_x = run && has_factors(run->scenario, study_key(run->scenario, abscissa));
+    else if (!of_runs(choice.abscissa))
+        changed.log_x = false;
     changed.abscissa = abscissa;
     return changed;
 }
 
-std::string_view name_of(Abscissa abscissa) {
-    switch (abscissa) {
-    case Abscissa::iterations:
-        return "iterations";
-    case Abscissa::seconds:
-        return "seconds";
-    case Abscissa::cells:
-        return "cells";
-    case Abscissa::eps:
-        return "eps";
-    case Abscissa::sigma:
-        return "sigma";
-    case Abscissa::q:
-        return "q";
-    }
-    return {};
-}
-
-std::string_view label_of(Abscissa abscissa) {
-    if (abscissa == Abscissa::eps) return "ε";
-    if (abscissa == Abscissa::sigma) return "σ";
-    return name_of(abscissa);
+std::string label_of(const DocumentRuns& runs, const Abscissa& abscissa) {
+    const DocumentRun* run = of_runs(abscissa) ? nullptr : studied_run(runs);
+    return run ? study_label(run->scenario, abscissa) : abscissa;
 }
 
 std::string format_choice(const PlotChoice& choice) {
     std::string text = choice.plot;
     for (const std::string_view word :
-         {name_of(choice.abscissa), axis_name(choice.log_x), axis_name(choice.log_y)})
+         {std::string_view(choice.abscissa), axis_name(choice.log_x), axis_name(choice.log_y)})
         text.append(",").append(word);
     return text;
 }
@@ -220,10 +178,10 @@ std::string format_choice(const PlotChoice& choice) {
 std::optional<PlotChoice> parse_choice(std::string_view text) {
     const auto words = split(text, ",");
     if (words.size() != 4) return std::nullopt;
-    const auto abscissa = abscissa_of(words[0], words[1]);
+    const Abscissa abscissa(words[1]);
     const auto log_x = logarithmic_of(words[2]), log_y = logarithmic_of(words[3]);
-    if (!is_plot_name(words[0]) || !abscissa || !log_x || !log_y) return std::nullopt;
-    return PlotChoice{std::string(words[0]), *abscissa, *log_x, *log_y};
+    if (!is_plot_name(words[0]) || !is_abscissa(words[0], abscissa) || !log_x || !log_y) return std::nullopt;
+    return PlotChoice{std::string(words[0]), abscissa, *log_x, *log_y};
 }
 
 PlotView view_of_runs(const DocumentRuns& runs, const PlotChoice& choice) {

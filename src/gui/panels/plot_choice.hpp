@@ -6,21 +6,20 @@
 #include "gui/plot/plot_axes.hpp"
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace gaspard {
 
-/// Iterations and seconds are those of the runs; the others are what an error study varies.
-enum class Abscissa { iterations, seconds, cells, eps, sigma, q };
+/// What a plot is drawn against: "iterations" or "seconds" of the runs; of an error study a StudyVariable.
+using Abscissa = std::string;
 /// The plot of errors of other runs (gui/document/error_study.hpp).
 inline constexpr std::string_view error_study_plot = "error-study";
 
 struct PlotChoice {
     std::string plot = "residual"; ///< by its name, see plots_of()
-    Abscissa abscissa = Abscissa::iterations;
+    Abscissa abscissa = "iterations";
     bool log_x = false, log_y = true;
     friend bool operator==(const PlotChoice&, const PlotChoice&) = default;
 };
@@ -37,17 +36,13 @@ std::vector<RunPlot> plots_of(const DocumentRuns& runs);
 /// For people; the name itself where no run has such a plot.
 std::string_view plot_label(const DocumentRuns& runs, std::string_view name);
 
-/// All that a plot of this name can have.
-std::span<const Abscissa> abscissas(std::string_view plot);
-/// Those of abscissas() that the runs have.
+/// Those that a plot of this name can have for these runs.
 std::vector<Abscissa> abscissas_of(const DocumentRuns& runs, std::string_view plot);
-/// Nothing for iterations and seconds.
-std::optional<StudyVariable> variable_of(Abscissa abscissa);
 /// Another plot, or another abscissa, on the axes that suit it.
-PlotChoice with_plot(const PlotChoice& choice, const RunPlot& plot);
-PlotChoice with_abscissa(const PlotChoice& choice, Abscissa abscissa);
-std::string_view name_of(Abscissa abscissa);
-std::string_view label_of(Abscissa abscissa);
+PlotChoice with_plot(const DocumentRuns& runs, const PlotChoice& choice, const RunPlot& plot);
+PlotChoice with_abscissa(const DocumentRuns& runs, const PlotChoice& choice, const Abscissa& abscissa);
+/// For people: "σ".
+std::string label_of(const DocumentRuns& runs, const Abscissa& abscissa);
 
 /// As one word for a file of settings: "residual,iterations,linear,log"; the last two are the axes x and y.
 std::string format_choice(const PlotChoice& choice);

@@ -56,17 +56,19 @@ void draw_plots_list(const std::string& key, const DocumentRuns& runs, PlotChoic
     for (const RunPlot& plot : plots) entries.push_back({plot.name, plot.label, help_of(plot)});
     const auto clicked = draw_list(key, entries, choice.plot, plot_label(runs, choice.plot), width, items);
     if (!clicked || plots[*clicked].name == choice.plot) return;
-    choice = with_plot(choice, plots[*clicked]);
+    choice = with_plot(runs, choice, plots[*clicked]);
 }
 
 void draw_abscissa_list(const std::string& key, const DocumentRuns& runs, PlotChoice& choice, float width,
                         ItemRectangles& items) {
     const std::vector<Abscissa> all = abscissas_of(runs, choice.plot);
     std::vector<Entry> entries;
-    for (const Abscissa one : all) entries.push_back({name_of(one), label_of(one)});
-    const Abscissa chosen = choice.abscissa;
-    const auto clicked = draw_list(key, entries, name_of(chosen), label_of(chosen), width, items);
-    if (clicked) choice = with_abscissa(choice, all[*clicked]);
+    std::vector<std::string> labels;
+    for (const Abscissa& one : all) labels.push_back(label_of(runs, one));
+    for (std::size_t i = 0; i < all.size(); ++i) entries.push_back({all[i], labels[i]});
+    const auto clicked =
+        draw_list(key, entries, choice.abscissa, label_of(runs, choice.abscissa), width, items);
+    if (clicked) choice = with_abscissa(runs, choice, all[*clicked]);
 }
 
 /// A button that stays pressed.
@@ -137,10 +139,10 @@ std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, const Docum
     if (entry("Show everything", "everything", false, plot.zoom != PlotZoom{})) plot.zoom = {};
     ImGui::Separator();
     PlotChoice& choice = plot.choice;
-    for (const Abscissa one : abscissas_of(document.runs(), choice.plot)) {
-        const std::string label = "Against " + std::string(label_of(one));
-        if (entry(label.c_str(), std::string(name_of(one)), choice.abscissa == one))
-            choice = with_abscissa(choice, one);
+    for (const Abscissa& one : abscissas_of(document.runs(), choice.plot)) {
+        const std::string label = "Against " + label_of(document.runs(), one);
+        if (entry(label.c_str(), one, choice.abscissa == one))
+            choice = with_abscissa(document.runs(), choice, one);
     }
     if (entry("Logarithmic x", "log-x", choice.log_x)) choice.log_x = !choice.log_x;
     if (entry("Logarithmic y", "log-y", choice.log_y)) choice.log_y = !choice.log_y;
@@ -152,12 +154,11 @@ bool PlotPane::draw_curves(const Document& document, Shown& plot, const Plot& st
                            const FrameContext& context) {
     const bool of_study = plot.choice.plot == error_study_plot;
     const PlotView view = of_study ? view_of(study) : view_of_runs(document.runs(), plot.choice);
-    const auto variable = of_study ? variable_of(plot.choice.abscissa) : std::nullopt;
-    const bool sweeps = variable && *variable != StudyVariable::cells && !study.curves.empty();
+    const bool sweeps = of_study && plot.choice.abscissa != "cells" && !study.curves.empty();
     std::optional<double> swept;
     const bool menu = plot_widget("##curves", view, ImGui::GetContentRegionAvail(), plot.zoom, context.theme,
                                   context.scale, sweeps ? &swept : nullptr);
-    if (swept) sweep_ = PlotSweep{*variable, *swept};
+    if (swept) sweep_ = PlotSweep{plot.choice.abscissa, *swept};
     return menu;
 }
 

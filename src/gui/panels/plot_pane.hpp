@@ -25,7 +25,7 @@ struct PlotWish {
 
 /// A drag across an error study: its variable is to have this value.
 struct PlotSweep {
-    StudyVariable variable{};
+    StudyVariable variable;
     double value = 0;
 };
 

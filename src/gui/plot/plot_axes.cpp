@@ -74,6 +74,13 @@ ImVec2 title_size(std::string_view title, const ScreenRect& rect) {
     return ImGui::CalcTextSize(title.data(), title.data() + title.size(), false, rect.width());
 }
 
+/// Whether one line above the curves names both axes, so that more of a low plot is left for them; still
+/// lower ones would have labels of ticks that overlap.
+bool has_one_label(const PlotView& plot, ScreenRect rect) {
+    const float lines = rect.height() / ImGui::GetFontSize();
+    return !plot.x.label.empty() && !plot.y.label.empty() && lines >= 5 && lines < 8;
+}
+
 void draw_labels(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, ScreenRect rect,
                  const Theme& theme, float scale) {
     const float line = ImGui::GetFontSize(), gap = 5 * scale;
@@ -92,6 +99,8 @@ void draw_labels(ImDrawList& list, const PlotView& plot, const PlotFrame& frame,
     }
     const float ticks = plot.left > 0 ? plot.left : label_width(frame.y_ticks) + gap;
     const float left = std::max(rect.min.x, frame.area.min.x - ticks);
+    if (has_one_label(plot, rect))
+        return write({left, top}, theme.faint_text, plot.y.label + " over " + plot.x.label);
     write({left, top}, theme.faint_text, plot.y.label);
     write({middle - text_size(plot.x.label).x / 2, rect.max.y - line}, theme.faint_text, plot.x.label);
 }
@@ -182,7 +191,7 @@ PlotFrame make_frame(const PlotView& plot, ScreenRect rect, const PlotZoom& zoom
         frame.legend_width = names.x, frame.area.min.y += names.y;
     frame.area.min.y += line / 2; // half of the uppermost label
     frame.area.max.y -= line + gap;
-    if (!plot.x.label.empty()) frame.area.max.y -= line + gap / 2;
+    if (!plot.x.label.empty() && !has_one_label(plot, rect)) frame.area.max.y -= line + gap / 2;
     if (!plot.rows.empty()) frame.strip = (row_height * static_cast<float>(plot.rows.size()) + 2) * scale;
     frame.area.max.y -= frame.strip;
     frame.x_range = zoom.x ? *zoom.x : home_range(plot, false);

@@ -33,6 +33,7 @@ struct MarkView {
     double x = 0;
     std::string_view label;
     std::size_t colour = 0;
+    bool handle = false; ///< as in PlotMark
 };
 
 struct PlotView {
@@ -60,7 +61,8 @@ inline PlotView view_of(const Plot& plot) {
                                .name = curve.name});
     }
     for (const PlotRow& row : plot.rows) view.rows.push_back({row.x, row.colour});
-    for (const PlotMark& mark : plot.marks) view.marks.push_back({.x = mark.x, .label = mark.label});
+    for (const PlotMark& mark : plot.marks)
+        view.marks.push_back({.x = mark.x, .label = mark.label, .handle = mark.handle});
     return view;
 }
 

@@ -1,5 +1,7 @@
 #include "gui/plot/plot_widget.hpp"
 
+#include "core/tessellate/ticks.hpp"
+#include "gui/base/plot_text.hpp"
 #include "gui/plot/plot_legend.hpp"
 #include "gui/plot/plot_read_out.hpp"
 
@@ -7,6 +9,7 @@
 #include <cfloat>
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace gaspard {
 
@@ -15,6 +18,23 @@ namespace {
 constexpr double wheel_step = 1.2; // per notch
 constexpr float click_slack = 6;   // how far a mouse may move during a click, in pixels of scale 1
 
+/// A knob on the axis below the line of the mark, and its value beside the upper end.
+void draw_handle(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, const MarkView& mark,
+                 const Theme& theme, float scale) {
+    const ScreenRect& area = frame.area;
+    const auto x = static_cast<float>(frame.pixel_x(mark.x));
+    if (!(x >= area.min.x && x <= area.max.x)) return;
+    list.AddCircleFilled({x, area.max.y}, 5 * scale, packed(theme.accent));
+    if (area.height() < 4 * ImGui::GetFontSize()) return; // the curves need it all
+    const std::string value = plot.x.before + short_number(mark.x, 4);
+    const float pad = 4 * scale;
+    const ImVec2 size{text_size(value).x + 2 * pad, ImGui::GetFontSize() + pad};
+    const float left = x + size.x + pad <= area.max.x ? x + pad : x - pad - size.x;
+    list.AddRectFilled({left, area.min.y}, {left + size.x, area.min.y + size.y}, packed(theme.panel, 0.88F),
+                       4 * scale);
+    write_text(list, {left + pad, area.min.y + pad / 2}, theme.text, value);
+}
+
 void draw_marks(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, const Theme& theme,
                 float scale) {
     float last = -FLT_MAX;
@@ -22,6 +42,10 @@ void draw_marks(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, 
         const float x = std::round(static_cast<float>(frame.pixel_x(mark.x)));
         if (!(x >= frame.area.min.x && x <= frame.area.max.x) || std::abs(x - last) < 3 * scale) continue;
         last = x;
+        if (mark.handle) {
+            list.AddLine({x, frame.area.min.y}, {x, frame.area.max.y}, packed(theme.accent), 1.5F * scale);
+            continue;
+        }
         const ImU32 colour = packed(curve_colour(theme, mark.colour), 0.55F);
         const float dash = 4 * scale;
         for (float y = frame.area.min.y; y < frame.area.max.y; y += 2 * dash)
@@ -146,6 +170,8 @@ void draw(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, Screen
     const std::vector<PixelPath> paths = pixel_paths(plot, frame);
     draw_curves(list, plot, paths, frame, theme, scale);
     draw_legend(list, plot, paths, frame, theme, scale);
+    for (const MarkView& mark : plot.marks)
+        if (mark.handle) draw_handle(list, plot, frame, mark, theme, scale);
 }
 
 } // namespace

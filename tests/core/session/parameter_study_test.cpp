@@ -263,28 +263,95 @@ TEST_F(ParameterStudy, HasATableARecordAndAPlot) {
 TEST_F(ParameterStudy, TheUsualOnesDependOnWhatDoesNotVary) {
     EXPECT_TRUE(study_variables(find_scenario(*catalogue, "plane-ring")).empty());
     EXPECT_TRUE(study_variables(layer({"pde.type=none"})).empty());
-    EXPECT_EQ(study_variables(layer()).size(), 4U);
-    EXPECT_EQ(study_key(layer({"method.type=bakhvalov"}), StudyVariable::sigma), "method.sigma");
-    EXPECT_EQ(study_variables(layer({"monitor.type=constant"})).size(), 2U) << "it has no σ and no q";
-    EXPECT_EQ(study_variables(layer({"monitor.K=1"})).size(), 3U) << "q has no effect";
+    EXPECT_EQ(study_variables(layer()), (Texts{"cells", "eps", "q", "sigma", "monitor.eps", "beta", "K"}));
+    EXPECT_EQ(study_key(layer({"method.type=bakhvalov"}), "sigma"), "method.sigma");
+    EXPECT_EQ(study_variables(layer({"method.type=bakhvalov"})),
+              (Texts{"cells", "eps", "q", "sigma", "method.eps", "beta"}));
+    EXPECT_EQ(study_variables(layer({"method.type=solution-adapted"})), (Texts{"cells", "eps", "smoothing"}))
+        << "the monitor has no effect";
+    EXPECT_EQ(study_variables(layer({"monitor.type=constant"})), (Texts{"cells", "eps", "value"}));
+    EXPECT_EQ(study_variables(layer({"monitor.K=1"})),
+              (Texts{"cells", "eps", "sigma", "monitor.eps", "beta", "K"}))
+        << "q has no effect";
     const auto usual = [&](const Texts& settings, StudyVariable variable) {
         return usual_study(*catalogue, layer(settings), variable);
     };
-    const StudyPlan cells = usual({}, StudyVariable::cells);
+    const StudyPlan cells = usual({}, "cells");
     EXPECT_EQ(cells.over.values.back(), "1024");
     EXPECT_EQ(cells.lines.values, (Texts{"1", "0.01", "1e-04", "1e-06", "1e-08"}));
-    EXPECT_TRUE(same_study(cells, usual({"pde.eps=1e-7", "domain.cells=100"}, StudyVariable::cells)));
-    EXPECT_FALSE(same_study(cells, usual({"monitor.sigma=3"}, StudyVariable::cells)));
-    EXPECT_TRUE(
-        same_study(usual({}, StudyVariable::sigma), usual({"monitor.sigma=3"}, StudyVariable::sigma)));
-    EXPECT_FALSE(
-        same_study(usual({}, StudyVariable::sigma), usual({"domain.cells=9"}, StudyVariable::sigma)));
+    EXPECT_TRUE(same_study(cells, usual({"pde.eps=1e-7", "domain.cells=100"}, "cells")));
+    EXPECT_FALSE(same_study(cells, usual({"monitor.sigma=3"}, "cells")));
+    EXPECT_TRUE(same_study(usual({}, "sigma"), usual({"monitor.sigma=3"}, "sigma")));
+    EXPECT_FALSE(same_study(usual({}, "sigma"), usual({"domain.cells=9"}, "sigma")));
     for (const char* name : {"layer-1d-coupled", "layer-1d-convection", "layer-2d", "layer-quadrilateral",
                              "layer-2d-convection"}) {
         const Scenario scenario = find_scenario(*catalogue, name);
-        for (const StudyVariable variable : study_variables(scenario))
+        for (const StudyVariable& variable : study_variables(scenario))
             EXPECT_NO_THROW(check_study(catalogue, usual_study(*catalogue, scenario, variable))) << name;
     }
+}
+
+TEST_F(ParameterStudy, EveryNumberOfTheMonitorHasUsualValuesAndIsNamed) {
+    const auto values = [&](const Scenario& scenario, const std::string& key) {
+        return usual_axis(*catalogue, scenario, key).values;
+    };
+    const Texts weights = values(layer(), "monitor.K");
+    EXPECT_EQ(weights.size(), 21U) << "four per power of ten";
+    EXPECT_EQ(weights.front(), "0.001");
+    EXPECT_EQ(weights.back(), "100");
+    EXPECT_EQ(values(layer(), "monitor.eps").size(), 25U);
+    EXPECT_EQ(values(find_scenario(*catalogue, "layer-2d"), "monitor.eps").size(), 6U);
+    EXPECT_EQ(values(layer({"method.type=solution-adapted"}), "method.smoothing").size(), 21U)
+        << "all of them";
+    EXPECT_EQ(study_label(layer(), "eps"), "ε");
+    EXPECT_EQ(study_label(layer(), "monitor.eps"), "Layer width") << "the symbol is that of the problem";
+    EXPECT_EQ(study_label(layer(), "beta"), "β");
+    EXPECT_EQ(study_label(layer(), "no-such"), "no-such");
+    const std::string unknown =
+        message_of<InputError>([&] { values(layer({"method.type=bakhvalov"}), "method.layers"); });
+    EXPECT_NE(unknown.find("method.layers=VALUES"), std::string::npos) << unknown;
+    const StudyPlan widths = usual_study(*catalogue, layer(), "monitor.eps");
+    EXPECT_EQ(study_plot(widths, {}).x.label, "Layer width ε") << "lines have an ε, too";
+    EXPECT_EQ(study_plot(usual_study(*catalogue, layer(), "beta"), {}).x.label, "β");
+}
+
+TEST_F(ParameterStudy, AFormulasParametersAreNumbersOfTheMonitor) {
+    const Scenario scenario =
+        layer({"monitor.type=formula", "monitor.expression=max(1, K/eps*exp(-x/(cells*eps)))",
+               "monitor.eps=1e-4", "monitor.cells=2.5", "monitor.K=1"});
+    const auto variables = study_variables(scenario);
+    for (const char* one : {"monitor.eps", "monitor.cells", "K"})
+        EXPECT_NE(std::find(variables.begin(), variables.end(), one), variables.end()) << one;
+    EXPECT_EQ(study_number(scenario, "monitor.cells"), 2.5);
+    EXPECT_EQ(study_key(scenario, "cells"), "domain.cells");
+    for (const std::string& one : variables)
+        EXPECT_NO_THROW(check_study(catalogue, usual_study(*catalogue, scenario, one))) << one;
+}
+
+TEST_F(ParameterStudy, TheTrueWidthOfALayerIsTheBestAndAutoStandsForIt) {
+    EXPECT_EQ(study_number(layer(), "monitor.eps"), 1e-4);
+    EXPECT_DOUBLE_EQ(study_number(layer(), "monitor.K").value_or(0), 0.4) << "q/(σ(1 - q))";
+    EXPECT_EQ(study_number(layer({"monitor.K=3"}), "monitor.K"), 3);
+    EXPECT_FALSE(study_number(layer(), "monitor.left"));
+    const Scenario curved = layer({"pde.source=cos(pi*x/2)"});
+    const auto points = solved(plan(curved, "monitor.eps=1e-8,1e-6,1e-4,1e-2,1"));
+    ASSERT_EQ(points.size(), 5U);
+    std::vector<double> errors;
+    for (const StudyPoint& point : points) errors.push_back(study_value(point, "energy_error"));
+    EXPECT_EQ(std::min_element(errors.begin(), errors.end()) - errors.begin(), 2) << "1e-4";
+    EXPECT_GT(errors[1], 5 * errors[2]);
+    EXPECT_GT(errors[3], 5 * errors[2]);
+}
+
+TEST_F(ParameterStudy, ThePresentEpsIsALineOfItsOwn) {
+    const auto lines = [&](const Texts& settings, const char* variable) {
+        return usual_study(*catalogue, layer(settings), variable).lines.values;
+    };
+    EXPECT_EQ(lines({"pde.eps=1e-5"}, "sigma"), (Texts{"1", "0.01", "1e-04", "1e-05", "1e-06", "1e-08"}));
+    EXPECT_EQ(lines({"pde.eps=1e-5"}, "cells").size(), 5U) << "where a change of eps is not to begin it anew";
+    EXPECT_EQ(lines({"pde.eps=1e-12"}, "sigma").size(), 5U) << "not beyond the others";
+    EXPECT_EQ(lines({"domain.cells=32"}, "eps"), (Texts{"16", "32", "64", "256", "1024"}));
+    EXPECT_EQ(lines({"domain.cells=64"}, "eps").size(), 4U);
 }
 
 } // namespace

@@ -65,6 +65,7 @@ TEST_F(ErrorStudyTest, ItFillsWithTheErrorsOfOtherRunsOfThisProblem) {
     EXPECT_EQ(now(shown).x, std::vector<double>{32});
     EXPECT_EQ(now(shown).y.front(), run().history.back().value("energy_error"));
     EXPECT_EQ(shown.curves[2].y[2], now(shown).y.front()) << "on the line of its eps";
+    EXPECT_FALSE(shown.marks.back().handle) << "cells are not dragged";
 }
 
 TEST_F(ErrorStudyTest, AnotherEpsMovesThePresentPointOnly) {
@@ -95,12 +96,12 @@ TEST_F(ErrorStudyTest, BeginsAnewWhenTheValuesReturnWhileItIsCancelled) {
     ErrorStudy own(catalogue, {});
     const auto points_reach = [&](std::size_t count) {
         return wait_until([&] {
-            own.follow(scenario, StudyVariable::cells, true);
+            own.follow(scenario, "cells", true);
             return own.result().points.size() >= count;
         });
     };
     ASSERT_TRUE(points_reach(1));
-    own.follow(other, StudyVariable::cells, false);
+    own.follow(other, "cells", false);
     EXPECT_FALSE(own.current());
     EXPECT_TRUE(points_reach(40));
     EXPECT_TRUE(own.current());
@@ -111,6 +112,7 @@ TEST_F(ErrorStudyTest, ADragAcrossItSetsTheParameterAsOneEdit) {
     ASSERT_TRUE(finished());
     frame(), frame();
     EXPECT_EQ(now(plot()).x, std::vector<double>{2.5});
+    EXPECT_TRUE(plot().marks.back().handle);
     const EditHistory& edits = application.document().edits();
     const std::size_t before = edits.undo_count();
     ui.drag(application.items().find("plot.first.curves")->second, 0.5F, 0.75F, drawing());
@@ -149,6 +151,24 @@ TEST_F(ErrorStudyTest, EpsAndQAreSweptAndCellsAreNot) {
     const Scenario still = run().scenario;
     drag(0.5F, 0.3F);
     EXPECT_EQ(run().scenario, still) << "it drags the axes";
+}
+
+TEST_F(ErrorStudyTest, ANumberThatIsAutoIsSetByADrag) {
+    choose("K");
+    ASSERT_TRUE(finished());
+    EXPECT_EQ(application.settings().window.text("first_plot"), "error-study,K,log,log");
+    EXPECT_DOUBLE_EQ(now(plot()).x.front(), 0.4) << "what auto stands for";
+    frame(), frame();
+    ui.drag(application.items().find("plot.first.curves")->second, 0.5F, 0.9F, drawing());
+    frame();
+    const auto weight = run().scenario.monitor.values.real_or_auto("K");
+    ASSERT_TRUE(weight);
+    EXPECT_GT(*weight, 1);
+    EXPECT_TRUE(study().current());
+    EXPECT_EQ(now(plot()).x, std::vector<double>{*weight});
+    EXPECT_EQ(solved_scenario().monitor.values.real("K"), *weight);
+    application.press_key("Ctrl+Z");
+    EXPECT_FALSE(run().scenario.monitor.values.real_or_auto("K")) << "auto again";
 }
 
 TEST_F(ErrorStudyTest, ItsNumbersAreCopiedAndSaved) {

@@ -432,5 +432,23 @@ TEST(WithoutADisplay, TheWindowIsRefusedInOneSentence) {
     std::filesystem::remove(log);
 }
 
+TEST_F(WindowTest, ADragAcrossAnErrorStudySetsItsParameter) {
+    const ItemRectangles items = layout_of(1400, 900);
+    std::filesystem::create_directories(folder / "config" / "gaspard");
+    std::ofstream(folder / "config" / "gaspard" / "window.toml")
+        << "[window]\nfirst_plot = 'error-study,K,log,log'\n";
+    start("layer-1d", 1400, 900);
+    const auto summary = out("layer-1d-modified") / "summary.json";
+    ASSERT_TRUE(eventually([&] { // until the study has begun, a drag moves the axes
+        drag(items.find("plot.first.curves")->second, 0.5F, 0.9F);
+        press("e");
+        return eventually([&] { return std::filesystem::exists(summary); }, 3s);
+    })) << text_of(folder / "log");
+    const auto values = nlohmann::json::parse(text_of(summary));
+    ASSERT_TRUE(values["monitor"]["K"].is_number()) << values["monitor"]["K"];
+    EXPECT_GT(values["monitor"]["K"].get<double>(), 1) << "0.4 before";
+    EXPECT_EQ(values["modified"], nlohmann::json({"monitor.K"}));
+}
+
 } // namespace
 } // namespace gaspard

@@ -50,6 +50,21 @@ TEST(HomeRange, OfNothingAndOfOnePointIsNotEmpty) {
             }
 }
 
+TEST(PlotFrame, OfALowPlotHasOneLineForTheNamesOfBothAxes) {
+    HeadlessUi ui;
+    ui.frame([] {
+        const float line = ImGui::GetFontSize();
+        const Plot plot = plot_of({1, 2}, {3, 4});
+        const auto below = [&](float lines) { // what is left below the curves, in lines
+            const ScreenRect rect{{0, 0}, {300, lines * line}};
+            return (rect.max.y - make_frame(view_of(plot), rect, {}, 1).area.max.y) / line;
+        };
+        EXPECT_GT(below(9), 2);
+        EXPECT_LT(below(7), 1.5);
+        EXPECT_GT(below(7), 1) << "the ticks";
+    });
+}
+
 TEST(PlotFrame, LabelsOfTheVerticalAxisDoNotOverlap) {
     HeadlessUi ui;
     ui.frame([] {
