@@ -19,7 +19,8 @@ std::vector<double> line_densities(SolutionDensity density, const std::vector<do
                                    std::vector<double> u) {
     if (std::all_of(u.begin(), u.end(), [&](double value) { return value == u.front(); })) return {};
     const IntervalSolution solution{.order = 1, .nodes = {std::move(u)}, .middles = {}};
-    return density == SolutionDensity::curvature ? curvature_densities(x, solution)
+    constexpr double k = 4; // a layer has the same share of the cells, however thin it is
+    return density == SolutionDensity::curvature ? curvature_densities(x, solution, k)
                                                  : arc_length_densities(x, solution);
 }
 

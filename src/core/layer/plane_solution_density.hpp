@@ -2,6 +2,9 @@
 // along each line of the grid those of an interval (solution_density.hpp), M_11 along lines of constant xi2,
 // M_22 along those of constant xi1. Scales are means over each line, so that about half of its cells are
 // where u changes fast along it, whatever the size of u there. A quadrilateral has the mean of its two lines.
+//
+// Curvature is taken with k = 4: the integral of |u''|^(1/2) over a layer does not depend on its width. With
+// k = 3 it is eps^(-1/3), and of two layers the one that is resolved first takes all cells.
 #pragma once
 
 #include "core/layer/solution_density.hpp"

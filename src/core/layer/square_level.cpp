@@ -11,7 +11,7 @@ namespace gaspard {
 
 SquareLevel::SquareLevel(int n, MeshPdeForm form, DensitySamples samples, const std::array<Vec3, 4>& corners)
     : n_(n), form_(form), samples_(samples), domain_(corners), nodes_(node_count()), centres_(quad_count()),
-      sampler_(n, samples), solvers_{solver(0), solver(1)} {
+      sampler_(n, samples), solver_(n) {
     for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i)
             nodes_.set(node(i, j), computational(static_cast<double>(i) / n, static_cast<double>(j) / n));
@@ -80,27 +80,27 @@ Vec3 SquareLevel::at(int i, int j, Vec3 xi) const {
 }
 
 SquareMeshSolve SquareLevel::solve(const LayerDensities& densities) {
-    TriangleDensities means;
-    sampler_.means(densities, nodes_, centres_, means);
-    return solve(std::move(means));
+    sampler_.means(densities, nodes_, centres_, means_);
+    return solve();
 }
 
 SquareMeshSolve SquareLevel::solve(TriangleDensities means) {
     means_ = std::move(means);
+    return solve();
+}
+
+SquareMeshSolve SquareLevel::solve() {
     SquareMeshSolve result;
-    const bool both = form_ == MeshPdeForm::componentwise;
-    for (const Index axis : {Index{0}, Index{1}}) {
-        if (axis == 0 && !both) continue; // x = xi1 already
+    for (const Index axis : axes()) {
         std::vector<double>& u = axis == 0 ? nodes_.x : nodes_.y;
         std::vector<double>& c = axis == 0 ? centres_.x : centres_.y;
-        solvers_[axis].set_matrices(eliminated(axis));
-        const std::vector<double> before = u, centres_before = c;
-        result.inner_iterations += solvers_[axis].solve(u, 1e-8, 1e-14);
-        restore_centres(u, c);
+        eliminate_centres(axis, solver_.matrices());
+        solver_.factorise(fixed_nodes(axis));
+        before_ = u;
+        result.inner_iterations += solver_.solve(u, 1e-8, 1e-14);
         for (Index i = 0; i < u.size(); ++i)
-            result.update = std::max(result.update, std::abs(u[i] - before[i]));
-        for (Index i = 0; i < c.size(); ++i)
-            result.update = std::max(result.update, std::abs(c[i] - centres_before[i]));
+            result.update = std::max(result.update, std::abs(u[i] - before_[i]));
+        result.update = std::max(result.update, restore_centres(u, c));
     }
     return result;
 }
@@ -124,14 +124,11 @@ std::array<Vec3, 5> SquareLevel::corners_of(int i, int j) const {
 }
 
 /// x is fixed on the left and right, y below and above.
-NinePointSolver SquareLevel::solver(int axis) const {
+std::vector<std::uint8_t> SquareLevel::fixed_nodes(Index axis) const {
     std::vector<std::uint8_t> fixed(node_count());
     for (int j = 0; j <= n_; ++j)
-        for (int i = 0; i <= n_; ++i) {
-            const int along = axis == 0 ? i : j;
-            fixed[node(i, j)] = along == 0 || along == n_ ? 1 : 0;
-        }
-    return {n_, std::move(fixed)};
+        for (int i = 0; i <= n_; ++i) fixed[node(i, j)] = is_fixed(axis, i, j) ? 1 : 0;
+    return fixed;
 }
 
 SquareLevel::QuadStiffness SquareLevel::stiffness(int i, int j) const {
@@ -163,8 +160,7 @@ std::array<std::array<double, 5>, 5> SquareLevel::matrix(const QuadStiffness& st
 }
 
 /// The matrices of the quadrilaterals without their centres.
-std::vector<CornerMatrix> SquareLevel::eliminated(Index axis) {
-    std::vector<CornerMatrix> matrices(quad_count());
+void SquareLevel::eliminate_centres(Index axis, std::span<CornerMatrix> matrices) {
     const bool parallelogram = norm(domain_[0] + domain_[3] - (domain_[1] + domain_[2])) == 0;
     const QuadStiffness common = stiffness(0, 0);
     centre_weights_.resize(quad_count());
@@ -178,16 +174,19 @@ std::vector<CornerMatrix> SquareLevel::eliminated(Index axis) {
             for (Index a = 0; a < 4; ++a)
                 for (Index b = 0; b <= a; ++b) matrices[quad(i, j)][at++] = k[a][b] + k[a][4] * c[b];
         }
-    return matrices;
 }
 
-void SquareLevel::restore_centres(const std::vector<double>& u, std::vector<double>& c) const {
+double SquareLevel::restore_centres(const std::vector<double>& u, std::vector<double>& c) const {
+    double update = 0;
     for (int j = 0; j < n_; ++j)
         for (int i = 0; i < n_; ++i) {
             const auto& w = centre_weights_[quad(i, j)];
-            c[quad(i, j)] = w[0] * u[node(i, j)] + w[1] * u[node(i + 1, j)] + w[2] * u[node(i, j + 1)] +
-                            w[3] * u[node(i + 1, j + 1)];
+            const double value = w[0] * u[node(i, j)] + w[1] * u[node(i + 1, j)] + w[2] * u[node(i, j + 1)] +
+                                 w[3] * u[node(i + 1, j + 1)];
+            update = std::max(update, std::abs(value - c[quad(i, j)]));
+            c[quad(i, j)] = value;
         }
+    return update;
 }
 
 } // namespace gaspard

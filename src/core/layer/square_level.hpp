@@ -7,6 +7,7 @@
 #include "core/linear/cell_lu.hpp"
 #include "core/linear/nine_point.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <stop_token>
@@ -77,11 +78,13 @@ class SquareLevel {
     std::array<Vec3, 5> corners_of(int i, int j) const;
     /// The iterate at a point of the computational quadrilateral (i, j), linear on each triangle.
     Vec3 at(int i, int j, Vec3 xi) const;
-    NinePointSolver solver(int axis) const;
+    std::vector<std::uint8_t> fixed_nodes(Index axis) const;
+    SquareMeshSolve solve(); ///< with means_
 
     static std::array<std::array<double, 5>, 5> matrix(const QuadStiffness& stiffness, const double* means);
-    std::vector<CornerMatrix> eliminated(Index axis);
-    void restore_centres(const std::vector<double>& u, std::vector<double>& c) const;
+    void eliminate_centres(Index axis, std::span<CornerMatrix> matrices);
+    /// The largest change.
+    double restore_centres(const std::vector<double>& u, std::vector<double>& c) const;
 
     int n_;
     MeshPdeForm form_;
@@ -91,7 +94,8 @@ class SquareLevel {
     DensitySampler sampler_;
     TriangleDensities means_;
     std::vector<std::array<double, 4>> centre_weights_; ///< of the last axis
-    std::array<NinePointSolver, 2> solvers_;
+    NinePointSolver solver_;     ///< of both axes, one after the other: memory costs time
+    std::vector<double> before_; ///< a coordinate before the last solve; kept for the same reason
     std::shared_ptr<const Elimination> elimination_; ///< of newton(); null before
     static constexpr double newtons_time_step = 1e8; ///< from where steps are Newton's
     double time_step_ = newtons_time_step;           ///< of the next newton()

@@ -25,9 +25,8 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 
 } // namespace
 
-NinePointSolver::NinePointSolver(int n, const std::vector<std::uint8_t>& fixed) {
-    GASPARD_CHECK(n >= 1 &&
-                  fixed.size() == static_cast<std::size_t>(n + 1) * static_cast<std::size_t>(n + 1));
+NinePointSolver::NinePointSolver(int n) {
+    GASPARD_CHECK(n >= 1);
     for (;;) {
         Grid grid;
         grid.n = n;
@@ -37,11 +36,7 @@ NinePointSolver::NinePointSolver(int n, const std::vector<std::uint8_t>& fixed) 
               &grid.column_pivot, &grid.row_next, &grid.column_next, &grid.u, &grid.b, &grid.r})
             values->assign(size, 0.0);
         grid.fixed.assign(size, 1);
-        for (int j = 0; j <= n; ++j)
-            for (int i = 0; i <= n; ++i)
-                grid.fixed[grid.at(i, j)] = grids_.empty()
-                                                ? fixed[static_cast<std::size_t>(j * (n + 1) + i)]
-                                                : grids_.back().fixed[grids_.back().at(2 * i, 2 * j)];
+        grid.matrices.resize(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
         grids_.push_back(std::move(grid));
         if (n % 2 != 0 || n <= 2) break;
         n /= 2;
@@ -50,18 +45,22 @@ NinePointSolver::NinePointSolver(int n, const std::vector<std::uint8_t>& fixed) 
     for (auto* values : {&direction_, &rest_}) values->assign(grids_.front().u.size(), 0.0);
 }
 
-void NinePointSolver::set_matrices(std::vector<CornerMatrix> matrices) {
-    GASPARD_CHECK(matrices.size() ==
-                  static_cast<std::size_t>(grids_.front().n) * static_cast<std::size_t>(grids_.front().n));
-    grids_.front().matrices = std::move(matrices);
-    for (std::size_t level = 0; level < grids_.size(); ++level) {
+std::span<CornerMatrix> NinePointSolver::matrices() { return grids_.front().matrices; }
+
+void NinePointSolver::factorise(const std::vector<std::uint8_t>& fixed) {
+    const auto side = static_cast<std::size_t>(grids_.front().n + 1);
+    GASPARD_CHECK(fixed.size() == side * side);
+    for (std::size_t level = 0, step = 1; level < grids_.size(); ++level, step *= 2) {
         Grid& g = grids_[level];
+        for (std::size_t j = 0; j < side; j += step)
+            for (std::size_t i = 0; i < side; i += step)
+                g.fixed[g.at(static_cast<int>(i / step), static_cast<int>(j / step))] = fixed[j * side + i];
         assemble(g);
         if (level + 1 < grids_.size()) {
             interpolate(g);
             coarsen(g, grids_[level + 1]);
         }
-        factorise(g);
+        factorise_lines(g);
     }
 }
 
@@ -83,7 +82,7 @@ void NinePointSolver::assemble(Grid& g) {
 
 /// Takes away the couplings of fixed points, whose values are 0 from here on, and factorises the tridiagonal
 /// systems of all lines: of rows from the left, of columns 0, 2, ... from below, of the others from above.
-void NinePointSolver::factorise(Grid& g) {
+void NinePointSolver::factorise_lines(Grid& g) {
     const std::size_t s = g.stride();
     for (int j = 0; j <= g.n; ++j)
         for (int i = 0; i <= g.n; ++i) {
@@ -93,12 +92,15 @@ void NinePointSolver::factorise(Grid& g) {
             };
             cut(g.east, p + 1), cut(g.north, p + s), cut(g.north_east, p + s + 1),
                 cut(g.north_west, p + s - 1);
-            if (g.fixed[p] != 0) g.centre[p] = 0; // the pivots stay 0
+            if (g.fixed[p] != 0) g.centre[p] = 0;
         }
     for (int j = 0; j <= g.n; ++j)
         for (int i = 0; i <= g.n; ++i) {
             const std::size_t p = g.at(i, j);
-            if (g.fixed[p] != 0) continue;
+            if (g.fixed[p] != 0) {
+                g.row_pivot[p] = g.row_next[p] = g.column_pivot[p] = g.column_next[p] = 0;
+                continue;
+            }
             g.row_pivot[p] = 1 / (g.centre[p] - g.east[p - 1] * g.row_next[p - 1]);
             g.row_next[p] = g.east[p] * g.row_pivot[p];
             if (i % 2 != 0) continue;
@@ -145,8 +147,9 @@ void NinePointSolver::interpolate(Grid& g) {
     for (int j = 0; j < n; j += 2)
         for (int i = 0; i < n; i += 2) {
             const std::size_t p = g.at(i + 1, j + 1);
-            if (g.fixed[p] != 0) continue;
             auto& cell = g.interpolation[g.coarse(i / 2, j / 2)];
+            cell.middle = {};
+            if (g.fixed[p] != 0) continue;
             const auto &south = cell.south, &west = cell.west,
                        &north = g.interpolation[g.coarse(i / 2, j / 2 + 1)].south,
                        &east = g.interpolation[g.coarse(i / 2 + 1, j / 2)].west;
@@ -163,7 +166,6 @@ void NinePointSolver::interpolate(Grid& g) {
 void NinePointSolver::coarsen(const Grid& fine, Grid& coarse) {
     using Row = std::array<double, 4>;
     const auto n = static_cast<std::size_t>(coarse.n);
-    coarse.matrices.resize(n * n);
     for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) {
             const std::size_t at = j * (n + 1) + i; // among the interpolations
@@ -215,16 +217,7 @@ void NinePointSolver::relax_row(Grid& g, int j) {
     for (std::size_t p = east + 1; p-- > west;) u[p] = last = r[p] * pivot[p] + next[p] * last;
 }
 
-/// Rows first, first + 2, ..., then the others, as soon as their neighbours are done: that saves a way
-/// through memory.
-void NinePointSolver::relax_rows(Grid& g, int first) {
-    for (int j = first; j <= g.n + 1; j += 2) {
-        if (j <= g.n) relax_row(g, j);
-        if (j > 0) relax_row(g, j - 1);
-    }
-}
-
-/// Columns first, first + 2, ..., from `previous` (of row j - 1 or j + 1) on: the right-hand sides of row j.
+/// Columns first, first + 2, ..., upwards from 0, downwards from 1: the right-hand sides of row j.
 void NinePointSolver::eliminate(Grid& g, int first, int j) {
     const std::size_t s = g.stride(), before = first == 0 ? 0 : 2 * s; // p - s or p + s
     const double *const ne = g.north_east.data(), *const nw = g.north_west.data(), *const ea = g.east.data(),
@@ -242,62 +235,108 @@ void NinePointSolver::substitute(Grid& g, int first, int j) {
         g.u[p] = g.r[p] * g.column_pivot[p] + g.column_next[p] * g.u[p - s + after];
 }
 
-/// Columns first, first + 2, ..., then the others: three ways through memory, up and down.
-void NinePointSolver::relax_columns(Grid& g, int first) {
+/// Rows 0, 2, ..., then the others, then columns in the same way: three ways through memory, up, down and up
+/// again, since each line follows as soon as its neighbours are done. `done(j)` is called when row j has its
+/// values.
+template <class Done>
+void NinePointSolver::relax_before(Grid& g, const Done& done) {
     const int n = g.n;
-    const auto row = [&](int k) { return first == 0 ? k : n - k; }; // in the direction of elimination
-    for (int k = 0; k <= n; ++k) eliminate(g, first, row(k));
-    for (int k = n; k >= 0; --k) {
-        substitute(g, first, row(k));
-        if (k < n) eliminate(g, 1 - first, row(k + 1));
+    for (int j = 0; j <= n + 2; j += 2) {
+        if (j <= n) relax_row(g, j);
+        if (j > 0 && j - 1 <= n) relax_row(g, j - 1);
+        for (const int row : {j - 2, j - 1})
+            if (row >= 0 && row <= n) eliminate(g, 0, row);
     }
-    eliminate(g, 1 - first, row(0));
-    for (int k = 0; k <= n; ++k) substitute(g, 1 - first, row(k));
+    for (int j = n; j >= 0; --j) {
+        substitute(g, 0, j);
+        if (j < n) eliminate(g, 1, j + 1);
+    }
+    eliminate(g, 1, 0);
+    for (int j = 0; j <= n; ++j) {
+        substitute(g, 1, j);
+        done(j);
+    }
 }
 
-/// The residual, after columns 1, 3, ... have been relaxed: it is 0 there.
-void NinePointSolver::restrict_residual(Grid& g, Grid& c) {
+/// The adjoint: columns 1, 3, ..., then the others, then rows in the same way; down, up and down again.
+/// `prepare(j)` is called from above, before rows above j + 1 are used.
+template <class Prepare>
+void NinePointSolver::relax_after(Grid& g, const Prepare& prepare) {
+    const int n = g.n;
+    for (int j = n; j >= 0; --j) {
+        prepare(j);
+        if (j + 2 <= n) eliminate(g, 1, j + 2);
+    }
+    for (const int row : {1, 0}) eliminate(g, 1, row);
+    for (int j = 0; j <= n; ++j) {
+        substitute(g, 1, j);
+        if (j > 0) eliminate(g, 0, j - 1);
+    }
+    eliminate(g, 0, n);
+    for (int j = n; j >= 0; --j) {
+        substitute(g, 0, j);
+        if (j % 2 != 0) continue;
+        for (const int row : {j + 1, j + 2})
+            if (row <= n) relax_row(g, row);
+    }
+    relax_row(g, 0);
+}
+
+/// The residual in a row, after columns 1, 3, ... have been relaxed: it is 0 there.
+void NinePointSolver::residual_row(Grid& g, int j) {
+    for (std::size_t p = g.at(0, j), east = g.at(g.n, j); p <= east; p += 2)
+        g.r[p] = g.b[p] - g.image(g.u, p);
+}
+
+/// From the residual in the row of the same place and its neighbours.
+void NinePointSolver::restrict_row(const Grid& g, Grid& c, int j) {
     const std::size_t s = g.stride();
-    for (int j = 0; j <= g.n; ++j)
-        for (std::size_t p = g.at(0, j), east = g.at(g.n, j); p <= east; p += 2)
-            g.r[p] = g.b[p] - g.image(g.u, p);
-    for (int j = 0; j <= c.n; ++j)
-        for (int i = 0; i <= c.n; ++i) {
-            const std::size_t p = g.at(2 * i, 2 * j), q = c.at(i, j), cell = g.coarse(i, j);
-            double sum = g.r[p] + g.interpolation[cell].west[0] * g.r[p + s];
-            if (j > 0) sum += g.interpolation[cell - static_cast<std::size_t>(c.n + 1)].west[1] * g.r[p - s];
-            c.b[q] = c.fixed[q] != 0 ? 0.0 : sum;
-        }
+    for (int i = 0; i <= c.n; ++i) {
+        const std::size_t p = g.at(2 * i, 2 * j), q = c.at(i, j), cell = g.coarse(i, j);
+        double sum = g.r[p] + g.interpolation[cell].west[0] * g.r[p + s];
+        if (j > 0) sum += g.interpolation[cell - static_cast<std::size_t>(c.n + 1)].west[1] * g.r[p - s];
+        c.b[q] = c.fixed[q] != 0 ? 0.0 : sum;
+    }
 }
 
-/// Adds the coarse correction, which is 0 at fixed points and around the grid.
-void NinePointSolver::prolong(const Grid& c, Grid& g) {
+/// Adds the coarse correction, which is 0 at fixed points and around the grid, to two rows.
+void NinePointSolver::prolong_row(const Grid& c, Grid& g, int j) {
     const std::size_t s = g.stride(), t = c.stride();
-    for (int j = 0; j <= c.n; ++j)
-        for (int i = 0; i <= c.n; ++i) {
-            const std::size_t p = g.at(2 * i, 2 * j), q = c.at(i, j);
-            const auto& w = g.interpolation[g.coarse(i, j)];
-            const double u00 = c.u[q], u10 = c.u[q + 1], u01 = c.u[q + t], u11 = c.u[q + t + 1];
-            g.u[p] += u00;
-            g.u[p + 1] += w.south[0] * u00 + w.south[1] * u10;
-            g.u[p + s] += w.west[0] * u00 + w.west[1] * u01;
-            g.u[p + s + 1] += w.middle[0] * u00 + w.middle[1] * u10 + w.middle[2] * u01 + w.middle[3] * u11;
-        }
+    for (int i = 0; i <= c.n; ++i) {
+        const std::size_t p = g.at(2 * i, 2 * j), q = c.at(i, j);
+        const auto& w = g.interpolation[g.coarse(i, j)];
+        const double u00 = c.u[q], u10 = c.u[q + 1], u01 = c.u[q + t], u11 = c.u[q + t + 1];
+        g.u[p] += u00;
+        g.u[p + 1] += w.south[0] * u00 + w.south[1] * u10;
+        g.u[p + s] += w.west[0] * u00 + w.west[1] * u01;
+        g.u[p + s + 1] += w.middle[0] * u00 + w.middle[1] * u10 + w.middle[2] * u01 + w.middle[3] * u11;
+    }
 }
 
 /// One V-cycle for A u = b from u = 0, symmetric: relaxation before and after is adjoint.
 void NinePointSolver::cycle(std::size_t level) {
     Grid& g = grids_[level];
     std::fill(g.u.begin(), g.u.end(), 0.0);
-    const bool coarsest = level + 1 == grids_.size();
-    const int sweeps = coarsest ? 4 : 1;
-    for (int k = 0; k < sweeps; ++k) relax_rows(g, 0), relax_columns(g, 0);
-    if (!coarsest) {
-        restrict_residual(g, grids_[level + 1]);
-        cycle(level + 1);
-        prolong(grids_[level + 1], g);
+    if (level + 1 == grids_.size()) {
+        constexpr int sweeps = 4;
+        for (int k = 0; k < sweeps; ++k) relax_before(g, [](int) {});
+        for (int k = 0; k < sweeps; ++k) relax_after(g, [](int) {});
+        return;
     }
-    for (int k = 0; k < sweeps; ++k) relax_columns(g, 1), relax_rows(g, 1);
+    Grid& c = grids_[level + 1]; // of half as many cells: g.n is even
+    const auto residual = [&](int j) {
+        residual_row(g, j);
+        if (j % 2 != 0) restrict_row(g, c, j / 2);
+    };
+    relax_before(g, [&](int j) {
+        if (j > 0) residual(j - 1);
+    });
+    residual(g.n);
+    restrict_row(g, c, c.n);
+    cycle(level + 1);
+    relax_after(g, [&](int j) {
+        if (j % 2 == 0) prolong_row(c, g, j / 2);
+    });
 }
 
 /// rest = -A u, by quadrilaterals, since couplings with fixed values count here.
@@ -325,6 +364,7 @@ int NinePointSolver::solve(std::span<double> u, double reduction, double smalles
     start(u);
     double before = 0, first = 0;
     constexpr int most = 200;
+    std::fill(direction_.begin(), direction_.end(), 0.0);
     for (int k = 0; k < most; ++k) {
         std::swap(g.b, rest_);
         cycle(0);
@@ -336,9 +376,14 @@ int NinePointSolver::solve(std::span<double> u, double reduction, double smalles
         if (!(square > 0) || largest <= smallest || (k > 0 && square <= reduction * reduction * first))
             return k;
         const double beta = k == 0 ? 0 : square / before;
-        for (std::size_t p = 0; p < direction_.size(); ++p) direction_[p] = g.u[p] + beta * direction_[p];
-        for (int j = 0; j <= g.n; ++j)
-            for (std::size_t p = g.at(0, j); p <= g.at(0, j) + n; ++p) g.r[p] = g.image(direction_, p);
+        for (int j = 0; j <= g.n + 1; ++j) {
+            if (j <= g.n)
+                for (std::size_t p = g.at(0, j); p <= g.at(0, j) + n; ++p)
+                    direction_[p] = g.u[p] + beta * direction_[p];
+            if (j > 0)
+                for (std::size_t p = g.at(0, j - 1); p <= g.at(0, j - 1) + n; ++p)
+                    g.r[p] = g.image(direction_, p);
+        }
         const double step = square / dot(direction_, g.r);
         for (int j = 0; j <= g.n; ++j) {
             const std::size_t p = g.at(0, j), q = static_cast<std::size_t>(j) * (n + 1);

@@ -19,12 +19,13 @@ using CornerMatrix = std::array<double, 10>;
 /// A grid with its operators: n x n quadrilaterals, (n + 1)^2 unknowns by rows, some of which are fixed.
 class NinePointSolver {
   public:
-    /// `n`: a power of two times an odd number; grids are halved as long as that is possible. `fixed`: 1 for
-    /// the unknowns that keep their values.
-    NinePointSolver(int n, const std::vector<std::uint8_t>& fixed);
+    /// `n`: a power of two times an odd number; grids are halved as long as that is possible.
+    explicit NinePointSolver(int n);
 
-    /// The matrices of the quadrilaterals, by rows; makes the coarser grids.
-    void set_matrices(std::vector<CornerMatrix> matrices);
+    /// The matrices of the n x n quadrilaterals, by rows, to be set before factorise().
+    std::span<CornerMatrix> matrices();
+    /// Makes the coarser grids. `fixed`: 1 for those of the (n + 1)^2 unknowns that keep their values.
+    void factorise(const std::vector<std::uint8_t>& fixed);
     /// Solves A u = 0 for the free unknowns, from the values in `u`, until the preconditioned residual is
     /// `reduction` times its first value or at most `smallest` (in units of u). Returns the iterations.
     int solve(std::span<double> u, double reduction, double smallest = 0);
@@ -57,16 +58,19 @@ class NinePointSolver {
         double image(const std::vector<double>& v, std::size_t p) const;
     };
     static void assemble(Grid& grid);
-    static void factorise(Grid& grid);
+    static void factorise_lines(Grid& grid);
     static void interpolate(Grid& grid);
     static void coarsen(const Grid& fine, Grid& coarse);
     static void relax_row(Grid& grid, int j);
-    static void relax_rows(Grid& grid, int first);
     static void eliminate(Grid& grid, int first, int j);
     static void substitute(Grid& grid, int first, int j);
-    static void relax_columns(Grid& grid, int first);
-    static void restrict_residual(Grid& fine, Grid& coarse);
-    static void prolong(const Grid& coarse, Grid& fine);
+    template <class Done>
+    static void relax_before(Grid& grid, const Done& done);
+    template <class Prepare>
+    static void relax_after(Grid& grid, const Prepare& prepare);
+    static void residual_row(Grid& grid, int j);
+    static void restrict_row(const Grid& fine, Grid& coarse, int j);
+    static void prolong_row(const Grid& coarse, Grid& fine, int j);
     void cycle(std::size_t level);
     void start(std::span<const double> u);
 

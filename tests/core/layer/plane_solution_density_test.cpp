@@ -26,7 +26,7 @@ struct ParameterGrid {
 };
 
 TEST(PlaneSolutionDensity, IsThatOfAnIntervalAlongEveryLine) {
-    const ParameterGrid grid([](double s, double) { return std::exp(-5 * s); });
+    const ParameterGrid grid([](double s, double) { return std::exp(-8 * s); });
     for (const auto density : {SolutionDensity::arc_length, SolutionDensity::curvature}) {
         const TriangleDensities m =
             plane_solution_densities({.density = density}, grid.parameters, plane_cells, grid.solution);
@@ -36,7 +36,7 @@ TEST(PlaneSolutionDensity, IsThatOfAnIntervalAlongEveryLine) {
             .nodes = {{grid.solution.values.begin(), grid.solution.values.begin() + plane_cells + 1}},
             .middles = {}};
         const auto expected =
-            smoothed_densities(density == SolutionDensity::curvature ? curvature_densities(x, line)
+            smoothed_densities(density == SolutionDensity::curvature ? curvature_densities(x, line, 4)
                                                                      : arc_length_densities(x, line),
                                2);
         for (std::size_t q = 0; q < plane_cells * plane_cells; ++q)

@@ -2,6 +2,7 @@
 #include "core/linear/nine_point.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -50,8 +51,9 @@ TEST(NinePointSolver, SolvesOnGridsOfAnySize) {
             if (fixed[static_cast<std::size_t>(p)] != 0)
                 a.row(p).setZero(), a(p, p) = 1, b(p) = u[static_cast<std::size_t>(p)];
         const Eigen::VectorXd expected = a.partialPivLu().solve(b);
-        NinePointSolver solver(n, fixed);
-        solver.set_matrices(matrices);
+        NinePointSolver solver(n);
+        std::copy(matrices.begin(), matrices.end(), solver.matrices().begin());
+        solver.factorise(fixed);
         EXPECT_LT(solver.solve(u, 1e-12), 40) << n;
         for (Eigen::Index p = 0; p < size; ++p)
             EXPECT_NEAR(u[static_cast<std::size_t>(p)], expected(p), 1e-9) << n << ' ' << p;
