@@ -27,7 +27,7 @@ std::vector<SolidFigure> solid_figures() {
             {21,
              "spline-ball",
              "Cosine waves in the ball",
-             {{"one eighth taken out", "x 0.1; y 0.1; z 0.1", {}},
+             {{"one eighth taken out", "x 0 and y 0 and z 0", {}},
               {"cut through the middle", "x 0", from_right}}},
             {22,
              "spline-cylinder",

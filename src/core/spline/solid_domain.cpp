@@ -67,6 +67,16 @@ Space space_of_solid(const Values&, const DomainContent& content) {
     return {.dimension = 3, .solid = true, .reach = {cube(1e12), cube(1e-12)}};
 }
 
+/// Newton's method keeps nine numbers for each of the (n (p + 1))^3 quadrature points.
+void check_size(int degree, std::size_t cells) {
+    constexpr std::size_t most_points = 400; // per direction: 4.6 GB
+    const std::size_t most = most_points / (static_cast<std::size_t>(degree) + 1);
+    if (cells > most)
+        throw InputError("a solid of degree " + std::to_string(degree) + " may have at most " +
+                         std::to_string(most) +
+                         " cells per side, but domain.cells = " + std::to_string(cells));
+}
+
 DomainType from_file() {
     std::vector<ParameterRow> rows = solid_rows();
     rows.push_back({.key = "file",
@@ -110,6 +120,7 @@ std::shared_ptr<const SolidDomain> make_solid_domain(const std::string& type, co
                                                      const DomainContent& content) {
     const auto degree = static_cast<int>(values.integer("degree"));
     const auto cells = static_cast<std::size_t>(values.integer("cells"));
+    check_size(degree, cells);
     for (const ShippedSolid& one : shipped_solids())
         if (type == one.name) return std::make_shared<SolidDomain>(degree, cells, one.map());
     GASPARD_CHECK(type == own_solid_domain);

@@ -6,6 +6,7 @@
 #include "core/spline/patch_file.hpp"
 #include "core/spline/solid_folds.hpp"
 #include "support/largest_distance.hpp"
+#include "support/sanitizers.hpp"
 #include "support/solved_run.hpp"
 
 #include <cmath>
@@ -68,6 +69,7 @@ TEST(SolidRuns, AConstantMonitorMovesNothing) {
 
 TEST(SolidRuns, EquidistributeInSpaceWithTheirMeasure) {
     for (const std::string domain : {"spline-ball", "spline-cylinder", "spline-half-torus"}) {
+        if (sanitized && domain != "spline-cylinder") continue;
         std::vector<double> physical, parameter;
         for (const int cells : {8, 16})
             for (const std::string measure : {"parameter", "physical"}) {

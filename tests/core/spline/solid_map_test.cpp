@@ -169,6 +169,14 @@ TEST(SolidDomain, HasFewerNodesPerCellWhereCellsAreMany) {
     EXPECT_EQ(SolidDomain(3, 64, cube_map()).mesh_order(), 2);
 }
 
+TEST(SolidDomain, RefusesMoreCellsThanFitIntoMemory) {
+    Values values("domain", solid_domains().front().rows);
+    values.set("degree", std::int64_t{7});
+    values.set("cells", std::int64_t{64});
+    EXPECT_EQ(message_of<InputError>([&] { make_solid_domain("spline-cube", values); }),
+              "a solid of degree 7 may have at most 50 cells per side, but domain.cells = 64");
+}
+
 /// A square pyramid: the upper face is a point.
 const char* pyramid = R"({"degrees": [1, 1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1], [0, 0, 1, 1]],
     "control_points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0],
