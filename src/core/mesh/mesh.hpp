@@ -55,7 +55,7 @@ struct Mesh {
     int space_dimension = 2;         ///< 1, 2 or 3; further coordinates are zero
     Points nodes;                    ///< xi
     std::vector<std::int32_t> cells; ///< nodes_per_cell node numbers per cell
-    /// If the cells are a lattice, their numbers in its directions, of which the first runs fastest; else zeros.
+    /// If the cells are a lattice, their numbers in its directions, the first running fastest; else zeros.
     std::array<std::int32_t, 3> lattice{};
 
     std::size_t node_count() const { return nodes.size(); }
