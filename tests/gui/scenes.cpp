@@ -295,7 +295,7 @@ const std::vector<Scene>& scenes() {
         {"cube", [](OffscreenBackend backend) { return draw(cube_snapshot(5), backend); }},
         {"cube-cut",
          [](OffscreenBackend backend) {
-             return draw_with(cube_snapshot(8), backend, {{"cut", "-x 0.55 and -y 0.45 and z 0.5"}});
+             return draw_with(cube_snapshot(8), backend, {{"cut", "x 0.35 and -y 0.55 and z 0.4"}});
          }},
         {"cube-cut-cells",
          [](OffscreenBackend backend) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace gaspard {
 
@@ -313,34 +314,61 @@ double spacing(const Drawing& drawing, const SectionSide& side) {
     return std::min(away(side.first), away(side.second));
 }
 
-/// Triangle by triangle, the nearer over the farther, each with those of its sides that are lines.
+/// The colour of a triangle of a section, and whether lines on it are light.
+std::pair<std::array<unsigned char, 3>, bool> section_colour(const Drawing& drawing, std::uint32_t face) {
+    const SvgScene& scene = drawing.scene;
+    const auto own = drawing.classes.parts(drawing.classes.of(face));
+    const bool skin = scene.caps > 0 && face < scene.size() - scene.caps;
+    const auto colour = skin ? pale(own) : own;
+    return {colour, !scene.tangled[face] && luminance(colour) < 0.13};
+}
+
+/// The lines of a section, per triangle of `order` those to be drawn after it: once no triangle that touches
+/// them is left.
+std::vector<std::string> section_lines(const Drawing& drawing, const std::vector<std::uint32_t>& order) {
+    const SvgScene& scene = drawing.scene;
+    std::vector<std::size_t> last(scene.x.size(), 0); // triangle of a point
+    for (std::size_t i = 0; i < order.size(); ++i)
+        for (const std::int32_t point : scene.faces[order[i]]) last[static_cast<std::size_t>(point)] = i;
+    std::vector<std::string> lines(order.size());
+    std::vector<bool> done(scene.section_sides.size(), false);
+    for (auto f = order.rbegin(); f != order.rend(); ++f) // the ink is for the nearest triangle
+        for (const Side& side : sides_of_face(scene.faces, *f)) {
+            const SectionSide* line = find_section_side(scene, side.from, side.to);
+            if (line == nullptr) continue;
+            const auto number = static_cast<std::size_t>(line - scene.section_sides.data());
+            if (done[number]) continue;
+            done[number] = true;
+            SvgPath stroke(drawing.decimals);
+            drawing.add(stroke, {side}, false);
+            const double width = line_widths[width_class(spacing(drawing, *line))];
+            const char* ink = section_colour(drawing, *f).second ? light_ink : dark_ink;
+            lines[std::max(last[static_cast<std::size_t>(side.from)],
+                           last[static_cast<std::size_t>(side.to)])] +=
+                path_element(stroke, " fill=\"none\" stroke=\"" + std::string(ink) + "\" stroke-width=\"" +
+                                         svg_number(width) + '"');
+        }
+    return lines;
+}
+
+/// Triangle by triangle, the nearer over the farther, with lines between.
 std::string section_faces(const Drawing& drawing) {
     const SvgScene& scene = drawing.scene;
     std::string text = "<g id=\"cells\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     std::string group; // the one that is open
-    for (const auto f : painters_order(scene, drawing.view)) {
-        if (!drawing.shown[f]) continue;
-        const std::size_t k = drawing.classes.of(f);
-        const bool skin = scene.caps > 0 && f < scene.size() - scene.caps;
-        const auto own = drawing.classes.parts(k), colour = skin ? pale(own) : own;
+    std::vector<std::uint32_t> order = painters_order(scene, drawing.view);
+    std::erase_if(order, [&](std::uint32_t face) { return !drawing.shown[face]; });
+    const std::vector<std::string> lines = section_lines(drawing, order);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::uint32_t f = order[i];
+        const auto [colour, light] = section_colour(drawing, f);
         const std::string fill = scene.tangled[f] ? tangled_colour : svg_colour(colour);
         const std::string look = "<g fill=\"" + fill + "\" stroke=\"" + fill + "\" stroke-width=\".2\">\n";
         if (group != look) text += (group.empty() ? "" : "</g>\n") + look;
         group = look;
-        const bool light = !scene.tangled[f] && luminance(colour) < 0.13;
         SvgPath path(drawing.decimals);
         drawing.add(path, sides_of_face(scene.faces, f), true);
-        text += path_element(path);
-        for (const Side& side : sides_of_face(scene.faces, f))
-            if (const SectionSide* line = find_section_side(scene, side.from, side.to)) {
-                SvgPath stroke(drawing.decimals);
-                drawing.add(stroke, {side}, false);
-                const double width = line_widths[width_class(spacing(drawing, *line))];
-                text += path_element(stroke, " fill=\"none\" stroke=\"" +
-                                                 std::string(light ? light_ink : dark_ink) +
-                                                 "\" stroke-width=\"" + svg_number(width) + '"');
-            }
-        text += face_contours(drawing, f, light);
+        text += path_element(path) + face_contours(drawing, f, light) + lines[i];
     }
     return text + (group.empty() ? "" : "</g>\n") + "</g>\n";
 }

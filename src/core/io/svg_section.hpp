@@ -1,5 +1,5 @@
-// A solid that is looked into (core/tessellate/inside_choice.hpp) as what a drawing shows of it: the triangles
-// of its section, of whose sides only some are edges of cells or of cut faces.
+// A solid that is looked into (core/tessellate/inside_choice.hpp) as what a drawing shows of it: the
+// triangles of its section, of whose sides only some are edges of cells or of cut faces.
 #pragma once
 
 #include "core/io/svg_scene.hpp"

@@ -1,6 +1,6 @@
 // Shown points in the cells of a solid: every cell is divided into m^3 parts, whose corners are the points
-// (i, j, k), 0 <= i, j, k <= m, of its lattice. Cells that share a corner, an edge or a face share its points.
-// Further points divide the line between two of them.
+// (i, j, k), 0 <= i, j, k <= m, of its lattice. Cells that share a corner, an edge or a face share its
+// points. Further points divide the line between two of them.
 #pragma once
 
 #include "core/tessellate/key_table.hpp"

@@ -2,9 +2,9 @@
 // outer faces of what is left, and of the caps that close the cut cells.
 //
 // Cells are divided into m^3 parts (core/tessellate/cell_lattice.hpp), these into tetrahedra: the corner of
-// the lowest rank forms six with the triangles of the three faces that it is not on, and every face is divided
-// along the diagonal through its corner of the lowest rank. Neighbours therefore fit, and a plane cuts a
-// tetrahedron in a triangle or a quadrilateral. A plane cuts the edge from a to b, with distances d, at
+// the lowest rank forms six with the triangles of the three faces that it is not on, and every face is
+// divided along the diagonal through its corner of the lowest rank. Neighbours therefore fit, and a plane
+// cuts a tetrahedron in a triangle or a quadrilateral. With distances d it cuts the edge from a to b at
 //
 //   p = (1 - t) p_a + t p_b,   t = d_a / (d_a - d_b).
 //
@@ -28,9 +28,9 @@ class SectionMaker {
   public:
     SectionMaker(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const SolidFaces> faces);
 
-    /// `visible`: of visible_cells(). `x`: where the nodes are seen. `pieces`: m; of cells of order 1 it is 1,
-    /// of order 3 and higher the order; many cells that stand apart get fewer. The triangles face outward where the cells are not tangled; those of
-    /// caps are the last (Tessellation::caps).
+    /// `visible`: of visible_cells(). `x`: where the nodes are seen. `pieces`: m, for cells of order 2; of
+    /// others it is the order, and many cells that stand apart get fewer. The triangles face outward where
+    /// cells are not tangled; those of caps are the last (Tessellation::caps).
     Tessellation make(const Points& x, std::span<const char> visible, const InsideChoice& choice, int pieces);
 
   private:

@@ -10,10 +10,10 @@ namespace gaspard {
 
 struct SolidFaces {
     static constexpr std::uint32_t none = 0xffffffff; ///< on the other side is nothing
-    /// Face k of cell c, in the order of cell_faces(), has the number 6 c + k. For each the number of the same
-    /// face as the cell on its other side has it.
+    /// Face k of cell c, in the order of cell_faces(), has the number 6 c + k. For each the number of the
+    /// same face as the cell on its other side has it.
     std::vector<std::uint32_t> partners;
-    /// Per cell: how many cells lie between it and the boundary, counted from face to face; 0 at the boundary.
+    /// Per cell: how many cells lie between it and the boundary, from face to face; 0 at the boundary.
     std::vector<std::uint32_t> depths;
 
     std::uint32_t cell_beyond(std::uint32_t face) const {

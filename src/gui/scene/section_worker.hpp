@@ -1,5 +1,5 @@
-// Sections of solids (core/tessellate/section.hpp) on a thread of their own, for those that take too long for a
-// frame of the window.
+// Sections of solids (core/tessellate/section.hpp) on a thread of their own, for those that take too long
+// for a frame of the window.
 #pragma once
 
 #include "core/tessellate/section.hpp"

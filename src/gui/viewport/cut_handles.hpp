@@ -31,11 +31,11 @@ std::vector<CutWedge> with_cut_handle_at(std::vector<CutWedge> cut, const CutHan
 /// The corners, in order, of the part of a plane in a box; less than three if they do not meet.
 std::vector<Vec3> plane_in_box(const CutPlane& plane, const Box& box);
 
-/// A plane through the middle of a mesh, across the axis that is nearest to the direction of the viewer, whose
-/// side is hidden.
+/// A plane through the middle of a mesh, across the axis that is nearest to the direction of the viewer,
+/// whose side is hidden.
 CutPlane usual_cut(const Box& box, Vec3 towards_viewer);
 
-/// The arrows of the planes; that of handle number `lit`, if there is one, stands out, and its plane is drawn.
+/// The arrows of the planes; that of handle number `lit`, if there is one, stands out with its plane.
 void draw_cut_handles(ImDrawList& list, const std::vector<CutWedge>& cut,
                       const std::vector<CutHandle>& handles, std::size_t lit, const PlannedView& shown,
                       const Theme& theme, float scale);

@@ -3,7 +3,6 @@
 #include "core/tessellate/visible_cells.hpp"
 #include "fixtures/fixture_meshes.hpp"
 
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -79,7 +78,7 @@ bool is_closed(const Tessellation& t) {
     });
 }
 
-/// Of the unit cube: the volume where n . x <= d, by inclusion and exclusion over its corners, for positive n.
+/// Of the unit cube: the volume where n . x <= d, by inclusion and exclusion over its corners; n > 0.
 double volume_below(Vec3 n, double d) {
     double sum = 0;
     for (int i = 0; i < 8; ++i) {
