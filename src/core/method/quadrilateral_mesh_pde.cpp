@@ -27,6 +27,7 @@ namespace {
 constexpr std::string_view quad_layout = "quadrilateral n=";
 constexpr int cells_with_errors = 64;    ///< most for which method.reference = auto measures the errors
 constexpr int cells_with_solution = 256; ///< most for which it solves the problem
+constexpr int many_steps = 200;          ///< of Newton's method, after which it may not converge
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 /// Where the densities are from.
@@ -104,6 +105,11 @@ class QuadrilateralMeshPde final : public Method {
         if (converges_ && level == 0) {
             const bool done = newton && newton->converged(0); // as far as rounding lets it
             evaluation.ending = done ? Ending::complete : Ending::by_criterion;
+            if (samples_ == DensitySamples::degree_4 && solves_ > solves_before_ + many_steps &&
+                evaluation.residual > 1e-6)
+                evaluation.note =
+                    "with densities of degree 4 the equations of thin layers may have no solution "
+                    "near this mesh; method.samples = corners may help";
         }
         return evaluation;
     }
