@@ -29,6 +29,21 @@ TEST(HillConverged, InColumnsOfTheIrregularDomain) {
         EXPECT_LT(converge(hill_irregular(eps), eps), 250) << eps;
 }
 
+// From the converged mesh of half as many cells; from five solves it takes more than a minute for 1e-6.
+TEST(HillConverged, InColumnsOnFineMeshes) {
+    for (const double eps : {1e-6, 1e-8}) {
+        const HillSquare problem = hill_irregular(eps);
+        SquareMeshPde pde(problem.options.form, DensitySamples::corners, problem.options.corners, 4);
+        for (int i = 0; i < problem.options.inner; ++i) pde.solve(problem.densities);
+        for (; pde.cells() < 128; pde.refine())
+            ASSERT_TRUE(converge_square(pde, problem.densities).converged);
+        const SquareConvergence result = converge_square(pde, problem.densities);
+        EXPECT_TRUE(result.converged) << eps;
+        EXPECT_LT(result.steps, 200) << eps;
+        EXPECT_LT(pde.solve(problem.densities).update, 1e-8) << eps;
+    }
+}
+
 TEST(HillConverged, InBothDirectionsForVaryingDiffusion) {
     for (const double eps : {1e-2, 1e-4, 1e-6, 1e-8})
         EXPECT_LT(converge(hill_varying(eps, Diffusion::squared), eps), 60) << eps;
