@@ -1,6 +1,8 @@
 // Converged meshes of Hill, Madden (2021) on 64 x 64 quadrilaterals, with densities at corners.
 #include "core/layer/square_mesh_pde.hpp"
 #include "core/published/hill_problems.hpp"
+#include "core/scenario/toml.hpp"
+#include "core/session/run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,6 +44,17 @@ TEST(HillConverged, InColumnsOnFineMeshes) {
         EXPECT_LT(result.steps, 200) << eps;
         EXPECT_LT(pde.solve(problem.densities).update, 1e-8) << eps;
     }
+}
+
+TEST(HillConverged, InColumnsOfARunOnAFineMesh) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Scenario scenario = find_scenario(*catalogue, "layer-quadrilateral");
+    apply_settings(*catalogue, scenario,
+                   {"domain.cells=128", "pde.eps=1e-6", "method.samples=corners", "method.finish=converged"});
+    gaspard::Run run(catalogue, scenario);
+    EXPECT_EQ(run.solve().status, RunStatus::converged);
+    EXPECT_LT(run.history().back().iteration, 200);
+    EXPECT_LT(run.history().back().residual, 1e-8);
 }
 
 TEST(HillConverged, InBothDirectionsForVaryingDiffusion) {

@@ -96,6 +96,8 @@ class QuadrilateralMeshPde final : public Method {
         std::optional<SquareMeshNewton> newton;
         if (converges_ && level == 0 && level == this->level() && ++solves_ > solves_before_) {
             at->set_positions(nodes_, centres_); // Newton's step replaces the solve
+            if (solves_ == solves_before_ + 1)
+                if (auto nested = from_coarser_meshes(data, stop)) at = std::move(nested);
             newton = at->newton(densities_of(data, stop), stop);
         }
         Evaluation evaluation = look(data, std::move(*at), stop);
@@ -188,6 +190,25 @@ class QuadrilateralMeshPde final : public Method {
             at.set_positions(between(nodes, ahead, part_), between(centres, centres_ahead, part_));
         }
         return solve;
+    }
+    /// The converged mesh of half as many cells, refined, from which columns with densities at corners need
+    /// fewer steps than from the solves before; empty for others, and where a coarser mesh does not converge.
+    std::optional<SquareMeshPde> from_coarser_meshes(const ProblemData& data, const std::stop_token& stop) {
+        if (form_ != MeshPdeForm::one_direction || samples_ != DensitySamples::corners) return std::nullopt;
+        std::size_t level = levels_.coarsest();
+        if (level == 0) return std::nullopt;
+        SquareMeshPde at = uniform(levels_.cells(level));
+        const LayerDensities densities = densities_of(data, stop);
+        for (std::int64_t i = 0; i < solves_before_; ++i) at.solve(densities);
+        for (; level > 0; --level) {
+            constexpr int most = 300;
+            bool converged = false;
+            for (int i = 0; i < most && !converged; ++i)
+                converged = at.newton(densities, stop).converged(1e-8);
+            if (!converged) return std::nullopt;
+            at.refine();
+        }
+        return at;
     }
     bool is_inverted(const SquareMeshPde& at) const {
         return inverted_triangles(domain_->positions(at.nodes()), at.cells()) > 0;
