@@ -1,6 +1,8 @@
 // Converged meshes of Hill, Madden (2021) on 64 x 64 quadrilaterals, with densities at corners.
 #include "core/layer/square_mesh_pde.hpp"
 #include "core/published/hill_problems.hpp"
+#include "core/scenario/toml.hpp"
+#include "core/session/run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,6 +29,32 @@ int converge(const HillSquare& problem, double eps) {
 TEST(HillConverged, InColumnsOfTheIrregularDomain) {
     for (const double eps : {1e-2, 1e-4, 1e-6, 1e-8})
         EXPECT_LT(converge(hill_irregular(eps), eps), 250) << eps;
+}
+
+// From the converged mesh of half as many cells; from five solves it takes more than a minute for 1e-6.
+TEST(HillConverged, InColumnsOnFineMeshes) {
+    for (const double eps : {1e-6, 1e-8}) {
+        const HillSquare problem = hill_irregular(eps);
+        SquareMeshPde pde(problem.options.form, DensitySamples::corners, problem.options.corners, 4);
+        for (int i = 0; i < problem.options.inner; ++i) pde.solve(problem.densities);
+        for (; pde.cells() < 128; pde.refine())
+            ASSERT_TRUE(converge_square(pde, problem.densities).converged);
+        const SquareConvergence result = converge_square(pde, problem.densities);
+        EXPECT_TRUE(result.converged) << eps;
+        EXPECT_LT(result.steps, 200) << eps;
+        EXPECT_LT(pde.solve(problem.densities).update, 1e-8) << eps;
+    }
+}
+
+TEST(HillConverged, InColumnsOfARunOnAFineMesh) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Scenario scenario = find_scenario(*catalogue, "layer-quadrilateral");
+    apply_settings(*catalogue, scenario,
+                   {"domain.cells=128", "pde.eps=1e-6", "method.samples=corners", "method.finish=converged"});
+    gaspard::Run run(catalogue, scenario);
+    EXPECT_EQ(run.solve().status, RunStatus::converged);
+    EXPECT_LT(run.history().back().iteration, 200);
+    EXPECT_LT(run.history().back().residual, 1e-8);
 }
 
 TEST(HillConverged, InBothDirectionsForVaryingDiffusion) {

@@ -16,6 +16,7 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
+#include <utility>
 
 namespace gaspard {
 
@@ -136,14 +137,14 @@ std::string summary_json(Run& run, std::stop_token stop) {
     json["peak_memory_bytes"] = peak_memory_bytes();
     json["version"] = version();
     int inner = 0;
-    std::string notes;
+    std::string notes, before;
     for (const auto& row : run.history()) {
         inner += row.inner_iterations;
-        if (row.note.empty()) continue;
+        if (std::exchange(before, row.note) == row.note || row.note.empty()) continue; // said already
         notes += (notes.empty() ? "" : "; ") + std::to_string(row.iteration) + ": " + row.note;
     }
     json["inner_iterations"] = inner;
-    json["note"] = notes; // of all iterations that have one
+    json["note"] = notes; // of all iterations that have one, each once
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

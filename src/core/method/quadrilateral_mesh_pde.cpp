@@ -27,6 +27,7 @@ namespace {
 constexpr std::string_view quad_layout = "quadrilateral n=";
 constexpr int cells_with_errors = 64;    ///< most for which method.reference = auto measures the errors
 constexpr int cells_with_solution = 256; ///< most for which it solves the problem
+constexpr int many_steps = 200;          ///< of Newton's method, after which it may not converge
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 /// Where the densities are from.
@@ -95,6 +96,8 @@ class QuadrilateralMeshPde final : public Method {
         std::optional<SquareMeshNewton> newton;
         if (converges_ && level == 0 && level == this->level() && ++solves_ > solves_before_) {
             at->set_positions(nodes_, centres_); // Newton's step replaces the solve
+            if (solves_ == solves_before_ + 1)
+                if (auto nested = from_coarser_meshes(data, stop)) at = std::move(nested);
             newton = at->newton(densities_of(data, stop), stop);
         }
         Evaluation evaluation = look(data, std::move(*at), stop);
@@ -104,6 +107,11 @@ class QuadrilateralMeshPde final : public Method {
         if (converges_ && level == 0) {
             const bool done = newton && newton->converged(0); // as far as rounding lets it
             evaluation.ending = done ? Ending::complete : Ending::by_criterion;
+            if (samples_ == DensitySamples::degree_4 && solves_ > solves_before_ + many_steps &&
+                evaluation.residual > 1e-6)
+                evaluation.note =
+                    "with densities of degree 4 the equations of thin layers may have no solution "
+                    "near this mesh; method.samples = corners may help";
         }
         return evaluation;
     }
@@ -182,6 +190,25 @@ class QuadrilateralMeshPde final : public Method {
             at.set_positions(between(nodes, ahead, part_), between(centres, centres_ahead, part_));
         }
         return solve;
+    }
+    /// The converged mesh of half as many cells, refined, from which columns with densities at corners need
+    /// fewer steps than from the solves before; empty for others, and where a coarser mesh does not converge.
+    std::optional<SquareMeshPde> from_coarser_meshes(const ProblemData& data, const std::stop_token& stop) {
+        if (form_ != MeshPdeForm::one_direction || samples_ != DensitySamples::corners) return std::nullopt;
+        std::size_t level = levels_.coarsest();
+        if (level == 0) return std::nullopt;
+        SquareMeshPde at = uniform(levels_.cells(level));
+        const LayerDensities densities = densities_of(data, stop);
+        for (std::int64_t i = 0; i < solves_before_; ++i) at.solve(densities);
+        for (; level > 0; --level) {
+            constexpr int most = 300;
+            bool converged = false;
+            for (int i = 0; i < most && !converged; ++i)
+                converged = at.newton(densities, stop).converged(1e-8);
+            if (!converged) return std::nullopt;
+            at.refine();
+        }
+        return at;
     }
     bool is_inverted(const SquareMeshPde& at) const {
         return inverted_triangles(domain_->positions(at.nodes()), at.cells()) > 0;

@@ -4,7 +4,8 @@
 // moves nodes from the lower to the upper side only: in Cartesian coordinates where the left and the right
 // side are vertical, as in the paper, otherwise in the parameters.
 //
-// On the last mesh the solves of Algorithm 3, or steps of Newton's method for the same equations.
+// On the last mesh the solves of Algorithm 3, or steps of Newton's method for the same equations; in columns
+// with densities at corners from the converged mesh of half as many cells.
 //
 // The residual of an iterate is the largest change of a coordinate that the next solve makes; in
 // Cartesian coordinates divided by the longest side. A State holds (s, t) of the nodes, for either form, of

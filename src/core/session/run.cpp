@@ -369,8 +369,9 @@ RunStatus Run::judge(Course& course, const StepReport& report, Ending ending, st
     if (report.iteration - by.judged_from >= method.integer("max_iterations"))
         return RunStatus::iteration_limit;
     if (report.iteration - by.best_iteration >= patience) {
+        const std::string reason = note.empty() ? "" : "; " + note;
         note = "the " + course.series->all()[course.series->criterion()].name + " has not decreased for " +
-               std::to_string(patience) + " iterations";
+               std::to_string(patience) + " iterations" + reason;
         if (const auto remedy = find_remedy(method)) note += "; " + describe(method, *remedy) + " may help";
         return RunStatus::stalled;
     }

@@ -207,6 +207,17 @@ TEST_F(QuadrilateralMeshPde, ConvergesInColumns) {
     EXPECT_NEAR(*last.value("energy_error"), 5.442e-5, 2e-8);
 }
 
+// Densities of degree 4 leave columns apart, each with its own number of nodes in the layer.
+TEST_F(QuadrilateralMeshPde, SaysWhatHelpsWhereNewtonsMethodDoesNotConverge) {
+    gaspard::Run made = run("layer-quadrilateral", {"method.finish=converged", "pde.eps=1e-8",
+                                                    "method.reference=off", "method.max_iterations=220"});
+    made.solve();
+    const StepReport& last = made.history().back();
+    EXPECT_NE(made.status(), RunStatus::converged);
+    EXPECT_NE(last.note.find("method.samples = corners may help"), std::string::npos) << last.note;
+    EXPECT_TRUE(made.history()[100].note.empty());
+}
+
 // Of a rotated and stretched square: nodes of a side stay on it, corners stay.
 TEST_F(QuadrilateralMeshPde, NodesSlideAlongSidesOfAnyDirection) {
     for (const char* form : {"both", "vertical"}) {
