@@ -39,8 +39,12 @@ CellTable hexahedron_of_order(int order) {
                    way = cell.nodes[static_cast<std::size_t>(edge[1])] - a;
         const bool against = way.x + way.y + way.z < 0;
         const int first = static_cast<int>(cell.nodes.size());
+        const auto on_edge = [&](double along, double of_corner, double t) {
+            return along != 0 ? t : of_corner;
+        };
         for (int i = 1; i < order; ++i) {
-            cell.nodes.push_back(a + (against ? 1 - place(i) : place(i)) * way);
+            const double t = place(i);
+            cell.nodes.push_back({on_edge(way.x, a.x, t), on_edge(way.y, a.y, t), on_edge(way.z, a.z, t)});
             edge.push_back(against ? first + order - 1 - i : first + i - 1);
         }
     }

@@ -118,7 +118,7 @@ void add_orders(const KaweckiCurve& curve, const KaweckiSolve& coarse, const Kaw
     }
 }
 
-Reproduction figure1(const Workshop& workshop) {
+Reproduction ellipse_figure(const Workshop& workshop) {
     std::vector<Plot> plots;
     for (const KaweckiNorm& norm : kawecki_norms)
         plots.push_back({norm.title, {"h", true}, {norm.quantity, true}, {}});
@@ -170,7 +170,7 @@ double area_of(const Points& x, std::span<const std::int32_t> cell) {
     return cross(corner(1) - corner(0), corner(2) - corner(0)).z / 2;
 }
 
-Reproduction figure2(const Workshop& workshop) {
+Reproduction portrait_figure(const Workshop& workshop) {
     Reproduction result;
     result.figure = Figure{"A portrait by transport of a disk", {}};
     for (const int rings : {32, 64, 96, 128}) {
@@ -219,8 +219,10 @@ DensityCorrelation density_correlation(const Snapshot& snapshot) {
 }
 
 std::vector<Recipe> kawecki_recipes() {
-    return {make_recipe("kawecki-fig1", "errors of the transport from the unit disk to an ellipse", figure1),
-            make_recipe("kawecki-fig2", "a portrait as the density of a mesh, from a uniform one", figure2)};
+    return {make_recipe("kawecki-fig1", "errors of the transport from the unit disk to an ellipse",
+                        ellipse_figure),
+            make_recipe("kawecki-fig2", "a portrait as the density of a mesh, from a uniform one",
+                        portrait_figure)};
 }
 
 } // namespace gaspard

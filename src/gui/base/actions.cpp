@@ -41,7 +41,7 @@ std::span<const MouseHelp> mouse_help() {
         {"Right drag on a plot", "Zoom to a rectangle; double-click to show everything."},
         {"Ctrl+click a slider", "Type a value."},
         {"Drop a file",
-         "Open a scenario; use an image or a field as the monitor, a spline patch or the mesh of a "
+         "Open a scenario; use an image or a field as the monitor, a spline patch or solid or the mesh of a "
          "convex domain as the domain."},
     };
     return rows;
