@@ -23,6 +23,8 @@ draw side-by-side plane-ring --size 1400x640 --set view.layout=side-by-side --se
 draw layer-2d layer-2d --size 1200x560 --set view.layout=side-by-side --set view.lines=false --set view.theme=light
 draw layer-2d-heights layer-2d --size 1200x520 --set view.layout=side-by-side --set view.elevation=1.4 \
   --set view.lines=false --set view.theme=light
+draw spline-ball spline-ball --size 1000x760 --set domain.cells=20 --set view.cut="x 0.05 and y 0.05 and z 0.05" \
+  --set view.theme=light --set view.histogram=false
 draw sphere-x16 sphere-x16 --size 1400x740 --set view.layout=front-and-rear --set view.color=none \
   --set view.theme=light
 draw sphere-cross sphere-cross --size 1200x900 --set view.theme=light --set view.histogram=false \

@@ -27,16 +27,16 @@ std::vector<SolidFigure> solid_figures() {
             {21,
              "spline-ball",
              "Cosine waves in the ball",
-             {{"one eighth taken out", "x 0 and y 0 and z 0", {}},
-              {"cut through the middle", "x 0", from_right}}},
+             {{"one eighth taken out", "x 0.05 and y 0.05 and z 0.05", {}},
+              {"cut beside the middle", "x 0.05", from_right}}},
             {22,
              "spline-cylinder",
              "Cosine waves in a cylinder",
-             {{"the whole", {}, {}}, {"cut through the axis", "x 0", from_right}}},
+             {{"the whole", {}, {}}, {"cut beside the axis", "x 0.05", from_right}}},
             {23,
              "spline-half-torus",
              "Cosine waves in half a torus",
-             {{"the whole", {}, {}}, {"cut along the middle", "z 0", {}}}}};
+             {{"the whole", {}, {}}, {"cut beside the middle", "z 0.05", {}}}}};
 }
 
 Reproduction reproduce(const SolidFigure& one, const Workshop& workshop) {
