@@ -27,7 +27,9 @@ double larger_or_nan(double a, double b) { return std::isnan(b) || b > a ? b : a
 QualityMeter::QualityMeter(std::shared_ptr<const Mesh> mesh, int threads, int points, const Space& space)
     : mesh_(std::move(mesh)), dimension_(cell_dimension(mesh_->kind)), workers_(checked(threads)),
       team_(workers_.size()) {
-    points = std::max(points, mesh_->kind.order); // so that areas in the plane are exact
+    // So that areas in the plane and volumes are exact.
+    const int order = mesh_->kind.order;
+    points = std::max(points, mesh_->kind.shape == CellShape::hexahedron ? (3 * order + 1) / 2 : order);
     if (FlatSquares::fits(*mesh_)) flat_.emplace(points);
     if (space.kind == SpaceKind::sphere) sphere_.emplace(mesh_->kind, points);
     for (const auto& [point, weight] : cell_quadrature(mesh_->kind.shape, points)) add_sample(point, weight);

@@ -354,11 +354,12 @@ std::vector<std::string> section_lines(const Drawing& drawing, const std::vector
 /// Triangle by triangle, the nearer over the farther, with lines between.
 std::string section_faces(const Drawing& drawing) {
     const SvgScene& scene = drawing.scene;
-    std::string text = "<g id=\"cells\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
+    std::string text = drawing.group("cells") + " stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     std::string group; // the one that is open
     std::vector<std::uint32_t> order = painters_order(scene, drawing.view);
     std::erase_if(order, [&](std::uint32_t face) { return !drawing.shown[face]; });
-    const std::vector<std::string> lines = section_lines(drawing, order);
+    const std::vector<std::string> lines =
+        drawing.lines ? section_lines(drawing, order) : std::vector<std::string>(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const std::uint32_t f = order[i];
         const auto [colour, light] = section_colour(drawing, f);
@@ -537,11 +538,10 @@ std::string svg_of_meshes(const Snapshot& snapshot, const std::vector<SvgPanel>&
     GASPARD_CHECK(!panels.empty());
     const bool section = cell_dimension(snapshot.mesh->kind) == 3 && options.inside.looks_inside();
     std::vector<SvgScene> scenes;
-    for (const SvgPanel& panel : panels) {
-        const Snapshot at = moved(snapshot, panel.blend);
-        scenes.push_back(section ? svg_section(at, panel.colouring, options.inside)
-                                 : svg_scene(at, panel.colouring, options.elevation));
-    }
+    for (const SvgPanel& panel : panels)
+        scenes.push_back(section
+                             ? svg_section(snapshot, panel.blend, panel.colouring, options.inside)
+                             : svg_scene(moved(snapshot, panel.blend), panel.colouring, options.elevation));
     const std::optional<Colouring>& colouring = panels.back().colouring;
     const Classes classes(scenes.back(), colouring, options.classes);
     const auto count = static_cast<double>(panels.size());

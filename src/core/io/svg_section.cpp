@@ -18,13 +18,13 @@ bool before(const SectionSide& a, const SectionSide& b) {
     return std::pair(a.from, a.to) < std::pair(b.from, b.to);
 }
 
-Tessellation section_of(const Snapshot& snapshot, const InsideChoice& inside, ColouringMaker& maker,
-                        const std::string& colour) {
+/// `x`: where the nodes are seen.
+Tessellation section_of(const Snapshot& snapshot, const Points& x, const InsideChoice& inside,
+                        ColouringMaker& maker, const std::string& colour) {
     const auto faces = std::make_shared<const SolidFaces>(solid_faces(*snapshot.mesh));
-    const auto visible = visible_cells(*snapshot.mesh, *faces, inside,
-                                       condition_values(maker, snapshot, inside, colour), snapshot.x);
-    return SectionMaker(snapshot.mesh, faces)
-        .make(snapshot.x, visible, inside, cuts_for(*snapshot.mesh, snapshot.x));
+    const auto visible =
+        visible_cells(*snapshot.mesh, *faces, inside, condition_values(maker, snapshot, inside, colour), x);
+    return SectionMaker(snapshot.mesh, faces).make(x, visible, inside, cuts_for(*snapshot.mesh, snapshot.x));
 }
 
 /// The mean over the corners of each triangle, or the value of its cell.
@@ -66,16 +66,19 @@ void append(Points& points, const Points& more) {
 
 } // namespace
 
-SvgScene svg_section(const Snapshot& snapshot, const std::optional<Colouring>& colouring,
+SvgScene svg_section(const Snapshot& snapshot, double blend, const std::optional<Colouring>& colouring,
                      const InsideChoice& inside) {
     ColouringMaker maker;
-    const Tessellation shape = section_of(snapshot, inside, maker, colouring ? colouring->name : "none");
+    Points x = snapshot.x;
+    for (std::size_t i = 0; blend != 1 && i < x.size(); ++i)
+        x.set(i, (1 - blend) * snapshot.mesh->nodes[i] + blend * snapshot.x[i]);
+    const Tessellation shape = section_of(snapshot, x, inside, maker, colouring ? colouring->name : "none");
     SvgScene scene;
-    scene.x = shown_points(shape, snapshot.x);
+    scene.x = shown_points(shape, x);
     scene.xi = shown_points(shape, snapshot.mesh->nodes);
     if (colouring) scene.values = triangle_values(shape, *colouring);
     if (colouring) add_contours(scene, shape, *colouring, scene.x);
-    append(scene.x, snapshot.x); // of no face; the whole mesh says what the page shows
+    append(scene.x, x); // of no face; the whole mesh says what the page shows
     append(scene.xi, snapshot.mesh->nodes);
     scene.spatial = scene.closed = scene.section = true;
     scene.caps = shape.caps;

@@ -7,8 +7,10 @@
 
 namespace gaspard {
 
-/// At x. The faces of the scene are triangles between shown points, those of caps the last.
-SvgScene svg_section(const Snapshot& snapshot, const std::optional<Colouring>& colouring,
+/// Of the nodes at xi + blend (x - xi). The values by which cells are hidden, and tangled cells, are those of
+/// the snapshot, as in the window. The faces of the scene are triangles between shown points, those of caps
+/// the last.
+SvgScene svg_section(const Snapshot& snapshot, double blend, const std::optional<Colouring>& colouring,
                      const InsideChoice& inside);
 
 /// Which of the drawn sides lies between these points; null for a side within a face.

@@ -10,6 +10,7 @@
 #include "core/session/report_columns.hpp"
 #include "core/tessellate/colouring.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -124,9 +125,21 @@ void cell_data(std::string& text, const Snapshot& snapshot) {
     arrays.reals("measure", 1, ColouringMaker().measures(snapshot));
 }
 
+/// Files of version 1.0, the only one that all programs read, have two edges of Lagrange hexahedra exchanged:
+/// the last two, as VTK 8 numbers them.
+std::vector<std::int32_t> connectivity(const Mesh& mesh) {
+    std::vector<std::int32_t> nodes = mesh.cells;
+    if (mesh.kind.shape != CellShape::hexahedron || mesh.kind.order < 3) return nodes;
+    const std::ptrdiff_t inner = mesh.kind.order - 1, first = 8 + 10 * inner,
+                         each = nodes_per_cell(mesh.kind);
+    for (auto cell = nodes.begin(); cell != nodes.end(); cell += each)
+        std::swap_ranges(cell + first, cell + first + inner, cell + first + inner);
+    return nodes;
+}
+
 void cells(std::string& text, const Mesh& mesh) {
     Arrays arrays(text);
-    arrays.integers("connectivity", mesh.cells);
+    arrays.integers("connectivity", connectivity(mesh));
     GASPARD_CHECK(mesh.cells.size() <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()));
     std::vector<std::int32_t> ends;
     for (std::size_t c = 1; c <= mesh.cell_count(); ++c)
@@ -166,12 +179,9 @@ void write_vtu(const std::filesystem::path& file, const Snapshot& snapshot) {
         section(text, "FieldData", [&] { field_data(text, snapshot.report); });
         section(text, "Piece", piece, counts);
     };
-    // Before version 2.1, readers expect two edges of Lagrange hexahedra exchanged.
-    const bool lagrange = mesh.kind.shape == CellShape::hexahedron && mesh.kind.order > 2;
     section(
         text, "VTKFile", [&] { section(text, "UnstructuredGrid", grid); },
-        std::string(" type=\"UnstructuredGrid\" version=\"") + (lagrange ? "2.2" : "1.0") +
-            "\" byte_order=\"LittleEndian\" header_type=\"UInt64\"");
+        " type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"");
     write_atomically(file, text);
 }
 

@@ -19,7 +19,10 @@ class TensorSource<D>::Borrowed {
   public:
     explicit Borrowed(const TensorSource& of) : of_(of) {
         const std::lock_guard lock(of_.mutex_);
-        if (of_.free_.empty()) of_.free_.push_back(std::make_unique<Workspace>());
+        if (of_.free_.empty()) {
+            of_.free_.reserve(++of_.made_); // so that none is lost when all come back
+            of_.free_.push_back(std::make_unique<Workspace>());
+        }
         mine_ = std::move(of_.free_.back());
         of_.free_.pop_back();
     }

@@ -64,6 +64,7 @@ class TensorSource final : public JacobianSource {
     double sigma_ = 0;
     mutable std::mutex mutex_;
     mutable std::vector<std::unique_ptr<Workspace>> free_;
+    mutable std::size_t made_ = 0; ///< workspaces
 };
 using PatchSource = TensorSource<2>;
 using SolidSource = TensorSource<3>;

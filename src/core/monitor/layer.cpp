@@ -79,8 +79,7 @@ struct Shape {
     }
     /// Adds the terms of a side, for eps at every point.
     void add(const Side& side, const Points& x, std::span<const double> eps, std::span<double> rho) const {
-        for (std::size_t i = 0; i < rho.size(); ++i)
-            rho[i] += term(eps[i], side.distance(x.x[i], x.y[i]));
+        for (std::size_t i = 0; i < rho.size(); ++i) rho[i] += term(eps[i], side.distance(x.x[i], x.y[i]));
     }
 };
 

@@ -17,7 +17,9 @@ bool is_placed(MonitorFigure figure, const Space& space) {
 }
 
 /// The same space without its place.
-Space figure_space(const Space& space) { return {.kind = space.kind, .dimension = space.dimension, .solid = space.solid}; }
+Space figure_space(const Space& space) {
+    return {.kind = space.kind, .dimension = space.dimension, .solid = space.solid};
+}
 
 /// 0, 1 or 2 for the coordinates of a point, else nothing.
 std::optional<std::size_t> axis_of(const ParameterRow& row) {

@@ -92,10 +92,50 @@ T determinant_of(const std::array<T, 9>& a) {
            a[2] * (a[3] * a[7] - a[4] * a[6]);
 }
 
+/// A polynomial by its Bernstein coefficients times C(p, i) C(p, j) C(p, k), of which products are
+/// convolutions.
+struct Scaled {
+    std::size_t size = 0; ///< p + 1
+    Values values;        ///< size^3, the first direction fastest
+};
+
+std::vector<double> binomials(std::size_t size) {
+    std::vector<double> row(size, 1.0);
+    for (std::size_t k = 1; k < size; ++k)
+        row[k] = row[k - 1] * static_cast<double>(size - k) / static_cast<double>(k);
+    return row;
+}
+
+/// Each value times factors[i] factors[j] factors[k], or divided by them.
+void scale(Values& values, std::size_t size, bool divide) {
+    const std::vector<double> factors = binomials(size);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double all = factors[i % size] * factors[i / size % size] * factors[i / size / size];
+        values[i] = divide ? values[i] / all : values[i] * all;
+    }
+}
+
+/// sum += sign a b.
+void add_product(double sign, const Scaled& a, const Scaled& b, Scaled& sum) {
+    sum.size = a.size + b.size - 1;
+    sum.values.resize(sum.size * sum.size * sum.size);
+    for (std::size_t z = 0; z < a.size; ++z)
+        for (std::size_t y = 0; y < a.size; ++y)
+            for (std::size_t x = 0; x < a.size; ++x) {
+                const double factor = sign * a.values[(z * a.size + y) * a.size + x];
+                for (std::size_t k = 0; k < b.size; ++k)
+                    for (std::size_t j = 0; j < b.size; ++j) {
+                        const double* from = &b.values[(k * b.size + j) * b.size];
+                        double* to = &sum.values[((z + k) * sum.size + y + j) * sum.size + x];
+                        for (std::size_t i = 0; i < b.size; ++i) to[i] += factor * from[i];
+                    }
+            }
+}
+
 class FoldFinder {
   public:
     FoldFinder(std::span<const SplineFunction> map, std::size_t cells)
-        : cells_(cells), points_(degree(map), cells) {
+        : cells_(cells), points_(degree(map), cells), size_(3 * (points_.size - 1) + 1) {
         for (const SplineFunction& component : map)
             for (std::size_t d = 0; d < 3; ++d) factors_.emplace_back(derivative(component, d), points_);
     }
@@ -111,13 +151,11 @@ class FoldFinder {
     }
 
   private:
+    /// Of all derivatives in all directions.
     static std::size_t degree(std::span<const SplineFunction> map) {
         int most = 0;
-        for (std::size_t d = 0; d < 3; ++d) { // one of the factors is derived by this direction
-            int sum = -1;
-            for (const SplineFunction& component : map) sum += component.space.directions.at(d).degree;
-            most = std::max(most, sum);
-        }
+        for (const SplineFunction& component : map)
+            for (const KnotVector& line : component.space.directions) most = std::max(most, line.degree);
         return static_cast<std::size_t>(most);
     }
 
@@ -138,19 +176,31 @@ class FoldFinder {
     bool folds(const std::array<std::size_t, 3>& cell) {
         const std::size_t m = points_.size;
         for (std::size_t f = 0; f < 9; ++f) factors_[f].values(cell, values_[f], half_, local_);
-        Values j(m * m * m);
-        for (std::size_t i = 0; i < j.size(); ++i) {
+        for (std::size_t i = 0; i < values_[0].size(); ++i) {
             std::array<double, 9> at{};
             for (std::size_t f = 0; f < 9; ++f) at[f] = values_[f][i];
-            j[i] = determinant_of(at);
-            if (!std::isfinite(j[i]) || j[i] <= 0) return true;
+            const double j = determinant_of(at);
+            if (!std::isfinite(j) || j <= 0) return true;
         }
-        Values other(j.size());
+        std::array<Scaled, 9> a;
         const std::span<const double> matrix(points_.to_bernstein);
-        apply_along(matrix, m, m, 1, m * m, j.data(), other.data());
-        apply_along(matrix, m, m, m, m, other.data(), j.data());
-        apply_along(matrix, m, m, m * m, 1, j.data(), other.data());
-        return not_positive(std::move(other));
+        for (std::size_t f = 0; f < 9; ++f) {
+            a[f] = {m, Values(values_[f].size())};
+            apply_along(matrix, m, m, 1, m * m, values_[f].data(), a[f].values.data());
+            apply_along(matrix, m, m, m, m, a[f].values.data(), values_[f].data());
+            apply_along(matrix, m, m, m * m, 1, values_[f].data(), a[f].values.data());
+            scale(a[f].values, m, false);
+        }
+        Scaled determinant;
+        for (std::size_t d = 0; d < 3; ++d) { // along the first row
+            const std::size_t e = (d + 1) % 3, g = (d + 2) % 3;
+            Scaled minor;
+            add_product(1, a[3 + e], a[6 + g], minor);
+            add_product(-1, a[3 + g], a[6 + e], minor);
+            add_product(1, a[d], minor, determinant);
+        }
+        scale(determinant.values, size_, true);
+        return not_positive(std::move(determinant.values));
     }
 
     /// Whether the polynomial with these Bernstein coefficients is not certain to be positive.
@@ -171,7 +221,7 @@ class FoldFinder {
 
     /// The smallest value at a corner.
     double corner(const Values& part) const {
-        const std::size_t last = points_.size - 1, m = points_.size;
+        const std::size_t last = size_ - 1, m = size_;
         double smallest = HUGE_VAL;
         for (const std::size_t k : {std::size_t{0}, last})
             for (const std::size_t j : {std::size_t{0}, last})
@@ -182,7 +232,7 @@ class FoldFinder {
 
     /// In the direction in which the coefficients vary most, by de Casteljau's algorithm.
     std::pair<Values, Values> halves(Values part) const {
-        const std::size_t m = points_.size, steps[3] = {1, m, m * m};
+        const std::size_t m = size_, steps[3] = {1, m, m * m};
         std::size_t along = 0;
         double most = -1;
         for (std::size_t d = 0; d < 3; ++d)
@@ -206,7 +256,8 @@ class FoldFinder {
     }
 
     std::size_t cells_;
-    BernsteinPoints points_;
+    BernsteinPoints points_;           ///< of the factors
+    std::size_t size_;                 ///< coefficients of J per direction
     std::vector<SolidFactor> factors_; ///< psi1,1 psi1,2 psi1,3 psi2,1 ...
     std::array<Values, 9> values_;
     Values half_, local_;

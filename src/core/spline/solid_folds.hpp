@@ -1,9 +1,14 @@
 // Where a spline map Psi of the cube folds: the sign of det grad Psi on whole cells instead of at samples.
 //
-// On a cell, J = det grad Psi is a polynomial of degree 3 p - 2 at most in each direction. Two enclosures:
+// On a cell, J = det grad Psi is a polynomial. Two enclosures:
 //
 //   products of the ranges of the nine derivatives, from their B-spline coefficients: cheap
 //   Bernstein coefficients, min b_ijk <= J <= max b_ijk, in halves of the cell until the sign is certain
+//
+// Those of a product of polynomials of degrees p and q follow from those of its factors, stably, since all
+// weights are positive; in one direction
+//
+//   b_k = (sum over i + j = k of C(p, i) f_i C(q, j) g_j) / C(p + q, k)
 //
 // The second is needed only where the first leaves the sign open. (Of patches,
 // core/spline/jacobian_bounds.hpp bounds J itself.)

@@ -13,8 +13,10 @@ namespace gaspard {
 
 namespace {
 
-/// Per direction; exact for cells in the plane.
-int quadrature_points(CellKind kind) { return std::max(3, kind.order); }
+/// Per direction; exact for cells in the plane and for solid cells, whose determinants have degree 3 k - 1.
+int quadrature_points(CellKind kind) {
+    return std::max(3, kind.shape == CellShape::hexahedron ? (3 * kind.order + 1) / 2 : kind.order);
+}
 
 /// Areas of the parallelograms spanned at each corner of a straight-edged planar cell by its two edges.
 /// Inlined, so that the result stays in registers.

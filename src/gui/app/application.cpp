@@ -200,12 +200,12 @@ bool Application::shows_solid() { return !views().empty() && views().front().sce
 /// Opens as it was cut before, or by a plane through the middle.
 void Application::toggle_cut() {
     Values& view = viewport().view;
+    const ShownView& shown = views().front();
     if (const std::string text = view.text("cut"); !text.empty()) {
-        closed_cut_ = text;
+        closed_cut_ = text, cut_box_ = bounding_box(shown.scene.mesh->nodes);
         return view.set("cut", std::string());
     }
-    const ShownView& shown = views().front();
-    if (closed_cut_.empty())
+    if (closed_cut_.empty() || cut_box_ != bounding_box(shown.scene.mesh->nodes)) // of another solid
         closed_cut_ = format_cut({{usual_cut(shown.scene.home_box, towards_viewer(shown.camera))}});
     view.set("cut", closed_cut_);
 }

@@ -207,6 +207,7 @@ class Application {
     std::optional<Plot> plot_to_save_;
     std::string plot_name_;    ///< of the file to come
     std::string closed_cut_;   ///< view.cut before it was closed
+    Box cut_box_;              ///< around the solid that it belongs to
     double wheeled_ = 0;       ///< when the wheel was last turned, by ImGui::GetTime()
     bool wheel_burst_ = false; ///< nothing else was done since
     bool quit_ = false, help_ = false, fullscreen_ = false;

@@ -289,7 +289,7 @@ std::vector<Action> Application::show_actions() {
          .label = "Flip the cut",
          .menu = "View",
          .keys = {"J"},
-         .help = "Show what the planes of a cut hide, and hide what they show.",
+         .help = "Turn every plane of a cut round, so that it hides its other side.",
          .run = [this] { flip_cut(); },
          .enabled = [this] { return shows_solid() && !viewport().view.text("cut").empty(); },
          .reason =

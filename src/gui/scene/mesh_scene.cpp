@@ -73,19 +73,24 @@ std::shared_ptr<const Tessellation> SceneBuilder::section(const Snapshot& snapsh
     job.visible =
         visible_cells(mesh, *job.faces, inside_,
                       condition_values(colouring_maker_, snapshot, inside_, view.text("color")), job.x);
+    job.number = ++section_number_;
     if (worker_ && !is_quick(job, section_seconds_)) {
         worker_->post(std::move(job));
         return nullptr;
     }
+    if (worker_) worker_->withdraw();
     const MadeSection made = section_making_.make(job);
     section_seconds_ = made.seconds;
+    shown_section_ = job.number;
     return made.tessellation;
 }
 
-/// What the other thread has made of this mesh since the last call; else null.
+/// What the other thread has made since the last call, if no other section was made or asked for in its place
+/// without waiting; else null.
 std::shared_ptr<const Tessellation> SceneBuilder::finished_section(const std::shared_ptr<const Mesh>& mesh) {
     const auto made = worker_ ? worker_->take() : std::nullopt;
-    if (!made || made->mesh != mesh) return nullptr;
+    if (!made || made->mesh != mesh || made->number <= shown_section_) return nullptr;
+    shown_section_ = made->number;
     section_seconds_ = made->seconds;
     return made->tessellation;
 }
@@ -190,7 +195,11 @@ MeshScene SceneBuilder::make(const Snapshot& snapshot, const Values& view) {
                                          (new_positions && !inside_.cut.empty())));
     std::shared_ptr<const Tessellation> shape;
     if (inside && new_section) shape = section(snapshot, view);
-    if (inside && !shape) shape = finished_section(snapshot.mesh);
+    if (!shape) shape = finished_section(snapshot.mesh);
+    if (!inside) { // a section that was still being made is of no use
+        shape = nullptr, shown_section_ = section_number_;
+        if (worker_) worker_->withdraw();
+    }
     const bool come = shape != nullptr;
     if (!shape && inside && !new_mesh) shape = last_.tessellation;
     if (!shape) shape = new_positions || new_section ? cache_->get(snapshot) : last_.tessellation;

@@ -107,7 +107,8 @@ class SceneBuilder {
     Box computational_box_, target_box_; ///< of the flat mesh, as the two below; where it is to lie
     InsideChoice inside_;                ///< what was asked for
     SectionMaking section_making_;
-    double section_seconds_ = 0; ///< that the last section took
+    double section_seconds_ = 0;                           ///< that the last section took
+    std::uint64_t section_number_ = 0, shown_section_ = 0; ///< of the last one asked for, and of that shown
     std::unique_ptr<SectionWorker> worker_;
     std::shared_ptr<const Points> computational_, physical_;
     double elevation_ = 0; ///< what was asked for

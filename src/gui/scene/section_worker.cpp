@@ -2,7 +2,7 @@
 
 #include "core/base/stopwatch.hpp"
 
-#include <new>
+#include <exception>
 #include <utility>
 
 namespace gaspard {
@@ -11,7 +11,7 @@ MadeSection SectionMaking::make(const SectionJob& job) {
     if (mesh_ != job.mesh || !maker_) maker_.emplace(job.mesh, job.faces);
     mesh_ = job.mesh;
     const Stopwatch watch;
-    MadeSection made{.mesh = job.mesh, .tessellation = nullptr};
+    MadeSection made{.mesh = job.mesh, .tessellation = nullptr, .number = job.number};
     made.tessellation =
         std::make_shared<const Tessellation>(maker_->make(job.x, job.visible, job.choice, job.pieces));
     made.seconds = watch.seconds();
@@ -24,6 +24,11 @@ void SectionWorker::post(SectionJob job) {
     const std::lock_guard lock(mutex_);
     waiting_ = std::move(job);
     posted_.notify_one();
+}
+
+void SectionWorker::withdraw() {
+    const std::lock_guard lock(mutex_);
+    waiting_.reset();
 }
 
 std::optional<MadeSection> SectionWorker::take() {
@@ -43,10 +48,10 @@ void SectionWorker::run(const std::stop_token& stop) {
         const SectionJob job = *std::exchange(waiting_, std::nullopt);
         working_ = true;
         lock.unlock();
-        MadeSection made{.mesh = job.mesh, .tessellation = nullptr};
+        MadeSection made{.mesh = job.mesh, .tessellation = nullptr, .number = job.number};
         try {
             made = making.make(job);
-        } catch (const std::bad_alloc&) {
+        } catch (const std::exception&) { // not enough memory: the section before stays
         }
         lock.lock();
         working_ = false;

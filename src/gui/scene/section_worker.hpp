@@ -5,6 +5,7 @@
 #include "core/tessellate/section.hpp"
 
 #include <condition_variable>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -22,12 +23,14 @@ struct SectionJob {
     std::vector<char> visible{};
     InsideChoice choice{};
     int pieces = 1;
+    std::uint64_t number = 0; ///< of the caller, returned with the section
 };
 
 struct MadeSection {
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Tessellation> tessellation; ///< null if there was not enough memory
     double seconds = 0;
+    std::uint64_t number = 0; ///< of the job
 };
 
 /// Makes sections of one mesh after the other on the thread that calls it.
@@ -46,6 +49,8 @@ class SectionWorker {
 
     /// Takes the place of a job that waits.
     void post(SectionJob job);
+    /// A job that waits is not done any more.
+    void withdraw();
     /// The last section that was finished, once.
     std::optional<MadeSection> take();
     /// Whether a job waits or is being done, or its section waits to be taken.

@@ -104,10 +104,15 @@ TEST(Vtu, SolidsAreLagrangeHexahedraOfTheirDegree) {
         const Snapshot snapshot = sample_snapshot(*SolidDomain(degree, 2, ball_map()).mesh());
         write_vtu(folder / "m.vtu", snapshot);
         ReadVtu vtu(folder / "m.vtu");
-        EXPECT_EQ(vtu.cells["types"].bytes, std::string(8, 72));               // VTK_LAGRANGE_HEXAHEDRON
-        EXPECT_EQ(vtu.cells["connectivity"].integers(), snapshot.mesh->cells); // see cell_kind_test.cpp
-        const std::string text = read_file(folder / "m.vtu");
-        EXPECT_NE(text.find("version=\"2.2\" byte_order"), std::string::npos) << "the numbering of VTK 9";
+        EXPECT_EQ(vtu.cells["types"].bytes, std::string(8, 72)); // VTK_LAGRANGE_HEXAHEDRON
+        // As cell_kind_test.cpp has them, but in files of version 1.0 the last two edges are exchanged.
+        std::vector<std::int32_t> expected = snapshot.mesh->cells;
+        const std::size_t each = static_cast<std::size_t>(nodes_per_cell(snapshot.mesh->kind)),
+                          inner = static_cast<std::size_t>(degree) - 1;
+        for (std::size_t cell = 0; cell < expected.size(); cell += each)
+            for (std::size_t i = 0; i < inner; ++i)
+                std::swap(expected[cell + 8 + 10 * inner + i], expected[cell + 8 + 11 * inner + i]);
+        EXPECT_EQ(vtu.cells["connectivity"].integers(), expected);
     }
 }
 
