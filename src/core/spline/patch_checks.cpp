@@ -181,11 +181,7 @@ void check_regular(const PatchMap& map, const std::string& origin) {
 }
 
 void check_regular(const SolidMap& map, const std::string& origin) {
-    constexpr std::size_t side = 24; // sampled at the centres of side^3 cubes
-    Points xi(side * side * side);
-    const auto middle = [](std::size_t i) { return (static_cast<double>(i) + 0.5) / side; };
-    for (std::size_t i = 0; i < xi.size(); ++i)
-        xi.set(i, {middle(i % side), middle(i / side % side), middle(i / side / side)});
+    const Points xi = cube_middles(24);
     std::array<Points, 3> tangents;
     map.tangents(xi, tangents);
     std::vector<double> jacobians(xi.size());

@@ -20,6 +20,26 @@ FoundPatch patch_of_content(const Values& values, const std::filesystem::path& f
     return read ? *read->found : find_patch(values.text("file"), folder, values.text("patch"), directions);
 }
 
+std::vector<ParameterRow> cells_and_degree_rows(double most, std::int64_t usual, const std::string& of) {
+    return {{.key = "cells",
+             .label = "Cells per side",
+             .symbol = "n",
+             .kind = ParameterKind::integer,
+             .minimum = 4,
+             .maximum = most,
+             .scale = ParameterScale::logarithmic,
+             .default_value = usual,
+             .help = "number of cells per side; " + of},
+            {.key = "degree",
+             .label = "Degree",
+             .symbol = "p",
+             .kind = ParameterKind::integer,
+             .minimum = 2,
+             .maximum = highest_degree,
+             .default_value = std::int64_t{3},
+             .help = "spline degree; the splines have p − 1 continuous derivatives"}};
+}
+
 ParameterRow patch_row() {
     return {.key = "patch",
             .label = "Patch",

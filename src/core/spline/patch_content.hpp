@@ -1,4 +1,5 @@
-// What a domain of a patch or a solid from a file has read: rows "file" and "patch" of its values.
+// Rows that patches and solids have in common, and what a domain from a file has read: rows "file" and
+// "patch" of its values.
 #pragma once
 
 #include "core/mesh/domain_type.hpp"
@@ -7,6 +8,8 @@
 #include <exception>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace gaspard {
 
@@ -23,6 +26,8 @@ DomainContent read_patch_content(const Values& values, const std::filesystem::pa
 FoundPatch patch_of_content(const Values& values, const std::filesystem::path& folder,
                             const DomainContent& content, std::size_t directions);
 
+/// The rows of domain.cells, from 4 to `most`, and domain.degree. `of`: "the patch has n × n cells".
+std::vector<ParameterRow> cells_and_degree_rows(double most, std::int64_t usual, const std::string& of);
 /// The row of domain.patch.
 ParameterRow patch_row();
 

@@ -50,6 +50,8 @@ std::shared_ptr<const PatchMap> torus_part_map();
 /// Möbius strip of width 1 around the unit circle, cut open: one turn with half a twist.
 std::shared_ptr<const PatchMap> moebius_map();
 
+/// The middles of side^3 equal parts of the cube, the first direction fastest: where a solid is sampled.
+Points cube_middles(std::size_t side);
 std::shared_ptr<const SolidMap> cube_map();
 /// The unit ball: u, v, w in [-1, 1], x = u sqrt(1 - v^2/2 - w^2/2 + v^2 w^2/3), y and z cyclically. Singular
 /// at the edges of the cube.

@@ -37,23 +37,7 @@ Box box_around(const SolidMap& map) {
 }
 
 std::vector<ParameterRow> solid_rows() {
-    return {{.key = "cells",
-             .label = "Cells per side",
-             .symbol = "n",
-             .kind = ParameterKind::integer,
-             .minimum = 4,
-             .maximum = 64,
-             .scale = ParameterScale::logarithmic,
-             .default_value = std::int64_t{16},
-             .help = "number of cells per side; the solid has n × n × n cells"},
-            {.key = "degree",
-             .label = "Degree",
-             .symbol = "p",
-             .kind = ParameterKind::integer,
-             .minimum = 2,
-             .maximum = highest_degree,
-             .default_value = std::int64_t{3},
-             .help = "spline degree; the splines have p − 1 continuous derivatives"}};
+    return cells_and_degree_rows(64, 16, "the solid has n × n × n cells");
 }
 
 /// Of a solid from a file. If the file is invalid, monitors may have any size and place.

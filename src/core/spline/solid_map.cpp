@@ -11,7 +11,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// A map from a function of xi that returns a Place; unused derivatives are optimised away.
+/// A map from a function of xi that returns a Place. All of them are inlined, so that derivatives that are
+/// not used are not computed.
 template <class Formula>
 class FormulaSolid final : public SolidMap {
   public:
@@ -48,7 +49,9 @@ class FormulaSolid final : public SolidMap {
 
 struct Cube {
     static constexpr bool identity = true;
-    static Place<3> at(Vec3 xi) { return {xi, {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}}; }
+    [[gnu::always_inline]] static Place<3> at(Vec3 xi) {
+        return {xi, {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}};
+    }
 };
 
 /// The disk X = u s(v), Y = v s(u), s(t) = sqrt(1 - t^2/2), u = 2 a - 1, v = 2 b - 1, with derivatives by a
@@ -56,7 +59,7 @@ struct Cube {
 struct DiskSection {
     double x, xa, xb, xab, xbb, y, ya, yb, yaa, yab;
 };
-DiskSection disk_section(double a, double b) {
+[[gnu::always_inline]] inline DiskSection disk_section(double a, double b) {
     const double u = 2 * a - 1, v = 2 * b - 1;
     const double su = std::sqrt(1 - u * u / 2), sv = std::sqrt(1 - v * v / 2);
     const double du = -u / su, dv = -v / sv;                           // of su and sv by a and b
@@ -66,7 +69,7 @@ DiskSection disk_section(double a, double b) {
 
 struct Cylinder {
     static constexpr bool identity = false;
-    static Place<3> at(Vec3 xi) {
+    [[gnu::always_inline]] static Place<3> at(Vec3 xi) {
         const DiskSection d = disk_section(xi.x, xi.y);
         return {{d.x, d.y, 2 * xi.z - 1},
                 {Vec3{d.xa, d.ya, 0}, {d.xb, d.yb, 0}, {0, 0, 2}},
@@ -76,7 +79,7 @@ struct Cylinder {
 
 struct HalfTorus {
     static constexpr bool identity = false;
-    static Place<3> at(Vec3 xi) {
+    [[gnu::always_inline]] static Place<3> at(Vec3 xi) {
         const DiskSection d = disk_section(xi.x, xi.y);
         const double r = 2 + d.x, c = std::cos(pi * xi.z), s = std::sin(pi * xi.z);
         return {{r * c, r * s, d.y},
@@ -94,7 +97,7 @@ struct HalfTorus {
 struct BallRoot {
     double s, p, q, pp, pq, qq;
 };
-BallRoot ball_root(double p, double q) {
+[[gnu::always_inline]] inline BallRoot ball_root(double p, double q) {
     const double s = std::sqrt(1 - p * p / 2 - q * q / 2 + p * p * q * q / 3);
     const double gp = -p + 2 * p * q * q / 3, gq = -q + 2 * q * p * p / 3; // of s^2
     const double gpp = -1 + 2 * q * q / 3, gqq = -1 + 2 * p * p / 3, gpq = 4 * p * q / 3;
@@ -109,7 +112,7 @@ BallRoot ball_root(double p, double q) {
 
 struct Ball {
     static constexpr bool identity = false;
-    static Place<3> at(Vec3 xi) {
+    [[gnu::always_inline]] static Place<3> at(Vec3 xi) {
         const double u = 2 * xi.x - 1, v = 2 * xi.y - 1, w = 2 * xi.z - 1;
         const BallRoot a = ball_root(v, w), b = ball_root(w, u), c = ball_root(u, v);
         return {{u * a.s, v * b.s, w * c.s},
@@ -122,6 +125,16 @@ struct Ball {
 };
 
 } // namespace
+
+Points cube_middles(std::size_t side) {
+    Points xi(side * side * side);
+    const auto middle = [side](std::size_t i) {
+        return (static_cast<double>(i) + 0.5) / static_cast<double>(side);
+    };
+    for (std::size_t i = 0; i < xi.size(); ++i)
+        xi.set(i, {middle(i % side), middle(i / side % side), middle(i / side / side)});
+    return xi;
+}
 
 std::shared_ptr<const SolidMap> cube_map() { return std::make_shared<FormulaSolid<Cube>>(); }
 std::shared_ptr<const SolidMap> ball_map() { return std::make_shared<FormulaSolid<Ball>>(); }

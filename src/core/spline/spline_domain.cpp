@@ -64,25 +64,7 @@ Space anywhere() {
     return {.dimension = 3, .reach = {cube(large), cube(small)}, .patch = true};
 }
 
-std::vector<ParameterRow> rows() {
-    return {{.key = "cells",
-             .label = "Cells per side",
-             .symbol = "n",
-             .kind = ParameterKind::integer,
-             .minimum = 4,
-             .maximum = 256,
-             .scale = ParameterScale::logarithmic,
-             .default_value = std::int64_t{32},
-             .help = "number of cells per side; the patch has n × n cells"},
-            {.key = "degree",
-             .label = "Degree",
-             .symbol = "p",
-             .kind = ParameterKind::integer,
-             .minimum = 2,
-             .maximum = highest_degree,
-             .default_value = std::int64_t{3},
-             .help = "spline degree; the splines have p − 1 continuous derivatives"}};
-}
+std::vector<ParameterRow> rows() { return cells_and_degree_rows(256, 32, "the patch has n × n cells"); }
 
 DomainType domain_type(const Shipped& one, std::vector<ParameterRow> rows) {
     const auto map = one.map();

@@ -85,11 +85,7 @@ bool mirrored(const Lattice<2>& lattice, const Points& nodes, const PatchMap& ma
     return area < 0;
 }
 bool mirrored(const Lattice<3>&, const Points&, const SolidMap& map) {
-    constexpr std::size_t side = 8; // at the middles of as many parts
-    Points xi(side * side * side);
-    const auto middle = [](std::size_t i) { return (static_cast<double>(i) + 0.5) / side; };
-    for (std::size_t i = 0; i < xi.size(); ++i)
-        xi.set(i, {middle(i % side), middle(i / side % side), middle(i / side / side)});
+    const Points xi = cube_middles(8);
     std::array<Points, 3> tangents;
     map.tangents(xi, tangents);
     double volume = 0;
