@@ -5,6 +5,7 @@
 #include "core/session/run.hpp"
 #include "core/spline/patch_file.hpp"
 #include "core/spline/solid_folds.hpp"
+#include "core/tessellate/cell_geometry.hpp"
 #include "support/largest_distance.hpp"
 #include "support/sanitizers.hpp"
 #include "support/solved_run.hpp"
@@ -123,6 +124,15 @@ TEST(SolidRuns, FoldsAreFoundBetweenSamples) {
     const auto cells = folded(1.01 * limit);
     EXPECT_EQ(cells.size(), 2U * 36); // on both sides of the knot, all along the other directions
     for (const std::uint32_t cell : cells) EXPECT_TRUE(cell % 6 == 2 || cell % 6 == 3) << cell % 6;
+}
+
+// det dx/ds of a cell of order 3 has degree 8 in each direction.
+TEST(SolidRuns, CellsHaveTheVolumeOfTheCubeTogether) {
+    gaspard::Run run = solved_run("spline-cube", {"domain.cells=6", "method.interpolation=false"});
+    const auto snapshot = run.snapshot();
+    double volume = 0;
+    for (const double one : CellGeometry(snapshot->mesh).measures(snapshot->x)) volume += one;
+    EXPECT_NEAR(volume, 1, 1e-12);
 }
 
 TEST(SolidRuns, StatesOfPatchesAndSolidsAreNotMistaken) {

@@ -243,6 +243,47 @@ TEST(SectionWorker, ShowsWhatWasThereUntilTheSectionComes) {
     EXPECT_EQ(builder.make(snapshot, values), apart);
 }
 
+/// Makes scenes until no section is awaited any more; false if that takes too long.
+bool settled(SceneBuilder& builder, const Snapshot& snapshot, const Values& values) {
+    for (int i = 0; i < 5000 && builder.awaits_section(); ++i) {
+        builder.make(snapshot, values);
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return !builder.awaits_section();
+}
+
+TEST(SectionWorker, IsForgottenWhenTheInsideIsLeft) {
+    const Snapshot snapshot = bent_snapshot(16);
+    SceneBuilder builder;
+    builder.work_in_background();
+    Values values = view("monitor");
+    const auto whole = builder.make(snapshot, values).tessellation;
+    values.set("explode", 0.5);
+    builder.make(snapshot, values);
+    ASSERT_TRUE(builder.awaits_section());
+    values.set("explode", 0.0);
+    builder.make(snapshot, values);
+    EXPECT_TRUE(settled(builder, snapshot, values)) << "else the window is drawn for ever";
+    EXPECT_EQ(builder.make(snapshot, values).tessellation->triangles, whole->triangles);
+}
+
+TEST(SectionWorker, ALateSectionDoesNotReplaceANewerOne) {
+    const Snapshot snapshot = bent_snapshot(16);
+    SceneBuilder builder, at_once;
+    builder.work_in_background();
+    Values values = view("monitor");
+    values.set("explode", 0.5);
+    builder.make(snapshot, values);
+    ASSERT_TRUE(builder.awaits_section());
+    values.set("explode", 0.0);
+    values.parse("cut", "x 0.5");
+    builder.make(snapshot, values);
+    ASSERT_TRUE(settled(builder, snapshot, values));
+    const MeshScene shown = builder.make(snapshot, values);
+    EXPECT_EQ(shown.tessellation->triangles, at_once.make(snapshot, values).tessellation->triangles);
+    EXPECT_GT(shown.tessellation->caps, 0U);
+}
+
 /// The fixture's cube in the window.
 class CutApplicationTest : public ApplicationFixture {
   protected:
