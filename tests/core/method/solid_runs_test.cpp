@@ -10,8 +10,10 @@
 #include "support/sanitizers.hpp"
 #include "support/solved_run.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 namespace gaspard {
 namespace {
@@ -124,6 +126,68 @@ TEST(SolidRuns, FoldsAreFoundBetweenSamples) {
     const auto cells = folded(1.01 * limit);
     EXPECT_EQ(cells.size(), 2U * 36); // on both sides of the knot, all along the other directions
     for (const std::uint32_t cell : cells) EXPECT_TRUE(cell % 6 == 2 || cell % 6 == 3) << cell % 6;
+}
+
+/// The smallest det grad Psi at 7^3 points of a cell, its corners among them.
+double smallest_in(const std::vector<SplineFunction>& psi, std::size_t cell, std::size_t cells) {
+    constexpr std::size_t points = 7;
+    std::array<std::array<SplineFunction, 3>, 3> slopes;
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t d = 0; d < 3; ++d) slopes[c][d] = derivative(psi[c], d);
+    const auto place = [&](std::size_t i, std::size_t k) { // one-sided at the ends
+        const double t = std::clamp(static_cast<double>(k) / (points - 1), 1e-9, 1 - 1e-9);
+        return (static_cast<double>(i) + t) / static_cast<double>(cells);
+    };
+    double smallest = HUGE_VAL;
+    for (std::size_t k = 0; k < points * points * points; ++k) {
+        const Vec3 xi{place(cell % cells, k % points), place(cell / cells % cells, k / points % points),
+                      place(cell / cells / cells, k / points / points)};
+        std::array<Vec3, 3> rows;
+        const auto slope = [&](std::size_t c, std::size_t d) {
+            return evaluate(slopes[c][d].space, slopes[c][d].coefficients, xi);
+        };
+        for (std::size_t c = 0; c < 3; ++c) rows[c] = {slope(c, 0), slope(c, 1), slope(c, 2)};
+        smallest = std::min(smallest, dot(rows[0], cross(rows[1], rows[2])));
+    }
+    return smallest;
+}
+
+TEST(SolidRuns, FoldsOfAnyMapAreThoseThatSamplesShow) {
+    constexpr std::size_t cells = 4;
+    for (const Formulation formulation : {Formulation::standard, Formulation::mixed}) {
+        const MappedForm<3> form(std::make_shared<SolidDomain>(3, cells, cube_map()), formulation, cells);
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> number(-1, 1);
+        std::vector<double> waves(form.form()->unknowns()), phi(waves.size()), whole(waves.size());
+        for (double& one : waves) one = number(random);
+        std::vector<SplineFunction> psi;
+        std::vector<std::uint32_t> folded;
+        for (double size = 0.001; folded.size() < 8; size *= 1.1) { // until some cells fold
+            for (std::size_t i = 0; i < phi.size(); ++i) phi[i] = size * waves[i];
+            form.add_identity(phi, whole);
+            const auto map = form.form()->map(whole);
+            psi.assign(map.begin(), map.end());
+            folded = folded_solid_cells(psi, cells);
+        }
+        std::size_t shown = 0;
+        for (std::size_t cell = 0; cell < cells * cells * cells; ++cell) {
+            const double least = smallest_in(psi, cell, cells);
+            const bool found = std::find(folded.begin(), folded.end(), cell) != folded.end();
+            if (least <= 0) {
+                ++shown;
+                EXPECT_TRUE(found) << cell << ": " << least;
+            }
+            if (least > 0.1) {
+                EXPECT_FALSE(found) << cell << ": " << least;
+            }
+        }
+        std::vector<SplineFunction> turned{psi[1], psi[0],
+                                           psi[2]}; // about the third axis: the same determinant
+        for (double& one : turned[0].coefficients) one = -one;
+        EXPECT_EQ(folded_solid_cells(turned, cells), folded);
+        EXPECT_GT(shown, 3U);
+        EXPECT_LT(folded.size(), cells * cells * cells - 3);
+    }
 }
 
 // det dx/ds of a cell of order 3 has degree 8 in each direction.
