@@ -179,12 +179,17 @@ Evaluation Run::first_look(const Course& course, std::stop_token stop) const {
 
 /// Begins a new history with the state of the course.
 void Run::restart(Course next, std::stop_token stop) {
+    next.untangled = next.state;
+    begin_history(std::move(next), {}, stop, Diagnostics::full);
+}
+
+/// With a row for the state of the course, measured up to `at_most` where it is.
+void Run::begin_history(Course next, std::string note, std::stop_token stop, Diagnostics at_most) {
     const Timer timer(next);
     const Evaluation evaluation = first_look(next, stop);
-    next.untangled = next.state;
     next.judging = {};
     const ProblemData data = std::exchange(next.data, stoppable(next.data, stop));
-    std::vector<StepReport> history = {report(next, evaluation, 0, {})};
+    std::vector<StepReport> history = {report(next, evaluation, 0, std::move(note), at_most)};
     next.data = data;
     timer.add_to(history[0], {}, next);
     history_ = std::move(history);
@@ -366,7 +371,7 @@ RunStatus Run::judge(Course& course, const StepReport& report, Ending ending, st
             method.has("step_size") ? "a smaller step may help" : "a finer mesh or a weaker monitor may help";
         return RunStatus::diverged;
     }
-    if (report.iteration - by.judged_from >= method.integer("max_iterations"))
+    if (report.iteration >= method.integer("max_iterations"))
         return RunStatus::iteration_limit;
     if (report.iteration - by.best_iteration >= patience) {
         const std::string reason = note.empty() ? "" : "; " + note;
@@ -470,7 +475,10 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         if (!new_method) next.method->configure(next.problem.scenario.method.values);
         prepare_reports(next);
         if (transferred)
-            continue_with(std::move(next), back, stop, at_most);
+            begin_history(
+                std::move(next),
+                back ? "values changed; restarted from the last mesh without tangled cells" : "values changed",
+                stop, at_most);
         else
             restart(std::move(next), stop);
     } catch (...) {
@@ -490,24 +498,6 @@ bool Run::transfer(Course& course) const {
     course.state = std::move(*state);
     course.untangled = untangled ? std::move(*untangled) : course.method->initial_state();
     return true;
-}
-
-/// Continues the history with a row for the present map under new values.
-void Run::continue_with(Course next, bool back, std::stop_token stop, Diagnostics at_most) {
-    const Timer timer(next);
-    const Evaluation evaluation = first_look(next, stop);
-    const StepReport& last = history_.back();
-    next.judging = {.judged_from = last.iteration, .best_iteration = last.iteration};
-    const ProblemData data = std::exchange(next.data, stoppable(next.data, stop));
-    StepReport first =
-        report(next, evaluation, last.iteration,
-               back ? "values changed; restarted from the last mesh without tangled cells" : "values changed",
-               at_most);
-    measure(next, first, at_most);
-    next.data = data;
-    timer.add_to(first, last, next);
-    history_.push_back(std::move(first));
-    put_in_place(std::move(next));
 }
 
 std::shared_ptr<const Snapshot> Run::snapshot(Diagnostics at_most) {

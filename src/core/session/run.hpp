@@ -64,10 +64,12 @@ class Run {
 
     /// Continues with other values from the current map, transferred to the new problem; from the last map
     /// without tangled cells if that one has some or the run has diverged; from the identity map if no
-    /// transfer is possible. The history continues with a row for the current iterate under the new values,
-    /// with diagnostics up to `at_most`. Returns a message for the user if the map could not be transferred,
-    /// else an empty string. `reread`: files are read anew even if no value has changed. Throws InputError,
-    /// and Interrupted if asked to stop.
+    /// transfer is possible. Starts a new history, so that history().back().iteration is the number of
+    /// iterations for these values; its first row is the map under the new values, with diagnostics up to
+    /// `at_most`. Values that the solution does not depend on, such as those of the view, leave the history
+    /// as it is. Returns a message for the user if the map could not be transferred, else an empty string.
+    /// `reread`: files are read anew even if no value has changed. Throws InputError, and Interrupted if
+    /// asked to stop.
     std::string change(const Scenario& scenario, const Progress& progress = {}, std::stop_token stop = {},
                        Diagnostics at_most = Diagnostics::full, bool reread = false);
     /// Replaces the monitor of the scenario by that of the caller; the type of section "monitor" is then
@@ -104,12 +106,12 @@ class Run {
     std::shared_ptr<const Snapshot> snapshot(Diagnostics at_most = Diagnostics::full);
 
   private:
-    /// What the end is judged by; begins anew when values change.
+    /// What the end is judged by; begins anew with the history.
     struct Judging {
         /// Values of the criterion (SeriesTable::criterion).
         double first = std::numeric_limits<double>::infinity(), best = first;
         std::vector<double> first_values{}; ///< of the series
-        int judged_from = 0, best_iteration = 0;
+        int best_iteration = 0;
         bool not_finite = false; ///< the last update was discarded
     };
     /// All that changes when values do. It is made aside and replaces the present one when nothing can fail
@@ -155,7 +157,7 @@ class Run {
     bool transfer(Course& course) const;
     Evaluation first_look(const Course& course, std::stop_token stop) const;
     void restart(Course next, std::stop_token stop);
-    void continue_with(Course next, bool back, std::stop_token stop, Diagnostics at_most);
+    void begin_history(Course next, std::string note, std::stop_token stop, Diagnostics at_most);
     void put_in_place(Course&& next) noexcept;
     void refresh();
     StepReport report(Course& course, const Evaluation& evaluation, int iteration, std::string note,

@@ -32,6 +32,7 @@ void SolverThread::post(Command command) {
         const auto* before = commands_.empty() ? nullptr : std::get_if<ChangeCommand>(&commands_.back());
         if (change && before) {
             change->reread = change->reread || before->reread;
+            change->same_gesture = change->same_gesture && before->same_gesture;
             commands_.back() = std::move(command);
         } else
             commands_.push_back(std::move(command));
@@ -139,7 +140,8 @@ std::deque<Command> SolverThread::take_commands() {
 void SolverThread::fail(const std::string& message) {
     run_.reset();
     running_ = false;
-    published_ = 0, epoch_ = -1; // the next run has another history
+    published_ = 0, epoch_ = recorded_epoch_ = -1; // the next run has another history
+    begins_ = SolverEventKind::restart;
     shown_ = partly_shown_ = following_ = small_change_ = false;
     update([](SolverStatus& status) { status.run = RunStatus::failed, status.activity.clear(); });
     say(message, true);
@@ -200,10 +202,7 @@ bool SolverThread::prepare(std::stop_token stop) {
 }
 
 void SolverThread::publish(std::stop_token stop) {
-    const bool restarted = epoch_ != run_->epoch();
-    if (restarted) epoch_ = run_->epoch(), published_ = 0;
-    const auto& history = run_->history();
-    const bool news = published_ < history.size();
+    const bool news = epoch_ != run_->epoch() || published_ < run_->history().size();
     const bool to_be_completed = partly_shown_ && !dragged();
     shown_ = shown_ && !news && !to_be_completed;
     if (!shown_ && !behind()) {
@@ -213,6 +212,7 @@ void SolverThread::publish(std::stop_token stop) {
         measure_interpolation(stop);
         auto snapshot = run_->snapshot(partly_shown_ ? needed_.load() : Diagnostics::full);
         if (options_.before_publishing) options_.before_publishing(*snapshot);
+        record(*snapshot);
         latest_.put(std::move(snapshot));
     }
     if (!send_reports(stop)) return;
@@ -223,6 +223,13 @@ void SolverThread::publish(std::stop_token stop) {
         status.progress = 1;
         status.activity.clear();
     });
+}
+
+void SolverThread::record(const Snapshot& snapshot) {
+    if (!options_.recording) return;
+    if (recorded_epoch_ != run_->epoch()) options_.recording->begin();
+    recorded_epoch_ = run_->epoch();
+    options_.recording->add(snapshot);
 }
 
 /// Before a snapshot, if that is due. The errors of a mesh that changes soon are measured less precisely.
@@ -255,11 +262,14 @@ static long measured(const StepReport& report) {
 /// The new ones, and the last one sent if more of it has been measured. Returns false if asked to stop.
 bool SolverThread::send_reports(std::stop_token stop) {
     const auto& history = run_->history();
+    if (epoch_ != run_->epoch()) epoch_ = run_->epoch(), published_ = 0;
     if (published_ > 0)
         if (const StepReport& last = history[published_ - 1]; measured(last) > measured_)
-            if (!reports_.push({false, last, true}, stop)) return false;
-    for (; published_ < history.size(); ++published_)
-        if (!reports_.push({published_ == 0, history[published_]}, stop)) return false;
+            if (!reports_.push({SolverEventKind::completion, last}, stop)) return false;
+    for (; published_ < history.size(); ++published_) {
+        const SolverEventKind kind = published_ == 0 ? begins_ : SolverEventKind::step;
+        if (!reports_.push({kind, history[published_]}, stop)) return false;
+    }
     measured_ = measured(history.back());
     return true;
 }
@@ -280,6 +290,7 @@ void SolverThread::execute(Command command, std::stop_token stop) {
             self.following_ = false;
             self.publish(stop); // the rest of the old history
             self.run_->reset();
+            self.begins_ = SolverEventKind::restart;
             self.update([](SolverStatus& status) { status.run = RunStatus::running; });
         }
         void operator()(ChangeCommand& change) {
@@ -311,6 +322,7 @@ void SolverThread::inspect(const InspectCommand& command) {
 
 void SolverThread::change(ChangeCommand command, std::stop_token stop) {
     bool refused = false;
+    if (run_ && !send_reports(stop)) return; // the rest of the old history
     changing_ = true;
     try {
         if (!run_) {
@@ -328,8 +340,11 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
             });
             if (refused)
                 say("Cancelled; the values were not changed.");
-            else
-                begin_to_follow(solved);
+            else {
+                begin_to_follow(solved && command.same_gesture);
+                if (epoch_ != run_->epoch())
+                    begins_ = command.same_gesture ? SolverEventKind::same_gesture : SolverEventKind::change;
+            }
         }
         if (!refused && command.anew) begin_anew(stop);
     } catch (const InputError& error) { // the run keeps its old values
@@ -343,12 +358,14 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
     }
     if (!refused) scenario_ = std::move(command.scenario);
     answer(command.number, refused);
+    if (run_ && !refused && !following_) publish(stop); // before the next step
 }
 
 void SolverThread::begin_anew(std::stop_token stop) {
     following_ = false;
     publish(stop); // the rest of the old history
     run_->reset();
+    begins_ = SolverEventKind::restart;
     running_ = true;
 }
 

@@ -1,13 +1,14 @@
 // A run on its own thread. It receives commands, and provides the latest snapshot and all reports.
 //
-// If values change a little while a solved mesh is shown, as during dragging, the next snapshot and the next
-// change wait until the mesh has adapted to the new values (residual below 1e-2), for at most 0.1 s. All
-// snapshots shown are thus adapted, and only the latest values matter. Until 0.25 s after the last change,
-// they have only the diagnostics that are needed (SolverThread::need).
+// If values change a little by a gesture that goes on, such as the drag of a slider, while a solved mesh is
+// shown, the next snapshot and the next change wait until the mesh has adapted to the new values (residual
+// below 1e-2), for at most 0.1 s. All snapshots shown are thus adapted, and only the latest values matter.
+// Until 0.25 s after the last change, they have only the diagnostics that are needed (SolverThread::need).
 #pragma once
 
 #include "core/base/stopwatch.hpp"
 #include "core/session/channel.hpp"
+#include "core/session/recording.hpp"
 #include "core/session/run.hpp"
 
 #include <atomic>
@@ -29,13 +30,15 @@ struct StepCommand {};  ///< one iteration, then pause
 struct ResetCommand {}; ///< restart from the identity map, paused or running as before
 /// Changes values and continues from the current map if possible (Run::change), even if the run had ended.
 /// `number` identifies the command in SolverStatus. `anew`: restart from the identity map, with a new
-/// history, and run. `reread`: read files anew (Run::change). If the values are invalid or the command is
-/// cancelled, the run does not change.
+/// history, and run. `reread`: read files anew (Run::change). `same_gesture`: it goes on with the change
+/// before it, as the drag of a slider does. If the values are invalid or the command is cancelled, the run
+/// does not change.
 struct ChangeCommand {
     Scenario scenario;
     std::uint64_t number = 0;
     bool anew = false;
     bool reread = false;
+    bool same_gesture = false;
 };
 /// Arguments of long work: a callback for its progress, and a stop token.
 struct Activity {
@@ -50,11 +53,19 @@ struct InspectCommand {
 using Command =
     std::variant<StartCommand, PauseCommand, StepCommand, ResetCommand, ChangeCommand, InspectCommand>;
 
-/// One entry of the lossless queue. `restarted`: the report is row 0 of a new history.
+/// What a report is to the history before it.
+enum class SolverEventKind {
+    step,         ///< its next row
+    completion,   ///< its last row again, with what has been measured since
+    restart,      ///< row 0 of a new history, which starts from the identity map
+    change,       ///< row 0 of a new history, which starts from the present map under other values
+    same_gesture, ///< the same within the gesture of the last change
+};
+
+/// One entry of the lossless queue.
 struct SolverEvent {
-    bool restarted = false;
+    SolverEventKind kind = SolverEventKind::step;
     StepReport report;
-    bool completes = false; ///< the report before it again, with what has been measured since
 };
 
 /// A message for the user.
@@ -93,6 +104,9 @@ class SolverThread {
         /// The share of the time that interpolation errors may take while the run is running; those of a
         /// final mesh are always measured. 0: none are measured.
         double interpolation_share = 0;
+        /// Gets every iterate of the present history, but not those that are not shown while values are
+        /// dragged; null: nothing is recorded.
+        std::shared_ptr<Recording> recording{};
     };
 
     SolverThread(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, Options options);
@@ -136,6 +150,7 @@ class SolverThread {
     bool behind() const;
     bool dragged() const;
     void begin_to_follow(bool was_solved);
+    void record(const Snapshot& snapshot);
     std::deque<Command> take_commands();
     std::deque<Command> wait_for_commands(std::stop_token stop);
 
@@ -146,6 +161,8 @@ class SolverThread {
     std::size_t published_ = 0; ///< number of rows of the history already in the queue
     long measured_ = 0;         ///< how much of the last of them was measured when it was sent
     int epoch_ = 0;             ///< epoch of that history
+    int recorded_epoch_ = 0;    ///< epoch of the history that is recorded
+    SolverEventKind begins_ = SolverEventKind::restart; ///< how the present history began
     bool shown_ = false;        ///< the current iterate has been published as snapshot
     bool partly_shown_ = false; ///< with fewer diagnostics than the run has
     bool small_change_ = false; ///< the last change of values was small

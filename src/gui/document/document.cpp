@@ -63,6 +63,14 @@ DocumentRun Document::make_run(const Scenario& scenario) {
     return run;
 }
 
+/// All recordings together may take so much memory.
+void Document::share_memory() {
+    std::size_t recordings = 0;
+    for (const DocumentRun& run : runs_) recordings += run.recording ? 1 : 0;
+    for (DocumentRun& run : runs_)
+        if (run.recording) run.recording->set_budget(recording_memory / recordings);
+}
+
 DocumentRun& Document::add(const Scenario& scenario) {
     DocumentRun& run = runs_.push_back(make_run(scenario));
     if (active_ == no_run) active_ = run.id;
@@ -76,7 +84,8 @@ void Document::open(const Scenario& scenario, const std::optional<Scenario>& nam
     name_opened(scenario, named.value_or(scenario));
     DocumentRun& run = add(scenario);
     name_values(run);
-    run.solver = make_solver(run.scenario);
+    attach_solver(run);
+    share_memory();
 }
 
 void Document::name_opened(const Scenario& opened, const Scenario& named) {
@@ -115,18 +124,23 @@ DocumentRun& Document::open_for_comparison(const Scenario& scenario, const std::
     DocumentRun run = make_run(own);
     run.title = active().title;
     run.name = free_name(catalogue_->method(method).label);
-    run.solver = make_solver(own);
-    return runs_.push_back(std::move(run));
+    attach_solver(run);
+    DocumentRun& added = runs_.push_back(std::move(run));
+    share_memory();
+    return added;
 }
 
-std::unique_ptr<SolverThread> Document::make_solver(const Scenario& scenario) const {
+/// Begins to solve the run's values.
+void Document::attach_solver(DocumentRun& run) const {
+    run.recording = std::make_shared<Recording>(recording_memory);
     SolverThread::Options options;
+    options.recording = run.recording;
     options.notify = notify_;
     options.before_publishing = before_publishing_;
     options.interpolation_share = 0.1;
     const unsigned cores = std::thread::hardware_concurrency(); // one of them is left to the window
     options.run.threads = cores > 2 ? static_cast<int>(cores) - 1 : 1;
-    return std::make_unique<SolverThread>(catalogue_, scenario, std::move(options));
+    run.solver = std::make_unique<SolverThread>(catalogue_, run.scenario, std::move(options));
 }
 
 void Document::show(const FinishedRun& finished) {
@@ -147,12 +161,12 @@ void Document::change(RunId run, const Scenario& scenario, bool dragging) {
     const RunValues before = values_of(entry);
     const std::vector<EditPart> views = views_of(run);
     const std::uint64_t for_good = entry.changes.asked_for_good;
-    post_change(entry, scenario);
+    std::string key = "values " + std::to_string(static_cast<std::uint64_t>(run));
+    for (const ValueChange& one : scenario_changes(before.scenario, scenario))
+        key += dragging ? "" : " " + one.key;
+    post_change(entry, scenario, edits_.continues(key));
     if (dragging) entry.changes.asked_for_good = for_good;
     const RunValues after = values_of(entry);
-    std::string key = "values " + std::to_string(static_cast<std::uint64_t>(run));
-    for (const ValueChange& one : scenario_changes(before.scenario, after.scenario))
-        key += dragging ? "" : " " + one.key;
     Edit edit{.key = std::move(key), .before = {before}, .after = {after}, .settled = false};
     if (other_types) { // they may have other fields to colour by
         edit.before.insert(edit.before.end(), views.begin(), views.end());
@@ -169,14 +183,15 @@ void Document::update_views(const DocumentRun& run) {
                 update_view_rows(*catalogue_, run.scenario, *view);
 }
 
-void Document::post_change(DocumentRun& run, const Scenario& scenario) {
+void Document::post_change(DocumentRun& run, const Scenario& scenario, bool same_gesture) {
     run.opening.reset(); // superseded: the solver goes on to these values
     run.scenario = scenario;
     name_values(run);
     run.name = describe_scenario(*catalogue_, run.opened, scenario);
     update_views(run);
     run.changes.asked_for_good = ++run.changes.asked;
-    run.solver->post(ChangeCommand{run.scenario, run.changes.asked});
+    run.solver->post(ChangeCommand{
+        .scenario = run.scenario, .number = run.changes.asked, .same_gesture = same_gesture});
 }
 
 void Document::reread(RunId run) {
@@ -254,7 +269,7 @@ void Document::step(RunId run) {
 
 void Document::reset(RunId run) {
     DocumentRun& entry = live(run);
-    if (entry.ended()) pause(run);
+    pause(run);
     entry.solver->post(ResetCommand{});
 }
 
@@ -290,8 +305,8 @@ bool Document::collect(DocumentRun& run) {
     for (SolverMessage& message : messages)
         run.messages.push_back({std::move(message.text), message.error, dragging});
     for (const SolverEvent& event : events) append(run, event);
-    if (run.history.size() <= 1 || !run.marked) // nothing has been solved with other values yet
-        run.marked = run.status.scenario ? run.status.scenario : std::make_shared<const Scenario>(run.opened);
+    if (run.history.size() <= 1 || !run.solved) // nothing has been solved with other values yet
+        run.solved = run.status.scenario ? run.status.scenario : std::make_shared<const Scenario>(run.opened);
     return news;
 }
 

@@ -28,6 +28,9 @@ struct FinishedRun {
     std::shared_ptr<const Snapshot> snapshot;
 };
 
+/// Bytes of all recordings of a document together.
+constexpr std::size_t recording_memory = std::size_t{512} << 20U;
+
 /// One view of one run.
 struct DocumentViewport {
     RunId run{};
@@ -72,7 +75,7 @@ class Document {
     void start(RunId run); ///< a run that has ended starts over
     void pause(RunId run);
     void step(RunId run);  ///< one iteration, then pause
-    void reset(RunId run); ///< to the start; paused if the run had ended, else running or paused as before
+    void reset(RunId run); ///< to the start, paused
 
     /// Adds a copy of a run as it is now, with a name of its own. Nothing before the first report.
     std::optional<RunId> keep(RunId run);
@@ -105,7 +108,8 @@ class Document {
   private:
     friend class MethodComparison;
     DocumentRun make_run(const Scenario& scenario);
-    std::unique_ptr<SolverThread> make_solver(const Scenario& scenario) const;
+    void attach_solver(DocumentRun& run) const;
+    void share_memory();
     DocumentRun& add(const Scenario& scenario);
     DocumentRun& open_for_comparison(const Scenario& scenario, const std::string& method);
     DocumentRun& live(RunId run);
@@ -117,7 +121,7 @@ class Document {
     void take_answer(DocumentRun& run);
     void take_place(DocumentRun& run) const;
     void finish_opening(DocumentRun& run);
-    void post_change(DocumentRun& run, const Scenario& scenario);
+    void post_change(DocumentRun& run, const Scenario& scenario, bool same_gesture = false);
     void update_views(const DocumentRun& run);
     void name_values(const Scenario& opened, Scenario& scenario) const;
     void name_values(DocumentRun& run) const;

@@ -120,14 +120,15 @@ std::optional<RunId> Document::keep(RunId run) {
     kept.scenario = source->status.scenario ? *source->status.scenario : source->scenario;
     kept.history = source->history;
     kept.curves = source->curves;
-    kept.marks = source->marks;
     kept.snapshot = source->snapshot;
+    if (source->recording) kept.recording = std::make_shared<Recording>(*source->recording);
     kept.status = source->status;
     kept.wants_to_run = false;
-    kept.marked = source->marked;
+    kept.solved = source->solved;
     kept.colour = free_colour();
     kept.name = free_name(describe_scenario(*catalogue_, kept.opened, kept.scenario));
     const DocumentRun& added = runs_.push_back(std::move(kept));
+    share_memory();
     const RunPresence present{added.id, true, runs_.size() - 1, added.name};
     RunPresence absent = present;
     absent.present = false;

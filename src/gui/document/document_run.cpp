@@ -1,6 +1,7 @@
 #include "gui/document/document_run.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/join.hpp"
 #include "gui/document/value_changes.hpp"
 
 #include <algorithm>
@@ -11,35 +12,32 @@ namespace gaspard {
 
 namespace {
 
-constexpr double one_drag = 0.5; // seconds of solving between changes that share a mark
-
 auto with_id(RunId id) {
     return [id](const DocumentRun& run) { return run.id == id; };
 }
 
-void clear_history(DocumentRun& run) {
-    run.history.clear();
-    run.curves.clear();
-    run.marks.clear();
-    run.marked.reset();
+/// "amplitude 10, cells per side 60": the values before changes.
+std::string values_before(const std::vector<ValueChange>& changes) {
+    std::vector<std::string> texts;
+    for (const ValueChange& change : changes) texts.push_back(change.label + " " + change.before);
+    return join(texts, ", ");
 }
 
-/// Marks the last report as the first with other values.
-void mark_change(DocumentRun& run) {
-    if (!run.marked || !run.status.scenario) return;
-    const StepReport& report = run.history.back();
-    const bool same_drag = !run.marks.empty() && report.seconds <= run.marks.back().last_seconds + one_drag;
-    ChangeMark mark = same_drag ? run.marks.back()
-                                : ChangeMark{.iteration = static_cast<double>(report.iteration),
-                                             .seconds = report.seconds,
-                                             .last_seconds = report.seconds,
-                                             .before = run.marked,
-                                             .text = {}};
-    mark.last_seconds = report.seconds;
-    mark.text = describe_changes(value_changes(*mark.before, *run.status.scenario));
-    if (same_drag) run.marks.pop_back();
-    if (!mark.text.empty()) run.marks.push_back(std::move(mark));
-    run.marked = run.status.scenario;
+/// Makes the history that of an earlier solve; nothing if no step was made, or only output was changed.
+void put_aside(DocumentRun& run) {
+    if (run.history.size() < 2 || !run.solved || !run.status.scenario) return;
+    std::string name = values_before(value_changes(*run.solved, *run.status.scenario));
+    if (name.empty()) return;
+    run.earlier.push_back({std::move(run.curves), std::move(name)});
+    if (run.earlier.size() > most_earlier) run.earlier.pop_front();
+}
+
+void begin_history(DocumentRun& run, SolverEventKind kind) {
+    if (kind == SolverEventKind::change) put_aside(run);
+    if (kind == SolverEventKind::restart) run.earlier.clear();
+    run.history.clear();
+    run.curves.clear();
+    run.solved = kind == SolverEventKind::restart ? nullptr : run.status.scenario;
 }
 
 } // namespace
@@ -88,17 +86,15 @@ DocumentRun& DocumentRuns::put_back(std::size_t place, std::list<DocumentRun> ru
 }
 
 void append(DocumentRun& run, const SolverEvent& event) {
-    if (event.restarted) clear_history(run);
-    if (event.completes && !run.history.empty()) {
+    if (event.kind == SolverEventKind::completion) {
+        if (run.history.empty()) return;
         run.curves.complete(run.history.back(), event.report);
         run.history.back() = event.report;
         return;
     }
-    // A change of values adds a row for the current iterate.
-    const bool changed = !run.history.empty() && event.report.iteration == run.history.back().iteration;
+    if (event.kind != SolverEventKind::step) begin_history(run, event.kind);
     run.history.push_back(event.report);
     run.curves.append(event.report);
-    if (changed) mark_change(run);
 }
 
 std::optional<double> iteration_rate(const std::vector<StepReport>& history) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/scenario/catalogue.hpp"
+#include "core/session/recording.hpp"
 #include "core/session/solver_thread.hpp"
 #include "gui/document/history_curves.hpp"
 
 #include <cstdint>
+#include <deque>
 #include <list>
 #include <memory>
 #include <optional>
@@ -18,13 +20,11 @@ namespace gaspard {
 enum class RunId : std::uint64_t {};
 constexpr RunId no_run{};
 
-/// A point of the history at which values were changed. Changes within half a second of solving, as while a
-/// slider is dragged, share one mark.
-struct ChangeMark {
-    double iteration = 0, seconds = 0;      ///< of the first change
-    double last_seconds = 0;                ///< of the last change that shares this mark
-    std::shared_ptr<const Scenario> before; ///< the values before the first change
-    std::string text;                       ///< "amplitude 10 to 20"
+/// The curves of a solve with other values, before the present one. The solves within one gesture, such as
+/// the drag of a slider, count as the last of them.
+struct EarlierSolve {
+    HistoryCurves curves;
+    std::string name; ///< what its values were where the next ones differ: "amplitude 10"
 };
 
 /// A message of a run's solver.
@@ -68,9 +68,10 @@ struct DocumentRun {
         name; ///< in lists and legends: "Ring, amplitude 20"; the name of a live run follows its values
     Scenario opened;                 ///< as it was opened: the values that reset buttons restore
     Scenario scenario;               ///< as the panels show it; the solver may not have these values yet
-    std::vector<StepReport> history; ///< since the run was last reset
+    std::vector<StepReport> history; ///< since the values were last changed or the run was reset
     HistoryCurves curves;            ///< the same in columns
-    std::vector<ChangeMark> marks;
+    std::deque<EarlierSolve> earlier; ///< since the run was last reset; oldest first, at most most_earlier
+    std::shared_ptr<Recording> recording{}; ///< the iterates of the history; null: not recorded
     std::shared_ptr<const Snapshot> snapshot; ///< the newest; null before the first
     SolverStatus status;
     RunChanges changes;
@@ -80,7 +81,7 @@ struct DocumentRun {
     std::vector<RunMessage> messages{};       ///< not yet taken by the panels
     std::size_t colour = 0;                   ///< index of the theme's curve colour
     bool hidden = false;                      ///< its curves are not shown
-    std::shared_ptr<const Scenario> marked{}; ///< the values of the history's last row
+    std::shared_ptr<const Scenario> solved{}; ///< the values of the history's last row
     std::unique_ptr<SolverThread> solver{};   ///< null: the run is kept, not live
 
     bool live() const { return solver != nullptr; }
@@ -117,7 +118,10 @@ class DocumentRuns {
     std::list<DocumentRun> runs_;
 };
 
-/// Appends a report to the history, with a mark if values were changed.
+constexpr std::size_t most_earlier = 8;
+
+/// Appends a report to the history. If it is the first with other values, the history before it becomes an
+/// earlier solve.
 void append(DocumentRun& run, const SolverEvent& event);
 
 /// Iterations per second over the last second of solving; nothing before the first iteration.

@@ -58,7 +58,7 @@ std::string describe_edit(const Edit& edit) {
 
 void EditHistory::record(Edit edit) {
     edits_.resize(done_);
-    const bool merges = gesture_ && done_ > 0 && edits_.back().key == edit.key;
+    const bool merges = continues(edit.key);
     gesture_ = true;
     if (merges) {
         edits_.back().after = std::move(edit.after);

@@ -53,6 +53,10 @@ class EditHistory {
     /// Adds an edit, or merges it with the last one of the same gesture. Clears the edits to redo. An edit
     /// that changes nothing in the end is not kept.
     void record(Edit edit);
+    /// Whether an edit with this key would be merged with the last one.
+    bool continues(const std::string& key) const {
+        return gesture_ && done_ > 0 && done_ == edits_.size() && edits_.back().key == key;
+    }
     /// Ends a gesture, such as the drag of a slider: the next edit is a new one.
     void end_gesture() { gesture_ = false; }
 

@@ -39,7 +39,30 @@ std::optional<bool> logarithmic_of(std::string_view name) {
     return name == axis_name(true);
 }
 
-PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_window) {
+CurveView view_of(const SeriesTrace& series, bool by_iteration) {
+    const Trace& trace = series.trace;
+    return {.label = {},
+            .part = series.info.plot ? series.info.plot->part : std::string_view(),
+            .x = by_iteration ? trace.iterations : trace.seconds,
+            .y = trace.values,
+            .extremes = &trace.extremes};
+}
+
+/// The newest at the strength of `most`.
+void add_earlier(const DocumentRun& run, const PlotChoice& choice, PlotView& view) {
+    constexpr float most = 0.5F, fading = 0.72F;
+    float opacity = most;
+    for (auto solve = run.earlier.rbegin(); solve != run.earlier.rend(); ++solve, opacity *= fading)
+        for (const SeriesTrace& series : solve->curves.all()) {
+            if (series.plot != choice.plot) continue;
+            CurveView curve = view_of(series, choice.abscissa == "iterations");
+            curve.colour = run.colour, curve.name = solve->name;
+            curve.behind = true, curve.opacity = opacity;
+            view.curves.push_back(std::move(curve));
+        }
+}
+
+PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_window, bool earlier) {
     const bool by_iteration = choice.abscissa == "iterations";
     PlotView view;
     view.x = {by_iteration ? "iteration" : "seconds", choice.log_x};
@@ -54,19 +77,16 @@ PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_w
         const std::string name = names[shown++], label = run.live() && in_window ? name + " (now)" : name;
         for (const SeriesTrace& series : run.curves.all()) {
             if (series.plot != choice.plot) continue;
-            const Trace& trace = series.trace;
             view.y.label = series.info.unit;
-            view.curves.push_back({.label = label,
-                                   .part = series.info.plot ? series.info.plot->part : std::string_view(),
-                                   .x = by_iteration ? trace.iterations : trace.seconds,
-                                   .y = trace.values,
-                                   .extremes = &trace.extremes,
-                                   .colour = run.colour,
-                                   .behind = !run.live()});
+            CurveView curve = view_of(series, by_iteration);
+            curve.label = label;
+            curve.colour = run.colour;
+            curve.behind = !run.live();
+            view.curves.push_back(std::move(curve));
         }
-        for (const ChangeMark& mark : run.marks)
-            view.marks.push_back({by_iteration ? mark.iteration : mark.seconds, mark.text, run.colour});
     }
+    for (const DocumentRun& run : runs)
+        if (earlier && !run.hidden) add_earlier(run, choice, view);
     return view;
 }
 
@@ -184,19 +204,19 @@ std::optional<PlotChoice> parse_choice(std::string_view text) {
     return PlotChoice{std::string(words[0]), abscissa, *log_x, *log_y};
 }
 
-PlotView view_of_runs(const DocumentRuns& runs, const PlotChoice& choice) {
-    return make_view(runs, choice, runs.size() > 1); // only among others does it matter which one still moves
+PlotView view_of_runs(const DocumentRuns& runs, const PlotChoice& choice, bool earlier) {
+    // Only among others does it matter which one still moves.
+    return make_view(runs, choice, runs.size() > 1, earlier);
 }
 
 Plot plot_of_runs(const DocumentRuns& runs, const PlotChoice& choice, const PlotZoom& zoom) {
-    const PlotView view = make_view(runs, choice, false); // a file does not mark the current iterate
+    const PlotView view = make_view(runs, choice, false, false); // a file does not mark the current iterate
     Plot plot{.title = std::string(plot_label(runs, choice.plot)), .x = view.x, .y = view.y, .curves = {}};
     for (const CurveView& curve : view.curves) {
         plot.curves.push_back(thinned(curve, view, zoom));
         if (curve.part != view.curves.front().part)
             plot.curves.back().label.clear(); // one entry in the legend per run
     }
-    for (const MarkView& mark : view.marks) plot.marks.push_back({mark.x, std::string(mark.label)});
     return zoomed(std::move(plot), zoom);
 }
 

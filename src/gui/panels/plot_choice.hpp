@@ -49,8 +49,9 @@ std::string format_choice(const PlotChoice& choice);
 /// Nothing where the text is not such a word.
 std::optional<PlotChoice> parse_choice(std::string_view text);
 
-/// The curves and marks of all runs that are not hidden. Valid until the runs change.
-PlotView view_of_runs(const DocumentRuns& runs, const PlotChoice& choice);
+/// The curves of all runs that are not hidden. Valid until the runs change. `earlier`: also those of earlier
+/// solves with other values, faded, the older the more.
+PlotView view_of_runs(const DocumentRuns& runs, const PlotChoice& choice, bool earlier = true);
 
 /// The same with its own numbers and with a title, for a file; long curves are thinned out to what a picture
 /// can show. `zoom`: what is to be seen of it.

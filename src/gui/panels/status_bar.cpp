@@ -99,8 +99,6 @@ std::vector<StatusCell> status_cells(const DocumentRun& run) {
 std::string method_note(const DocumentRun& run, const Catalogue& catalogue) {
     for (std::size_t i = run.history.size(); i-- > 1;) {
         const StepReport& report = run.history[i];
-        const bool changed = report.iteration == run.history[i - 1].iteration; // a row for other values
-        if (changed) return {}; // earlier notes are about the values before
         if (report.note.empty()) continue;
         return catalogue.method(run.scenario.method.type).label + ", from iteration " +
                std::to_string(report.iteration) + ": " + report.note;

@@ -137,6 +137,7 @@ AxisRange home_range(const PlotView& plot, bool vertical) {
     Hull hull;
     bool markers = false;
     for (const CurveView& curve : plot.curves) {
+        if (curve.opacity < 1) continue;
         markers = markers || curve.markers;
         (curve.extremes ? add_indexed : add_points)(curve, plot, vertical, hull);
     }

@@ -242,7 +242,8 @@ void draw_curves(ImDrawList& list, const PlotView& plot, const std::vector<Pixel
     for (const bool behind : {true, false})
         for (std::size_t i = 0; i < plot.curves.size(); ++i)
             if (const CurveView& curve = plot.curves[i]; curve.behind == behind)
-                draw_curve(list, curve, paths[i], area, packed(curve_colour(theme, curve.colour)), scale);
+                draw_curve(list, curve, paths[i], area,
+                           packed(curve_colour(theme, curve.colour), curve.opacity), scale);
     list.PopClipRect();
 }
 

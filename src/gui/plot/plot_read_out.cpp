@@ -144,7 +144,7 @@ void draw_read_out(ImDrawList& list, const PlotView& plot, const PlotFrame& fram
         const CurveView& curve = plot.curves[point.curve];
         const ImVec2 at{static_cast<float>(frame.pixel_x(curve.x[point.index])),
                         static_cast<float>(frame.pixel_y(curve.y[point.index]))};
-        list.AddCircleFilled(at, 3.5F * scale, packed(curve_colour(theme, curve.colour)), 20);
+        list.AddCircleFilled(at, 3.5F * scale, packed(curve_colour(theme, curve.colour), curve.opacity), 20);
         list.AddCircle(at, 4.5F * scale, packed(theme.panel), 20, scale);
     }
     list.PopClipRect();

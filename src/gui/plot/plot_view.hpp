@@ -22,6 +22,7 @@ struct CurveView {
     bool behind = false;                ///< thinner, and below those that are not
     bool linear = false;                ///< as in Curve
     std::string_view name{};            ///< as in Curve
+    float opacity = 1;                  ///< below 1: faded, and not what the axes span
 };
 
 struct RowView {

@@ -68,7 +68,7 @@ Drag drag(const std::string& scenario_name, const std::string& method, const Mot
     }
     while (watch.seconds() < seconds) {
         scenario.monitor.values.set(motion.key, motion.from + motion.per_second * watch.seconds());
-        solver.post(ChangeCommand{scenario, ++number});
+        solver.post(ChangeCommand{.scenario = scenario, .number = ++number, .same_gesture = true});
         solver.drain();
         std::this_thread::sleep_for(std::chrono::microseconds(16667));
     }

@@ -48,7 +48,7 @@ TEST_F(SolverThreadTest, SolvesAndReportsEveryIteration) {
     ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
     const auto events = thread.drain();
     ASSERT_GT(events.size(), 10u);
-    EXPECT_TRUE(events.front().restarted);
+    EXPECT_EQ(events.front().kind, SolverEventKind::restart);
     for (std::size_t i = 0; i < events.size(); ++i)
         EXPECT_EQ(events[i].report.iteration, static_cast<int>(i));
     EXPECT_EQ(thread.latest()->report.iteration, events.back().report.iteration);
@@ -89,7 +89,7 @@ TEST_F(SolverThreadTest, ResetBeginsANewHistory) {
     ASSERT_TRUE(eventually([&] { return thread.latest()->report.iteration == 0; }));
     const auto events = thread.drain();
     ASSERT_EQ(events.size(), 1u);
-    EXPECT_TRUE(events[0].restarted);
+    EXPECT_EQ(events[0].kind, SolverEventKind::restart);
     EXPECT_EQ(thread.latest()->x, thread.latest()->mesh->nodes);
 }
 
@@ -168,24 +168,36 @@ TEST_F(SolverThreadTest, ChangesThatFollowEachOtherAreMergedAndTheLastWins) {
     double amplitude = 0;
     std::promise<void> done;
     std::size_t rows = 0;
+    int epoch = 0;
     thread.post(InspectCommand{[&](gaspard::Run& run, const Activity&) {
+        epoch = run.epoch();
         amplitude = run.scenario().monitor.values.real("amplitude");
         rows = run.history().size();
         done.set_value();
     }});
     ASSERT_EQ(done.get_future().wait_for(10s), std::future_status::ready);
     EXPECT_EQ(amplitude, 100);
-    EXPECT_EQ(rows, 2u) << "the start and one change";
+    EXPECT_EQ(rows, 1U);
+    EXPECT_EQ(epoch, 1) << "one change, which begins a history";
 }
 
 TEST_F(SolverThreadTest, AConvergedRunGoesOnAfterAChange) {
     SolverThread thread(catalogue, scenario(), {});
     ASSERT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
-    const int before = thread.latest()->report.iteration;
-    thread.post(ChangeCommand{scenario({"monitor.amplitude=15"})});
-    ASSERT_TRUE(eventually([&] {
-        return thread.latest()->report.iteration > before && thread.status().run == RunStatus::converged;
-    }));
+    thread.drain();
+    thread.post(ChangeCommand{scenario({"monitor.amplitude=15"}), 1});
+    ASSERT_TRUE(eventually(
+        [&] { return thread.status().answered == 1 && thread.status().run == RunStatus::converged; }));
+    const auto events = thread.drain();
+    ASSERT_GT(events.size(), 2U);
+    EXPECT_EQ(events.front().kind, SolverEventKind::change);
+    EXPECT_EQ(events.front().report.iteration, 0);
+    EXPECT_EQ(events[1].kind, SolverEventKind::step);
+    EXPECT_EQ(events[1].report.iteration, 1);
+    thread.post(ChangeCommand{.scenario = scenario({"monitor.amplitude=16"}), .number = 2, .same_gesture = true});
+    ASSERT_TRUE(eventually(
+        [&] { return thread.status().answered == 2 && thread.status().run == RunStatus::converged; }));
+    EXPECT_EQ(thread.drain().front().kind, SolverEventKind::same_gesture);
 }
 
 TEST_F(SolverThreadTest, AnInputErrorIsASentenceAndTheRunGoesOn) {
@@ -338,7 +350,7 @@ TEST_F(SolverThreadTest, AFaultEndsTheRunButNotTheThread) {
     EXPECT_TRUE(eventually([&] { return thread.status().run == RunStatus::converged; }));
     const auto events = thread.drain();
     ASSERT_FALSE(events.empty()) << "the new run is seen";
-    EXPECT_TRUE(events.front().restarted);
+    EXPECT_EQ(events.front().kind, SolverEventKind::restart);
     thread.post(ChangeCommand{scenario({"domain.cells=20"}), 2});
     thread.post(ChangeCommand{scenario({"domain.cells=14"}), 3, true});
     EXPECT_TRUE(eventually([&] { return thread.status().answered == 3; }));
@@ -375,7 +387,8 @@ TEST_F(SolverThreadTest, AnOpeningThatIsCancelledOrRefusedLeavesTheRunAsItWas) {
         [&] { return thread.status().answered == 3 && thread.status().run == RunStatus::converged; }));
     EXPECT_EQ(thread.latest()->mesh->cell_count(), 256);
     const auto events = thread.drain();
-    EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const SolverEvent& e) { return e.restarted; }));
+    EXPECT_TRUE(std::any_of(events.begin(), events.end(),
+                            [](const SolverEvent& e) { return e.kind == SolverEventKind::restart; }));
 }
 
 TEST_F(SolverThreadTest, AnotherScenarioIsNoMapThatCouldNotBeKept) {

@@ -36,12 +36,17 @@ TEST_F(DocumentTest, AChangeContinuesAndAResetStartsOver) {
     Scenario changed = run().scenario;
     set_value(*catalogue, changed, "monitor.amplitude", 20.0);
     document.change(run().id, changed);
-    ASSERT_TRUE(wait_until([&] { return run().ended() && run().history.back().iteration == 80; }));
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    EXPECT_LT(run().history.front().residual, 0.6) << "the map before the change is the start";
     document.reset(run().id);
     ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
     EXPECT_EQ(run().history.front().iteration, 0);
     EXPECT_EQ(run().curves.find("residual")->trace.values.size(), 1U);
-    EXPECT_FALSE(run().wants_to_run) << "a run that had ended is paused by a reset";
+    EXPECT_GT(run().history.front().residual, 0.6);
+    EXPECT_FALSE(run().wants_to_run);
+    document.start(run().id);
+    document.reset(run().id);
+    EXPECT_FALSE(run().wants_to_run) << "a run that was running is paused, too: R, Space runs it";
     document.start(run().id);
     ASSERT_TRUE(wait_until([&] { return run().ended() && run().history.back().iteration == 40; }));
 }
@@ -123,25 +128,51 @@ TEST_F(DocumentTest, ARunWithoutReportsIsNotKept) {
     EXPECT_EQ(document.runs().size(), 1U);
 }
 
-TEST_F(DocumentTest, AChangeOfValuesMarksTheHistory) {
+TEST_F(DocumentTest, AChangeOfValuesBeginsAHistoryAndKeepsTheCurvesBeforeIt) {
     document.open(small_ring());
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
-    EXPECT_TRUE(run().marks.empty());
-    Scenario changed = run().scenario;
-    for (const double amplitude : {12.0, 15.0, 20.0}) { // as by a slider
-        set_value(*catalogue, changed, "monitor.amplitude", amplitude);
+    const std::size_t first = run().history.size();
+    EXPECT_TRUE(run().earlier.empty());
+    const auto change = [&](const char* key, double value) {
+        Scenario changed = run().scenario;
+        set_value(*catalogue, changed, key, value);
         document.change(run().id, changed);
-        ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
-    }
-    ASSERT_TRUE(wait_until([&] { return run().ended() && run().history.back().iteration >= 80; }));
-    ASSERT_EQ(run().marks.size(), 1U);
-    EXPECT_EQ(run().marks[0].iteration, 40);
-    EXPECT_EQ(run().marks[0].text, "amplitude 10 to 20");
+        ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    };
+    for (const double amplitude : {12.0, 15.0, 20.0}) // as by a slider
+        change("monitor.amplitude", amplitude);
+    document.end_gesture();
+    ASSERT_EQ(run().earlier.size(), 1U) << "a gesture is one change";
+    EXPECT_EQ(run().earlier[0].name, "amplitude 10");
+    EXPECT_EQ(run().earlier[0].curves.find("residual")->trace.values.size(), first);
+    EXPECT_EQ(run().history.front().iteration, 0);
+    EXPECT_EQ(run().history.back().iteration + 1, static_cast<int>(run().history.size()));
+    EXPECT_LE(run().history.back().iteration, 40) << "of these values alone";
+    change("monitor.amplitude", 25);
+    document.end_gesture();
+    change("monitor.radius", 0.2);
+    ASSERT_EQ(run().earlier.size(), 3U);
+    EXPECT_EQ(run().earlier[1].name, "amplitude 20");
+    EXPECT_EQ(run().earlier[2].name, "radius 0.25");
     document.keep(run().id);
+    EXPECT_TRUE(document.runs()[1].earlier.empty()) << "what is kept is this solve";
     document.reset(run().id);
     ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
-    EXPECT_TRUE(run().marks.empty());
-    EXPECT_EQ(document.runs()[1].marks.size(), 1U);
+    EXPECT_TRUE(run().earlier.empty());
+}
+
+TEST_F(DocumentTest, OnlyTheLastEarlierSolvesAreKept) {
+    document.open(small_ring());
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    for (int i = 1; i <= 12; ++i) {
+        Scenario changed = run().scenario;
+        set_value(*catalogue, changed, "monitor.amplitude", 10.0 + i);
+        document.change(run().id, changed);
+        document.end_gesture();
+        ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    }
+    ASSERT_EQ(run().earlier.size(), most_earlier);
+    EXPECT_EQ(run().earlier.back().name, "amplitude 21");
 }
 
 TEST_F(DocumentTest, WhatIsMeasuredLaterCompletesTheHistory) {
@@ -167,8 +198,11 @@ TEST_F(DocumentTest, WhatIsMeasuredLaterCompletesTheHistory) {
     ASSERT_TRUE(collected([&] { return one.status.run == RunStatus::converged && !one.history.empty(); }));
     solver = one.solver.get();
     Scenario changed = one.scenario;
-    set_value(*catalogue, changed, "monitor.amplitude", 2.001); // shown at once, but not yet solved
-    watched.change(one.id, changed);
+    for (const double amplitude : {2.0005, 2.001}) { // by one gesture; shown at once, but not yet solved
+        set_value(*catalogue, changed, "monitor.amplitude", amplitude);
+        watched.change(one.id, changed);
+        ASSERT_TRUE(collected([&] { return one.changes.settled(); }));
+    }
     ASSERT_TRUE(collected([&] { return one.changes.settled() && one.status.paused; }));
     ASSERT_TRUE(held) << "the change was not shown in part";
     ASSERT_TRUE(one.snapshot->report.value("equidistribution"));
@@ -176,7 +210,7 @@ TEST_F(DocumentTest, WhatIsMeasuredLaterCompletesTheHistory) {
     const Trace& curve = one.curves.find("equidistribution")->trace;
     EXPECT_EQ(curve.values.back(), *one.snapshot->report.value("equidistribution"));
     EXPECT_EQ(one.curves.find("residual")->trace.values.size(), one.history.size()) << "no row twice";
-    EXPECT_EQ(one.marks.size(), 1U);
+    EXPECT_EQ(one.earlier.size(), 1U);
 }
 
 TEST_F(DocumentTest, ANameThatIsSavedAgainStandsForTheValuesSavedLast) {

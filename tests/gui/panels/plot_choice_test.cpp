@@ -14,10 +14,8 @@ DocumentRuns two_runs(int iterations = 20) {
     runs.push_back(made_up_run("first", iterations));
     runs.push_back(made_up_run("second", 10));
     runs[1].colour = 1;
-    ChangeMark& mark = runs[1].marks.emplace_back();
-    mark.iteration = 5;
-    mark.seconds = mark.last_seconds = 0.05;
-    mark.text = "amplitude 10 to 20";
+    runs[1].earlier.push_back({made_up_run("older", 30).curves, "amplitude 5"});
+    runs[1].earlier.push_back({made_up_run("old", 7).curves, "amplitude 10"});
     return runs;
 }
 
@@ -77,23 +75,27 @@ TEST(PlotsOfRuns, AreThoseOfTheSeriesThatTheRunsReport) {
 TEST(ViewOfRuns, ShowsTheChosenColumnsOfAllThatIsNotHidden) {
     DocumentRuns runs = two_runs();
     PlotView view = view_of_runs(runs, {});
-    ASSERT_EQ(view.curves.size(), 2U);
+    ASSERT_EQ(view.curves.size(), 4U);
     EXPECT_EQ(view.curves[0].y.data(), runs[0].curves.find("residual")->trace.values.data())
         << "looked at, not copied";
     EXPECT_EQ(view.curves[1].colour, 1U);
     EXPECT_EQ(view.curves[1].label, "second");
-    ASSERT_EQ(view.marks.size(), 1U);
-    EXPECT_EQ(view.marks[0].x, 5);
+    EXPECT_EQ(view.curves[2].name, "amplitude 10") << "the newest of the earlier solves first";
+    EXPECT_EQ(view.curves[2].label, "") << "it has no entry in the legend";
+    EXPECT_EQ(view.curves[2].colour, 1U);
+    EXPECT_LT(view.curves[2].opacity, 1);
+    EXPECT_LT(view.curves[3].opacity, view.curves[2].opacity) << "the older the fainter";
+    EXPECT_EQ(view.curves[3].x.front(), 0) << "with iterations of its own";
+    EXPECT_LT(home_range(view, false).high, 25) << "the axes span what is not faded";
+    EXPECT_EQ(view_of_runs(runs, {}, false).curves.size(), 2U) << "folded away";
     view = view_of_runs(runs, {.abscissa = "seconds"});
     EXPECT_EQ(view.curves[0].x.data(), runs[0].curves.find("residual")->trace.seconds.data());
-    EXPECT_EQ(view.marks[0].x, 0.05);
     runs[1].hidden = true;
     view = view_of_runs(runs, {.plot = "jacobian", .log_y = false});
     ASSERT_EQ(view.curves.size(), 2U) << "the largest and the smallest of one run";
     EXPECT_EQ(view.curves[0].colour, view.curves[1].colour);
     EXPECT_EQ(view.curves[0].y.back(), 3);
     EXPECT_EQ(view.curves[1].y.back(), 0.98);
-    EXPECT_TRUE(view.marks.empty());
     EXPECT_EQ(view_of_runs(runs, {.plot = "step-size"}).curves[0].y.size(), 20U);
     EXPECT_EQ(view_of_runs(runs, {.plot = "equidistribution"}).curves[0].y.size(), 11U)
         << "where it was not measured the curve goes on";
@@ -107,8 +109,6 @@ TEST(PlotOfRuns, HasItsOwnNumbersAndIsThinnedOut) {
     EXPECT_EQ(small.curves[0].label, "first");
     EXPECT_EQ(small.curves[1].label, "") << "one entry of the legend per run";
     EXPECT_EQ(small.curves[0].x.size(), 11U);
-    ASSERT_EQ(small.marks.size(), 1U);
-    EXPECT_EQ(small.marks[0].label, "amplitude 10 to 20");
 
     DocumentRuns runs = two_runs(3);
     for (int i = 4; i < 50000; ++i) {

@@ -1,0 +1,165 @@
+#include "core/session/recording.hpp"
+
+#include "core/scenario/toml.hpp"
+#include "core/session/run.hpp"
+#include "core/session/solver_thread.hpp"
+
+#include <chrono>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <thread>
+
+namespace gaspard {
+namespace {
+
+Scenario recorded_ring(std::vector<std::string> settings = {}) {
+    const Catalogue catalogue = builtin_catalogue();
+    Scenario scenario = find_scenario(catalogue, "plane-ring");
+    settings.insert(settings.begin(), "domain.cells=20");
+    apply_settings(catalogue, scenario, settings);
+    return scenario;
+}
+
+Run make_run(std::vector<std::string> settings = {}) {
+    return Run(std::make_shared<const Catalogue>(builtin_catalogue()), recorded_ring(std::move(settings)));
+}
+
+/// Records an iterate as `iteration`.
+void add_as(Recording& recording, const Snapshot& snapshot, int iteration) {
+    Snapshot copy = snapshot;
+    copy.report.iteration = iteration;
+    recording.add(copy);
+}
+
+TEST(Recording, KeepsPositionsAndFieldsToSinglePrecision) {
+    gaspard::Run run = make_run();
+    for (int i = 0; i < 5; ++i) run.step();
+    const auto snapshot = run.snapshot();
+    const auto restored = RecordedIterate(*snapshot).restore();
+    ASSERT_EQ(restored->x.size(), snapshot->x.size());
+    double worst = 0;
+    for (std::size_t i = 0; i < snapshot->x.size(); ++i)
+        worst = std::max(worst, norm(restored->x[i] - snapshot->x[i]));
+    EXPECT_LT(worst, 1e-7);
+    EXPECT_GT(worst, 0) << "double precision would take twice the memory";
+    ASSERT_EQ(restored->fields.size(), snapshot->fields.size());
+    for (std::size_t f = 0; f < snapshot->fields.size(); ++f) {
+        const Field &field = snapshot->fields[f], &again = restored->fields[f];
+        EXPECT_EQ(again.name, field.name);
+        ASSERT_EQ(again.values.size(), field.values.size()) << field.name;
+        for (std::size_t i = 0; i < field.values.size(); ++i)
+            ASSERT_NEAR(again.values[i], field.values[i], 1e-6 * (1 + std::abs(field.values[i])));
+    }
+    EXPECT_EQ(restored->report.iteration, 5);
+    EXPECT_EQ(restored->report.residual, snapshot->report.residual);
+    EXPECT_EQ(restored->version, snapshot->version);
+    EXPECT_EQ(restored->mesh, snapshot->mesh);
+}
+
+TEST(Recording, RestoresMeshesInSpaceAndOnIntervals) {
+    const Catalogue catalogue = builtin_catalogue();
+    for (const char* name : {"sphere-cross", "layer-1d"}) {
+        Scenario scenario = find_scenario(catalogue, name);
+        gaspard::Run run(std::make_shared<const Catalogue>(builtin_catalogue()), scenario);
+        run.step();
+        const auto snapshot = run.snapshot();
+        const auto restored = RecordedIterate(*snapshot).restore();
+        for (std::size_t i = 0; i < snapshot->x.size(); ++i)
+            ASSERT_LT(norm(restored->x[i] - snapshot->x[i]), 1e-6) << name;
+    }
+}
+
+TEST(Recording, DropsEveryOtherIterateWhenTheBudgetIsUsedUp) {
+    const auto snapshot = make_run().snapshot();
+    const std::size_t one = RecordedIterate(*snapshot).bytes();
+    Recording recording(10 * one);
+    for (int i = 0; i <= 9; ++i) add_as(recording, *snapshot, i);
+    EXPECT_EQ(recording.iterations().size(), 10U) << "they fit";
+    for (int i = 10; i <= 1000; ++i) {
+        add_as(recording, *snapshot, i);
+        ASSERT_LE(recording.bytes(), 10 * one);
+        ASSERT_EQ(recording.iterations().front(), 0);
+        ASSERT_EQ(recording.iterations().back(), i) << "the newest is always there";
+    }
+    const std::vector<int> kept = recording.iterations();
+    EXPECT_GE(kept.size(), 5U) << "half of the budget is used";
+    EXPECT_EQ(recording.stride(), 128);
+    for (std::size_t i = 1; i + 1 < kept.size(); ++i) EXPECT_EQ(kept[i], static_cast<int>(i) * 128);
+    EXPECT_EQ(recording.bytes(), kept.size() * one);
+    recording.set_budget(3 * one);
+    EXPECT_LE(recording.iterations().size(), 3U);
+    recording.set_budget(0);
+    EXPECT_EQ(recording.iterations(), (std::vector<int>{0, 1000})) << "two are always there";
+}
+
+TEST(Recording, FindsTheNewestIterateUpToAnIteration) {
+    const auto snapshot = make_run().snapshot();
+    Recording recording(1U << 30U);
+    EXPECT_EQ(recording.at(3), nullptr);
+    for (const int i : {4, 6, 9}) add_as(recording, *snapshot, i);
+    EXPECT_EQ(recording.at(0)->iteration(), 4) << "the first there is";
+    EXPECT_EQ(recording.at(5)->iteration(), 4);
+    EXPECT_EQ(recording.at(6)->iteration(), 6);
+    EXPECT_EQ(recording.at(100)->iteration(), 9);
+    add_as(recording, *snapshot, 6); // the same iterate with more diagnostics
+    EXPECT_EQ(recording.iterations(), (std::vector<int>{4, 6}));
+    recording.begin();
+    EXPECT_EQ(recording.at(6), nullptr);
+    EXPECT_EQ(recording.bytes(), 0U);
+}
+
+/// What a solver thread records of a scenario, once it has ended.
+std::vector<int> recorded_by_thread(const Scenario& scenario, const std::shared_ptr<Recording>& recording,
+                                    const std::function<void(SolverThread&)>& then = {}) {
+    SolverThread::Options options;
+    options.recording = recording;
+    SolverThread solver(std::make_shared<const Catalogue>(builtin_catalogue()), scenario, std::move(options));
+    const auto wait_for_end = [&](std::uint64_t answered) {
+        for (int i = 0; i < 60000; ++i) {
+            solver.drain();
+            const SolverStatus status = solver.status();
+            if (status.answered == answered && is_final(status.run)) return;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        FAIL() << "the run did not end";
+    };
+    wait_for_end(0);
+    if (then) {
+        then(solver);
+        wait_for_end(1);
+    }
+    return recording->iterations();
+}
+
+TEST(Recording, ASolverThreadRecordsEveryIterateOfASolve) {
+    const auto recording = std::make_shared<Recording>(1U << 30U);
+    const std::vector<int> all =
+        recorded_by_thread(recorded_ring({"method.max_iterations=30", "method.tolerance=1e-12"}), recording);
+    std::vector<int> expected(31);
+    std::iota(expected.begin(), expected.end(), 0);
+    EXPECT_EQ(all, expected);
+    gaspard::Run run = make_run({"method.max_iterations=30"});
+    for (int i = 0; i < 12; ++i) run.step();
+    const auto recorded = recording->at(12)->restore();
+    for (std::size_t i = 0; i < run.snapshot()->x.size(); ++i)
+        ASSERT_LT(norm(recorded->x[i] - run.snapshot()->x[i]), 1e-7) << "of iteration 12 itself";
+}
+
+TEST(Recording, AChangeOfValuesBeginsANewOne) {
+    const auto recording = std::make_shared<Recording>(1U << 30U);
+    const Scenario changed = recorded_ring({"monitor.amplitude=11"});
+    const std::vector<int> all = recorded_by_thread(recorded_ring(), recording, [&](SolverThread& solver) {
+        solver.post(ChangeCommand{changed, 1});
+    });
+    gaspard::Run run = make_run();
+    run.solve();
+    run.change(changed);
+    ASSERT_EQ(run.history().front().iteration, 0);
+    const int solved_in = run.solve().iteration;
+    std::vector<int> expected(static_cast<std::size_t>(solved_in) + 1);
+    std::iota(expected.begin(), expected.end(), 0);
+    EXPECT_EQ(all, expected) << "all of it, from the map of the old values on";
+}
+
+} // namespace
+} // namespace gaspard
