@@ -48,6 +48,16 @@ class ApplicationFixture : public testing::Test {
     static Size size_of(const ShownView& scene) {
         return {static_cast<double>(scene.rectangle.width()), static_cast<double>(scene.rectangle.height())};
     }
+    /// With the rows under "More", in a window that is high enough for all.
+    void show_all_view_rows() {
+        ImGui::GetIO().DisplaySize.y = 3000;
+        frame();
+        frame();
+        const auto more = application.items().find("view.more");
+        ASSERT_NE(more, application.items().end());
+        ui.click(more->second, drawing());
+        frame();
+    }
     /// What the solver thread itself works with.
     Scenario solved_scenario() {
         const auto seen = std::make_shared<std::promise<Scenario>>(); // outlives a test that gave up waiting

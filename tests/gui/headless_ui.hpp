@@ -59,6 +59,13 @@ class HeadlessUi {
         frame(draw);
     }
 
+    /// Twice at the middle of an item.
+    void double_click(ItemRectangle item, const std::function<void()>& draw) {
+        click(item, draw);
+        click(item, draw);
+        for (int i = 0; i < 3; ++i) frame(draw); // until a field has the keyboard
+    }
+
     /// Drags along an item from one fraction of its width to another.
     void drag(ItemRectangle item, float from, float to, const std::function<void()>& draw) {
         move(item.left + from * item.width(), item.center_y());

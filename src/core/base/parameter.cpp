@@ -142,6 +142,17 @@ Values::Values(std::string section, std::vector<ParameterRow> rows)
     for (const auto& row : rows_) set(row.key, row.default_value); // checks that the default is in range
 }
 
+std::vector<ParameterRow> as_details(std::vector<ParameterRow> rows) {
+    for (ParameterRow& row : rows) row.detail = true;
+    return rows;
+}
+
+std::vector<ParameterRow> as_details(std::vector<ParameterRow> rows, std::span<const std::string_view> keys) {
+    for (ParameterRow& row : rows)
+        row.detail = row.detail || std::find(keys.begin(), keys.end(), row.key) != keys.end();
+    return rows;
+}
+
 std::vector<ParameterRow> without_ranges(std::vector<ParameterRow> rows) {
     for (ParameterRow& row : rows)
         if (row.kind == ParameterKind::real) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -59,6 +60,7 @@ struct ParameterRow {
     ParameterRole role = ParameterRole::none;
     std::string point{};   ///< coordinates only: the point they belong to ("center")
     bool periodic = false; ///< minimum and maximum are equivalent
+    bool detail = false;   ///< of less interest: the window shows it on demand, or if it is changed
     /// The value stands for (value - origin) / measure, a number that does not depend on size and place of
     /// the domain. It is kept when the domain changes.
     double origin = 0, measure = 1;
@@ -68,6 +70,9 @@ struct ParameterRow {
     std::vector<std::pair<std::string, std::string>> former_choices{};
 };
 
+/// The same rows as details: all of them, or those with these keys.
+std::vector<ParameterRow> as_details(std::vector<ParameterRow> rows);
+std::vector<ParameterRow> as_details(std::vector<ParameterRow> rows, std::span<const std::string_view> keys);
 /// The same rows, whose real numbers may have any value.
 std::vector<ParameterRow> without_ranges(std::vector<ParameterRow> rows);
 /// Whether rows of the scenario may depend on the value of this row.

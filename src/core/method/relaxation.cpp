@@ -78,7 +78,7 @@ MethodType relaxation_method() {
 Values default_values(const MethodType& type, const std::vector<ParameterRow>& on_domain) {
     auto rows = type.rows;
     rows.insert(rows.end(), on_domain.begin(), on_domain.end());
-    for (auto& row : common_method_rows()) {
+    for (auto& row : as_details(common_method_rows())) {
         if (row.key == "tolerance" && type.criterion != type.residual.name)
             row.help = "the run converges when the " + type.criterion + " is below this value";
         rows.push_back(std::move(row));

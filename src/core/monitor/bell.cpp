@@ -15,7 +15,7 @@ MonitorType bell_monitor() {
                 const bool sphere = space.kind == SpaceKind::sphere;
                 std::vector<ParameterRow> rows = {amplitude_row(5000, sphere ? 20.0 : 50.0, "at the centre"),
                                                   sharpness_row(sphere ? 10.0 : 100.0, "0.94 / sqrt(B)",
-                                                                sphere ? "1/radian^2" : "1/length^2")};
+                                                                sphere ? "1/radian²" : "1/length²")};
                 for (auto& row : center_rows(space)) rows.push_back(std::move(row));
                 return rows;
             },

@@ -31,7 +31,7 @@ std::optional<std::size_t> axis_of(const ParameterRow& row) {
 
 /// The power of the length in the row's unit.
 int power_of_length(const ParameterRow& row) {
-    constexpr std::pair<const char*, int> units[] = {{"length", 1}, {"1/length", -1}, {"1/length^2", -2}};
+    constexpr std::pair<const char*, int> units[] = {{"length", 1}, {"1/length", -1}, {"1/length²", -2}};
     for (const auto& [unit, power] : units)
         if (row.unit == unit) return power;
     return 0;

@@ -45,7 +45,7 @@ void check_amplitude(double amplitude, double least);
 /// Rows shared by several monitors; `where` and `half_height` complete their help texts.
 ParameterRow amplitude_row(double maximum, double value, const std::string& where);
 ParameterRow sharpness_row(double value, const std::string& half_height,
-                           const std::string& unit = "1/length^2");
+                           const std::string& unit = "1/length²");
 /// Rows for the centre: x, y and, for a surface in space, z; on the sphere latitude and longitude.
 std::vector<ParameterRow> center_rows(const Space& space);
 

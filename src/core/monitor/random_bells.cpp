@@ -48,7 +48,7 @@ MonitorType random_bells_monitor() {
                     amplitude.minimum = 0;
                     amplitude.help = "upper bound of the heights Aᵢ; each is at least A/4";
                     ParameterRow sharpness = sharpness_row(sphere ? 10.0 : 100.0, "0.94 / sqrt(B)",
-                                                           sphere ? "1/radian^2" : "1/length^2");
+                                                           sphere ? "1/radian²" : "1/length²");
                     sharpness.help = "larger is narrower; each Bᵢ is between B/2 and 2 B";
                     return std::vector<ParameterRow>{seed_row("centres, heights and widths"),
                                                      {.key = "count",

@@ -17,7 +17,7 @@ MonitorType ring_monitor() {
                 const bool sphere = space.kind == SpaceKind::sphere;
                 std::vector<ParameterRow> rows = {amplitude_row(1000, 10.0, "on the ring"),
                                                   sharpness_row(sphere ? 10.0 : 200.0, "0.44 / (B r)",
-                                                                sphere ? "1/radian^2" : "1/length^2"),
+                                                                sphere ? "1/radian²" : "1/length²"),
                                                   {.key = "radius",
                                                    .label = "Radius",
                                                    .symbol = "r",

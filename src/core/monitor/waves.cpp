@@ -94,7 +94,7 @@ MonitorType spiral_monitor() {
                         {.key = "winding",
                          .label = "Winding",
                          .symbol = "k",
-                         .unit = "1/length^2",
+                         .unit = "1/length²",
                          .minimum = 0,
                          .maximum = 200,
                          .default_value = 20.0,

@@ -4,6 +4,7 @@
 #include "core/scenario/view_directions.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace gaspard {
 
@@ -146,7 +147,11 @@ const FieldInfo& mesh_colour(std::string_view name) {
 }
 
 std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further, std::string_view usual_colour) {
-    return {
+    constexpr std::array<std::string_view, 15> details{
+        "histogram", "contours", "elevation", "peel",      "layers",
+        "only",      "explode",  "arrows",    "cut_cells", "projection_longitude",
+        "direction", "camera",   "spin",      "overlay",   "projection_camera"};
+    std::vector<ParameterRow> rows = {
         colour_row(further, usual_colour),
         {.key = "blend",
          .label = "Blend",
@@ -253,6 +258,7 @@ std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further, std::str
         pixels("height", "Height", 900),
         choice("theme", "Theme", {"dark", "light"}, "light: dark on white, for paper"),
         background_row()};
+    return as_details(std::move(rows), details);
 }
 
 } // namespace gaspard

@@ -20,7 +20,7 @@ class RecordedIterate {
   public:
     explicit RecordedIterate(const Snapshot& snapshot);
     int iteration() const { return rest_.report.iteration; }
-    const StepReport& report() const { return rest_.report; }
+    std::uint64_t version() const { return rest_.version; } ///< of the snapshot
     std::size_t bytes() const { return bytes_; }
     /// Positions and values rounded to single precision, all else as it was.
     std::shared_ptr<const Snapshot> restore() const;

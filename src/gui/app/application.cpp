@@ -172,7 +172,7 @@ WindowState Application::window_state() const {
             quit_,
             (open_dialog_.opening() || save_dialog_.opening() || panel_.awaits_text()) &&
                 !messages_.error().open(),
-            viewport_pane_.changing() || panel_.waiting()};
+            viewport_pane_.changing() || panel_.waiting() || playback_.playing() || playback_.blends()};
 }
 
 void Application::follow(const MenuChoice& choice) {
@@ -186,6 +186,23 @@ void Application::follow(const MenuChoice& choice) {
     case MenuChoice::Kind::format:
         return toggle_format(choice.name);
     }
+}
+
+/// One button and one key for both: the solver while the newest iterate is shown, else the replay. A run that
+/// has ended is replayed.
+void Application::run_or_pause() {
+    DocumentRun& one = run();
+    if (playback_.playing()) return playback_.pause();
+    if (playback_.live() && one.solving()) return document_.pause(one.id);
+    const bool recorded = one.recording && one.history.size() > 1;
+    if (recorded && (!playback_.live() || one.ended())) return playback_.play(one);
+    document_.start(one.id);
+}
+
+/// The next iterate that was recorded, else a new one.
+void Application::step_forward() {
+    if (!playback_.live()) return playback_.go_forward(run());
+    document_.step(run().id);
 }
 
 bool Application::on_interval() { return run().snapshot && is_interval(*run().snapshot->mesh); }

@@ -14,6 +14,7 @@
 #include "gui/base/settings.hpp"
 #include "gui/base/theme.hpp"
 #include "gui/document/document.hpp"
+#include "gui/document/playback.hpp"
 #include "gui/panels/comparison_panel.hpp"
 #include "gui/panels/dialogs.hpp"
 #include "gui/panels/error_plots.hpp"
@@ -21,6 +22,7 @@
 #include "gui/panels/plot_pane.hpp"
 #include "gui/panels/run_list.hpp"
 #include "gui/panels/study_panel.hpp"
+#include "gui/panels/toast.hpp"
 #include "gui/panels/viewport_pane.hpp"
 #include "gui/panels/why_panel.hpp"
 
@@ -96,6 +98,8 @@ class Application {
     const ItemRectangle& viewport_rectangle() const { return layout_.viewport; }
     const ItemRectangles& items() const { return items_; }
     const Messages& messages() const { return messages_; }
+    /// What the status bar says of the iterate shown.
+    std::vector<StatusCell> status() { return status_cells(run(), playback_.iteration(run())); }
     /// The plots of errors of other runs, as far as they are shown.
     const ErrorPlots& error_plots() const { return error_plots_; }
 
@@ -144,7 +148,12 @@ class Application {
     std::vector<std::string> view_keys();
     void draw_view(const PanelContext& context);
     void draw_plots(const FrameContext& context);
-    void draw_status();
+    void draw_status(const FrameContext& context);
+    void draw_viewport(const FrameContext& context);
+    Toast toast();
+    std::optional<int> first_tangled();
+    void run_or_pause();
+    void step_forward();
     void draw_log();
     void draw_comparison();
     void draw_dialogs();
@@ -204,6 +213,8 @@ class Application {
     PlotPane plot_pane_;
     ComparisonPanel comparison_panel_;
     RunList run_list_;
+    ToastPanel toast_;
+    Playback playback_;
     std::optional<Plot> plot_to_save_;
     std::string plot_name_;    ///< of the file to come
     std::string closed_cut_;   ///< view.cut before it was closed

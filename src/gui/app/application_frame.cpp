@@ -1,9 +1,9 @@
 // The frame of the application; its behaviour is in application.cpp and application_actions.cpp.
 #include "gui/app/application.hpp"
 #include "gui/app/edges.hpp"
-#include "gui/app/remedy.hpp"
 #include "gui/base/part_window.hpp"
 #include "gui/panels/error_table.hpp"
+#include "gui/panels/playback_bar.hpp"
 #include "gui/panels/status_bar.hpp"
 
 #include <algorithm>
@@ -15,15 +15,13 @@ namespace gaspard {
 namespace {
 
 constexpr const char* hint =
-    "Drag to pan, turn the wheel to zoom, click a cell to inspect it, press H to see all. F1 shows all keys.";
+    "Drag to pan, wheel to zoom, click a cell to inspect it, H to see all, F1 for help";
 constexpr const char* hint_in_space =
-    "Drag to rotate, turn the wheel to zoom, click a cell to inspect it, press F for the "
-    "rear, H to see all. F1 shows all keys.";
-constexpr const char* hint_of_heights = "Drag to rotate, turn the wheel to zoom, click a cell to inspect it, "
-                                        "press H to see all. F1 shows all keys.";
+    "Drag to rotate, wheel to zoom, click a cell to inspect it, F for the rear, H to see all, F1 for help";
+constexpr const char* hint_of_heights =
+    "Drag to rotate, wheel to zoom, click a cell to inspect it, H to see all, F1 for help";
 constexpr const char* hint_of_plots =
-    "Drag to move, turn the wheel to zoom, double-click to see all, press B for the computational "
-    "interval. F1 shows all keys.";
+    "Drag to move, wheel to zoom, double-click to see all, B for the computational interval, F1 for help";
 
 /// Whether one camera suits both meshes.
 bool look_alike(const DocumentRun& one, const DocumentRun& other) {
@@ -45,9 +43,9 @@ void Application::frame() {
     const auto menu_context = [&] {
         return MenuContext{actions_, *catalogue_, run(), settings_.recent, context};
     };
-    if (const auto chosen = menus_.draw_menu_bar(menu_context())) follow(*chosen);
+    if (const auto chosen = menus_.draw_bar(menu_context())) follow(*chosen);
     arrange();
-    if (const auto chosen = menus_.draw_toolbar(menu_context(), layout_.toolbar)) follow(*chosen);
+    playback_.update(run(), static_cast<double>(ImGui::GetIO().DeltaTime));
     const bool with_handles = run().live() && !taking_screenshot_;
     std::vector<Handle> handles;
     if (with_handles) {
@@ -58,7 +56,7 @@ void Application::frame() {
     }
     viewport_pane_.offer_handles(std::move(handles));
     viewport_pane_.offer_cut_handles(!taking_screenshot_);
-    viewport_pane_.frame(run(), viewport(), layout_.viewport, context, runs_beside());
+    draw_viewport(context);
     if (const auto move = viewport_pane_.take_handle_move()) {
         if (!run().status.refused) messages_.clear();
         document_.change(run().id, with_handle_at(run().scenario, move->handle, move->place), true);
@@ -67,11 +65,40 @@ void Application::frame() {
     if (action("plots").is_checked()) draw_plots(context);
     draw_edges(layout_, settings_.window, context);
     if (action("log").is_checked()) draw_log();
-    if (draw_remedy(remedy_note(run()), action("quadratic"), layout_.viewport, context)) perform("quadratic");
+    const Toast message = toast();
+    if (toast_.draw(message, layout_.viewport, context)) perform(message.action->name);
     draw_comparison();
-    draw_status();
+    draw_status(context);
     draw_dialogs();
     record_edits();
+}
+
+/// The iterates that the playback stands at.
+void Application::draw_viewport(const FrameContext& context) {
+    const auto shown = [this](const DocumentRun& one) { return ShownRun{&one, playback_.snapshot(one)}; };
+    std::vector<ShownRun> others;
+    for (const DocumentRun* other : runs_beside()) others.push_back(shown(*other));
+    Values& view = viewport().view;
+    const double blend = view.real("blend");
+    if (playback_.blends()) view.set("blend", playback_.blend());
+    viewport_pane_.frame(shown(run()), viewport(), layout_.viewport, context, others);
+    view.set("blend", blend);
+}
+
+/// What helps, what was said, or why the run did not converge.
+Toast Application::toast() {
+    if (const std::string note = remedy_note(run()); !note.empty())
+        return {note, Tone::warning, &action("quadratic"), false};
+    if (const Notice& last = messages_.last(); !last.text.empty())
+        return {last.text, last.error ? Tone::bad : Tone::good, nullptr};
+    const Action* tangled = first_tangled() && playback_.live() ? &action("first-tangled") : nullptr;
+    return {closing_note(run(), action("reset")), Tone::warning, tangled};
+}
+
+/// The first iteration with tangled cells.
+std::optional<int> Application::first_tangled() {
+    const auto ranges = tangled_ranges(run().history);
+    return ranges.empty() ? std::nullopt : std::optional(ranges.front().first);
 }
 
 std::vector<const DocumentRun*> Application::runs_beside() {
@@ -89,7 +116,7 @@ void Application::arrange() {
                               .log = window.boolean("log"),
                               .sidebar_width = static_cast<float>(window.real("sidebar_width")),
                               .plots_share = static_cast<float>(window.real("plots_share"))};
-    layout_ = compute_layout(size.x, size.y, ImGui::GetFontSize(), ImGui::GetFrameHeight(), choice);
+    layout_ = compute_layout(size.x, size.y, ImGui::GetFontSize(), menus_.height(), choice);
 }
 
 void Application::draw_sidebar() {
@@ -260,17 +287,22 @@ void Application::draw_plots(const FrameContext& context) {
     settings_.window.set("second_plot", format_choice(choices[1]));
 }
 
-void Application::draw_status() {
+void Application::draw_status(const FrameContext& context) {
     begin_part("##status", layout_.status);
     const bool in_space = !views().empty() && !views().front().scene.planar();
     const bool elevated = in_space && views().front().scene.elevation > 0;
-    draw_status_bar(run(), messages_.last(),
-                    {closing_note(run(), action("reset")), method_note(run(), *catalogue_),
-                     on_interval() ? hint_of_plots
-                     : elevated    ? hint_of_heights
-                     : in_space    ? hint_in_space
-                                   : hint},
-                    theme_, items_);
+    draw_status_bar(status(), method_note(run(), *catalogue_),
+                    on_interval() ? hint_of_plots
+                    : elevated    ? hint_of_heights
+                    : in_space    ? hint_in_space
+                                  : hint,
+                    context);
+    ImGui::End();
+    begin_part("##playback", layout_.playback,
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse,
+               true);
+    if (const auto pressed = draw_playback_bar(run(), playback_, actions_, context))
+        perform(*pressed);
     ImGui::End();
 }
 

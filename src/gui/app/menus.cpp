@@ -6,6 +6,7 @@
 #include "gui/base/part_window.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <imgui.h>
 
 namespace gaspard {
@@ -56,67 +57,97 @@ Choice draw_menu(const MenuContext& context, std::string_view menu) {
     return chosen;
 }
 
-bool draw_button(const MenuContext& context, const Action& row) {
-    const bool main = row.name == "run"; // highlighted, because users look for it first
-    if (main) {
-        const Theme& theme = context.frame.theme;
-        const ImVec4 accent = to_imgui(theme.accent);
-        ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(theme.background));
-        ImGui::PushStyleColor(ImGuiCol_Button, accent);
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
-        ImGui::PushStyleColor(ImGuiCol_ButtonActive, accent);
-    }
+/// `label`: whether there is space for it beside the icon.
+bool draw_button(const MenuContext& context, const Action& row, bool label) {
     ImGui::BeginDisabled(!row.is_enabled());
     const std::string id = "##" + std::string(row.name);
-    const Icon icon = main && context.run.solving() ? Icon::pause : row.icon;
-    const bool pressed =
-        icon_button(id.c_str(), icon, row.current_label().c_str(), main ? 7.5F * ImGui::GetFontSize() : 0);
+    const std::string text = label ? row.current_label() : std::string();
+    const bool pressed = icon_button(id.c_str(), row.icon, text.c_str());
     ImGui::EndDisabled();
-    if (main) ImGui::PopStyleColor(4);
     remember_item(context.frame.items, "action." + std::string(row.name));
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip_of(row).c_str());
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", row.is_enabled() ? tooltip_of(row).c_str() : row.why_disabled().c_str());
     return pressed;
 }
 
+float button_width(const Action& row, bool label) {
+    return icon_button_width(label ? std::string(row.label).c_str() : "");
+}
+
+/// The height of the bar, and where its buttons begin below its upper edge.
+struct BarSizes {
+    float padding, button_padding, offset;
+    BarSizes()
+        : padding(std::round(0.55F * ImGui::GetFontSize())),
+          button_padding(std::round(0.27F * ImGui::GetFontSize())),
+          offset(padding - button_padding) {}
+};
+
 } // namespace
 
-std::optional<MenuChoice> Menus::draw_menu_bar(const MenuContext& context) {
-    if (!ImGui::BeginMainMenuBar()) return {};
+std::optional<MenuChoice> Menus::draw_bar(const MenuContext& context) {
+    const BarSizes sizes;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.6F * ImGui::GetFontSize(), sizes.padding});
+    const bool drawn = ImGui::BeginMainMenuBar();
+    height_ = std::round(ImGui::GetFrameHeight());
     Choice chosen;
-    for (const char* menu : {"File", "Edit", "Solve", "View", "Help"}) {
-        const bool open = ImGui::BeginMenu(menu);
-        remember_item(context.frame.items, "menu." + std::string(menu));
-        if (!open) continue;
-        if (auto one = draw_menu(context, menu)) chosen = std::move(one);
-        ImGui::EndMenu();
+    if (drawn) {
+        for (const char* menu : {"File", "Edit", "Solve", "View", "Help"}) {
+            const bool open = ImGui::BeginMenu(menu);
+            remember_item(context.frame.items, "menu." + std::string(menu));
+            if (!open) continue;
+            ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.6F * ImGui::GetFontSize(), sizes.button_padding});
+            if (auto one = draw_menu(context, menu)) chosen = std::move(one);
+            ImGui::PopStyleVar();
+            ImGui::EndMenu();
+        }
     }
-    ImGui::EndMainMenuBar();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.6F * ImGui::GetFontSize(), sizes.button_padding});
+    if (drawn) {
+        if (auto one = draw_buttons(context)) chosen = std::move(one);
+        ImGui::EndMainMenuBar();
+    }
+    ImGui::PopStyleVar(2);
     return chosen;
 }
 
-std::optional<MenuChoice> Menus::draw_toolbar(const MenuContext& context, const ItemRectangle& place) {
-    begin_part("##toolbar", place);
-    const float em = ImGui::GetFontSize();
+/// The list of scenarios after the menus, and the buttons at the right end; labels as far as there is space.
+std::optional<MenuChoice> Menus::draw_buttons(const MenuContext& context) {
+    const float em = ImGui::GetFontSize(), gap = 0.5F * em, top = BarSizes().offset;
+    const float left = ImGui::GetCursorPosX() + em, right = ImGui::GetWindowWidth() - 0.6F * em;
+    const auto all = [&](bool labels) {
+        float sum = 0;
+        int group = 0;
+        for (const Action& row : context.actions)
+            if (row.toolbar > 0) {
+                sum += button_width(row, labels) + (group == row.toolbar ? gap : 1.6F * em);
+                group = row.toolbar;
+            }
+        return sum;
+    };
+    constexpr float least = 9, most = 24; // in widths of the font
+    const bool labels = right - left - all(true) >= least * em;
+    const float list = std::clamp(right - left - all(labels), 4 * em, most * em);
     Choice chosen;
+    ImGui::SetCursorPos({left, top});
+    if (auto one = draw_scenarios(context, list)) chosen = std::move(one);
+    float at = right - all(labels);
     int group = 0;
     for (const Action& row : context.actions) {
         if (row.toolbar == 0) continue;
-        if (group != 0) ImGui::SameLine(0, row.toolbar == group ? 0.5F * em : 1.6F * em);
-        if (draw_button(context, row)) chosen = {Kind::action, std::string(row.name)};
+        at += row.toolbar == group ? gap : 1.6F * em;
         group = row.toolbar;
+        ImGui::SetCursorPos({at, top});
+        if (draw_button(context, row, labels)) chosen = {Kind::action, std::string(row.name)};
+        at += button_width(row, labels);
     }
-    ImGui::SameLine(0, 0.5F * em);
-    if (auto one = draw_scenarios(context)) chosen = std::move(one);
-    ImGui::End();
     return chosen;
 }
 
-std::optional<MenuChoice> Menus::draw_scenarios(const MenuContext& context) {
+std::optional<MenuChoice> Menus::draw_scenarios(const MenuContext& context, float width) {
     const float em = ImGui::GetFontSize();
-    const float right = ImGui::GetWindowContentRegionMax().x;
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), right - 19 * em));
-    ImGui::SetNextItemWidth(std::max(4 * em, right - ImGui::GetCursorPosX()));
-    const bool open = ImGui::BeginCombo("##scenario", context.run.title.c_str());
+    ImGui::SetNextItemWidth(width);
+    const bool open = ImGui::BeginCombo("##scenario", context.run.title.c_str(), ImGuiComboFlags_HeightLarge);
     remember_item(context.frame.items, "scenario");
     if (!open) return {};
     if (shipped_.empty())

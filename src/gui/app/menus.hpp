@@ -1,4 +1,4 @@
-// The menu bar, the toolbar, and the list of scenarios at its end, made from the table of actions.
+// The bar at the top: menus, the list of scenarios, and buttons; made from the table of actions.
 #pragma once
 
 #include "core/scenario/catalogue.hpp"
@@ -30,13 +30,17 @@ struct MenuContext {
 
 class Menus {
   public:
-    /// Keys "menu.File" and, in an open menu, "menu.NAME" of an action, "recent.0", "format.NAME".
-    std::optional<MenuChoice> draw_menu_bar(const MenuContext& context);
-    /// Keys "action.NAME", "scenario" and, in the open list, "scenario=NAME".
-    std::optional<MenuChoice> draw_toolbar(const MenuContext& context, const ItemRectangle& place);
+    /// Keys "menu.File" and, in an open menu, "menu.NAME" of an action, "recent.0", "format.NAME"; "scenario"
+    /// and, in the open list, "scenario=NAME"; "action.NAME" of the buttons.
+    std::optional<MenuChoice> draw_bar(const MenuContext& context);
+    /// Of the bar, as last drawn.
+    float height() const { return height_; }
 
   private:
-    std::optional<MenuChoice> draw_scenarios(const MenuContext& context);
+    std::optional<MenuChoice> draw_buttons(const MenuContext& context);
+    std::optional<MenuChoice> draw_scenarios(const MenuContext& context, float width);
+
+    float height_ = 0;
 
     std::vector<Scenario> shipped_; ///< for the list of scenarios, once it has been opened
 };

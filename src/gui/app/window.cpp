@@ -133,6 +133,9 @@ std::string key_name(int key, int scancode, int modifiers) {
     const std::string prefix = (modifiers & GLFW_MOD_CONTROL) ? "Ctrl+" : "";
     if (key == GLFW_KEY_SPACE) return prefix + "Space";
     if (key == GLFW_KEY_RIGHT) return prefix + "Right";
+    if (key == GLFW_KEY_LEFT) return prefix + "Left";
+    if (key == GLFW_KEY_HOME) return prefix + "Home";
+    if (key == GLFW_KEY_END) return prefix + "End";
     if (key == GLFW_KEY_ESCAPE) return prefix + "Escape";
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25)
         return prefix + "F" + std::to_string(key - GLFW_KEY_F1 + 1);

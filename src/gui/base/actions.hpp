@@ -1,5 +1,5 @@
 // Everything a user can do with a key, a menu item or a button: one row per action with its facts and what it
-// does. Toolbar, menus, shortcuts, the help window and the table in docs/window.md are made from the rows,
+// does. Buttons, menus, shortcuts, the help window and the table in docs/window.md are made from the rows,
 // which gui/app/application_actions.cpp lists.
 #pragma once
 
@@ -18,7 +18,7 @@ struct Action {
     std::string_view label{};             ///< "Run"
     std::string_view menu{};              ///< the menu that lists it: "File"
     std::vector<std::string_view> keys{}; ///< "Space", "R", "F12", "Ctrl+Q"; any of them
-    int toolbar = 0;                      ///< its group of toolbar buttons, from 1; 0 without a button
+    int toolbar = 0;                      ///< its group of buttons in the bar at the top, from 1; 0: none
     Icon icon = Icon::none;               ///< of the button
     std::string_view help{};              ///< one sentence
     bool needs_solver = false;            ///< does nothing in a window that shows a finished run

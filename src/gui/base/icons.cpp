@@ -1,6 +1,7 @@
 #include "gui/base/icons.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gaspard {
@@ -31,6 +32,32 @@ void draw_turn(const Pen& pen) {
     pen.list.PathStroke(pen.colour, ImDrawFlags_None, pen.thickness);
     const float x = radius * std::cos(from), y = radius * std::sin(from);
     pen.triangle({x - 0.5F, y - 0.35F}, {x + 0.45F, y - 0.3F}, {x - 0.25F, y + 0.55F});
+}
+
+/// Two arrows that follow each other.
+void draw_loop(const Pen& pen) {
+    for (const float side : {-1.0F, 1.0F}) {
+        pen.line({-0.75F * side, 0.1F * side}, {-0.75F * side, -0.5F * side});
+        pen.line({-0.75F * side, -0.5F * side}, {0.4F * side, -0.5F * side});
+        pen.triangle({0.35F * side, -0.9F * side}, {0.9F * side, -0.5F * side}, {0.35F * side, -0.1F * side});
+    }
+}
+
+/// A uniform cell that becomes an adapted one.
+void draw_blend(const Pen& pen) {
+    const std::array<ImVec2, 4> square{{{-0.9F, -0.55F}, {0.1F, -0.55F}, {0.1F, 0.45F}, {-0.9F, 0.45F}}};
+    const std::array<ImVec2, 4> moved{{{-0.2F, -0.25F}, {0.95F, -0.6F}, {0.7F, 0.6F}, {-0.35F, 0.85F}}};
+    for (const auto& cell : {square, moved})
+        for (std::size_t i = 0; i < 4; ++i) pen.line(cell[i], cell[(i + 1) % 4]);
+}
+
+/// An arrow back (-1) or forth (1) over an arc.
+void draw_arc_arrow(const Pen& pen, float side) {
+    constexpr float pi = 3.14159265F;
+    pen.list.PathArcTo(pen.at(0, 0.25F), 0.7F * pen.half, side > 0 ? -pi : -0.85F * pi,
+                       side > 0 ? -0.15F * pi : 0, 20);
+    pen.list.PathStroke(pen.colour, ImDrawFlags_None, pen.thickness);
+    pen.triangle({0.95F * side, -0.45F}, {0.85F * side, 0.35F}, {0.2F * side, -0.1F});
 }
 
 void draw_house(const Pen& pen) {
@@ -72,6 +99,25 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 col
     case Icon::step:
         pen.triangle({-0.75F, -0.8F}, {0.35F, 0}, {-0.75F, 0.8F});
         return pen.bar(0.4F, -0.8F, 0.75F, 0.8F);
+    case Icon::back:
+        pen.triangle({0.75F, -0.8F}, {-0.35F, 0}, {0.75F, 0.8F});
+        return pen.bar(-0.75F, -0.8F, -0.4F, 0.8F);
+    case Icon::to_start:
+        pen.triangle({0.15F, -0.75F}, {-0.65F, 0}, {0.15F, 0.75F});
+        pen.triangle({0.95F, -0.75F}, {0.15F, 0}, {0.95F, 0.75F});
+        return pen.bar(-0.95F, -0.8F, -0.7F, 0.8F);
+    case Icon::to_end:
+        pen.triangle({-0.15F, -0.75F}, {0.65F, 0}, {-0.15F, 0.75F});
+        pen.triangle({-0.95F, -0.75F}, {-0.15F, 0}, {-0.95F, 0.75F});
+        return pen.bar(0.7F, -0.8F, 0.95F, 0.8F);
+    case Icon::loop:
+        return draw_loop(pen);
+    case Icon::blend:
+        return draw_blend(pen);
+    case Icon::undo:
+        return draw_arc_arrow(pen, -1);
+    case Icon::redo:
+        return draw_arc_arrow(pen, 1);
     case Icon::reset:
         return draw_turn(pen);
     case Icon::home:
@@ -83,11 +129,16 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 col
     }
 }
 
+float icon_button_width(const char* label) {
+    const float em = ImGui::GetFontSize(), sign = 0.8F * em, gap = *label ? 0.45F * em : 0;
+    return sign + gap + ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 bool icon_button(const char* id, Icon icon, const char* label, float width) {
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float em = ImGui::GetFontSize(), sign = 0.8F * em, gap = 0.45F * em;
+    const float em = ImGui::GetFontSize(), sign = 0.8F * em, gap = *label ? 0.45F * em : 0;
     const float content = sign + gap + ImGui::CalcTextSize(label).x;
-    const float full = width > 0 ? width : content + 2 * style.FramePadding.x;
+    const float full = width > 0 ? width : icon_button_width(label);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::Button(id, {full, 0});
     const float x = at.x + (full - content) / 2, height = ImGui::GetFrameHeight();

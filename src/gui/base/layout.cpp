@@ -7,14 +7,14 @@ namespace gaspard {
 
 namespace {
 
-/// The plots are placed right of or below the view, whichever leaves it more space; it is about square.
+/// The plots are placed right of or below the view, whichever leaves the mesh more space; it is about square.
 void place_plots(Layout& layout, const ItemRectangle& rest, float em, float share) {
     const auto part = [&](float available, float least, float most) {
         return std::round(std::clamp(share * available, std::min(least, most), most));
     };
     const float column = part(rest.width(), 14 * em, 0.7F * rest.width());
     const float row = part(rest.height(), 10 * em, 0.7F * rest.height());
-    const float legend = 8 * em; // always beside the mesh
+    const float legend = 6 * em; // always beside the mesh
     const float beside = std::min(rest.width() - column - legend, rest.height());
     const float above = std::min(rest.width() - legend, rest.height() - row);
     const float grip = std::round(0.4F * em);
@@ -39,23 +39,24 @@ void place_plots(Layout& layout, const ItemRectangle& rest, float em, float shar
 
 Layout compute_layout(float width, float height, float em, float top, const LayoutChoice& choice) {
     // Whole units, so that edges are sharp.
-    const float toolbar = std::round(2.9F * em), status = std::round(5.4F * em);
-    float bottom = std::max(top + toolbar, height - status);
+    const float status = std::round(4.6F * em), bar = std::round(2.7F * em);
+    float bottom = std::max(top, height - status);
     Layout layout;
-    layout.toolbar = {0, top, width, std::min(top + toolbar, bottom)};
     layout.status = {0, bottom, width, std::max(height, bottom)};
+    float side = 0;
+    if (choice.sidebar) side = std::round(std::min(std::max(choice.sidebar_width, 12.0F) * em, 0.4F * width));
+    const float state = std::round(std::min(std::max(side, 8 * em), 0.3F * width));
+    layout.playback = {state, bottom, width, bottom + bar};
     if (choice.log) {
-        const float log = std::round(std::min(11 * em, 0.4F * (bottom - layout.toolbar.bottom)));
+        const float log = std::round(std::min(11 * em, 0.4F * (bottom - top)));
         layout.log = {0, bottom - log, width, bottom};
         bottom -= log;
     }
-    float side = 0;
     if (choice.sidebar) {
-        side = std::round(std::min(std::max(choice.sidebar_width, 14.0F) * em, 0.4F * width));
-        layout.sidebar = {0, layout.toolbar.bottom, side, bottom};
-        layout.sidebar_edge = {side - std::round(0.4F * em), layout.toolbar.bottom, side, bottom};
+        layout.sidebar = {0, top, side, bottom};
+        layout.sidebar_edge = {side - std::round(0.4F * em), top, side, bottom};
     }
-    const ItemRectangle rest{side, layout.toolbar.bottom, width, bottom};
+    const ItemRectangle rest{side, top, width, bottom};
     layout.viewport = rest;
     if (choice.plots) place_plots(layout, rest, em, choice.plots_share);
     return layout;

@@ -8,12 +8,13 @@ namespace gaspard {
 /// Which parts the user shows, and their sizes.
 struct LayoutChoice {
     bool sidebar = true, plots = true, log = false;
-    float sidebar_width = 27;  ///< in widths of the font; never more than two fifths of the window
-    float plots_share = 0.33F; ///< of the width, or height, beside the sidebar
+    float sidebar_width = 19;  ///< in widths of the font; never more than two fifths of the window
+    float plots_share = 0.26F; ///< of the width, or height, beside the sidebar
 };
 
 struct Layout {
-    ItemRectangle toolbar, sidebar, viewport, status, log; ///< without area where they are not shown
+    ItemRectangle sidebar, viewport, status, log; ///< without area where they are not shown
+    ItemRectangle playback;                       ///< within the status
     ItemRectangle first_plot, second_plot;
     /// The strips by which sidebar and plots are made wider, or higher; without area where there is nothing.
     ItemRectangle sidebar_edge, plots_edge;

@@ -37,6 +37,7 @@ void begin_history(DocumentRun& run, SolverEventKind kind) {
     if (kind == SolverEventKind::restart) run.earlier.clear();
     run.history.clear();
     run.curves.clear();
+    ++run.histories;
     run.solved = kind == SolverEventKind::restart ? nullptr : run.status.scenario;
 }
 

@@ -71,6 +71,7 @@ struct DocumentRun {
     std::vector<StepReport> history; ///< since the values were last changed or the run was reset
     HistoryCurves curves;            ///< the same in columns
     std::deque<EarlierSolve> earlier; ///< since the run was last reset; oldest first, at most most_earlier
+    std::uint64_t histories = 0;            ///< how many have begun
     std::shared_ptr<Recording> recording{}; ///< the iterates of the history; null: not recorded
     std::shared_ptr<const Snapshot> snapshot; ///< the newest; null before the first
     SolverStatus status;

@@ -15,6 +15,8 @@ class AwaitedField {
     /// The field is wanted, and ImGui is to be asked: again after some frames, because it forgets the wish if
     /// a window appears.
     bool wanted(std::string_view key) const;
+    /// It has been wanted and has not got the keyboard yet.
+    bool expects(std::string_view key) const { return key_ == key && pending(); }
     /// Asks ImGui; call it before the field is drawn.
     void ask();
     /// Call it after the field is drawn.

@@ -1,9 +1,12 @@
 #include "gui/panels/parameter_panel.hpp"
 
 #include "core/base/error.hpp"
+#include "core/tessellate/ticks.hpp"
 #include "gui/base/icons.hpp"
+#include "gui/base/plot_text.hpp"
 #include "gui/panels/formula_rows.hpp"
 #include "gui/panels/slider_scale.hpp"
+#include "gui/panels/value_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,19 +21,20 @@ namespace gaspard {
 
 namespace {
 
-/// Columns of a row: label, slider, text field, reset button. In window coordinates, scaled by the font.
+/// Columns of a row, in window coordinates, scaled by the font: numbers begin at `field`, and other controls,
+/// beside their labels, at `control`; both end at `end`, before the reset button.
 struct Columns {
-    float control, slider_width, typed, typed_width, reset;
+    float field, control, end, reset;
+    float wide() const { return std::max(1.0F, end - control); }
 };
 
 Columns columns() {
-    const float em = ImGui::GetFontSize(), gap = 0.45F * em;
+    const float em = ImGui::GetFontSize();
     Columns c{};
-    c.reset = ImGui::GetWindowContentRegionMax().x - ImGui::GetFrameHeight();
-    c.typed_width = 4.8F * em;
-    c.typed = c.reset - gap - c.typed_width;
-    c.control = ImGui::GetWindowContentRegionMin().x + 8.9F * em;
-    c.slider_width = std::max(2 * em, c.typed - gap - c.control);
+    c.reset = ImGui::GetWindowContentRegionMax().x - 1.35F * em;
+    c.field = ImGui::GetWindowContentRegionMin().x;
+    c.end = c.reset - 0.25F * em;
+    c.control = c.field + std::min(7.4F * em, 0.45F * (c.end - c.field));
     return c;
 }
 
@@ -52,26 +56,34 @@ std::string details_of(const ParameterRow& row, const std::string& key) {
     return key + "\n" + describe_range(row) + unit + "; default " + format_value(row.default_value) + unit;
 }
 
+/// Whether a row is one wide field.
+bool is_number(const ParameterRow& row) {
+    return row.kind == ParameterKind::real || row.kind == ParameterKind::integer ||
+           row.kind == ParameterKind::real_or_auto;
+}
+
 /// Whether the mouse is over a row, from its label to its text field.
 bool row_hovered(ImVec2 corner, const Columns& c) {
-    const ImVec2 end(ImGui::GetWindowPos().x + c.typed + c.typed_width, corner.y + ImGui::GetFrameHeight());
+    const ImVec2 end(ImGui::GetWindowPos().x + c.end, corner.y + ImGui::GetFrameHeight());
     return ImGui::IsMouseHoveringRect(corner, end) && ImGui::IsWindowHovered() && !ImGui::IsMouseDown(0);
 }
 
-void draw_label(const std::string& label, const std::string& symbol) {
+void draw_label(const std::string& label, const std::string& symbol, float width) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label.c_str());
-    if (symbol.empty()) return;
-    ImGui::SameLine(0, 0.4F * ImGui::GetFontSize());
+    const std::string text = shortened(label, width);
+    ImGui::TextUnformatted(text.c_str());
+    const float gap = 0.4F * ImGui::GetFontSize();
+    if (symbol.empty() || text_size(text).x + gap + text_size(symbol).x > width) return;
+    ImGui::SameLine(0, gap);
     ImGui::TextDisabled("%s", symbol.c_str());
 }
 
 bool reset_button(const char* id) {
-    const float side = ImGui::GetFrameHeight();
+    const float height = ImGui::GetFrameHeight(), width = 1.35F * ImGui::GetFontSize();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool clicked = ImGui::InvisibleButton(id, {side, side});
+    const bool clicked = ImGui::InvisibleButton(id, {width, height});
     const ImU32 colour = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_TextDisabled);
-    draw_icon(*ImGui::GetWindowDrawList(), Icon::reset, {at.x + side / 2, at.y + side / 2}, 0.5F * side,
+    draw_icon(*ImGui::GetWindowDrawList(), Icon::reset, {at.x + width / 2, at.y + height / 2}, 0.5F * height,
               colour);
     return clicked;
 }
@@ -187,9 +199,9 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
     ImGui::PushID(key.c_str());
     const Columns c = columns();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    draw_label("Type", "");
+    draw_label("Type", "", c.control - c.field);
     ImGui::SameLine(c.control);
-    ImGui::SetNextItemWidth(c.typed + c.typed_width - c.control);
+    ImGui::SetNextItemWidth(c.wide());
     const bool open =
         ImGui::BeginCombo("##type", shown == entries.end() ? current.c_str() : shown->label->c_str());
     remember_item(context.items, key);
@@ -231,11 +243,16 @@ bool ParameterPanel::draw_section_rows(SectionKind kind, const PanelContext& con
         changed |= drawn != Drawn::unchanged;
         return drawn == Drawn::other_rows;
     };
-    for (const ParameterRow& row : rows)
-        if (std::none_of(stages.begin(), stages.end(),
-                         [&](const auto& one) { return belongs_to(row, one); }) &&
-            draw(row))
-            return true;
+    const Section& opened = section_of(context.opened, kind);
+    std::vector<ParameterRow> own_rows;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(own_rows), [&](const ParameterRow& row) {
+        return std::none_of(stages.begin(), stages.end(),
+                            [&](const MonitorStage& one) { return belongs_to(row, one); });
+    });
+    const Values* before = opened.type == section.type ? &opened.values : nullptr;
+    for (const ParameterRow& row : rows_in_sight(own_rows, before, section.values))
+        if (draw(row)) return true;
+    draw_more(context, section.values.section());
     for (const MonitorStage& stage : stages) {
         std::vector<ParameterRow> own;
         std::copy_if(rows.begin(), rows.end(), std::back_inserter(own), of_stage(stage));
@@ -301,11 +318,53 @@ bool ParameterPanel::draw_stage(const PanelContext& context, const MonitorStage&
 bool ParameterPanel::draw_rows(const PanelContext& context, const Values& opened, Values& values,
                                const std::vector<std::string>& keys) {
     bool changed = false;
-    const std::vector<ParameterRow> rows = values.rows();
-    for (const auto& row : rows)
-        if (std::find(keys.begin(), keys.end(), row.key) != keys.end())
-            changed |= draw_row(context, row, &opened, values, nullptr);
+    std::vector<ParameterRow> rows;
+    std::copy_if(values.rows().begin(), values.rows().end(), std::back_inserter(rows),
+                 [&](const ParameterRow& row) {
+                     return std::find(keys.begin(), keys.end(), row.key) != keys.end();
+                 });
+    for (const ParameterRow& row : rows_in_sight(rows, &opened, values))
+        changed |= draw_row(context, row, &opened, values, nullptr);
+    draw_more(context, values.section());
     return changed;
+}
+
+/// Without details that have their usual values, unless the section shows all.
+std::vector<ParameterRow> ParameterPanel::rows_in_sight(const std::vector<ParameterRow>& rows,
+                                                        const Values* opened, const Values& values) {
+    constexpr std::size_t most = 8; // of those that are no details
+    std::vector<ParameterRow> shown;
+    hidden_rows_ = 0;
+    std::size_t plain = 0;
+    for (const ParameterRow& row : rows) {
+        const Value& origin = opened && has_same_row(*opened, row) ? opened->at(row.key) : row.default_value;
+        const bool changed = values.at(row.key) != origin || values.at(row.key) != row.default_value;
+        const bool detail = row.detail || (!redefines_rows(row) && ++plain > most);
+        if (detail && !changed) ++hidden_rows_;
+        if (!detail || changed || opened_.contains(values.section())) shown.push_back(row);
+    }
+    return shown;
+}
+
+/// Shows or hides the rows that are not in sight, if there are any.
+void ParameterPanel::draw_more(const PanelContext& context, const std::string& section) {
+    if (hidden_rows_ == 0) return;
+    const bool open = opened_.contains(section);
+    const std::string label = open ? "Less" : "More (" + std::to_string(hidden_rows_) + ")";
+    const float width = text_size(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SetCursorPosX(std::max(0.0F, columns().end - width));
+    ImGui::PushStyleColor(ImGuiCol_Button, {0, 0, 0, 0});
+    ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(context.theme.faint_text));
+    ImGui::PushID(section.c_str());
+    if (ImGui::SmallButton((label + "###more").c_str())) {
+        if (open)
+            opened_.erase(section);
+        else
+            opened_.insert(section);
+    }
+    ImGui::PopID();
+    ImGui::PopStyleColor(2);
+    remember_item(context.items, section + ".more");
 }
 
 bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& row, const Values* opened,
@@ -315,13 +374,13 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
     const Value before = values.at(row.key);
     ImGui::PushID(key.c_str());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    draw_label(row.label, row.symbol);
     const bool formula = scenario != nullptr && is_formula(row);
-    if (!formula) {
-        ImGui::SameLine(c.control);
-        draw_control(context, row, key, opened, values, scenario);
-    } else {
+    if (!is_number(row)) draw_label(row.label, row.symbol, c.control - c.field - 0.3F * ImGui::GetFontSize());
+    if (formula) {
         draw_formula(context, row, key, values, *scenario);
+    } else {
+        if (!is_number(row)) ImGui::SameLine(c.control);
+        draw_control(context, row, key, opened, values, scenario);
     }
     if (row_hovered(corner, c)) show_tooltip(row.label, row.help, details_of(row, key), corner.y);
     const Value& origin =
@@ -346,13 +405,13 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
 void ParameterPanel::draw_control(const PanelContext& context, const ParameterRow& row,
                                   const std::string& key, const Values* opened, Values& values,
                                   const Scenario* scenario) {
-    const Columns c = columns();
-    const float wide = c.typed + c.typed_width - c.control;
+    const float wide = columns().wide();
     switch (row.kind) {
     case ParameterKind::real:
     case ParameterKind::integer: {
         double number = number_of(values, row);
-        if (draw_number(context, row, key, number)) set_number(values, row, number);
+        const Columns c = columns();
+        if (draw_number(context, row, key, number, c.end - c.field)) set_number(values, row, number);
         return;
     }
     case ParameterKind::real_or_auto:
@@ -436,31 +495,33 @@ void ParameterPanel::draw_formula(const PanelContext& context, const ParameterRo
     formula_applied_ = true;
 }
 
-// A check box for "auto"; if it is not ticked, a slider follows. Unticked, it restores the number that was
-// there before, or with which the scenario was opened.
+// A check box for "auto" after the field, which is empty while it is ticked. Unticked, it restores the number
+// that was there before, or with which the scenario was opened.
 void ParameterPanel::draw_number_or_auto(const PanelContext& context, const ParameterRow& row,
                                          const std::string& key, const Values* opened, Values& values) {
     const Columns c = columns();
+    const float em = ImGui::GetFontSize();
+    const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + text_size("auto").x;
+    const float width = std::max(4 * em, c.end - c.field - box - 0.4F * em);
     const std::optional<double> number = values.real_or_auto(row.key);
+    if (number) {
+        before_auto_[key] = *number;
+        double shown = *number;
+        if (draw_number(context, row, key, shown, width)) values.set(row.key, shown);
+    } else {
+        draw_value_field("##field", {row.label, row.symbol, ""}, width, context.theme);
+        remember_item(context.items, key);
+    }
+    ImGui::SameLine(0, 0.4F * em);
     bool automatic = !number;
     const bool switched = ImGui::Checkbox("auto", &automatic);
     remember_item(context.items, key + ".auto");
-    if (!number) {
-        if (!switched) return;
-        const std::optional<double> at_first = opened ? opened->real_or_auto(row.key) : std::nullopt;
-        double restored =
-            at_first.value_or(rounded(row, slider_ends(row), value_at(row, slider_ends(row), 0.5)));
-        if (const auto before = before_auto_.find(key); before != before_auto_.end())
-            restored = before->second;
-        values.set(row.key, std::clamp(restored, row.minimum, row.maximum));
-        return;
-    }
-    before_auto_[key] = *number;
-    const float box = ImGui::GetItemRectSize().x + 0.5F * ImGui::GetFontSize();
-    ImGui::SameLine(c.control + box);
-    double typed = *number;
-    if (draw_number(context, row, key, typed, box)) values.set(row.key, typed);
-    if (switched) values.set(row.key, std::string("auto"));
+    if (!switched) return;
+    if (number) return values.set(row.key, std::string("auto"));
+    const std::optional<double> at_first = opened ? opened->real_or_auto(row.key) : std::nullopt;
+    double restored = at_first.value_or(rounded(row, slider_ends(row), value_at(row, slider_ends(row), 0.5)));
+    if (const auto before = before_auto_.find(key); before != before_auto_.end()) restored = before->second;
+    values.set(row.key, std::clamp(restored, row.minimum, row.maximum));
 }
 
 /// The ends of a row's slider; a value beyond them widens it for good.
@@ -472,47 +533,60 @@ SliderRange ParameterPanel::ends_of(const ParameterRow& row, const std::string& 
     return known.ends = widened(known.ends, value);
 }
 
-bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,
-                                 double& value, float taken) {
-    const Columns c = columns();
-    bool changed = false;
-    const SliderRange ends = ends_of(row, key, value);
-    const bool bounded = std::isfinite(ends.minimum) && std::isfinite(ends.maximum);
-    if (bounded) {
-        double position = position_of(row, ends, value);
-        constexpr double first = 0, last = 1;
-        ImGui::SetNextItemWidth(std::max(ImGui::GetFontSize(), c.slider_width - taken));
-        const bool typing_wanted = ImGui::GetIO().KeyCtrl;
-        const bool moved = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &position, &first, &last, "",
-                                               ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
-        remember_item(context.items, key);
-        if (ImGui::IsItemClicked() && typing_wanted)
-            focus_.want(key);
-        else if (moved && !focus_.wanted(key)) {
-            value = std::clamp(rounded(row, ends, value_at(row, ends, position)), row.minimum, row.maximum);
-            changed = true;
-        }
-        ImGui::SameLine(c.typed);
-    }
-    return draw_typed(context, row, key, value) || changed;
+/// One step of wheel or keys: a hundredth of the range, or one at least of whole numbers.
+static double stepped(const ParameterRow& row, SliderRange ends, double value, int steps) {
+    const double position = position_of(row, ends, value);
+    double next = rounded(row, ends, value_at(row, ends, std::clamp(position + 0.01 * steps, 0.0, 1.0)));
+    if (row.kind == ParameterKind::integer && std::abs(next - value) < std::abs(steps)) next = value + steps;
+    return next;
 }
 
+bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,
+                                 double& value, float width) {
+    if (typing_ == key || focus_.expects(key)) return draw_typed(context, row, key, value, width);
+    const SliderRange ends = ends_of(row, key, value);
+    const bool bounded = std::isfinite(ends.minimum) && std::isfinite(ends.maximum);
+    // A length is in the unit of the domain, which has no name.
+    const bool named = !row.unit.empty() && row.unit.find("length") == std::string::npos;
+    const std::string unit = named ? (row.unit.starts_with("°") ? "" : " ") + row.unit : std::string();
+    ValueField field{.label = row.label,
+                     .symbol = row.symbol,
+                     .value = short_number(value, 6) + unit,
+                     .focused = focused_ == key};
+    if (bounded) field.position = position_of(row, ends, value);
+    const ValueFieldAnswer answer = draw_value_field("##field", field, width, context.theme);
+    remember_item(context.items, key);
+    if (answer.clicked) focused_ = key;
+    if (answer.type) {
+        focus_.want(key);
+        return false;
+    }
+    double next = value;
+    if (answer.position) next = rounded(row, ends, value_at(row, ends, *answer.position));
+    if (answer.steps != 0 && bounded) next = stepped(row, ends, value, answer.steps);
+    next = std::clamp(next, row.minimum, row.maximum);
+    const bool changed = (answer.position || answer.steps != 0) && next != value;
+    value = changed ? next : value;
+    return changed;
+}
+
+/// In the place of the field, until the keyboard leaves it.
 bool ParameterPanel::draw_typed(const PanelContext& context, const ParameterRow& row, const std::string& key,
-                                double& value) {
-    const Columns c = columns();
+                                double& value, float width) {
     const bool typing = typing_ == key;
     double shown = typing ? typed_value_ : value;
     const bool outside = !(shown >= row.minimum && shown <= row.maximum);
     if (focus_.wanted(key) && !ImGui::IsMouseDown(0)) focus_.ask();
     if (outside) ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(context.theme.bad));
-    ImGui::SetNextItemWidth(c.typed_width);
+    ImGui::SetNextItemWidth(width);
     const bool edited =
         ImGui::InputScalar("##typed", ImGuiDataType_Double, &shown, nullptr, nullptr, "%.6g",
                            ImGuiInputTextFlags_CharsScientific | ImGuiInputTextFlags_AutoSelectAll);
     if (outside) ImGui::PopStyleColor();
     focus_.note(key, ImGui::IsItemActive());
     remember_item(context.items, key + ".input");
-    if (edited) typing_ = key, typed_value_ = shown;
+    if (ImGui::IsItemActive() && !typing) typing_ = key, typed_value_ = value;
+    if (edited) typed_value_ = shown;
     if (typing_ != key || ImGui::IsItemActive()) return false;
     typing_.clear();
     if (!std::isfinite(typed_value_)) return false;

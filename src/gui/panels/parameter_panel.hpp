@@ -1,5 +1,5 @@
-// Panels made from parameter rows: a slider, a text field, a reset button and a tooltip for every number, a
-// list for every choice. They draw into the current ImGui window and need no graphics backend.
+// Panels made from parameter rows: a field to drag, a reset button and a tooltip for every number, a list for
+// every choice. They draw into the current ImGui window and need no graphics backend.
 //
 // A panel edits a scenario and returns whether it changed; it knows no solver. It offers only valid values:
 // numbers are limited to their range, and types that cannot be combined (by the catalogue's capabilities) are
@@ -18,6 +18,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,9 +30,9 @@ struct PanelContext {
     const Catalogue& catalogue;
     const Scenario& opened; ///< as it was opened: the values that reset buttons restore
     const Theme& theme;
-    /// Filled with "monitor.amplitude" (its slider or list), "monitor.amplitude.input",
+    /// Filled with "monitor.amplitude" (its field or list), "monitor.amplitude.input" while it is typed,
     /// "monitor.stage.Average", "monitor.amplitude.reset", "monitor.type", and "monitor.type=ring" while the
-    /// list is open.
+    /// list is open; "monitor.more".
     ItemRectangles& items;
     std::vector<std::string> unavailable{}; ///< other choices to grey out: "layout=projection"
     const PatchList* patches =
@@ -71,6 +72,9 @@ class ParameterPanel {
     bool draw_stage(const PanelContext& context, const MonitorStage& stage, const ParameterRow* toggle,
                     Values& values);
     bool draw_section_rows(SectionKind kind, const PanelContext& context, Scenario& scenario);
+    std::vector<ParameterRow> rows_in_sight(const std::vector<ParameterRow>& rows, const Values* opened,
+                                            const Values& values);
+    void draw_more(const PanelContext& context, const std::string& section);
     void draw_control(const PanelContext& context, const ParameterRow& row, const std::string& key,
                       const Values* opened, Values& values, const Scenario* scenario);
     void draw_formula(const PanelContext& context, const ParameterRow& row, const std::string& key,
@@ -82,12 +86,14 @@ class ParameterPanel {
                   const Scenario* scenario);
     void draw_number_or_auto(const PanelContext& context, const ParameterRow& row, const std::string& key,
                              const Values* opened, Values& values);
-    /// `taken`: width to the left of the slider that something else uses.
     bool draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,
-                     double& value, float taken = 0);
+                     double& value, float width);
     bool draw_typed(const PanelContext& context, const ParameterRow& row, const std::string& key,
-                    double& value);
+                    double& value, float width);
 
+    std::set<std::string, std::less<>> opened_; ///< the sections that show all rows
+    std::size_t hidden_rows_ = 0;               ///< of the section that is drawn
+    std::string focused_;    ///< the key of the number that was clicked last
     std::string typing_;     ///< the key whose text field is being edited
     double typed_value_ = 0; ///< its content so far; it takes effect when the field is left
     std::string typed_text_; ///< the same for texts

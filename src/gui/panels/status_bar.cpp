@@ -8,17 +8,36 @@
 #include <cstdio>
 #include <imgui.h>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace gaspard {
 
 namespace {
 
-/// The newest report with diagnostics; null before the first.
-const StepReport* last_measured(const std::vector<StepReport>& history) {
+/// The newest report with diagnostics in these rows; null before the first.
+const StepReport* last_measured(std::span<const StepReport> history) {
     for (auto report = history.rbegin(); report != history.rend(); ++report)
         if (report->measured()) return &*report;
     return nullptr;
+}
+
+/// The rows of a history up to an iteration.
+std::span<const StepReport> up_to(const std::vector<StepReport>& history, int iteration) {
+    const auto after = std::upper_bound(history.begin(), history.end(), iteration,
+                                        [](int at, const StepReport& row) { return at < row.iteration; });
+    return {history.begin(), after};
+}
+
+/// The last value up to an iteration.
+std::optional<double> value_at(const Trace& trace, int iteration) {
+    const auto after = std::upper_bound(trace.iterations.begin(), trace.iterations.end(), iteration);
+    if (after == trace.iterations.begin()) return std::nullopt;
+    return trace.values[static_cast<std::size_t>(after - trace.iterations.begin()) - 1];
+}
+
+std::string help_of(const SeriesInfo& info) {
+    return (info.symbol.empty() ? "" : info.symbol + ": ") + info.help;
 }
 
 } // namespace
@@ -66,32 +85,33 @@ StatusCell describe_state(const SolverStatus& status, bool wants_to_run) {
     return {};
 }
 
-std::vector<StatusCell> status_cells(const DocumentRun& run) {
-    const StepReport* now = run.history.empty() ? nullptr : &run.history.back();
-    const StepReport* measured = last_measured(run.history);
+std::vector<StatusCell> status_cells(const DocumentRun& run, int iteration) {
+    const std::span<const StepReport> rows = up_to(run.history, iteration);
+    const StepReport* now = rows.empty() ? nullptr : &rows.back();
+    const StepReport* measured = last_measured(rows);
     const auto rate = iteration_rate(run.history);
     const std::string none = "-";
     std::vector<StatusCell> cells{describe_state(run.status, run.wants_to_run)};
     cells.push_back({"Iteration", now ? std::to_string(now->iteration) : none});
     for (const char* name : {"residual", "equidistribution", "min_jacobian"}) {
         const SeriesTrace& series = *run.curves.find(name);
-        const std::vector<double>& values = series.trace.values; // of the iterates that have one
-        const auto value = series.info.measured
-                               ? (values.empty() ? std::nullopt : std::optional(values.back()))
-                           : now ? now->value(name)
-                                 : std::nullopt;
-        cells.push_back({series.info.label, value ? short_number(*value) : none});
+        const auto value = series.info.measured ? value_at(series.trace, iteration)
+                           : now                ? now->value(name)
+                                                : std::nullopt;
+        cells.push_back(
+            {series.info.label, value ? short_number(*value) : none, Tone::plain, help_of(series.info)});
         const SeriesInfo* criterion = now ? other_criterion(*now) : nullptr;
         if (series.info.name != "residual" || !criterion) continue;
         const auto end = now->value(criterion->name);
-        cells.push_back({criterion->label, end ? short_number(*end) : none});
+        cells.push_back({criterion->label, end ? short_number(*end) : none, Tone::plain, help_of(*criterion)});
     }
     const auto tangled = measured ? measured->tangled_cells : std::nullopt;
     const auto drawn = measured ? measured->value("folded_drawn_cells") : std::nullopt;
     std::string count = tangled ? std::to_string(*tangled) : none;
     if (drawn && *drawn > static_cast<double>(tangled.value_or(0)))
         count += " (" + short_number(*drawn) + " drawn fold)";
-    cells.push_back({"Tangled cells", count, tangled && *tangled > 0 ? Tone::bad : Tone::plain});
+    cells.push_back({"Tangled cells", count, tangled && *tangled > 0 ? Tone::bad : Tone::plain,
+                     "cells in which the mesh folds over itself: det dx/dξ is not positive everywhere"});
     cells.push_back({"Iterations / s", rate ? short_number(*rate) : none});
     return cells;
 }
@@ -130,40 +150,43 @@ std::string remedy_note(const DocumentRun& run) {
                : "Linear cells are tangling. Quadratic cells are curved and can follow this monitor.";
 }
 
-void draw_status_bar(const DocumentRun& run, const Notice& message, const StatusTexts& texts,
-                     const Theme& theme, ItemRectangles& items) {
-    const auto cells = status_cells(run);
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    const float em = ImGui::GetFontSize(), line = 1.35F * em;
-    const float pitch =
-        std::min(10.5F * em, ImGui::GetContentRegionAvail().x / static_cast<float>(cells.size()));
+void draw_status_bar(const std::vector<StatusCell>& cells, const std::string& note, const std::string& hint,
+                     const FrameContext& context) {
+    const Theme& theme = context.theme;
+    const ImVec2 window = ImGui::GetWindowPos();
+    const float em = ImGui::GetFontSize(), gap = 0.4F * em, right = window.x + ImGui::GetWindowWidth() - em;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const ImVec2 at(start.x + pitch * static_cast<float>(i), start.y);
-        list.AddText(at, ImGui::GetColorU32(ImGuiCol_TextDisabled), cells[i].label.c_str());
-        list.AddText({at.x, at.y + line}, ImGui::GetColorU32(tone_colour(theme, cells[i].tone)),
-                     cells[i].value.c_str());
-        items["status." + std::to_string(i)] = {at.x, at.y, at.x + pitch, at.y + 2 * line};
+    const auto write = [&](ImVec2 at, const ImVec4& colour, const std::string& text) {
+        list.AddText(at, ImGui::GetColorU32(colour), text.c_str());
+        return ImGui::CalcTextSize(text.c_str()).x;
+    };
+    const auto note_cell = [&](std::size_t i, ImVec2 from, float to) {
+        const ItemRectangle place{from.x, from.y, to, from.y + em};
+        context.items["status." + std::to_string(i)] = place;
+        const bool hovered = ImGui::IsMouseHoveringRect({place.left, place.top}, {place.right, place.bottom});
+        if (hovered && !cells[i].help.empty() && ImGui::IsWindowHovered())
+            ImGui::SetTooltip("%s", cells[i].help.c_str());
+    };
+    const ImVec2 first{window.x + em, window.y + 0.85F * em};
+    note_cell(0, first, first.x + write(first, tone_colour(theme, cells[0].tone), cells[0].value));
+    float at = first.x;
+    const float row = window.y + 2.95F * em;
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+        const float width = ImGui::CalcTextSize((cells[i].label + cells[i].value).c_str()).x + gap;
+        if (at + width > right) break; // the last ones matter least
+        const ImVec2 from{at, row};
+        at += write({at, row}, to_imgui(theme.faint_text), cells[i].label) + gap;
+        at += write({at, row}, tone_colour(theme, cells[i].tone), cells[i].value);
+        note_cell(i, from, at);
+        at += 1.4F * em;
     }
-    ImGui::SetCursorScreenPos({start.x, start.y + 2 * line + 0.3F * em});
-    if (!message.text.empty()) {
-        ImGui::TextColored(tone_colour(theme, message.error ? Tone::bad : Tone::good), "%s",
-                           message.text.c_str());
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("%s", message.text.c_str()); // a narrow window clips the text
-    } else if (!texts.closing.empty()) {
-        ImGui::TextColored(tone_colour(theme, Tone::warning), "%s", texts.closing.c_str());
-    } else if (texts.method.empty()) {
-        ImGui::TextDisabled("%s", texts.hint.c_str());
-    } else {
-        ImGui::TextUnformatted(texts.method.c_str());
-        ImGui::SameLine(0, 2 * em);
-        const bool fits = ImGui::CalcTextSize(texts.hint.c_str()).x <= ImGui::GetContentRegionAvail().x;
-        ImGui::TextDisabled("%s", fits ? texts.hint.c_str() : "");
+    for (const std::string& text : {note + (note.empty() || hint.empty() ? "" : "   ") + hint, note, hint}) {
+        const float width = ImGui::CalcTextSize(text.c_str()).x;
+        if (text.empty() || at + width > right) continue;
+        write({right - width, row}, to_imgui(theme.faint_text), text);
+        context.items["hint"] = {right - width, row, right, row + em};
+        break;
     }
-    remember_item(items, "message");
-    ItemRectangle& shown = items["message"];
-    shown.right = std::min(shown.right, ImGui::GetWindowPos().x + ImGui::GetWindowWidth());
 }
 
 } // namespace gaspard

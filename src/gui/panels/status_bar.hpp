@@ -1,12 +1,11 @@
-// The status bar at the bottom of the window: state and numbers of a run, and a message.
+// The status bar at the bottom of the window: the state of a run, and the numbers of the iterate shown.
 #pragma once
 
 #include "gui/base/actions.hpp"
-#include "gui/base/item_rectangles.hpp"
-#include "gui/base/notice.hpp"
-#include "gui/base/theme.hpp"
+#include "gui/base/frame_context.hpp"
 #include "gui/document/document.hpp"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,13 +19,15 @@ ImVec4 tone_colour(const Theme& theme, Tone tone);
 struct StatusCell {
     std::string label, value;
     Tone tone = Tone::plain;
+    std::string help{}; ///< what the number is
 };
 
 /// "Running", "Paused", "Converged" ... with its tone.
 StatusCell describe_state(const SolverStatus& status, bool wants_to_run);
 /// State, iteration, residual, equidistribution, smallest Jacobian, tangled cells, rate: always all of them,
-/// in this order. Numbers that a report leaves out are taken from the last report that has them.
-std::vector<StatusCell> status_cells(const DocumentRun& run);
+/// in this order, as they were at this iteration. Numbers that a report leaves out are taken from the last
+/// report before it that has them.
+std::vector<StatusCell> status_cells(const DocumentRun& run, int iteration = std::numeric_limits<int>::max());
 /// The last note of the method, such as "Automatic, from iteration 9: Newton's method takes over"; empty if
 /// there is none.
 std::string method_note(const DocumentRun& run, const Catalogue& catalogue);
@@ -38,16 +39,9 @@ bool has_linear_cells(const DocumentRun& run);
 /// What helps a run that failed with linear cells; else empty.
 std::string remedy_note(const DocumentRun& run);
 
-/// What the status bar says while there is no message; any may be empty.
-struct StatusTexts {
-    std::string closing; ///< why the run did not converge; else the others are shown
-    std::string method;  ///< the note of the method
-    std::string hint;    ///< after the note, as far as it fits
-};
-
-/// Draws the cells, and below them the message or the texts, into the current ImGui window. Keys "status.0",
-/// ... and "message".
-void draw_status_bar(const DocumentRun& run, const Notice& message, const StatusTexts& texts,
-                     const Theme& theme, ItemRectangles& items);
+/// Draws the state, and below it the other cells and at the right end as much as fits of the note of the method
+/// and of the hint, into the current ImGui window. Keys "status.0", ... and "hint".
+void draw_status_bar(const std::vector<StatusCell>& cells, const std::string& note, const std::string& hint,
+                     const FrameContext& context);
 
 } // namespace gaspard

@@ -55,9 +55,17 @@ bool only_rotated(const PlannedView& shown, const Camera& camera) {
 }
 
 /// "Newton: 11 iterations, converged"
-std::string title_among_others(const DocumentRun& run) {
+std::string title_among_others(const ShownRun& shown) {
+    const DocumentRun& run = *shown.run;
     if (run.history.empty()) return run.name;
     const StepReport& last = run.history.back();
+    if (shown.snapshot && shown.snapshot->report.iteration < last.iteration) {
+        const StepReport& now = shown.snapshot->report;
+        const std::size_t tangled = now.tangled_cells.value_or(0);
+        return run.name + ": iteration " + std::to_string(now.iteration) + " of " +
+               std::to_string(last.iteration) +
+               (tangled > 0 ? ", " + std::to_string(tangled) + " tangled cells" : std::string());
+    }
     std::string text = run.name + ": " + std::to_string(last.iteration) + " iterations, ";
     if (last.tangled_cells.value_or(0) > 0 && run.status.run != RunStatus::tangled)
         text += std::to_string(*last.tangled_cells) + " tangled cells, ";
@@ -83,26 +91,28 @@ int held_button() {
 
 } // namespace
 
-void ViewportPane::frame(const DocumentRun& run, DocumentViewport& viewport, const ItemRectangle& area,
-                         const FrameContext& context, const std::vector<const DocumentRun*>& others) {
+void ViewportPane::frame(const ShownRun& shown_run, DocumentViewport& viewport, const ItemRectangle& area,
+                         const FrameContext& context, const std::vector<ShownRun>& others) {
+    const DocumentRun& run = *shown_run.run;
+    const std::shared_ptr<const Snapshot>& snapshot = shown_run.snapshot;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     begin_part("##viewport", area,
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
                    ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     context.items["viewport"] = area;
-    const bool plots = run.snapshot && is_interval(*run.snapshot->mesh);
+    const bool plots = snapshot && is_interval(*snapshot->mesh);
     if (plots)
         forget_zooms(viewport.view);
     else
         interact(viewport.view, area, context);
-    if (run.snapshot) {
+    if (snapshot) {
         const bool among_others = viewport.view.text("layout") == "runs";
         std::vector<NamedSnapshot> beside;
-        for (const DocumentRun* other : others)
-            if (among_others && other->snapshot)
-                beside.push_back({title_among_others(*other), other->snapshot.get()});
-        NamedSnapshot first{among_others ? title_among_others(run) : run.title, run.snapshot.get()};
+        for (const ShownRun& other : others)
+            if (among_others && other.snapshot)
+                beside.push_back({title_among_others(other), other.snapshot.get()});
+        NamedSnapshot first{among_others ? title_among_others(shown_run) : run.title, snapshot.get()};
         hides_active_ = among_others && run.hidden && !beside.empty();
         if (hides_active_) { // the first of the others takes its place
             first = beside.front();

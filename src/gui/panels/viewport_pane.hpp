@@ -27,14 +27,20 @@ struct ShownView {
     friend bool operator==(const ShownView&, const ShownView&) = default;
 };
 
+/// A run and the iterate of it to show, which is null before the first.
+struct ShownRun {
+    const DocumentRun* run;
+    std::shared_ptr<const Snapshot> snapshot;
+};
+
 class ViewportPane {
   public:
     explicit ViewportPane(std::shared_ptr<TessellationCache> cache) : planner_(std::move(cache)) {}
 
     /// Draws all but the meshes, into an ImGui window that fills `area`. `others`: runs whose meshes are
     /// shown side by side with it in the layout "runs".
-    void frame(const DocumentRun& run, DocumentViewport& viewport, const ItemRectangle& area,
-               const FrameContext& context, const std::vector<const DocumentRun*>& others = {});
+    void frame(const ShownRun& shown, DocumentViewport& viewport, const ItemRectangle& area,
+               const FrameContext& context, const std::vector<ShownRun>& others = {});
     /// Shows the whole mesh from the view's direction, also when the size of the viewport changes.
     void go_home(DocumentViewport& viewport);
     /// The next mesh shown determines the home camera.

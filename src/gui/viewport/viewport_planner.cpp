@@ -40,9 +40,9 @@ Size size_of(ScreenRect rect) {
             std::max(1.0, static_cast<double>(rect.height()))};
 }
 
-/// Two parts of one size, beside each other or one above the other.
+/// Two parts of one size, beside each other, or one above the other in an upright strip.
 std::pair<ScreenRect, ScreenRect> halves(ScreenRect available) {
-    const bool beside = available.width() >= available.height();
+    const bool beside = 2 * available.width() >= available.height();
     const float half = std::floor((beside ? available.width() : available.height()) / 2);
     ScreenRect first = available, second = available;
     (beside ? first.max.x : first.max.y) = (beside ? available.min.x : available.min.y) + half;

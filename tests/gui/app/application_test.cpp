@@ -18,7 +18,7 @@ TEST_F(ApplicationTest, EveryPartHasItsPlaceInTheWindow) {
         for (const char* key :
              {"action.run", "action.step", "action.reset", "action.home", "action.screenshot",
               "action.export", "scenario", "monitor.type", "monitor.amplitude", "viewport", "plot.first",
-              "plot.second", "status.0", "message"}) {
+              "plot.second", "status.0", "playback.scrubber", "playback.position"}) {
             ASSERT_TRUE(application.items().count(key)) << key;
             const ItemRectangle& item = application.items().find(key)->second;
             EXPECT_GT(item.width(), 10) << key << " at " << width;
@@ -54,7 +54,7 @@ TEST_F(ApplicationTest, SpacePausesAndGoesOnOncePerPress) {
 
 TEST_F(ApplicationTest, KeysAreNotShortcutsWhileTyping) {
     frame();
-    ui.click(application.items().find("monitor.amplitude.input")->second, drawing());
+    ui.double_click(application.items().find("monitor.amplitude")->second, drawing());
     ASSERT_TRUE(ImGui::GetIO().WantTextInput);
     const std::string theme = application.window_state().theme_name;
     for (const char* key : {"T", "Space", "Escape", "Ctrl+C", "Ctrl+V"})
@@ -90,10 +90,112 @@ TEST_F(ApplicationTest, AnEndedRunRunsAgain) {
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     const int last = run().history.back().iteration;
     EXPECT_FALSE(application.press_key("N")) << "there is no step beyond the end";
-    EXPECT_TRUE(application.press_key("Space"));
+    EXPECT_TRUE(application.press_key("Ctrl+R"));
     ASSERT_TRUE(wait_until([&] { return !run().ended(); }));
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     EXPECT_EQ(run().history.back().iteration, last);
+    EXPECT_TRUE(application.press_key("R"));
+    ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
+    frame();
+    EXPECT_FALSE(run().wants_to_run);
+    EXPECT_TRUE(application.press_key("Space"));
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    EXPECT_EQ(run().history.back().iteration, last);
+}
+
+TEST_F(ApplicationTest, ASolveIsLookedAtAgainAndReplayed) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    frame();
+    const int last = run().history.back().iteration;
+    const auto shown = [&] {
+        frame();
+        return application.views().front().scene.physical;
+    };
+    const auto end = shown();
+    EXPECT_TRUE(application.press_key("Home"));
+    EXPECT_NE(shown(), end);
+    EXPECT_EQ(application.items().count("playback.scrubber"), 1U);
+    const auto value = [&](std::size_t cell) { return application.status()[cell].value; };
+    EXPECT_EQ(value(1), "0") << "the numbers are those of the picture";
+    EXPECT_TRUE(application.press_key("Right"));
+    frame();
+    EXPECT_EQ(value(1), "1");
+    EXPECT_TRUE(application.press_key("Left"));
+    frame();
+    EXPECT_EQ(value(1), "0");
+    EXPECT_FALSE(application.press_key("Left")) << "there is none before it";
+    ui.drag(application.items().find("playback.scrubber")->second, 0.2F, 0.5F, drawing());
+    EXPECT_NEAR(std::stod(value(1)), 0.5 * last, 0.03 * last);
+    EXPECT_TRUE(application.press_key("Space"));
+    frame();
+    EXPECT_TRUE(application.window_state().animating);
+    EXPECT_EQ(find_action(application.actions(), "run").current_label(), "Pause");
+    const double before = std::stod(value(1));
+    for (int i = 0; i < 60; ++i) frame();
+    EXPECT_NEAR(std::stod(value(1)), before + 10, 2) << "ten iterations a second";
+    EXPECT_TRUE(application.press_key("Space"));
+    frame();
+    EXPECT_FALSE(application.window_state().animating);
+    EXPECT_TRUE(application.press_key("End"));
+    shown();
+    EXPECT_EQ(value(1), std::to_string(last));
+    EXPECT_EQ(run().status.run, RunStatus::converged) << "nothing was solved";
+}
+
+TEST_F(ApplicationTest, AChangeWhileAnOldIterateIsShownShowsTheNewest) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    frame();
+    application.press_key("Home");
+    frame();
+    EXPECT_EQ(application.status()[1].value, "0");
+    Scenario changed = run().scenario;
+    set_value(*catalogue, changed, "monitor.amplitude", 15.0);
+    application.document().change(run().id, changed);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    frame();
+    EXPECT_EQ(application.status()[1].value, std::to_string(run().history.back().iteration));
+}
+
+TEST_F(ApplicationTest, TheFirstTangledIterationIsOneKeyAway) {
+    EXPECT_FALSE(application.press_key("G"));
+    Scenario wild = run().scenario;
+    set_value(*catalogue, wild, "method.diagnostics_every", std::int64_t{1});
+    set_value(*catalogue, wild, "method.step_size", 3.0);
+    application.document().change(run().id, wild);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    frame();
+    const auto ranges = tangled_ranges(run().history);
+    ASSERT_FALSE(ranges.empty());
+    frame();
+    ASSERT_TRUE(application.items().count("remedy")) << "the message offers it";
+    ui.click(application.items().find("remedy")->second, drawing());
+    frame();
+    EXPECT_EQ(application.status()[1].value, std::to_string(ranges.front().first));
+    EXPECT_NE(application.status()[5].value, "0");
+    EXPECT_EQ(application.status()[5].tone, Tone::bad);
+    ASSERT_NE(application.views().front().scene.tangled, nullptr);
+    EXPECT_TRUE(application.press_key("Left"));
+    frame();
+    EXPECT_EQ(application.status()[5].value, "0");
+    EXPECT_EQ(application.views().front().scene.tangled, nullptr);
+}
+
+TEST_F(ApplicationTest, TheBlendLoopMovesThePictureAndChangesNothing) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    frame();
+    const std::size_t edits = application.document().edits().undo_count();
+    EXPECT_TRUE(application.press_key("O"));
+    double least = 1;
+    for (int i = 0; i < 150; ++i) {
+        frame();
+        least = std::min(least, application.views().front().scene.blend);
+    }
+    EXPECT_EQ(least, 0);
+    EXPECT_EQ(application.document().viewports().front().view.real("blend"), 1);
+    EXPECT_EQ(application.document().edits().undo_count(), edits);
+    EXPECT_TRUE(application.press_key("O"));
+    frame();
+    EXPECT_EQ(application.views().front().scene.blend, 1);
 }
 
 TEST_F(ApplicationTest, ATangledRunIsRedAndSaysHowToGoOn) {
@@ -197,15 +299,15 @@ TEST_F(ApplicationTest, EverythingHasRoomAtTheSizeForProjectors) {
         ImGui::GetIO().DisplaySize = size;
         for (int i = 0; i < 3; ++i) frame();
         for (const char* key : {"action.run", "action.export", "scenario", "monitor.amplitude",
-                                "monitor.amplitude.input", "viewport", "plot.first", "plot.second",
-                                "plot.first.menu", "plot.second.menu", "status.0", "message"}) {
+                                "viewport", "plot.first", "plot.second", "plot.first.menu",
+                                "plot.second.menu", "status.0", "playback.scrubber", "action.step"}) {
             ASSERT_TRUE(application.items().count(key)) << key;
             const ItemRectangle item = application.items().find(key)->second;
             EXPECT_LE(item.right, size.x + 1) << key;
             EXPECT_LE(item.bottom, size.y + 1) << key;
         }
-        const float left = application.items().find("action.export")->second.right;
-        EXPECT_GT(application.items().find("scenario")->second.left, left);
+        const float right = application.items().find("action.home")->second.left;
+        EXPECT_LT(application.items().find("scenario")->second.right, right);
         EXPECT_GT(application.viewport_rectangle().width(), 500);
         EXPECT_GT(application.items().find("plot.first.curves")->second.height(), 100);
     }

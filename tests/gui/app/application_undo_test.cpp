@@ -142,7 +142,8 @@ TEST_F(UndoTest, InATextFieldCtrlZBelongsToTheField) {
     wait_for_mesh();
     drag("monitor.amplitude", 0.4F, 0.6F);
     const double dragged = amplitude();
-    ui.click(item("monitor.amplitude.input"), drawing());
+    for (int i = 0; i < 30; ++i) frame();
+    ui.double_click(item("monitor.amplitude"), drawing());
     ASSERT_TRUE(ImGui::GetIO().WantTextInput);
     for (const char* key : {"Ctrl+Z", "Ctrl+Y", "Ctrl+Shift+Z"}) EXPECT_FALSE(application.press_key(key));
     EXPECT_EQ(amplitude(), dragged);

@@ -360,7 +360,7 @@ TEST_F(CutApplicationTest, HandlesMoveAndTurnAPlaneAndADragIsOneEdit) {
 
 TEST_F(CutApplicationTest, RowsAreOfferedForSolids) {
     ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
-    frame();
+    show_all_view_rows();
     for (const std::string& key : inside_keys())
         EXPECT_TRUE(application.items().contains("view." + key)) << key;
 }
@@ -369,7 +369,7 @@ class CutOfPlaneTest : public ApplicationTest {};
 
 TEST_F(CutOfPlaneTest, NothingIsOfferedWithoutASolid) {
     ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
-    frame();
+    show_all_view_rows();
     for (const std::string& key : inside_keys())
         EXPECT_FALSE(application.items().contains("view." + key)) << key;
     application.press_key("I");

@@ -107,6 +107,7 @@ class PlaneRows : public ApplicationTest {
 
 TEST_F(PlaneRows, AreOfferedWhereTheyShowSomething) {
     ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
+    show_all_view_rows();
     for (const char* key : {"contours", "elevation", "blend", "camera"}) EXPECT_TRUE(offers(key)) << key;
     EXPECT_FALSE(offers("direction"));
     look().set("color", std::string("area"));

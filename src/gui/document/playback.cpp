@@ -1,0 +1,138 @@
+#include "gui/document/playback.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double rest_at_end = 0.8; // seconds
+constexpr double blend_period = 4;  // seconds there and back
+constexpr double longest = 0.25;    // seconds; a frame that took longer does not make the replay jump
+
+int last_iteration(const DocumentRun& run) {
+    return run.history.empty() ? 0 : run.history.back().iteration;
+}
+
+/// Null if nothing was recorded.
+std::shared_ptr<const RecordedIterate> first_iterate(const DocumentRun& run) {
+    return run.recording ? run.recording->at(std::numeric_limits<int>::min()) : nullptr;
+}
+
+} // namespace
+
+void Playback::update(const DocumentRun& run, double seconds) {
+    if (run.id != run_ || run.histories != histories_) {
+        run_ = run.id, histories_ = run.histories;
+        at_.reset();
+        playing_ = false;
+        restored_.clear();
+    }
+    if (blends_) blended_ += std::min(seconds, longest);
+    if (playing_) advance(run, std::min(seconds, longest));
+}
+
+void Playback::advance(const DocumentRun& run, double seconds) {
+    const int last = last_iteration(run);
+    if (at_ && *at_ < last) {
+        if (rate_ > 0)
+            at_ = std::min(*at_ + seconds * rate_, static_cast<double>(last));
+        else
+            go_forward(run), playing_ = true;
+        rested_ = 0;
+        if (at_ && *at_ < last) return;
+        at_ = last; // shown at least once
+    } else {
+        rested_ += seconds;
+    }
+    if (run.solving() || !loops_) {
+        go_to_end();
+    } else if (rested_ >= rest_at_end) {
+        go_to_start(run);
+        playing_ = true;
+    }
+}
+
+int Playback::iteration(const DocumentRun& run) const {
+    const auto iterate = at_ && run.recording ? run.recording->at(static_cast<int>(*at_)) : nullptr;
+    return iterate ? iterate->iteration() : last_iteration(run);
+}
+
+std::shared_ptr<const Snapshot> Playback::snapshot(const DocumentRun& run) {
+    const auto iterate = at_ && run.recording ? run.recording->at(static_cast<int>(*at_)) : nullptr;
+    if (!iterate || (run.snapshot && run.snapshot->version == iterate->version())) return run.snapshot;
+    Restored& known = restored_[run.id];
+    if (known.of != iterate) known = {iterate, iterate->restore()};
+    return known.snapshot;
+}
+
+void Playback::go_to(const DocumentRun& run, double iteration) {
+    playing_ = false;
+    const auto first = first_iterate(run);
+    const int wanted = static_cast<int>(std::lround(std::clamp(iteration, -1e9, 1e9)));
+    if (!first || wanted >= last_iteration(run)) return go_to_end();
+    const auto before = run.recording->at(wanted);
+    const std::vector<int> kept = run.recording->iterations();
+    const auto after = std::upper_bound(kept.begin(), kept.end(), wanted);
+    const bool nearer = after != kept.end() && *after - wanted < wanted - before->iteration();
+    at_ = nearer ? *after : std::max(before->iteration(), first->iteration());
+}
+
+void Playback::go_back(const DocumentRun& run) {
+    if (!run.recording) return;
+    const std::vector<int> kept = run.recording->iterations();
+    const auto here = std::lower_bound(kept.begin(), kept.end(), iteration(run));
+    if (here != kept.begin()) go_to(run, *std::prev(here));
+}
+
+void Playback::go_forward(const DocumentRun& run) {
+    if (!run.recording) return;
+    const std::vector<int> kept = run.recording->iterations();
+    const auto next = std::upper_bound(kept.begin(), kept.end(), iteration(run));
+    next == kept.end() ? go_to_end() : go_to(run, *next);
+}
+
+void Playback::go_to_start(const DocumentRun& run) {
+    if (const auto first = first_iterate(run)) go_to(run, first->iteration());
+}
+
+void Playback::go_to_end() {
+    playing_ = false;
+    at_.reset();
+}
+
+void Playback::play(const DocumentRun& run) {
+    if (live()) go_to_start(run);
+    playing_ = !live();
+    rested_ = 0;
+}
+
+void Playback::set_blends(bool blends) {
+    blends_ = blends;
+    blended_ = 0;
+}
+
+double Playback::blend() const {
+    // Begins with the physical mesh, and rests a little at both ends.
+    const double wave = 1.3 * std::cos(2 * std::numbers::pi * blended_ / blend_period);
+    return std::clamp(0.5 + 0.5 * wave, 0.0, 1.0);
+}
+
+std::vector<std::pair<int, int>> tangled_ranges(const std::vector<StepReport>& history) {
+    std::vector<std::pair<int, int>> ranges;
+    bool tangled = false;
+    for (const StepReport& report : history) {
+        const bool before = tangled;
+        if (report.measured()) tangled = *report.tangled_cells > 0;
+        if (tangled && !before)
+            ranges.emplace_back(report.iteration, report.iteration);
+        else if (tangled)
+            ranges.back().second = report.iteration;
+    }
+    return ranges;
+}
+
+} // namespace gaspard

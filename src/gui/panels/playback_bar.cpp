@@ -1,0 +1,179 @@
+#include "gui/panels/playback_bar.hpp"
+
+#include "core/tessellate/ticks.hpp"
+#include "gui/base/plot_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+#include <string>
+
+namespace gaspard {
+
+namespace {
+
+/// A square button with an icon; `width` in heights. True when pressed.
+bool draw_button(const Action& row, Icon icon, float width, bool main, const FrameContext& context) {
+    const float height = ImGui::GetFrameHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos(), size{width * height, height};
+    const bool lit = row.is_checked();
+    ImGui::BeginDisabled(!row.is_enabled());
+    ImGui::PushStyleColor(ImGuiCol_Button, main ? to_imgui(context.theme.accent) : ImVec4(0, 0, 0, 0));
+    if (main) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
+    const bool pressed = ImGui::Button(("##" + std::string(row.name)).c_str(), size);
+    ImGui::PopStyleColor(main ? 2 : 1);
+    const Colour colour = main ? context.theme.background : lit ? context.theme.accent : context.theme.text;
+    draw_icon(*ImGui::GetWindowDrawList(), icon, {at.x + size.x / 2, at.y + size.y / 2}, 0.46F * height,
+              packed(opaque(colour), row.is_enabled() ? 1.0F : 0.35F));
+    ImGui::EndDisabled();
+    remember_item(context.items, "action." + std::string(row.name));
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", row.is_enabled() || row.why_disabled().empty()
+                                    ? (row.current_label() + "\n" + tooltip_of(row)).c_str()
+                                    : row.why_disabled().c_str());
+    return pressed;
+}
+
+/// Where the iterations lie along the track.
+struct Track {
+    float left = 0, right = 0, middle = 0;
+    int last = 0;
+
+    float at(double iteration) const {
+        return last > 0 ? left + (right - left) * static_cast<float>(iteration / last) : right;
+    }
+    double under(float x) const {
+        if (!(right > left)) return 0;
+        return last * static_cast<double>(std::clamp((x - left) / (right - left), 0.0F, 1.0F));
+    }
+};
+
+void draw_track(const Track& track, double position, const std::vector<std::pair<int, int>>& tangled,
+                bool lit, const FrameContext& context) {
+    const Theme& theme = context.theme;
+    const float half = 2.5F * context.scale, knob = (lit ? 8.5F : 7.5F) * context.scale;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float here = track.at(position);
+    list.AddRectFilled({track.left, track.middle - half}, {track.right, track.middle + half},
+                       packed(theme.frame), half);
+    list.AddRectFilled({track.left, track.middle - half}, {here, track.middle + half}, packed(theme.accent),
+                       half);
+    const float least = std::max(2.0F, 2 * context.scale);
+    for (const auto& [first, last] : tangled) {
+        const float left = track.at(first), right = std::max(track.at(last), left + least);
+        list.AddRectFilled({left, track.middle - 2.4F * half}, {right, track.middle + 2.4F * half},
+                           packed(theme.tangled));
+    }
+    const std::string text = tangled_text(tangled, track.last);
+    if (!text.empty()) {
+        const float width = text_size(text).x, start = track.at(tangled.front().first);
+        write_text(list, {std::clamp(start, track.left, std::max(track.left, track.right - width)),
+                          track.middle + 3.2F * half},
+                   theme.tangled, text);
+    }
+    list.AddCircleFilled({here, track.middle}, knob, packed(theme.text), 32);
+}
+
+void draw_scrubber(const DocumentRun& run, Playback& playback, float width, const FrameContext& context) {
+    const float height = ImGui::GetFrameHeight(), knob = 9 * context.scale;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool possible = run.recording && run.history.size() > 1;
+    Track track{corner.x + knob, corner.x + width - knob, corner.y + height / 2,
+                run.history.empty() ? 0 : run.history.back().iteration};
+    ImGui::InvisibleButton("##scrubber", {width, height});
+    remember_item(context.items, "playback.scrubber");
+    const bool hovered = ImGui::IsItemHovered();
+    if (possible && ImGui::IsItemActive()) playback.go_to(run, track.under(ImGui::GetIO().MousePos.x));
+    if (possible && hovered && ImGui::GetIO().MouseWheel != 0)
+        ImGui::GetIO().MouseWheel > 0 ? playback.go_back(run) : playback.go_forward(run);
+    if (possible && hovered && !ImGui::IsItemActive())
+        ImGui::SetTooltip("Iteration %ld: drag to look at it again; the wheel steps",
+                          std::lround(track.under(ImGui::GetIO().MousePos.x)));
+    draw_track(track, playback.iteration(run), tangled_ranges(run.history), hovered || ImGui::IsItemActive(),
+               context);
+}
+
+void draw_rates(Playback& playback, float width, const FrameContext& context) {
+    ImGui::SetNextItemWidth(width);
+    const bool open = ImGui::BeginCombo("##rate", rate_text(playback.rate()).c_str());
+    remember_item(context.items, "playback.rate");
+    if (!open) {
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Iterations per second of the replay");
+        return;
+    }
+    for (const double rate : Playback::rates) {
+        const std::string text = rate > 0 ? rate_text(rate) : "as fast as it is drawn";
+        if (ImGui::Selectable(text.c_str(), rate == playback.rate())) playback.set_rate(rate);
+        remember_item(context.items, "playback.rate=" + rate_text(rate));
+    }
+    ImGui::EndCombo();
+}
+
+/// "14 / 27", as wide whatever the first number is.
+void draw_position(const DocumentRun& run, const Playback& playback, const FrameContext& context) {
+    const int last = run.history.empty() ? 0 : run.history.back().iteration;
+    const std::string widest = std::to_string(last) + " / " + std::to_string(last);
+    const std::string text = std::to_string(playback.iteration(run)) + " / " + std::to_string(last);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float full = ImGui::CalcTextSize(widest.c_str()).x;
+    const Colour colour = playback.live() ? context.theme.faint_text : context.theme.text;
+    write_text(*ImGui::GetWindowDrawList(),
+               {at.x + full - ImGui::CalcTextSize(text.c_str()).x, at.y + ImGui::GetStyle().FramePadding.y},
+               colour, text);
+    ImGui::Dummy({full, ImGui::GetFrameHeight()});
+    remember_item(context.items, "playback.position");
+}
+
+} // namespace
+
+std::optional<std::string_view> draw_playback_bar(const DocumentRun& run, Playback& playback,
+                                                  std::span<const Action> actions,
+                                                  const FrameContext& context) {
+    const float em = ImGui::GetFontSize(), height = ImGui::GetFrameHeight(), gap = 0.2F * em;
+    const bool moves = playback.playing() || (run.solving() && playback.live());
+    std::optional<std::string_view> pressed;
+    const auto button = [&](std::string_view name, Icon icon, float width = 1.15F, bool main = false) {
+        const Action& row = find_action(actions, name);
+        if (draw_button(row, icon, width, main, context)) pressed = row.name;
+        ImGui::SameLine(0, gap);
+    };
+    const float available = ImGui::GetContentRegionAvail().x;
+    const bool wide = available > 40 * em, medium = available > 26 * em;
+    button("reset", Icon::reset);
+    if (medium) button("to-start", Icon::to_start);
+    button("step-back", Icon::back);
+    button("run", moves ? Icon::pause : Icon::run, 1.9F, true);
+    button("step", Icon::step);
+    if (medium) button("to-end", Icon::to_end);
+    ImGui::SameLine(0, 0.8F * em);
+    const int last = run.history.empty() ? 0 : run.history.back().iteration;
+    const float numbers = ImGui::CalcTextSize((std::to_string(last) + " / " + std::to_string(last)).c_str()).x;
+    const float rates = 5.6F * em, toggles = 2 * (1.15F * height + gap);
+    float rest = ImGui::GetContentRegionAvail().x - numbers - 0.8F * em;
+    if (wide) rest -= rates + toggles + 2 * 0.8F * em;
+    draw_scrubber(run, playback, std::max(3 * em, rest), context);
+    ImGui::SameLine(0, 0.8F * em);
+    draw_position(run, playback, context);
+    if (!wide) return pressed;
+    ImGui::SameLine(0, 0.8F * em);
+    draw_rates(playback, rates, context);
+    ImGui::SameLine(0, 0.8F * em);
+    button("loop", Icon::loop);
+    button("blend-loop", Icon::blend);
+    return pressed;
+}
+
+std::string tangled_text(const std::vector<std::pair<int, int>>& ranges, int last) {
+    if (ranges.empty()) return {};
+    const auto [from, to] = ranges.front();
+    std::string text = "tangled ";
+    if (to == last && from < to)
+        text += "from " + std::to_string(from);
+    else
+        text += std::to_string(from) + (from < to ? "–" + std::to_string(to) : std::string());
+    return ranges.size() > 1 ? text + ", ..." : text;
+}
+
+std::string rate_text(double rate) { return rate > 0 ? short_number(rate) + " / s" : "max"; }
+
+} // namespace gaspard

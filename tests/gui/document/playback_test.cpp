@@ -1,0 +1,180 @@
+#include "gui/document/playback.hpp"
+#include "gui/document_fixture.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+constexpr double frame = 1.0 / 60;
+
+class PlaybackTest : public DocumentFixture {
+  protected:
+    /// A solve of 40 iterations that has ended.
+    void solve() {
+        document.open(small_ring());
+        ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+        playback.update(run(), frame);
+        ASSERT_EQ(run().history.back().iteration, 40);
+    }
+    int shown() { return playback.snapshot(run())->report.iteration; }
+    void play_for(double seconds) {
+        for (double t = 0; t < seconds; t += frame) playback.update(run(), frame);
+    }
+
+    Playback playback;
+};
+
+TEST_F(PlaybackTest, ShowsTheNewestIterateUntilToldOtherwise) {
+    solve();
+    EXPECT_TRUE(playback.live());
+    EXPECT_EQ(playback.snapshot(run()), run().snapshot);
+    EXPECT_EQ(playback.iteration(run()), 40);
+}
+
+TEST_F(PlaybackTest, GoesToAnyIterateAndByOne) {
+    solve();
+    playback.go_to(run(), 12.4);
+    EXPECT_FALSE(playback.live());
+    EXPECT_EQ(shown(), 12);
+    EXPECT_EQ(playback.iteration(run()), 12);
+    const auto snapshot = playback.snapshot(run());
+    EXPECT_EQ(playback.snapshot(run()), snapshot) << "restored once";
+    playback.go_back(run());
+    EXPECT_EQ(shown(), 11);
+    playback.go_forward(run());
+    playback.go_forward(run());
+    EXPECT_EQ(shown(), 13);
+    playback.go_to_start(run());
+    EXPECT_EQ(shown(), 0);
+    playback.go_back(run());
+    EXPECT_EQ(shown(), 0) << "there is none before it";
+    playback.go_to(run(), -1e300);
+    EXPECT_EQ(shown(), 0);
+    playback.go_to(run(), 39);
+    playback.go_forward(run());
+    EXPECT_TRUE(playback.live()) << "the last one is the newest";
+    playback.go_to(run(), 1e300);
+    EXPECT_TRUE(playback.live());
+}
+
+TEST_F(PlaybackTest, ReplaysAtItsRateAndEndsLive) {
+    solve();
+    playback.set_rate(10);
+    playback.play(run());
+    EXPECT_TRUE(playback.playing());
+    EXPECT_EQ(shown(), 0) << "from the start, as the newest was shown";
+    play_for(1);
+    EXPECT_NEAR(shown(), 10, 1);
+    playback.pause();
+    const int here = shown();
+    play_for(1);
+    EXPECT_EQ(shown(), here);
+    playback.play(run());
+    EXPECT_EQ(shown(), here) << "it goes on from where it stands";
+    playback.set_rate(30);
+    play_for(2);
+    EXPECT_TRUE(playback.live());
+    EXPECT_FALSE(playback.playing());
+}
+
+TEST_F(PlaybackTest, AsFastAsFramesAreDrawnIsOneIteratePerFrame) {
+    solve();
+    playback.set_rate(0);
+    playback.play(run());
+    for (int i = 1; i < 40; ++i) {
+        playback.update(run(), frame);
+        ASSERT_EQ(shown(), i);
+        ASSERT_TRUE(playback.playing());
+    }
+    playback.update(run(), frame);
+    EXPECT_TRUE(playback.live());
+}
+
+TEST_F(PlaybackTest, ALoopRestsAtTheEndAndBeginsAgain) {
+    solve();
+    playback.set_loops(true);
+    playback.set_rate(100);
+    playback.play(run());
+    play_for(0.5);
+    EXPECT_EQ(shown(), 40);
+    EXPECT_TRUE(playback.playing());
+    play_for(0.85);
+    EXPECT_LT(shown(), 40);
+    EXPECT_TRUE(playback.playing());
+}
+
+TEST_F(PlaybackTest, ASlowFrameDoesNotMakeItJump) {
+    solve();
+    playback.play(run());
+    playback.update(run(), 10); // the window was hidden
+    EXPECT_LE(shown(), 3);
+}
+
+TEST_F(PlaybackTest, ANewHistoryIsShownLive) {
+    solve();
+    playback.go_to(run(), 5);
+    Scenario changed = run().scenario;
+    set_value(*catalogue, changed, "monitor.amplitude", 12.0);
+    document.change(run().id, changed);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    playback.update(run(), frame);
+    EXPECT_TRUE(playback.live());
+    playback.go_to(run(), 0);
+    EXPECT_EQ(shown(), 0);
+    EXPECT_NE(playback.snapshot(run())->x, playback.snapshot(run())->mesh->nodes)
+        << "the solve of the new values starts from the old mesh";
+}
+
+TEST_F(PlaybackTest, KeptRunsStandAtTheSameIterationOrTheirLast) {
+    solve();
+    const DocumentRun& kept = *document.runs().find(*document.keep(run().id));
+    playback.go_to(run(), 7);
+    EXPECT_EQ(playback.snapshot(kept)->report.iteration, 7);
+    EXPECT_EQ(playback.snapshot(kept)->x, playback.snapshot(run())->x);
+    playback.go_to_end();
+    EXPECT_EQ(playback.snapshot(kept), kept.snapshot);
+}
+
+TEST_F(PlaybackTest, AFinishedRunWithoutARecordingStaysAsItIs) {
+    solve();
+    DocumentRun finished;
+    finished.id = RunId{99};
+    finished.history = run().history;
+    finished.snapshot = run().snapshot;
+    playback.update(finished, frame);
+    playback.play(finished);
+    EXPECT_FALSE(playback.playing());
+    playback.go_to(finished, 3);
+    playback.go_back(finished);
+    EXPECT_EQ(playback.snapshot(finished), run().snapshot);
+}
+
+TEST(Playback, TheBlendGoesBackAndForth) {
+    Playback playback;
+    DocumentRun run;
+    playback.set_blends(true);
+    EXPECT_EQ(playback.blend(), 1);
+    double least = 1, most = 0;
+    for (int i = 0; i < 240; ++i) {
+        playback.update(run, frame);
+        if (i == 120) most = 0;
+        least = std::min(least, playback.blend()), most = std::max(most, playback.blend());
+    }
+    EXPECT_EQ(least, 0);
+    EXPECT_EQ(most, 1);
+}
+
+TEST(TangledRanges, AreTheIterationsWhoseMeshesAreTangled) {
+    std::vector<StepReport> history;
+    const auto add = [&](std::optional<std::size_t> tangled) {
+        history.push_back({.iteration = static_cast<int>(history.size()), .tangled_cells = tangled});
+    };
+    for (const auto& tangled : {std::optional<std::size_t>(0), {}, {3}, {}, {2}, {0}, {}, {1}}) add(tangled);
+    const std::vector<std::pair<int, int>> expected{{2, 4}, {7, 7}};
+    EXPECT_EQ(tangled_ranges(history), expected);
+    EXPECT_TRUE(tangled_ranges({}).empty());
+}
+
+} // namespace
+} // namespace gaspard
