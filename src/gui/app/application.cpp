@@ -37,6 +37,7 @@ Application::Application(std::shared_ptr<const Catalogue> catalogue, Application
                 }) {
     if (const auto choice = parse_choice(settings_.window.text("first_plot"))) plot_pane_.choose(0, *choice);
     if (const auto choice = parse_choice(settings_.window.text("second_plot"))) plot_pane_.choose(1, *choice);
+    plot_pane_.show_earlier(settings_.window.boolean("earlier_solves"));
     if (options.in_background) viewport_pane_.work_in_background();
     for (std::string& complaint : options.complaints) messages_.note({std::move(complaint), true});
 }

@@ -151,6 +151,7 @@ class Application {
     void draw_status(const FrameContext& context);
     void draw_viewport(const FrameContext& context);
     Toast toast();
+    const StepReport* shown_report();
     std::optional<int> first_tangled();
     void run_or_pause();
     void step_forward();

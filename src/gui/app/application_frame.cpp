@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <iterator>
 
 namespace gaspard {
 
@@ -277,10 +278,22 @@ std::vector<std::string> Application::view_keys() {
     return keys;
 }
 
+/// The row of the history that is shown; null before the first.
+const StepReport* Application::shown_report() {
+    const auto& history = run().history;
+    const int iteration = playback_.iteration(run());
+    const auto after = std::upper_bound(history.begin(), history.end(), iteration,
+                                        [](int at, const StepReport& row) { return at < row.iteration; });
+    return after == history.begin() ? nullptr : &*std::prev(after);
+}
+
 void Application::draw_plots(const FrameContext& context) {
     const auto studies = error_plots_.plots(run(), plot_pane_.choices());
-    const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context, studies);
+    const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context, studies,
+                                       playback_.live() ? nullptr : shown_report());
     if (wish) fulfil(*wish);
+    if (const auto iteration = plot_pane_.take_pointed()) playback_.go_to(run(), *iteration);
+    settings_.window.set("earlier_solves", plot_pane_.shows_earlier());
     if (const auto wanted = plot_pane_.take_sweep()) sweep(*wanted);
     const auto choices = plot_pane_.choices();
     settings_.window.set("first_plot", format_choice(choices[0]));

@@ -76,6 +76,7 @@ std::vector<ParameterRow> settings_rows() {
             number("text_size", real, 0.6, 3, 1.0, "1 is normal, 1.7 is for a projector"),
             flag("sidebar", true, "whether the sliders are shown"),
             flag("plots", true, "whether the plots are shown"),
+            flag("earlier_solves", true, "whether the plots show the solves before the last change"),
             flag("log", false, "whether the messages are shown"),
             number("sidebar_width", real, 12, 60, 19.0, "in widths of the font"),
             number("plots_share", real, 0.15, 0.7, 0.26, "of the space beside the parameters"),

@@ -5,6 +5,7 @@
 #include "gui/plot/plot_widget.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace gaspard {
 
@@ -146,27 +147,50 @@ std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, const Docum
     }
     if (entry("Logarithmic x", "log-x", choice.log_x)) choice.log_x = !choice.log_x;
     if (entry("Logarithmic y", "log-y", choice.log_y)) choice.log_y = !choice.log_y;
+    ImGui::Separator();
+    if (entry("Solves before the last change", "earlier", earlier_)) earlier_ = !earlier_;
     ImGui::EndPopup();
     return wish;
 }
 
+/// The iteration at which a run's history has reached so many seconds.
+static double iteration_at(const std::vector<StepReport>& history, double seconds) {
+    const auto after = std::lower_bound(history.begin(), history.end(), seconds,
+                                        [](const StepReport& row, double at) { return row.seconds < at; });
+    if (after == history.begin() || history.empty()) return 0;
+    if (after == history.end()) return history.back().iteration;
+    const StepReport &before = *std::prev(after), &next = *after;
+    const double way = (seconds - before.seconds) / std::max(next.seconds - before.seconds, 1e-300);
+    return before.iteration + way * (next.iteration - before.iteration);
+}
+
 bool PlotPane::draw_curves(const Document& document, Shown& plot, const Plot& study,
-                           const FrameContext& context) {
+                           const FrameContext& context, const StepReport* cursor) {
     const bool of_study = plot.choice.plot == error_study_plot;
-    const PlotView view = of_study ? view_of(study) : view_of_runs(document.runs(), plot.choice);
+    PlotView view = of_study ? view_of(study) : view_of_runs(document.runs(), plot.choice, earlier_);
+    const bool by_iteration = plot.choice.abscissa == "iterations";
+    if (cursor && !of_study)
+        view.marks.push_back({.x = by_iteration ? cursor->iteration : cursor->seconds,
+                              .label = "the iterate that is shown",
+                              .handle = true});
     const bool sweeps = of_study && plot.choice.abscissa != "cells" && !study.curves.empty();
-    std::optional<double> swept;
+    PlotPointing pointing{sweeps ? PlotPointing::Use::sweep : PlotPointing::Use::point};
     const bool menu = plot_widget("##curves", view, ImGui::GetContentRegionAvail(), plot.zoom, context.theme,
-                                  context.scale, sweeps ? &swept : nullptr);
-    if (swept) sweep_ = PlotSweep{plot.choice.abscissa, *swept};
+                                  context.scale, sweeps || !of_study ? &pointing : nullptr);
+    if (!pointing.x) return menu;
+    if (sweeps)
+        sweep_ = PlotSweep{plot.choice.abscissa, *pointing.x};
+    else
+        pointed_ = by_iteration ? *pointing.x : iteration_at(document.active().history, *pointing.x);
     return menu;
 }
 
 std::optional<PlotWish> PlotPane::frame(const Document& document, const ItemRectangle& first,
                                         const ItemRectangle& second, const FrameContext& context,
-                                        const std::array<Plot, 2>& studies) {
+                                        const std::array<Plot, 2>& studies, const StepReport* cursor) {
     std::optional<PlotWish> wish;
     sweep_.reset();
+    pointed_.reset();
     const auto draw = [&](const std::string& name, const ItemRectangle& part, Shown& plot,
                           const Plot& study) {
         begin_part(name.c_str(), part);
@@ -174,7 +198,7 @@ std::optional<PlotWish> PlotPane::frame(const Document& document, const ItemRect
         const PlotChoice before = plot.choice;
         draw_header(name, document, plot, context);
         forget_zoom(before, plot.choice, plot.zoom);
-        const bool menu = draw_curves(document, plot, study, context);
+        const bool menu = draw_curves(document, plot, study, context, cursor);
         remember_item(context.items, name + ".curves");
         if (menu) ImGui::OpenPopup(menu_id);
         const PlotChoice unturned = plot.choice;

@@ -34,9 +34,15 @@ class PlotPane {
     /// Draws both plots, each into a window of its own. Notes "plot.first" and "plot.first.quantity",
     /// ".quantity=jacobian" (while the list is open), ".abscissa", ".log", ".menu", ".menu.csv" (while it is
     /// open), ".curves"; likewise "plot.second". `studies`: what the two show where they are error studies.
+    /// `cursor`: the row of the active run's history that is shown; null: the newest.
     std::optional<PlotWish> frame(const Document& document, const ItemRectangle& first,
                                   const ItemRectangle& second, const FrameContext& context,
-                                  const std::array<Plot, 2>& studies = {});
+                                  const std::array<Plot, 2>& studies = {}, const StepReport* cursor = nullptr);
+    /// The iteration of the active run that was pointed at in this frame, with a fraction.
+    std::optional<double> take_pointed() { return std::exchange(pointed_, std::nullopt); }
+    /// Whether curves of earlier solves are shown.
+    bool shows_earlier() const { return earlier_; }
+    void show_earlier(bool shown) { earlier_ = shown; }
     /// What this frame's drag across an error study asks for.
     std::optional<PlotSweep> take_sweep() { return std::exchange(sweep_, std::nullopt); }
 
@@ -55,10 +61,13 @@ class PlotPane {
     std::optional<PlotWish> draw_menu(const std::string& name, const Document& document, Shown& plot,
                                       const FrameContext& context);
     /// True when a menu is asked for.
-    bool draw_curves(const Document& document, Shown& plot, const Plot& study, const FrameContext& context);
+    bool draw_curves(const Document& document, Shown& plot, const Plot& study, const FrameContext& context,
+                     const StepReport* cursor);
 
     std::array<Shown, 2> plots_{Shown{}, Shown{{.plot = "equidistribution"}, {}}};
     std::optional<PlotSweep> sweep_;
+    std::optional<double> pointed_;
+    bool earlier_ = true;
 };
 
 } // namespace gaspard

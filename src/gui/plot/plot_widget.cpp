@@ -125,13 +125,47 @@ std::optional<ScreenRect> dragged_rectangle(const PlotFrame& frame, float scale)
     return rect;
 }
 
+/// The value of x at the pointer.
+double value_at_pointer(const PlotFrame& frame) {
+    const float pixel = std::clamp(ImGui::GetIO().MousePos.x, frame.area.min.x, frame.area.max.x);
+    return from_axis(frame.x, frame.position_x(static_cast<double>(pixel)));
+}
+
 /// The value of x to which the left button has been dragged, from a place within the area.
 std::optional<double> swept_value(const PlotFrame& frame, float scale) {
     const ImGuiIO& io = ImGui::GetIO();
     if (!ImGui::IsItemActive() || !ImGui::IsMouseDragging(0, click_slack * scale)) return std::nullopt;
     if (!frame.area.contains(io.MouseClickedPos[0]) || !ImGui::IsMousePosValid()) return std::nullopt;
-    const float pixel = std::clamp(io.MousePos.x, frame.area.min.x, frame.area.max.x);
-    return from_axis(frame.x, frame.position_x(static_cast<double>(pixel)));
+    return value_at_pointer(frame);
+}
+
+/// Whether a mark with a handle is near a position.
+bool on_handle(const PlotView& plot, const PlotFrame& frame, ImVec2 at, float scale) {
+    if (!frame.area.contains(at)) return false;
+    return std::any_of(plot.marks.begin(), plot.marks.end(), [&](const MarkView& mark) {
+        const double away = std::abs(frame.pixel_x(mark.x) - static_cast<double>(at.x));
+        return mark.handle && away < static_cast<double>(click_slack * scale);
+    });
+}
+
+/// Whether the left button holds a handle; the plot remembers where the button was pressed.
+bool holds_handle(const PlotView& plot, const PlotFrame& frame, float scale) {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID held = ImGui::GetID("held handle"); // one plot per window has one
+    if (ImGui::IsItemActivated())
+        storage.SetBool(held, ImGui::IsMouseDown(0) && on_handle(plot, frame, ImGui::GetIO().MousePos, scale));
+    return ImGui::IsItemActive() && storage.GetBool(held);
+}
+
+/// The value of x that was clicked, or to which a handle is dragged.
+std::optional<double> pointed_value(const PlotFrame& frame, float scale, bool holds) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!ImGui::IsMousePosValid()) return std::nullopt;
+    if (holds && (io.MouseDelta.x != 0 || ImGui::IsMouseDragging(0, 0))) return value_at_pointer(frame);
+    const ImVec2 from = io.MouseClickedPos[0];
+    const bool clicked = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(0) && frame.area.contains(from) &&
+                         std::hypot(io.MousePos.x - from.x, io.MousePos.y - from.y) < click_slack * scale;
+    return clicked ? std::optional(value_at_pointer(frame)) : std::nullopt;
 }
 
 /// True when a menu is asked for.
@@ -187,7 +221,7 @@ void draw_plot(ImDrawList& list, const PlotView& plot, ScreenRect rect, const Pl
 }
 
 bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zoom, const Theme& theme,
-                 float scale, std::optional<double>* swept) {
+                 float scale, PlotPointing* pointing) {
     size = {std::max(size.x, 1.0F), std::max(size.y, 1.0F)};
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton(id, size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
@@ -195,12 +229,19 @@ bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zo
     PlotFrame frame = make_frame(plot, rect, zoom, scale);
     if (!frame.drawable()) return false; // too small
     const PlotZoom before = zoom;
-    if (swept) {
-        *swept = swept_value(frame, scale);
+    bool takes_drags = false;
+    if (pointing && pointing->use == PlotPointing::Use::sweep) {
+        takes_drags = true;
+        pointing->x = swept_value(frame, scale);
         if (ImGui::IsItemHovered() && frame.area.contains(ImGui::GetIO().MousePos))
             ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    } else if (pointing) {
+        takes_drags = holds_handle(plot, frame, scale);
+        pointing->x = pointed_value(frame, scale, takes_drags);
+        if (takes_drags || (ImGui::IsItemHovered() && on_handle(plot, frame, ImGui::GetIO().MousePos, scale)))
+            ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     }
-    const bool menu = steer(plot, frame, zoom, scale, swept != nullptr);
+    const bool menu = steer(plot, frame, zoom, scale, takes_drags);
     if (zoom != before) frame = make_frame(plot, rect, zoom, scale);
     if (!frame.drawable()) return menu;
     ImDrawList& list = *ImGui::GetWindowDrawList();

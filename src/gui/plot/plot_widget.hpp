@@ -11,6 +11,16 @@
 
 namespace gaspard {
 
+/// What the left button does within the area of the curves.
+struct PlotPointing {
+    enum class Use {
+        sweep, ///< a drag gives the value of x; it does not pan
+        point, ///< a click gives the value of x, and so does a drag of a mark with a handle
+    };
+    Use use = Use::sweep;
+    std::optional<double> x{}; ///< what was pointed at in this frame
+};
+
 /// Without a pointer and without zoom, as for a file.
 void draw_plot(ImDrawList& list, const Plot& plot, ScreenRect rect, const Theme& theme, float scale);
 
@@ -23,9 +33,8 @@ void draw_plot(ImDrawList& list, const PlotView& plot, ScreenRect rect, const Pl
 /// left, only y), the left button drags, the right one zooms to a rectangle, a double click shows everything
 /// again. True when clicked with the right button: a menu is asked for.
 ///
-/// With `swept`, the left button drags the axes only beside the area of the curves; within it, a drag sets
-/// *swept to the value of x at the pointer.
+/// `pointing` says what else the left button does within the area of the curves, and receives the value of x.
 bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zoom, const Theme& theme,
-                 float scale, std::optional<double>* swept = nullptr);
+                 float scale, PlotPointing* pointing = nullptr);
 
 } // namespace gaspard
