@@ -2,7 +2,7 @@
 // The inside of cells: a colour map or one colour, softly lit by a lamp at the viewer: what faces the viewer
 // has its colour, what turns away is darker.
 #include "colour_map.glsl"
-uniform vec4 surface;             // used where its alpha is above zero
+uniform vec4 surface;             // used where its alpha is above zero; then it is as opaque as that
 uniform bool flat_cells;          // each cell has a value of its own
 uniform usampler2D shown_cells;   // which cell a triangle belongs to
 uniform int first_triangle;       // of those that are drawn
@@ -41,5 +41,6 @@ void main() {
     float facing = round_cells ? dot(normalize(outward), viewer) : abs(normal.z) / max(length(normal), 1e-20);
     vec3 grey = vec3(dot(base, vec3(0.299, 0.587, 0.114)));
     base = mix(base, 0.78 * mix(base, grey, 0.55), pallor);
-    colour = vec4(base * (1.0 - dusk * pow(1.0 - clamp(facing, 0.0, 1.0), 1.6)), 1.0);
+    colour = vec4(base * (1.0 - dusk * pow(1.0 - clamp(facing, 0.0, 1.0), 1.6)),
+                  surface.a > 0.0 ? surface.a : 1.0);
 }

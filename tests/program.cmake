@@ -6,26 +6,19 @@ target_include_directories(gaspard_scenes PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(gaspard_scenes PUBLIC gaspard_fixtures gaspard_gui PRIVATE gaspard_options)
 
 # What has to be quick: frames, dragging, picking, plots.
-gaspard_test(timing_tests LABELS timing LIBRARIES gaspard_scenes
-  SOURCES core/session/drag_test.cpp gui/app/frame_cost_test.cpp gui/scene/picking_time_test.cpp
-    gui/plot/plot_time_test.cpp)
+set(timing_tests core/session/drag_test.cpp gui/app/frame_cost_test.cpp gui/scene/picking_time_test.cpp
+  gui/plot/plot_time_test.cpp)
+gaspard_test(timing_tests LABELS timing LIBRARIES gaspard_scenes SOURCES ${timing_tests})
+set(picture_tests gui/app/viewport_image_test.cpp gui/app/globe_image_test.cpp gui/app/fixture_image_test.cpp
+  gui/gl/imgui_renderer_test.cpp gui/plot/plot_image_test.cpp gui/render/mesh_renderer_test.cpp)
 
-# The window's panels, with no graphics backend.
-gaspard_test(gui_tests LABELS threads LIBRARIES gaspard_scenes PkgConfig::IMGUI
-  SOURCES gui/app/actions_test.cpp gui/app/application_undo_test.cpp gui/document/document_test.cpp
-    gui/document/document_edits_test.cpp gui/document/edit_history_test.cpp gui/panels/parameter_panel_test.cpp gui/app/application_test.cpp
-    gui/app/application_data_test.cpp gui/app/file_kinds_test.cpp gui/panels/formula_field_test.cpp
-    gui/app/application_view_test.cpp gui/app/application_files_test.cpp gui/app/application_plots_test.cpp gui/app/application_series_test.cpp
-    gui/app/application_study_test.cpp gui/document/cell_study_test.cpp
-    gui/scene/clip_matrix_test.cpp gui/scene/picking_test.cpp gui/viewport/viewport_test.cpp gui/plot/plot_widget_test.cpp
-    gui/scene/mesh_scene_test.cpp gui/base/settings_test.cpp gui/base/theme_test.cpp gui/plot/plot_curves_test.cpp gui/panels/plot_pane_test.cpp
-    gui/panels/plot_choice_test.cpp gui/panels/run_list_test.cpp gui/document/value_changes_test.cpp gui/document/runs_csv_test.cpp
-    gui/viewport/elevation_view_test.cpp gui/viewport/globe_view_test.cpp gui/viewport/interval_view_test.cpp gui/panels/comparison_panel_test.cpp gui/viewport/handles_test.cpp gui/viewport/cut_view_test.cpp)
+# The window's panels, with no graphics backend: all other tests of the window.
+file(GLOB_RECURSE gui_tests RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS gui/*_test.cpp)
+list(REMOVE_ITEM gui_tests ${timing_tests} ${picture_tests} gui/app/window_test.cpp)
+gaspard_test(gui_tests LABELS threads LIBRARIES gaspard_scenes PkgConfig::IMGUI SOURCES ${gui_tests})
 
 # Pictures drawn offscreen, compared with those in tests/goldens, which make_goldens draws anew.
-gaspard_test(picture_tests LABELS graphics LIBRARIES gaspard_scenes
-  SOURCES gui/app/viewport_image_test.cpp gui/app/globe_image_test.cpp gui/app/fixture_image_test.cpp
-    gui/gl/imgui_renderer_test.cpp gui/plot/plot_image_test.cpp gui/render/mesh_renderer_test.cpp)
+gaspard_test(picture_tests LABELS graphics LIBRARIES gaspard_scenes SOURCES ${picture_tests})
 # Images are drawn by OSMesa where it is installed. Golden.LooksTheSameThroughEgl compares those of EGL with the
 # stored ones, too; this repeats the negative controls through EGL.
 add_test(NAME pictures_through_egl COMMAND picture_tests --gtest_brief=1 --gtest_filter=Wrong*:Offscreen.*:Fixture*)

@@ -420,8 +420,12 @@ std::vector<Action> Application::window_actions() {
          .label = "Projector size",
          .menu = "View",
          .keys = {"F10"},
-         .help = "Switch between a size for projectors and the normal size.",
-         .run = [this, large] { set_text_size(large() ? 1 : projector_size); },
+         .help = "Switch between a size for projectors, without the parameter panel, and the normal size.",
+         .run =
+             [this, large] {
+                 settings_.window.set("sidebar", large());
+                 set_text_size(large() ? 1 : projector_size);
+             },
          .checked = large},
         {.name = "fullscreen",
          .label = "Full screen",

@@ -311,9 +311,11 @@ void Application::draw_status(const FrameContext& context) {
                                   : hint,
                     context);
     ImGui::End();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.8F * ImGui::GetFontSize(), 0.5F * ImGui::GetFontSize()});
     begin_part("##playback", layout_.playback,
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse,
                true);
+    ImGui::PopStyleVar();
     if (const auto pressed = draw_playback_bar(run(), playback_, actions_, context))
         perform(*pressed);
     ImGui::End();

@@ -4,6 +4,7 @@
 #include "core/tessellate/ticks.hpp"
 #include "gui/base/icons.hpp"
 #include "gui/base/plot_text.hpp"
+#include "gui/panels/equation_box.hpp"
 #include "gui/panels/formula_rows.hpp"
 #include "gui/panels/slider_scale.hpp"
 #include "gui/panels/value_field.hpp"
@@ -224,6 +225,11 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
         }
         ImGui::EndCombo();
     }
+    const Section& section = section_of(scenario, kind);
+    const std::string equation = equation_of(context.catalogue, kind, section);
+    const bool typed = find_role(section.values.rows(), ParameterRole::formula) != nullptr;
+    draw_equation_box(equation, section.values, c.end - c.field, context.theme, !typed);
+    if (!equation.empty()) remember_item(context.items, std::string(section_key(kind)) + ".equation");
     changed |= draw_section_rows(kind, context, scenario);
     if (kind == SectionKind::monitor && context.report) draw_notes(*context.report, context.items);
     ImGui::PopID();

@@ -66,10 +66,12 @@ void draw_track(const Track& track, double position, const std::vector<std::pair
     }
     const std::string text = tangled_text(tangled, track.last);
     if (!text.empty()) {
-        const float width = text_size(text).x, start = track.at(tangled.front().first);
-        write_text(list, {std::clamp(start, track.left, std::max(track.left, track.right - width)),
-                          track.middle + 3.2F * half},
-                   theme.tangled, text);
+        const float size = 0.82F * ImGui::GetFontSize(), width = 0.82F * text_size(text).x;
+        const float start = track.at(tangled.front().first);
+        list.AddText(ImGui::GetFont(), size,
+                     {std::clamp(start, track.left, std::max(track.left, track.right - width)),
+                      track.middle + 3.4F * half},
+                     packed(theme.tangled), text.c_str());
     }
     list.AddCircleFilled({here, track.middle}, knob, packed(theme.text), 32);
 }

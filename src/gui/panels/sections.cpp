@@ -81,6 +81,19 @@ std::vector<TypeEntry> type_entries(const Catalogue& catalogue, SectionKind kind
     return entries;
 }
 
+std::string equation_of(const Catalogue& catalogue, SectionKind kind, const Section& section) {
+    const auto among = [&](const auto& types) {
+        for (const auto& type : types)
+            if (type.name == section.type) return type.equation;
+        return std::string();
+    };
+    if (kind == SectionKind::pde) return among(catalogue.pdes);
+    if (kind != SectionKind::monitor && kind != SectionKind::source) return {};
+    const ParameterRow* formula = find_role(section.values.rows(), ParameterRole::formula);
+    const bool typed = formula != nullptr && section.type == "formula";
+    return typed ? "m = " + section.values.text(formula->key) : among(catalogue.monitors);
+}
+
 const char* section_title(SectionKind kind) {
     switch (kind) {
     case SectionKind::domain:

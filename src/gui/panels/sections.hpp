@@ -31,6 +31,10 @@ struct TypeEntry {
 /// The types that a section may have, in the order of the catalogue, which owns the texts.
 std::vector<TypeEntry> type_entries(const Catalogue& catalogue, SectionKind kind);
 
+/// The equation of the section's type with the symbols of its rows; of a typed formula that formula. Empty if
+/// it has none.
+std::string equation_of(const Catalogue& catalogue, SectionKind kind, const Section& section);
+
 /// `scenario` with another type in one section; nothing if it cannot be combined with the other sections.
 /// With another domain, a monitor or method that does not fit is replaced by the first one that does.
 std::optional<Scenario> with_type(const Catalogue& catalogue, const Scenario& opened,

@@ -23,7 +23,7 @@ constexpr float line_cell_width = 9, disc_width = 4.5F, rimmed_disc_width = 7;
 // A tangled cell, however small, is drawn as a magenta dot in a ring of the text's colour in a ring of the
 // background's colour. On every colour map at least two of the three are clearly visible.
 constexpr float tangled_width = 5, tangled_ring_width = 8, tangled_rim_width = 11;
-constexpr float few_tangled = 20;
+constexpr float few_tangled = 20, tangled_opacity = 0.45F;
 constexpr float arrow_shaft_width = 0.8F, arrow_head_width = 3, arrow_rim_width = 1;
 constexpr float arrow_pull = 0.06F; // of half the view's depth
 // Lines that are closer than `begin` are not drawn; at distances above `end` they are opaque. `haze` is the
@@ -526,12 +526,30 @@ void MeshRenderer::draw_tangled(const Frame& frame, LineStyle style, const Theme
     };
     outline(tangled_rim_width, opaque(theme.background));
     outline(tangled_ring_width, theme.text);
-    if (tangled_count_ > 0) draw_fill(frame, {tangled_array_, 0, tangled_count_, theme.tangled, dusk});
+    draw_veil(frame, theme);
     outline(tangled_width, theme.tangled);
     if (tangled_count_ == 0 || !shown_.lines) return;
     style.fade_begin = thin.fade_end,
     style.fade_end = 3 * thin.fade_end; // only of cells that are large enough
     outline(thin.width / scale / slim, theme.line_on_light);
+}
+
+/// A colour over the tangled cells through which the mesh is still seen. In the plane, where they overlap, it is
+/// laid only once: the first one to cover a pixel is nearer than what the depth buffer holds, the rest are not.
+void MeshRenderer::draw_veil(const Frame& frame, const Theme& theme) {
+    if (tangled_count_ == 0) return;
+    Colour veil = theme.tangled;
+    veil.a = tangled_opacity;
+    if (frame.planar) {
+        gl_.Enable(GL_DEPTH_TEST);
+        gl_.DepthFunc(GL_LESS);
+        gl_.DepthMask(GL_TRUE);
+    }
+    draw_fill(frame, {tangled_array_, 0, tangled_count_, veil, dusk});
+    if (!frame.planar) return;
+    gl_.DepthMask(GL_FALSE);
+    gl_.DepthFunc(GL_LEQUAL);
+    gl_.Disable(GL_DEPTH_TEST);
 }
 
 void MeshRenderer::draw_arrows(const Frame& frame, const Theme& theme, float scale) {

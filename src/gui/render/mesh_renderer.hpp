@@ -115,6 +115,7 @@ class MeshRenderer {
     void draw_fill(const Frame& frame, const FillPart& part);
     void draw_cells(const Frame& frame, Colour surface);
     void draw_line_cells(const Frame& frame, LineStyle style, const Theme& theme, float scale);
+    void draw_veil(const Frame& frame, const Theme& theme);
     void draw_tangled(const Frame& frame, LineStyle style, const Theme& theme, float scale);
     void draw_contours(const Frame& frame, LineStyle style, float scale);
     void draw_overlay(Frame frame, LineStyle style, float scale);
