@@ -26,7 +26,7 @@ class RecordedIterate {
     std::shared_ptr<const Snapshot> restore() const;
 
   private:
-    Snapshot rest_; ///< without positions and without values of fields
+    Snapshot rest_;                  ///< without positions and without values of fields
     std::vector<float> coordinates_; ///< all x, then all y, then all z, as many as the mesh's space has
     std::vector<std::vector<float>> values_; ///< of the fields
     std::size_t bytes_ = 0;

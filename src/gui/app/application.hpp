@@ -14,6 +14,7 @@
 #include "gui/base/settings.hpp"
 #include "gui/base/theme.hpp"
 #include "gui/document/document.hpp"
+#include "gui/document/narrow_feature.hpp"
 #include "gui/document/playback.hpp"
 #include "gui/panels/comparison_panel.hpp"
 #include "gui/panels/dialogs.hpp"
@@ -216,6 +217,7 @@ class Application {
     RunList run_list_;
     ToastPanel toast_;
     Playback playback_;
+    NarrowFeature narrow_feature_;
     std::optional<Plot> plot_to_save_;
     std::string plot_name_;    ///< of the file to come
     std::string closed_cut_;   ///< view.cut before it was closed

@@ -52,6 +52,8 @@ std::vector<Action> Application::edit_actions() {
          .label = "Undo",
          .menu = "Edit",
          .keys = {"Ctrl+Z"},
+         .toolbar = 1,
+         .icon = Icon::undo,
          .help = "Undo the last change of parameters, view or kept runs.",
          .run = [this] { move_in_history(false); },
          .enabled = [this] { return document_.edits().can_undo(); },
@@ -65,6 +67,8 @@ std::vector<Action> Application::edit_actions() {
          .label = "Redo",
          .menu = "Edit",
          .keys = {"Ctrl+Shift+Z", "Ctrl+Y"},
+         .toolbar = 1,
+         .icon = Icon::redo,
          .help = "Redo the last change that was undone.",
          .run = [this] { move_in_history(true); },
          .enabled = [this] { return document_.edits().can_redo(); },
@@ -115,7 +119,8 @@ std::vector<Action> Application::solve_actions() {
          .enabled = [this] { return !playback_.live() || !run().ended(); },
          .reason =
              [this] {
-                 return "The run has ended; press " + describe_keys(action("run-again")) + " to run it again.";
+                 return "The run has ended; press " + describe_keys(action("run-again")) +
+                        " to run it again.";
              }},
         {.name = "step-back",
          .label = "Step back",

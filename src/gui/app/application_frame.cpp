@@ -132,7 +132,8 @@ void Application::draw_sidebar() {
                                viewport_pane_.unavailable(),
                                patches,
                                snapshot ? snapshot->monitor_report.get() : nullptr,
-                               viewport().view.text("color")};
+                               viewport().view.text("color"),
+                               narrow_feature_.warning(*catalogue_, run())};
     bool changed = false;
     for (const auto kind : all_sections) {
         if (!has_section(scenario, kind)) continue;
@@ -311,13 +312,14 @@ void Application::draw_status(const FrameContext& context) {
                                   : hint,
                     context);
     ImGui::End();
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.8F * ImGui::GetFontSize(), 0.5F * ImGui::GetFontSize()});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                        {0.8F * ImGui::GetFontSize(), 0.5F * ImGui::GetFontSize()});
     begin_part("##playback", layout_.playback,
-               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse,
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                   ImGuiWindowFlags_NoScrollWithMouse,
                true);
     ImGui::PopStyleVar();
-    if (const auto pressed = draw_playback_bar(run(), playback_, actions_, context))
-        perform(*pressed);
+    if (const auto pressed = draw_playback_bar(run(), playback_, actions_, context)) perform(*pressed);
     ImGui::End();
 }
 

@@ -61,12 +61,13 @@ Choice draw_menu(const MenuContext& context, std::string_view menu) {
 bool draw_button(const MenuContext& context, const Action& row, bool label) {
     ImGui::BeginDisabled(!row.is_enabled());
     const std::string id = "##" + std::string(row.name);
-    const std::string text = label ? row.current_label() : std::string();
+    const std::string text(label ? row.label : std::string_view());
     const bool pressed = icon_button(id.c_str(), row.icon, text.c_str());
     ImGui::EndDisabled();
     remember_item(context.frame.items, "action." + std::string(row.name));
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", row.is_enabled() ? tooltip_of(row).c_str() : row.why_disabled().c_str());
+        ImGui::SetTooltip("%s", row.is_enabled() ? (row.current_label() + "\n" + tooltip_of(row)).c_str()
+                                                : row.why_disabled().c_str());
     return pressed;
 }
 
@@ -79,8 +80,7 @@ struct BarSizes {
     float padding, button_padding, offset;
     BarSizes()
         : padding(std::round(0.55F * ImGui::GetFontSize())),
-          button_padding(std::round(0.27F * ImGui::GetFontSize())),
-          offset(padding - button_padding) {}
+          button_padding(std::round(0.27F * ImGui::GetFontSize())), offset(padding - button_padding) {}
 };
 
 } // namespace
@@ -96,7 +96,8 @@ std::optional<MenuChoice> Menus::draw_bar(const MenuContext& context) {
             const bool open = ImGui::BeginMenu(menu);
             remember_item(context.frame.items, "menu." + std::string(menu));
             if (!open) continue;
-            ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.6F * ImGui::GetFontSize(), sizes.button_padding});
+            ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                                {0.6F * ImGui::GetFontSize(), sizes.button_padding});
             if (auto one = draw_menu(context, menu)) chosen = std::move(one);
             ImGui::PopStyleVar();
             ImGui::EndMenu();

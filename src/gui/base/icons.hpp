@@ -6,7 +6,21 @@
 namespace gaspard {
 
 enum class Icon {
-    none, run, pause, step, back, to_start, to_end, loop, blend, reset, home, image, save, undo, redo
+    none,
+    run,
+    pause,
+    step,
+    back,
+    to_start,
+    to_end,
+    loop,
+    blend,
+    reset,
+    home,
+    image,
+    save,
+    undo,
+    redo
 };
 
 /// Within a square of `size` around `center`.

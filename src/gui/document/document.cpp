@@ -190,8 +190,8 @@ void Document::post_change(DocumentRun& run, const Scenario& scenario, bool same
     run.name = describe_scenario(*catalogue_, run.opened, scenario);
     update_views(run);
     run.changes.asked_for_good = ++run.changes.asked;
-    run.solver->post(ChangeCommand{
-        .scenario = run.scenario, .number = run.changes.asked, .same_gesture = same_gesture});
+    run.solver->post(
+        ChangeCommand{.scenario = run.scenario, .number = run.changes.asked, .same_gesture = same_gesture});
 }
 
 void Document::reread(RunId run) {

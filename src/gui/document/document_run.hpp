@@ -66,13 +66,13 @@ struct DocumentRun {
     std::string title; ///< of the scenario, as scenario_title()
     std::string
         name; ///< in lists and legends: "Ring, amplitude 20"; the name of a live run follows its values
-    Scenario opened;                 ///< as it was opened: the values that reset buttons restore
-    Scenario scenario;               ///< as the panels show it; the solver may not have these values yet
-    std::vector<StepReport> history; ///< since the values were last changed or the run was reset
-    HistoryCurves curves;            ///< the same in columns
+    Scenario opened;                  ///< as it was opened: the values that reset buttons restore
+    Scenario scenario;                ///< as the panels show it; the solver may not have these values yet
+    std::vector<StepReport> history;  ///< since the values were last changed or the run was reset
+    HistoryCurves curves;             ///< the same in columns
     std::deque<EarlierSolve> earlier; ///< since the run was last reset; oldest first, at most most_earlier
-    std::uint64_t histories = 0;            ///< how many have begun
-    std::shared_ptr<Recording> recording{}; ///< the iterates of the history; null: not recorded
+    std::uint64_t histories = 0;      ///< how many have begun
+    std::shared_ptr<Recording> recording{};   ///< the iterates of the history; null: not recorded
     std::shared_ptr<const Snapshot> snapshot; ///< the newest; null before the first
     SolverStatus status;
     RunChanges changes;

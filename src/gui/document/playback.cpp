@@ -13,9 +13,7 @@ constexpr double rest_at_end = 0.8; // seconds
 constexpr double blend_period = 4;  // seconds there and back
 constexpr double longest = 0.25;    // seconds; a frame that took longer does not make the replay jump
 
-int last_iteration(const DocumentRun& run) {
-    return run.history.empty() ? 0 : run.history.back().iteration;
-}
+int last_iteration(const DocumentRun& run) { return run.history.empty() ? 0 : run.history.back().iteration; }
 
 /// Null if nothing was recorded.
 std::shared_ptr<const RecordedIterate> first_iterate(const DocumentRun& run) {

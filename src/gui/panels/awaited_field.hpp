@@ -26,8 +26,8 @@ class AwaitedField {
 
   private:
     std::string key_; ///< empty: none
-    int since_ = 0; ///< the frame from which on it is waited for
-    int asked_ = 0; ///< the frame in which ImGui was asked last; 0: not yet
+    int since_ = 0;   ///< the frame from which on it is waited for
+    int asked_ = 0;   ///< the frame in which ImGui was asked last; 0: not yet
 };
 
 } // namespace gaspard

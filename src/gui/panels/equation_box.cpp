@@ -111,7 +111,8 @@ void draw_equation_box(const std::string& equation, const Values& values, float 
                        ImGui::GetStyle().FrameRounding);
     float y = corner.y + pad;
     const auto write = [&](const std::string& text, Colour colour) {
-        list.AddText(ImGui::GetFont(), em, {corner.x + pad, y}, packed(colour), text.c_str(), nullptr, inside);
+        list.AddText(ImGui::GetFont(), em, {corner.x + pad, y}, packed(colour), text.c_str(), nullptr,
+                     inside);
         y += wrapped(text);
     };
     if (fits)

@@ -8,12 +8,12 @@
 
 namespace gaspard {
 
-/// "A = 10   B = 200   c = (0.5, 0.5)": numbers by their symbols, the coordinates of a point together; empty if
-/// there are none.
+/// "A = 10   B = 200   c = (0.5, 0.5)": numbers by their symbols, the coordinates of a point together; empty
+/// if there are none.
 std::string values_by_symbol(const Values& values);
 
-/// In the current ImGui window, `width` wide. An equation that is a sentence, or too wide, is written as text;
-/// with `or_text` false, nothing is drawn then.
+/// In the current ImGui window, `width` wide. An equation that is a sentence, or too wide, is written as
+/// text; with `or_text` false, nothing is drawn then.
 void draw_equation_box(const std::string& equation, const Values& values, float width, const Theme& theme,
                        bool or_text = true);
 

@@ -12,13 +12,34 @@ namespace {
 using Kind = MathNode::Kind;
 using Pair = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Pair, 14> superscripts{{{"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"}, {"⁴", "4"},
-                                             {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"},
-                                             {"⁻", "−"}, {"ᵞ", "γ"}, {"ⁿ", "n"}, {"ᵖ", "p"}}};
-constexpr std::array<Pair, 14> greek{{{"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"},
-                                      {"epsilon", "ε"}, {"eps", "ε"}, {"theta", "θ"}, {"lambda", "λ"},
-                                      {"mu", "μ"}, {"pi", "π"}, {"rho", "ρ"}, {"sigma", "σ"},
-                                      {"phi", "φ"}, {"omega", "ω"}}};
+constexpr std::array<Pair, 14> superscripts{{{"⁰", "0"},
+                                             {"¹", "1"},
+                                             {"²", "2"},
+                                             {"³", "3"},
+                                             {"⁴", "4"},
+                                             {"⁵", "5"},
+                                             {"⁶", "6"},
+                                             {"⁷", "7"},
+                                             {"⁸", "8"},
+                                             {"⁹", "9"},
+                                             {"⁻", "−"},
+                                             {"ᵞ", "γ"},
+                                             {"ⁿ", "n"},
+                                             {"ᵖ", "p"}}};
+constexpr std::array<Pair, 14> greek{{{"alpha", "α"},
+                                      {"beta", "β"},
+                                      {"gamma", "γ"},
+                                      {"delta", "δ"},
+                                      {"epsilon", "ε"},
+                                      {"eps", "ε"},
+                                      {"theta", "θ"},
+                                      {"lambda", "λ"},
+                                      {"mu", "μ"},
+                                      {"pi", "π"},
+                                      {"rho", "ρ"},
+                                      {"sigma", "σ"},
+                                      {"phi", "φ"},
+                                      {"omega", "ω"}}};
 
 /// The length of the character that begins here, in bytes.
 std::size_t length_of(std::string_view text) {
@@ -115,7 +136,8 @@ class MathParser {
         while (!failed_) {
             skip();
             if (take("/")) {
-                MathNode over = without_brackets(std::move(factors.back())), under = without_brackets(power());
+                MathNode over = without_brackets(std::move(factors.back())),
+                         under = without_brackets(power());
                 factors.back() = {Kind::fraction, {}, {std::move(over), std::move(under)}};
                 continue;
             }
@@ -205,7 +227,8 @@ class MathParser {
     MathNode number() {
         std::size_t n = 0;
         const auto digit = [&](std::size_t i) {
-            return i < rest_.size() && (std::isdigit(static_cast<unsigned char>(rest_[i])) || rest_[i] == '.');
+            return i < rest_.size() &&
+                   (std::isdigit(static_cast<unsigned char>(rest_[i])) || rest_[i] == '.');
         };
         while (digit(n)) ++n;
         std::string mantissa(rest_.substr(0, n));
@@ -248,7 +271,10 @@ class MathParser {
         const std::size_t mark = whole.find('_');
         if (mark == std::string::npos || mark == 0 || mark + 1 == whole.size())
             return text_node(greek_name(whole));
-        return {Kind::index, {}, {text_node(greek_name(whole.substr(0, mark))), text_node(greek_name(whole.substr(mark + 1)))}};
+        return {
+            Kind::index,
+            {},
+            {text_node(greek_name(whole.substr(0, mark))), text_node(greek_name(whole.substr(mark + 1)))}};
     }
 
     std::string_view rest_;
@@ -295,7 +321,8 @@ MathSize math_size(const MathNode& node, float size) {
         }
         return whole;
     case Kind::fraction: {
-        const MathSize over = math_size(node.parts[0], 0.9F * size), under = math_size(node.parts[1], 0.9F * size);
+        const MathSize over = math_size(node.parts[0], 0.9F * size),
+                       under = math_size(node.parts[1], 0.9F * size);
         const float axis = 0.28F * size, gap = 0.14F * size;
         return {std::max(over.width, under.width) + 0.35F * size, over.height() + gap + axis,
                 under.height() + gap - axis};
@@ -334,8 +361,8 @@ void draw_bracket(ImDrawList& list, const std::string& signs, bool opens, ImVec2
     const float outer = opens ? low.x + 0.1F * size : high.x - 0.1F * size;
     const float inner = opens ? high.x - 0.02F * size : low.x + 0.02F * size;
     const float bend = outer - 0.25F * (inner - outer), third = (high.y - low.y) / 3;
-    list.AddBezierCubic({inner, low.y}, {bend, low.y + third}, {bend, high.y - third}, {inner, high.y}, colour,
-                        thickness);
+    list.AddBezierCubic({inner, low.y}, {bend, low.y + third}, {bend, high.y - third}, {inner, high.y},
+                        colour, thickness);
 }
 
 /// With the baseline at `y`.
@@ -356,8 +383,8 @@ void draw_at(ImDrawList& list, const MathNode& node, float x, float y, float siz
                        under = math_size(node.parts[1], 0.9F * size);
         const float axis = y - 0.28F * size, gap = 0.14F * size;
         list.AddLine({x + 0.06F * size, axis}, {x + whole.width - 0.06F * size, axis}, colour, thickness);
-        draw_at(list, node.parts[0], x + (whole.width - over.width) / 2, axis - gap - over.descent, 0.9F * size,
-                colour);
+        draw_at(list, node.parts[0], x + (whole.width - over.width) / 2, axis - gap - over.descent,
+                0.9F * size, colour);
         draw_at(list, node.parts[1], x + (whole.width - under.width) / 2, axis + gap + under.ascent,
                 0.9F * size, colour);
         return;
@@ -371,7 +398,8 @@ void draw_at(ImDrawList& list, const MathNode& node, float x, float y, float siz
     }
     case Kind::root: {
         const MathSize inside = math_size(node.parts[0], size);
-        const float top = y - inside.ascent - 0.08F * size, bottom = y + inside.descent, left = x + 0.6F * size;
+        const float top = y - inside.ascent - 0.08F * size, bottom = y + inside.descent,
+                    left = x + 0.6F * size;
         const std::array<ImVec2, 5> sign{{{x + 0.08F * size, y - 0.25F * size},
                                           {x + 0.22F * size, y - 0.33F * size},
                                           {x + 0.38F * size, bottom},
@@ -395,7 +423,8 @@ void draw_at(ImDrawList& list, const MathNode& node, float x, float y, float siz
 void add_breakable(const MathNode& node, std::vector<MathNode>& parts) {
     if (node.kind != Kind::row) return parts.push_back(node);
     for (const MathNode& part : node.parts) {
-        const bool sum = part.kind == Kind::row && std::any_of(part.parts.begin(), part.parts.end(), [](const MathNode& one) {
+        const bool sum = part.kind == Kind::row &&
+                         std::any_of(part.parts.begin(), part.parts.end(), [](const MathNode& one) {
                              return one.text == " + " || one.text == " − ";
                          });
         if (sum)

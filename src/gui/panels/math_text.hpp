@@ -1,10 +1,10 @@
-// Formulas as people write them: fractions, powers, roots, Greek letters, from the one-line texts of equations
-// and from typed formulas.
+// Formulas as people write them: fractions, powers, roots, Greek letters, from the one-line texts of
+// equations and from typed formulas.
 //
 //   "m(x) = 1 + A / (1 + (B r)²)"    "1 + 10*exp(-50*((x - 0.5)^2 + y^2))"    "sqrt(alpha_1)"
 //
-// A sum, products by "*" or by a space, fractions by "/", powers by "^" or superscripts, |absolute values| and
-// functions; relations and commas separate sums.
+// A sum, products by "*" or by a space, fractions by "/", powers by "^" or superscripts, |absolute values|
+// and functions; relations and commas separate sums.
 #pragma once
 
 #include "gui/base/theme.hpp"
@@ -22,7 +22,7 @@ namespace gaspard {
 struct MathNode {
     enum class Kind { text, row, fraction, power, index, root, group };
     Kind kind = Kind::text;
-    std::string text{};  ///< of texts; of groups the opening and the closing sign: "()", "||"
+    std::string text{};            ///< of texts; of groups the opening and the closing sign: "()", "||"
     std::vector<MathNode> parts{}; ///< numerator and denominator; base and exponent; base and index; content
 };
 

@@ -1,11 +1,11 @@
 #include "gui/panels/parameter_panel.hpp"
 
 #include "core/base/error.hpp"
-#include "core/tessellate/ticks.hpp"
 #include "gui/base/icons.hpp"
 #include "gui/base/plot_text.hpp"
 #include "gui/panels/equation_box.hpp"
 #include "gui/panels/formula_rows.hpp"
+#include "gui/panels/panel_columns.hpp"
 #include "gui/panels/slider_scale.hpp"
 #include "gui/panels/value_field.hpp"
 
@@ -21,23 +21,6 @@
 namespace gaspard {
 
 namespace {
-
-/// Columns of a row, in window coordinates, scaled by the font: numbers begin at `field`, and other controls,
-/// beside their labels, at `control`; both end at `end`, before the reset button.
-struct Columns {
-    float field, control, end, reset;
-    float wide() const { return std::max(1.0F, end - control); }
-};
-
-Columns columns() {
-    const float em = ImGui::GetFontSize();
-    Columns c{};
-    c.reset = ImGui::GetWindowContentRegionMax().x - 1.35F * em;
-    c.field = ImGui::GetWindowContentRegionMin().x;
-    c.end = c.reset - 0.25F * em;
-    c.control = c.field + std::min(7.4F * em, 0.45F * (c.end - c.field));
-    return c;
-}
 
 /// Beside the panel, so that it does not cover the row that it explains.
 void show_tooltip(const std::string& title, const std::string& help, const std::string& details, float top) {
@@ -64,7 +47,7 @@ bool is_number(const ParameterRow& row) {
 }
 
 /// Whether the mouse is over a row, from its label to its text field.
-bool row_hovered(ImVec2 corner, const Columns& c) {
+bool row_hovered(ImVec2 corner, const PanelColumns& c) {
     const ImVec2 end(ImGui::GetWindowPos().x + c.end, corner.y + ImGui::GetFrameHeight());
     return ImGui::IsMouseHoveringRect(corner, end) && ImGui::IsWindowHovered() && !ImGui::IsMouseDown(0);
 }
@@ -198,7 +181,7 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
     bool changed = false;
 
     ImGui::PushID(key.c_str());
-    const Columns c = columns();
+    const PanelColumns c = columns();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     draw_label("Type", "", c.control - c.field);
     ImGui::SameLine(c.control);
@@ -231,6 +214,12 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
     draw_equation_box(equation, section.values, c.end - c.field, context.theme, !typed);
     if (!equation.empty()) remember_item(context.items, std::string(section_key(kind)) + ".equation");
     changed |= draw_section_rows(kind, context, scenario);
+    if (kind == SectionKind::monitor && !context.warning.empty()) {
+        ImGui::PushTextWrapPos(c.end);
+        ImGui::TextColored(to_imgui(context.theme.warning), "%s", context.warning.c_str());
+        ImGui::PopTextWrapPos();
+        remember_item(context.items, "monitor.warning");
+    }
     if (kind == SectionKind::monitor && context.report) draw_notes(*context.report, context.items);
     ImGui::PopID();
     return changed;
@@ -325,10 +314,9 @@ bool ParameterPanel::draw_rows(const PanelContext& context, const Values& opened
                                const std::vector<std::string>& keys) {
     bool changed = false;
     std::vector<ParameterRow> rows;
-    std::copy_if(values.rows().begin(), values.rows().end(), std::back_inserter(rows),
-                 [&](const ParameterRow& row) {
-                     return std::find(keys.begin(), keys.end(), row.key) != keys.end();
-                 });
+    std::copy_if(
+        values.rows().begin(), values.rows().end(), std::back_inserter(rows),
+        [&](const ParameterRow& row) { return std::find(keys.begin(), keys.end(), row.key) != keys.end(); });
     for (const ParameterRow& row : rows_in_sight(rows, &opened, values))
         changed |= draw_row(context, row, &opened, values, nullptr);
     draw_more(context, values.section());
@@ -376,7 +364,7 @@ void ParameterPanel::draw_more(const PanelContext& context, const std::string& s
 bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& row, const Values* opened,
                               Values& values, const Scenario* scenario) {
     const std::string key = values.section() + "." + row.key;
-    const Columns c = columns();
+    const PanelColumns c = columns();
     const Value before = values.at(row.key);
     ImGui::PushID(key.c_str());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -416,7 +404,7 @@ void ParameterPanel::draw_control(const PanelContext& context, const ParameterRo
     case ParameterKind::real:
     case ParameterKind::integer: {
         double number = number_of(values, row);
-        const Columns c = columns();
+        const PanelColumns c = columns();
         if (draw_number(context, row, key, number, c.end - c.field)) set_number(values, row, number);
         return;
     }
@@ -499,107 +487,6 @@ void ParameterPanel::draw_formula(const PanelContext& context, const ParameterRo
     if (!applied) return;
     values.set(row.key, *applied);
     formula_applied_ = true;
-}
-
-// A check box for "auto" after the field, which is empty while it is ticked. Unticked, it restores the number
-// that was there before, or with which the scenario was opened.
-void ParameterPanel::draw_number_or_auto(const PanelContext& context, const ParameterRow& row,
-                                         const std::string& key, const Values* opened, Values& values) {
-    const Columns c = columns();
-    const float em = ImGui::GetFontSize();
-    const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + text_size("auto").x;
-    const float width = std::max(4 * em, c.end - c.field - box - 0.4F * em);
-    const std::optional<double> number = values.real_or_auto(row.key);
-    if (number) {
-        before_auto_[key] = *number;
-        double shown = *number;
-        if (draw_number(context, row, key, shown, width)) values.set(row.key, shown);
-    } else {
-        draw_value_field("##field", {row.label, row.symbol, ""}, width, context.theme);
-        remember_item(context.items, key);
-    }
-    ImGui::SameLine(0, 0.4F * em);
-    bool automatic = !number;
-    const bool switched = ImGui::Checkbox("auto", &automatic);
-    remember_item(context.items, key + ".auto");
-    if (!switched) return;
-    if (number) return values.set(row.key, std::string("auto"));
-    const std::optional<double> at_first = opened ? opened->real_or_auto(row.key) : std::nullopt;
-    double restored = at_first.value_or(rounded(row, slider_ends(row), value_at(row, slider_ends(row), 0.5)));
-    if (const auto before = before_auto_.find(key); before != before_auto_.end()) restored = before->second;
-    values.set(row.key, std::clamp(restored, row.minimum, row.maximum));
-}
-
-/// The ends of a row's slider; a value beyond them widens it for good.
-SliderRange ParameterPanel::ends_of(const ParameterRow& row, const std::string& key, double value) {
-    const SliderRange said = slider_ends(row);
-    if (!row.slider) return said;
-    Widened& known = widened_[key];
-    if (known.said != said) known = {said, said};
-    return known.ends = widened(known.ends, value);
-}
-
-/// One step of wheel or keys: a hundredth of the range, or one at least of whole numbers.
-static double stepped(const ParameterRow& row, SliderRange ends, double value, int steps) {
-    const double position = position_of(row, ends, value);
-    double next = rounded(row, ends, value_at(row, ends, std::clamp(position + 0.01 * steps, 0.0, 1.0)));
-    if (row.kind == ParameterKind::integer && std::abs(next - value) < std::abs(steps)) next = value + steps;
-    return next;
-}
-
-bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow& row, const std::string& key,
-                                 double& value, float width) {
-    if (typing_ == key || focus_.expects(key)) return draw_typed(context, row, key, value, width);
-    const SliderRange ends = ends_of(row, key, value);
-    const bool bounded = std::isfinite(ends.minimum) && std::isfinite(ends.maximum);
-    // A length is in the unit of the domain, which has no name.
-    const bool named = !row.unit.empty() && row.unit.find("length") == std::string::npos;
-    const std::string unit = named ? (row.unit.starts_with("°") ? "" : " ") + row.unit : std::string();
-    ValueField field{.label = row.label,
-                     .symbol = row.symbol,
-                     .value = short_number(value, 6) + unit,
-                     .focused = focused_ == key};
-    if (bounded) field.position = position_of(row, ends, value);
-    const ValueFieldAnswer answer = draw_value_field("##field", field, width, context.theme);
-    remember_item(context.items, key);
-    if (answer.clicked) focused_ = key;
-    if (answer.type) {
-        focus_.want(key);
-        return false;
-    }
-    double next = value;
-    if (answer.position) next = rounded(row, ends, value_at(row, ends, *answer.position));
-    if (answer.steps != 0 && bounded) next = stepped(row, ends, value, answer.steps);
-    next = std::clamp(next, row.minimum, row.maximum);
-    const bool changed = (answer.position || answer.steps != 0) && next != value;
-    value = changed ? next : value;
-    return changed;
-}
-
-/// In the place of the field, until the keyboard leaves it.
-bool ParameterPanel::draw_typed(const PanelContext& context, const ParameterRow& row, const std::string& key,
-                                double& value, float width) {
-    const bool typing = typing_ == key;
-    double shown = typing ? typed_value_ : value;
-    const bool outside = !(shown >= row.minimum && shown <= row.maximum);
-    if (focus_.wanted(key) && !ImGui::IsMouseDown(0)) focus_.ask();
-    if (outside) ImGui::PushStyleColor(ImGuiCol_Text, to_imgui(context.theme.bad));
-    ImGui::SetNextItemWidth(width);
-    const bool edited =
-        ImGui::InputScalar("##typed", ImGuiDataType_Double, &shown, nullptr, nullptr, "%.6g",
-                           ImGuiInputTextFlags_CharsScientific | ImGuiInputTextFlags_AutoSelectAll);
-    if (outside) ImGui::PopStyleColor();
-    focus_.note(key, ImGui::IsItemActive());
-    remember_item(context.items, key + ".input");
-    if (ImGui::IsItemActive() && !typing) typing_ = key, typed_value_ = value;
-    if (edited) typed_value_ = shown;
-    if (typing_ != key || ImGui::IsItemActive()) return false;
-    typing_.clear();
-    if (!std::isfinite(typed_value_)) return false;
-    const double taken = std::clamp(typed_value_, row.minimum, row.maximum);
-    const bool changed = taken != value;
-    value = taken;
-    return changed;
 }
 
 } // namespace gaspard

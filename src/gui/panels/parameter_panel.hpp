@@ -39,6 +39,7 @@ struct PanelContext {
         nullptr; ///< of the domain's file, to choose from ("domain.patch=3"); may be null
     const MonitorReport* report = nullptr; ///< of the monitor as it is solved for; may be null
     std::string shown_field{};             ///< that the cells are coloured by
+    std::string warning{};                 ///< about the monitor on this mesh; may be empty
 };
 
 class ParameterPanel {
@@ -93,8 +94,8 @@ class ParameterPanel {
 
     std::set<std::string, std::less<>> opened_; ///< the sections that show all rows
     std::size_t hidden_rows_ = 0;               ///< of the section that is drawn
-    std::string focused_;    ///< the key of the number that was clicked last
-    std::string typing_;     ///< the key whose text field is being edited
+    std::string focused_;                       ///< the key of the number that was clicked last
+    std::string typing_;                        ///< the key whose text field is being edited
     double typed_value_ = 0; ///< its content so far; it takes effect when the field is left
     std::string typed_text_; ///< the same for texts
     std::map<std::string, double> before_auto_; ///< by key: the number that "auto" replaced

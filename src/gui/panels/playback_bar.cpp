@@ -19,7 +19,8 @@ bool draw_button(const Action& row, Icon icon, float width, bool main, const Fra
     const bool lit = row.is_checked();
     ImGui::BeginDisabled(!row.is_enabled());
     ImGui::PushStyleColor(ImGuiCol_Button, main ? to_imgui(context.theme.accent) : ImVec4(0, 0, 0, 0));
-    if (main) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
+    if (main)
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
     const bool pressed = ImGui::Button(("##" + std::string(row.name)).c_str(), size);
     ImGui::PopStyleColor(main ? 2 : 1);
     const Colour colour = main ? context.theme.background : lit ? context.theme.accent : context.theme.text;
@@ -149,7 +150,8 @@ std::optional<std::string_view> draw_playback_bar(const DocumentRun& run, Playba
     if (medium) button("to-end", Icon::to_end);
     ImGui::SameLine(0, 0.8F * em);
     const int last = run.history.empty() ? 0 : run.history.back().iteration;
-    const float numbers = ImGui::CalcTextSize((std::to_string(last) + " / " + std::to_string(last)).c_str()).x;
+    const float numbers =
+        ImGui::CalcTextSize((std::to_string(last) + " / " + std::to_string(last)).c_str()).x;
     const float rates = 5.6F * em, toggles = 2 * (1.15F * height + gap);
     float rest = ImGui::GetContentRegionAvail().x - numbers - 0.8F * em;
     if (wide) rest -= rates + toggles + 2 * 0.8F * em;

@@ -37,7 +37,8 @@ class PlotPane {
     /// `cursor`: the row of the active run's history that is shown; null: the newest.
     std::optional<PlotWish> frame(const Document& document, const ItemRectangle& first,
                                   const ItemRectangle& second, const FrameContext& context,
-                                  const std::array<Plot, 2>& studies = {}, const StepReport* cursor = nullptr);
+                                  const std::array<Plot, 2>& studies = {},
+                                  const StepReport* cursor = nullptr);
     /// The iteration of the active run that was pointed at in this frame, with a fraction.
     std::optional<double> take_pointed() { return std::exchange(pointed_, std::nullopt); }
     /// Whether curves of earlier solves are shown.

@@ -103,7 +103,8 @@ std::vector<StatusCell> status_cells(const DocumentRun& run, int iteration) {
         const SeriesInfo* criterion = now ? other_criterion(*now) : nullptr;
         if (series.info.name != "residual" || !criterion) continue;
         const auto end = now->value(criterion->name);
-        cells.push_back({criterion->label, end ? short_number(*end) : none, Tone::plain, help_of(*criterion)});
+        cells.push_back(
+            {criterion->label, end ? short_number(*end) : none, Tone::plain, help_of(*criterion)});
     }
     const auto tangled = measured ? measured->tangled_cells : std::nullopt;
     const auto drawn = measured ? measured->value("folded_drawn_cells") : std::nullopt;

@@ -39,8 +39,8 @@ bool has_linear_cells(const DocumentRun& run);
 /// What helps a run that failed with linear cells; else empty.
 std::string remedy_note(const DocumentRun& run);
 
-/// Draws the state, and below it the other cells and at the right end as much as fits of the note of the method
-/// and of the hint, into the current ImGui window. Keys "status.0", ... and "hint".
+/// Draws the state, and below it the other cells and at the right end as much as fits of the note of the
+/// method and of the hint, into the current ImGui window. Keys "status.0", ... and "hint".
 void draw_status_bar(const std::vector<StatusCell>& cells, const std::string& note, const std::string& hint,
                      const FrameContext& context);
 

@@ -29,7 +29,8 @@ bool ToastPanel::draw(const Toast& toast, const ItemRectangle& viewport, const F
     const float wrap = width - sides;
     const float text = ImGui::CalcTextSize(toast.text.c_str(), nullptr, false, wrap).y;
     const float height = std::max(text, frame) + 1.0F * em;
-    const float left = (viewport.left + viewport.right - width) / 2, bottom = viewport.bottom - 3 * em; // above the notes of the view
+    // Above the notes of the view.
+    const float left = (viewport.left + viewport.right - width) / 2, bottom = viewport.bottom - 3 * em;
     const float top = bottom - height;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 5 * context.scale);

@@ -11,8 +11,8 @@
 namespace gaspard {
 
 struct Toast {
-    std::string text;              ///< empty: nothing is shown
-    Tone tone = Tone::plain;       ///< of its edge
+    std::string text;               ///< empty: nothing is shown
+    Tone tone = Tone::plain;        ///< of its edge
     const Action* action = nullptr; ///< its button; may be null
     bool closable = true;
 };

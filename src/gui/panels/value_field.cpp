@@ -45,7 +45,8 @@ std::optional<double> dragged_position(const ValueField& field, float width, flo
     const ImVec2 all = ImGui::GetMouseDragDelta(0, 0);
     const bool begins = std::abs(all.x - ImGui::GetIO().MouseDelta.x) < drag_begins * em / 15;
     const double start = static_cast<double>(storage.GetFloat(id, static_cast<float>(*field.position)));
-    const double moved = begins ? start + static_cast<double>(all.x / std::max(width, 1.0F)) * factor : start + by;
+    const double moved =
+        begins ? start + static_cast<double>(all.x / std::max(width, 1.0F)) * factor : start + by;
     storage.SetFloat(id, static_cast<float>(moved)); // beyond the ends, so that the way back is as long
     return std::clamp(moved, 0.0, 1.0);
 }

@@ -135,6 +135,14 @@ void ViewportPane::frame(const ShownRun& shown_run, DocumentViewport& viewport, 
     ImGui::End();
 }
 
+void ViewportPane::offer_handles(std::vector<Handle> handles) {
+    std::optional<Box> box;
+    for (const Handle& handle : handles)
+        if (handle.control) box = box ? merge(*box, bounding_box(*handle.control)) : bounding_box(*handle.control);
+    planner_.show_also(box);
+    handles_ = std::move(handles);
+}
+
 /// The mouse on the meshes of the last frame.
 void ViewportPane::interact(Values& view, const ItemRectangle& area, const FrameContext& context) {
     ImGui::InvisibleButton("##viewport", {std::max(1.0F, area.width()), std::max(1.0F, area.height())},

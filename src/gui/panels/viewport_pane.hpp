@@ -57,7 +57,7 @@ class ViewportPane {
     /// Sets the camera, given as text.
     void look_as(DocumentViewport& viewport, const std::string& camera);
     /// The handles of the next frames, which the mouse can drag.
-    void offer_handles(std::vector<Handle> handles) { handles_ = std::move(handles); }
+    void offer_handles(std::vector<Handle> handles);
     /// Whether the planes of a cut have handles in the next frames.
     void offer_cut_handles(bool offered) { offers_cut_ = offered; }
     struct HandleMove {

@@ -153,7 +153,8 @@ bool holds_handle(const PlotView& plot, const PlotFrame& frame, float scale) {
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID held = ImGui::GetID("held handle"); // one plot per window has one
     if (ImGui::IsItemActivated())
-        storage.SetBool(held, ImGui::IsMouseDown(0) && on_handle(plot, frame, ImGui::GetIO().MousePos, scale));
+        storage.SetBool(held,
+                        ImGui::IsMouseDown(0) && on_handle(plot, frame, ImGui::GetIO().MousePos, scale));
     return ImGui::IsItemActive() && storage.GetBool(held);
 }
 
@@ -163,7 +164,8 @@ std::optional<double> pointed_value(const PlotFrame& frame, float scale, bool ho
     if (!ImGui::IsMousePosValid()) return std::nullopt;
     if (holds && (io.MouseDelta.x != 0 || ImGui::IsMouseDragging(0, 0))) return value_at_pointer(frame);
     const ImVec2 from = io.MouseClickedPos[0];
-    const bool clicked = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(0) && frame.area.contains(from) &&
+    const bool clicked = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(0) &&
+                         frame.area.contains(from) &&
                          std::hypot(io.MousePos.x - from.x, io.MousePos.y - from.y) < click_slack * scale;
     return clicked ? std::optional(value_at_pointer(frame)) : std::nullopt;
 }

@@ -534,8 +534,9 @@ void MeshRenderer::draw_tangled(const Frame& frame, LineStyle style, const Theme
     outline(thin.width / scale / slim, theme.line_on_light);
 }
 
-/// A colour over the tangled cells through which the mesh is still seen. In the plane, where they overlap, it is
-/// laid only once: the first one to cover a pixel is nearer than what the depth buffer holds, the rest are not.
+/// A colour over the tangled cells through which the mesh is still seen. In the plane, where they overlap, it
+/// is laid only once: the first one to cover a pixel is nearer than what the depth buffer holds, the rest are
+/// not.
 void MeshRenderer::draw_veil(const Frame& frame, const Theme& theme) {
     if (tangled_count_ == 0) return;
     Colour veil = theme.tangled;

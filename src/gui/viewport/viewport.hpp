@@ -89,6 +89,8 @@ class ViewportPlanner {
     /// Home is what showed the whole mesh when it was first seen, so that the view does not shake while it
     /// moves; from now on it is for the mesh of the next plan.
     void forget_home() { home_ = {}; }
+    /// What home shows of a planar scene besides the mesh, such as control points beyond it.
+    void show_also(std::optional<Box> box) { also_ = box; }
     /// As SceneBuilder::work_in_background(), of a view's own mesh.
     void work_in_background() { maker_.work_in_background(); }
     /// Whether the next plan may show more.
@@ -117,12 +119,14 @@ class ViewportPlanner {
     ProjectionSceneBuilder projection_maker_;
     std::vector<IntervalPlanner> interval_planners_; ///< of intervals beside each other
     double spun_ = 0;
+    std::optional<Box> also_;
     struct Home {
         std::shared_ptr<const Mesh> of;
         Size size;
         Insets insets;
         std::string direction;
         double elevation = 0;
+        Box box; ///< of the mesh
         Camera camera;
     } home_;
     /// What the last arrows and the last facts were made for.

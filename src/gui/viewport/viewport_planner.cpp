@@ -107,6 +107,13 @@ Camera ViewportPlanner::turned(Camera camera, const MeshScene& scene) const {
 
 Vec3 pivot_of(const MeshScene& scene) { return scene.ball > 0 ? Vec3{} : scene.home_box.centre(); }
 
+/// Whether a planar mesh is about where another one was.
+static bool is_alike(const Box& before, const MeshScene& scene) {
+    const double size = before.size(), now = scene.home_box.size();
+    return scene.planar() && now < 1.7 * size && size < 1.7 * now &&
+           norm(scene.home_box.centre() - before.centre()) < 0.5 * size;
+}
+
 Camera ViewportPlanner::camera_of(const MeshScene& scene, const Values& view, Size size, Insets insets,
                                   std::string& complaint) {
     const std::string& text = view.text(camera_key(scene));
@@ -119,11 +126,15 @@ Camera ViewportPlanner::camera_of(const MeshScene& scene, const Values& view, Si
     if (wish && !shows_all(text)) return turned(*wish, scene);
     if (scene.projection) return planar_home(scene.box, size, insets);
     const std::string& direction = wish ? text : view.text("direction");
-    if (home_.of == scene.mesh && home_.size == size && home_.insets == insets &&
-        home_.direction == direction && home_.elevation == scene.elevation)
-        return turned(home_.camera, scene);
-    const Camera whole = home(scene.home_box, size, insets, view.text("direction"));
-    home_ = {scene.mesh, size, insets, direction, scene.elevation, whole};
+    const bool same_view = home_.size == size && home_.insets == insets && home_.direction == direction &&
+                           home_.elevation == scene.elevation;
+    // While the domain is changed by its points, they stay where the mouse has put them.
+    if (same_view && home_.of && home_.of != scene.mesh && also_ && is_alike(home_.box, scene))
+        home_.of = scene.mesh;
+    if (same_view && home_.of == scene.mesh) return turned(home_.camera, scene);
+    const Box shown = also_ && scene.planar() ? merge(scene.home_box, *also_) : scene.home_box;
+    const Camera whole = home(shown, size, insets, view.text("direction"));
+    home_ = {scene.mesh, size, insets, direction, scene.elevation, scene.home_box, whole};
     if (scene.planar()) return home_.camera;
     if (wish) home_.camera.right = wish->right, home_.camera.up = wish->up;
     if (scene.ball > 0) {

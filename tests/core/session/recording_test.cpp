@@ -1,6 +1,5 @@
-#include "core/session/recording.hpp"
-
 #include "core/scenario/toml.hpp"
+#include "core/session/recording.hpp"
 #include "core/session/run.hpp"
 #include "core/session/solver_thread.hpp"
 

@@ -194,7 +194,8 @@ TEST_F(SolverThreadTest, AConvergedRunGoesOnAfterAChange) {
     EXPECT_EQ(events.front().report.iteration, 0);
     EXPECT_EQ(events[1].kind, SolverEventKind::step);
     EXPECT_EQ(events[1].report.iteration, 1);
-    thread.post(ChangeCommand{.scenario = scenario({"monitor.amplitude=16"}), .number = 2, .same_gesture = true});
+    thread.post(
+        ChangeCommand{.scenario = scenario({"monitor.amplitude=16"}), .number = 2, .same_gesture = true});
     ASSERT_TRUE(eventually(
         [&] { return thread.status().answered == 2 && thread.status().run == RunStatus::converged; }));
     EXPECT_EQ(thread.drain().front().kind, SolverEventKind::same_gesture);

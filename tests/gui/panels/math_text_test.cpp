@@ -1,8 +1,7 @@
-#include "gui/panels/math_text.hpp"
-
 #include "core/scenario/toml.hpp"
 #include "gui/headless_ui.hpp"
 #include "gui/panels/equation_box.hpp"
+#include "gui/panels/math_text.hpp"
 #include "gui/panels/sections.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +42,8 @@ std::string parsed(std::string_view text) {
 TEST(MathText, ReadsEquationsAsTheyAreWritten) {
     EXPECT_EQ(parsed("m(x) = 1 + A sech²( B (|x - c|² - r²) )"),
               "m(x) = 1 + A pow(sech; 2)(B (pow(|x − c|; 2) − pow(r; 2)))");
-    EXPECT_EQ(parsed("m(x) = 1 + A exp( -B | |x - c|² - r² | )"), "m(x) = 1 + A exp(−B |pow(|x − c|; 2) − pow(r; 2)|)");
+    EXPECT_EQ(parsed("m(x) = 1 + A exp( -B | |x - c|² - r² | )"),
+              "m(x) = 1 + A exp(−B |pow(|x − c|; 2) − pow(r; 2)|)");
     EXPECT_EQ(parsed("m(x) = 1 / (2 + cos(2 π k |x - c|))"), "m(x) = frac(1; 2 + cos(2 π k |x − c|))");
     EXPECT_EQ(parsed("sqrt( (1 - γ)/2 (tanh((β - d)/α) + 1) + γ ), γ = 1/N⁴"),
               "root(frac(1 − γ; 2) (tanh(frac(β − d; α)) + 1) + γ), γ = frac(1; pow(N; 4))");
@@ -59,8 +59,8 @@ TEST(MathText, ReadsTypedFormulas) {
 }
 
 TEST(MathText, LeavesSentencesAndMistakesAlone) {
-    for (const char* text : {"", "1 +", "(1", "1)", "|x", "max{1, 2}", "a < b", "u, limited; q", "^2", "/2", "2 ^",
-                             "f(x", "sqrt(", "x ? 1 : 2"})
+    for (const char* text : {"", "1 +", "(1", "1)", "|x", "max{1, 2}", "a < b", "u, limited; q", "^2", "/2",
+                             "2 ^", "f(x", "sqrt(", "x ? 1 : 2"})
         EXPECT_FALSE(parse_math(text)) << text;
     EXPECT_FALSE(parse_math(std::string(100000, '('))) << "it does not take the stack";
 }
@@ -75,7 +75,8 @@ TEST(MathText, IsAsLargeAsWhatItShows) {
         EXPECT_GT(of("x^2").ascent, of("x").ascent);
         EXPECT_GT(of("sub_2").descent, of("sub").descent);
         EXPECT_LT(of("1/1000").width, of("1000 + 1").width);
-        EXPECT_NEAR(of("(1/2)").height(), of("1/2").height(), 1e-3F) << "brackets grow with what they enclose";
+        EXPECT_NEAR(of("(1/2)").height(), of("1/2").height(), 1e-3F)
+            << "brackets grow with what they enclose";
         const auto whole = *parse_math("m(x) = 1 + A exp(-B x) + C exp(-D x) + E exp(-F x)");
         const float width = math_size(whole, size).width;
         EXPECT_EQ(math_lines(whole, size, width + 1).size(), 1U);
@@ -95,7 +96,8 @@ TEST(EquationBox, SaysTheValuesByTheirSymbols) {
     Scenario ring = find_scenario(catalogue, "plane-ring");
     EXPECT_EQ(values_by_symbol(ring.monitor.values), "A = 10   B = 200   r = 0.25   c = (0.5, 0.5)");
     EXPECT_EQ(values_by_symbol(Values()), "");
-    EXPECT_EQ(equation_of(catalogue, SectionKind::monitor, ring.monitor), "m(x) = 1 + A sech²( B (|x - c|² - r²) )");
+    EXPECT_EQ(equation_of(catalogue, SectionKind::monitor, ring.monitor),
+              "m(x) = 1 + A sech²( B (|x - c|² - r²) )");
     EXPECT_EQ(equation_of(catalogue, SectionKind::method, ring.method), "");
     Scenario typed = find_scenario(catalogue, "plane-formula");
     EXPECT_EQ(equation_of(catalogue, SectionKind::monitor, typed.monitor),

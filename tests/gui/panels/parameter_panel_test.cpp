@@ -97,7 +97,8 @@ TEST_F(PanelTest, ADragMovesTheValueAsFarAsTheMouse) {
     EXPECT_EQ(scenario, opened) << "a click changes nothing";
     for (int i = 0; i < 30; ++i) ui.frame(drawing());
     const auto& rows = scenario.monitor.values.rows();
-    const auto row = std::find_if(rows.begin(), rows.end(), [](const auto& one) { return one.key == "radius"; });
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [](const auto& one) { return one.key == "radius"; });
     const double whole = row->maximum - row->minimum, before = scenario.monitor.values.real("radius");
     ui.drag(items.at("monitor.radius"), 0.8F, 0.9F, drawing());
     const double moved = scenario.monitor.values.real("radius") - before;

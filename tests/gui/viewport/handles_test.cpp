@@ -164,7 +164,9 @@ class HeldHandleTest : public HandleTest {
     void frame(std::size_t handles) {
         items_.clear();
         pane_.offer_handles({handles_.begin(), handles_.begin() + static_cast<std::ptrdiff_t>(handles)});
-        ui_.frame([&] { pane_.frame({&run_, run_.snapshot}, viewport_, {0, 0, 900, 600}, {theme_, 1, items_}); });
+        ui_.frame([&] {
+            pane_.frame({&run_, run_.snapshot}, viewport_, {0, 0, 900, 600}, {theme_, 1, items_});
+        });
     }
 
     Scenario scenario_;

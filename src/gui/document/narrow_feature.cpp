@@ -1,0 +1,48 @@
+#include "gui/document/narrow_feature.hpp"
+
+#include "core/diagnostics/feature_width.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double most = 0.9; // of the range within one cell
+
+/// Whether the monitor is a function that a formula gives.
+bool is_analytic(const Catalogue& catalogue, const Scenario& scenario) {
+    return std::any_of(catalogue.monitors.begin(), catalogue.monitors.end(), [&](const MonitorType& type) {
+        return type.name == scenario.monitor.type && (type.formula || type.name == "formula");
+    });
+}
+
+/// The label of the first row whose key ends like this; empty if there is none.
+std::string label_of(const Values& values, std::string_view ending) {
+    for (const ParameterRow& row : values.rows())
+        if (row.key.ends_with(ending)) return row.label;
+    return {};
+}
+
+} // namespace
+
+std::string NarrowFeature::warning(const Catalogue& catalogue, const DocumentRun& run) {
+    if (!run.snapshot || !is_analytic(catalogue, run.scenario)) return {};
+    if (mesh_ != run.snapshot->mesh || version_ != run.snapshot->version) {
+        mesh_ = run.snapshot->mesh, version_ = run.snapshot->version;
+        const Field* monitor = run.snapshot->field("monitor");
+        share_ = monitor ? share_within_cell(*mesh_, monitor->values) : 0;
+    }
+    // A mesh that has not adapted yet says nothing, nor does one that has failed.
+    if (share_ < most || run.history.empty() || run.snapshot->report.residual > 0.3) return {};
+    const std::string cells = label_of(run.scenario.domain.values, "cells"),
+                      sharpness = label_of(run.scenario.monitor.values, "sharpness");
+    std::string help = cells.empty() ? "Finer cells help" : "A larger value of \"" + cells + "\" helps";
+    if (!sharpness.empty()) help += ", or a smaller \"" + sharpness + "\"";
+    return "Narrower than the cells: within one cell, m changes by " +
+           std::to_string(std::lround(100 * share_)) +
+           " % of its range, and the mesh may depend on where it started. " + help + ".";
+}
+
+} // namespace gaspard

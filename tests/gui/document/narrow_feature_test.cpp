@@ -1,0 +1,41 @@
+#include "gui/document/narrow_feature.hpp"
+#include "gui/document_fixture.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+class NarrowFeatureTest : public DocumentFixture {
+  protected:
+    std::string warning_at(double sharpness, const std::string& method = "auto") {
+        Scenario scenario = find_scenario(*catalogue, "plane-ring");
+        apply_settings(*catalogue, scenario, {"method.type=" + method});
+        set_value(*catalogue, scenario, "monitor.sharpness", sharpness);
+        document.open(scenario);
+        EXPECT_TRUE(wait_until([&] { return run().ended(); }));
+        return NarrowFeature().warning(*catalogue, run());
+    }
+};
+
+TEST_F(NarrowFeatureTest, ARingThatTheCellsCarryIsFine) { EXPECT_EQ(warning_at(200), ""); }
+
+TEST_F(NarrowFeatureTest, ANarrowerOneIsSaidAndWhatHelps) {
+    const std::string warning = warning_at(1900);
+    EXPECT_NE(warning.find("Narrower than the cells"), std::string::npos) << warning;
+    EXPECT_NE(warning.find("larger value of \"Cells per side\""), std::string::npos) << warning;
+    EXPECT_NE(warning.find("smaller \"Sharpness\""), std::string::npos) << warning;
+}
+
+TEST_F(NarrowFeatureTest, NothingIsSaidOfDataOrOfAMeshThatHasNotAdapted) {
+    Scenario portrait = find_scenario(*catalogue, "plane-portrait");
+    set_value(*catalogue, portrait, "method.max_iterations", std::int64_t{5});
+    document.open(portrait);
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    NarrowFeature narrow;
+    EXPECT_EQ(narrow.warning(*catalogue, run()), "");
+    EXPECT_EQ(narrow.warning(*catalogue, DocumentRun()), "");
+}
+
+} // namespace
+} // namespace gaspard
