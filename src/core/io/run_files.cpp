@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/base/version.hpp"
+#include "core/diagnostics/cell_quality.hpp"
 #include "core/diagnostics/quality.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/interpolation_files.hpp"
@@ -106,6 +107,19 @@ static Json interpolation_of(Run& run, std::stop_token stop) {
     return nullptr;
 }
 
+/// Worst and mean of every measure; null where cells are lines.
+static Json cell_quality_of(Run& run) {
+    const auto snapshot = run.snapshot();
+    if (!has_quality(snapshot->mesh->kind)) return nullptr;
+    const CellQualityMeter meter(snapshot->mesh);
+    const SeriesValues values = values_of(meter.measure(snapshot->x, snapshot->field("monitor")->values));
+    const double* next = values.begin();
+    Json json;
+    for (const QualityMeasureInfo& measure : quality_measures())
+        for (const char* part : {"worst", "mean"}) json[measure.name][part] = *next++;
+    return json;
+}
+
 std::string summary_json(Run& run, std::stop_token stop) {
     const Json interpolation = interpolation_of(run, std::move(stop));
     const Scenario& scenario = run.scenario();
@@ -129,6 +143,7 @@ std::string summary_json(Run& run, std::stop_token stop) {
     for (const char* name : {"min_jacobian", "max_jacobian", "exact_rms", "exact_rms_nodes"})
         json[name] = or_null(last.value(name));
     add_measures(json, last);
+    json["cell_quality"] = cell_quality_of(run);
     json["interpolation"] = interpolation;
     json["setup_seconds"] = run.setup_seconds();
     json["solve_seconds"] = last.seconds;

@@ -78,9 +78,12 @@ ParameterRow background_row() {
 }
 
 ParameterRow colour_row(std::span<const FieldInfo> further, std::string_view usual) {
-    ParameterRow row = choice("color", "Colour by", {"monitor"},
-                              "what the cells are filled with, or for an interval what is plotted (without "
-                              "it, or with none, the map x(ξ)); equidistribution is Mᵢ / mean − 1");
+    ParameterRow row =
+        choice("color", "Colour by", {"monitor"},
+               "what the cells are filled with, or for an interval what is plotted (without "
+               "it, or with none, the map x(ξ)); equidistribution is Mᵢ / mean − 1, orthogonality the "
+               "non-orthogonality angle; intervals have no aspect_ratio, skewness, "
+               "orthogonality and alignment");
     row.choices.clear();
     for (const FieldInfo& field : mesh_colours()) row.choices.push_back(field.name);
     for (const FieldInfo& field : further) {
@@ -123,6 +126,24 @@ const std::vector<FieldInfo>& mesh_colours() {
          .label = "displacement",
          .symbol = "|x − ξ|",
          .help = "|x − ξ| of the nodes"},
+        {.name = "aspect_ratio",
+         .label = "aspect ratio",
+         .place = FieldPlace::cell,
+         .help = "of the cell, 1 is ideal"},
+        {.name = "skewness",
+         .label = "skewness",
+         .place = FieldPlace::cell,
+         .help = "how far the angles are from ideal ones, 0 to 1"},
+        {.name = "orthogonality",
+         .label = "non-orthogonality",
+         .unit = "°",
+         .place = FieldPlace::cell,
+         .help = "angle between the line to a neighbour and the normal of the side, the largest"},
+        {.name = "alignment",
+         .label = "alignment with ∇m",
+         .place = FieldPlace::cell,
+         .centre = 0,
+         .help = "1: the cell is thin along ∇m, −1: thin across it"},
         {.name = "interpolation_error",
          .label = "interpolation error",
          .place = FieldPlace::cell,

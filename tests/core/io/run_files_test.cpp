@@ -82,6 +82,7 @@ TEST(Summary, HasTheFieldsOfTheContractInTheirOrder) {
                                                        "max_jacobian",
                                                        "exact_rms",
                                                        "exact_rms_nodes",
+                                                       "cell_quality",
                                                        "interpolation",
                                                        "setup_seconds",
                                                        "solve_seconds",
@@ -122,6 +123,28 @@ TEST(Summary, SaysWhatTheRunFound) {
     EXPECT_DOUBLE_EQ(json["seconds_per_iteration"].get<double>() * 6, last.seconds);
     EXPECT_GT(json["peak_memory_bytes"].get<std::uint64_t>(), 1u << 20); // this very process needs more
     EXPECT_EQ(json["version"], "0.1.0");
+}
+
+TEST(Summary, HasTheCellQualityOfTheLastMeshThatTheHistoryHasOnRequest) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Scenario scenario = small_scenario(*catalogue, 3);
+    scenario.method.values.set("cell_quality", true);
+    gaspard::Run run(catalogue, scenario);
+    run.solve();
+    const OrderedJson quality = OrderedJson::parse(summary_json(run))["cell_quality"];
+    const StepReport& last = run.history().back();
+    EXPECT_EQ(quality["aspect_ratio"]["worst"].get<double>(), last.value("max_aspect_ratio"));
+    EXPECT_EQ(quality["skewness"]["mean"].get<double>(), last.value("mean_skewness"));
+    EXPECT_EQ(quality["alignment"]["worst"].get<double>(), last.value("min_alignment"));
+    EXPECT_GT(quality["orthogonality"]["worst"].get<double>(), 0);
+    EXPECT_NE(history_csv(run.history()).find("max_aspect_ratio,mean_aspect_ratio"), std::string::npos);
+
+    scenario.method.values.set("cell_quality", false);
+    run.change(scenario);
+    EXPECT_FALSE(run.history().back().value("max_aspect_ratio"));
+    EXPECT_GE(OrderedJson::parse(summary_json(run))["cell_quality"]["aspect_ratio"]["worst"], 1.0);
+    gaspard::Run interval(catalogue, catalogue->scenario("layer-1d"));
+    EXPECT_TRUE(OrderedJson::parse(summary_json(interval))["cell_quality"].is_null());
 }
 
 TEST(Summary, WithoutAnIterationHasNoTimePerIteration) {
