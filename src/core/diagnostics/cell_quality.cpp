@@ -96,7 +96,7 @@ std::span<const QualityMeasureInfo> quality_measures() {
         {{"aspect_ratio", "Aspect ratio", "max", &CellQuality::aspect_ratio},
          {"skewness", "Skewness", "max", &CellQuality::skewness},
          {"orthogonality", "Non-orthogonality", "max", &CellQuality::orthogonality},
-         {"alignment", "Alignment with ∇m", "min", &CellQuality::alignment}}};
+         {"alignment", "Alignment with grad m", "min", &CellQuality::alignment}}};
     return all;
 }
 

@@ -131,8 +131,9 @@ std::vector<ParameterRow> common_method_rows() {
          .label = "Cell quality",
          .kind = ParameterKind::boolean,
          .default_value = false,
-         .help = "measures aspect ratio, skewness, orthogonality and alignment with ∇m whenever the mesh is "
-                 "measured, for plots and history.csv; needs diagnostics = full"}};
+         .help =
+             "measures aspect ratio, skewness, orthogonality and alignment with grad m whenever the mesh is "
+             "measured, for plots and history.csv; needs diagnostics = full"}};
 }
 
 } // namespace gaspard

@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/join.hpp"
+#include "core/tessellate/ticks.hpp"
 #include "gui/document/value_changes.hpp"
 #include "gui/plot/plot_curves.hpp"
 
@@ -39,10 +40,28 @@ std::optional<bool> logarithmic_of(std::string_view name) {
     return name == axis_name(true);
 }
 
+/// "θ", "‖r‖ / ‖θ‖ [m]"
+std::string name_of_values(const SeriesInfo& info) {
+    if (info.unit.empty()) return info.symbol;
+    return (info.symbol.empty() ? info.label : info.symbol) + " [" + info.unit + "]";
+}
+
+/// Where the plot has the series by which the run is judged.
+void add_tolerance(const DocumentRun& run, const PlotChoice& choice, PlotView& view) {
+    if (run.history.empty() || !run.scenario.method.values.has("tolerance")) return;
+    const SeriesTable& table = *run.history.back().series;
+    if (plot_name(table.all()[table.criterion()]) != choice.plot) return;
+    const double tolerance = run.scenario.method.values.real("tolerance");
+    for (const LevelView& level : view.levels)
+        if (level.y == tolerance) return;
+    view.levels.push_back({tolerance, "tolerance " + short_number(tolerance)});
+}
+
 PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_window) {
     const bool by_iteration = choice.abscissa == "iterations";
     PlotView view;
-    view.x = {by_iteration ? "iteration" : "seconds", choice.log_x};
+    view.x = {
+        .label = by_iteration ? "iteration" : "seconds", .logarithmic = choice.log_x, .whole = by_iteration};
     view.y = {"", choice.log_y};
     std::vector<std::string> names;
     for (const DocumentRun& run : runs)
@@ -55,7 +74,7 @@ PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_w
         for (const SeriesTrace& series : run.curves.all()) {
             if (series.plot != choice.plot) continue;
             const Trace& trace = series.trace;
-            view.y.label = series.info.unit;
+            view.y.label = name_of_values(series.info);
             view.curves.push_back({.label = label,
                                    .part = series.info.plot ? series.info.plot->part : std::string_view(),
                                    .x = by_iteration ? trace.iterations : trace.seconds,
@@ -64,6 +83,7 @@ PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_w
                                    .colour = run.colour,
                                    .behind = !run.live()});
         }
+        add_tolerance(run, choice, view);
         for (const ChangeMark& mark : run.marks)
             view.marks.push_back({by_iteration ? mark.iteration : mark.seconds, mark.text, run.colour});
     }
@@ -196,6 +216,7 @@ Plot plot_of_runs(const DocumentRuns& runs, const PlotChoice& choice, const Plot
         if (curve.part != view.curves.front().part)
             plot.curves.back().label.clear(); // one entry in the legend per run
     }
+    for (const LevelView& level : view.levels) plot.levels.push_back({level.y, level.label});
     for (const MarkView& mark : view.marks) plot.marks.push_back({mark.x, std::string(mark.label)});
     return zoomed(std::move(plot), zoom);
 }

@@ -45,7 +45,6 @@ std::optional<std::size_t> draw_list(const std::string& key, std::span<const Ent
 
 /// "θ: the constant that ..."
 std::string help_of(const RunPlot& plot) {
-    if (plot.info->plot) return {};
     return (plot.info->symbol.empty() ? "" : plot.info->symbol + ": ") + plot.info->help;
 }
 
@@ -55,6 +54,9 @@ void draw_plots_list(const std::string& key, const DocumentRuns& runs, PlotChoic
     std::vector<Entry> entries;
     for (const RunPlot& plot : plots) entries.push_back({plot.name, plot.label, help_of(plot)});
     const auto clicked = draw_list(key, entries, choice.plot, plot_label(runs, choice.plot), width, items);
+    for (const Entry& one : entries)
+        if (one.name == choice.plot && !clicked && ImGui::IsItemHovered() && !one.help.empty())
+            ImGui::SetTooltip("%s", one.help.c_str());
     if (!clicked || plots[*clicked].name == choice.plot) return;
     choice = with_plot(runs, choice, plots[*clicked]);
 }

@@ -143,7 +143,7 @@ TEST(Summary, HasTheCellQualityOfTheLastMeshThatTheHistoryHasOnRequest) {
     run.change(scenario);
     EXPECT_FALSE(run.history().back().value("max_aspect_ratio"));
     EXPECT_GE(OrderedJson::parse(summary_json(run))["cell_quality"]["aspect_ratio"]["worst"], 1.0);
-    gaspard::Run interval(catalogue, catalogue->scenario("layer-1d"));
+    gaspard::Run interval(catalogue, find_scenario(*catalogue, "layer-1d"));
     EXPECT_TRUE(OrderedJson::parse(summary_json(interval))["cell_quality"].is_null());
 }
 
