@@ -7,6 +7,7 @@
 #include "core/diagnostics/quality.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/interpolation_files.hpp"
+#include "core/io/section_files.hpp"
 #include "core/io/spline_map_file.hpp"
 #include "core/io/state_file.hpp"
 #include "core/method/spline_map.hpp"
@@ -166,6 +167,8 @@ std::string summary_json(Run& run, std::stop_token stop) {
 std::vector<std::string> run_file_names(const Run& run, const std::vector<const Format*>& formats) {
     std::vector<std::string> names{"history.csv", "summary.json", "state.bin"};
     if (is_of_splines(run)) names.emplace_back("map.json");
+    if (has_section_files(*run.discretisation().mesh(), run.scenario().view))
+        names.insert(names.end(), section_file_names.begin(), section_file_names.end());
     for (const Format* format : formats)
         names.insert(names.end(), format->files.begin(), format->files.end());
     return names;
@@ -173,6 +176,7 @@ std::vector<std::string> run_file_names(const Run& run, const std::vector<const 
 
 std::vector<std::string> possible_run_file_names() {
     std::vector<std::string> names{"history.csv", "summary.json", "state.bin", "map.json"};
+    names.insert(names.end(), section_file_names.begin(), section_file_names.end());
     for (const Format& format : formats())
         names.insert(names.end(), format.files.begin(), format.files.end());
     return names;
@@ -198,7 +202,8 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
     make_folder(folder);
     std::exception_ptr first;
     const bool of_splines = is_of_splines(run);
-    const double all = (of_splines ? 4 : 3) + static_cast<double>(formats.size());
+    const bool of_section = has_section_files(*run.discretisation().mesh(), run.scenario().view);
+    const double all = (of_splines ? 4 : 3) + (of_section ? 1 : 0) + static_cast<double>(formats.size());
     double done = 0;
     const auto attempt = [&](const std::string& what, const auto& write) {
         if (stop.stop_requested()) throw Interrupted();
@@ -224,6 +229,8 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
                            run.scenario().view,
                            run.scenario().output.real("curve_tolerance"),
                            patch_wanted ? patch_of(run) : nullptr};
+    if (of_section)
+        attempt("section.csv", [&] { write_section_files(folder, *snapshot, run.scenario().view); });
     for (const auto* format : formats) attempt(format->files.front(), [&] { format->write(folder, result); });
     if (first) std::rethrow_exception(first);
 }

@@ -274,7 +274,7 @@ std::string svg_marks(const Mapping& map) {
     return text;
 }
 
-/// Dashed lines at values, with their labels above the right end.
+/// Dashed lines at values, with their labels above the left end, which curves that fall to it leave free.
 std::string svg_levels(const Mapping& map) {
     std::string text;
     for (const PlotLevel& level : map.plot.levels) {
@@ -286,7 +286,7 @@ std::string svg_levels(const Mapping& map) {
         text += "<path fill=\"none\" stroke=\"#3a7d44\" stroke-width=\".6\" stroke-dasharray=\"4 2\" d=\"" +
                 path.data() + "\"/>\n";
         const bool below = y - svg_font_size < map.area.top;
-        text += svg_text({map.area.right - gap, below ? y + svg_font_size : y - gap / 2}, Anchor::end,
+        text += svg_text({map.area.left + gap, below ? y + svg_font_size : y - gap / 2}, Anchor::start,
                          level.label, "fill=\"#3a7d44\"");
     }
     return text;

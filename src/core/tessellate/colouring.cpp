@@ -203,6 +203,7 @@ std::optional<Colouring> ColouringMaker::make(const Snapshot& snapshot, const Co
     if (!found) return std::nullopt;
     Colouring colouring{.name = choice.colouring,
                         .label = legend_text(*info, cell_dimension(mesh_->kind)),
+                        .symbol = info->symbol,
                         .place = info->place,
                         .values = std::move(*found)};
     colouring.map = &map_of(choice, *info);

@@ -29,8 +29,9 @@
 namespace gaspard {
 
 struct Colouring {
-    std::string name;  ///< as in ColourChoice
-    std::string label; ///< for a legend: "cell area"
+    std::string name;     ///< as in ColourChoice
+    std::string label;    ///< for a legend: "cell area"
+    std::string symbol{}; ///< "m"; may be empty
     FieldPlace place = FieldPlace::node;
     std::vector<double> values{}; ///< of the mesh's nodes or cells
     const ColourMap* map = nullptr;

@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/join.hpp"
+#include "core/tessellate/line_section.hpp"
 #include "core/tessellate/ticks.hpp"
 #include "gui/document/value_changes.hpp"
 #include "gui/plot/plot_curves.hpp"
@@ -29,7 +30,9 @@ bool of_runs(const Abscissa& abscissa) { return abscissa == "iterations" || absc
 
 /// Which an error study can have depends on the problem.
 bool is_abscissa(std::string_view plot, const Abscissa& name) {
+    if (plot == section_plot) return name == along_section;
     if (plot != error_study_plot) return of_runs(name);
+    if (name == along_section) return false;
     return !name.empty() && !of_runs(name) && std::none_of(name.begin(), name.end(), [](char c) {
         return c == ' ' || c == '"' || static_cast<unsigned char>(c) < ' ';
     });
@@ -135,6 +138,14 @@ const SeriesInfo& error_study_info() {
     return info;
 }
 
+const SeriesInfo& section_info() {
+    static const SeriesInfo info{.name = std::string(section_plot),
+                                 .label = "Section line",
+                                 .help = "the values of the colours along a line, whose ends can be dragged "
+                                         "on the mesh (view.section)"};
+    return info;
+}
+
 } // namespace
 
 std::vector<RunPlot> plots_of(const DocumentRuns& runs) {
@@ -148,6 +159,11 @@ std::vector<RunPlot> plots_of(const DocumentRuns& runs) {
             const std::string_view label = info.plot ? info.plot->label : info.label;
             plots.push_back({name, label, &info});
         }
+    for (const DocumentRun& run : runs)
+        if (run.snapshot && has_section_line(*run.snapshot->mesh)) {
+            plots.push_back({section_plot, section_info().label, &section_info()});
+            break;
+        }
     return plots;
 }
 
@@ -158,6 +174,7 @@ std::string_view plot_label(const DocumentRuns& runs, std::string_view name) {
 }
 
 std::vector<Abscissa> abscissas_of(const DocumentRuns& runs, std::string_view plot) {
+    if (plot == section_plot) return {std::string(along_section)};
     if (plot != error_study_plot) return {"iterations", "seconds"};
     const DocumentRun* run = studied_run(runs);
     return run ? study_variables(run->scenario) : std::vector<Abscissa>{};
@@ -168,13 +185,18 @@ PlotChoice with_plot(const DocumentRuns& runs, const PlotChoice& choice, const R
     changed.plot = plot.name;
     changed.log_y = plot.info->scale == ParameterScale::logarithmic;
     if (is_abscissa(plot.name, choice.abscissa)) return changed;
-    return with_abscissa(runs, changed, plot.name == error_study_plot ? "cells" : "iterations");
+    return with_abscissa(runs, changed,
+                         plot.name == error_study_plot ? "cells"
+                         : plot.name == section_plot   ? Abscissa(along_section)
+                                                       : "iterations");
 }
 
 PlotChoice with_abscissa(const DocumentRuns& runs, const PlotChoice& choice, const Abscissa& abscissa) {
     PlotChoice changed = choice;
     const DocumentRun* run = studied_run(runs);
-    if (!of_runs(abscissa))
+    if (abscissa == along_section)
+        changed.log_x = false;
+    else if (!of_runs(abscissa))
         changed.log_x = run && has_factors(run->scenario, study_key(run->scenario, abscissa));
     else if (!of_runs(choice.abscissa))
         changed.log_x = false;
@@ -183,6 +205,7 @@ PlotChoice with_abscissa(const DocumentRuns& runs, const PlotChoice& choice, con
 }
 
 std::string label_of(const DocumentRuns& runs, const Abscissa& abscissa) {
+    if (abscissa == along_section) return "arc length";
     const DocumentRun* run = of_runs(abscissa) ? nullptr : studied_run(runs);
     return run ? study_label(run->scenario, abscissa) : abscissa;
 }

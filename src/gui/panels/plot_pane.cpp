@@ -154,9 +154,10 @@ std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, const Docum
 
 bool PlotPane::draw_curves(const Document& document, Shown& plot, const Plot& study,
                            const FrameContext& context) {
-    const bool of_study = plot.choice.plot == error_study_plot;
+    const bool of_study = is_made_elsewhere(plot.choice.plot);
     const PlotView view = of_study ? view_of(study) : view_of_runs(document.runs(), plot.choice);
-    const bool sweeps = of_study && plot.choice.abscissa != "cells" && !study.curves.empty();
+    const bool sweeps =
+        plot.choice.plot == error_study_plot && plot.choice.abscissa != "cells" && !study.curves.empty();
     std::optional<double> swept;
     const bool menu = plot_widget("##curves", view, ImGui::GetContentRegionAvail(), plot.zoom, context.theme,
                                   context.scale, sweeps ? &swept : nullptr);

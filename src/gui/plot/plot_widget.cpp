@@ -55,7 +55,7 @@ void draw_marks(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, 
     }
 }
 
-/// Dashed, each with its label above the right end.
+/// Dashed, each with its label above the left end, which curves that fall to it leave free.
 void draw_levels(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, const Theme& theme,
                  float scale) {
     const ScreenRect& area = frame.area;
@@ -68,7 +68,7 @@ void draw_levels(ImDrawList& list, const PlotView& plot, const PlotFrame& frame,
         const ImVec2 size = text_size(level.label);
         const float above = y - size.y - scale >= area.min.y ? y - size.y - scale : y + 2 * scale;
         if (size.x + 4 * scale < area.width() && area.height() > 3 * size.y)
-            write_text(list, {area.max.x - size.x - 4 * scale, above}, theme.good, level.label);
+            write_text(list, {area.min.x + 4 * scale, above}, theme.good, level.label);
     }
 }
 

@@ -272,6 +272,26 @@ TEST(RunFiles, BeginWithTheRecord) {
     EXPECT_NO_THROW(check_replaceable(folder.path(), run_file_names(run, {}), "summary.json", "plane-ring"));
 }
 
+TEST(RunFiles, HaveTheValuesAlongTheLineOfTheView) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Scenario scenario = small_scenario(*catalogue, 3);
+    const TemporaryFolder folder;
+    {
+        gaspard::Run run(catalogue, scenario);
+        write_run_files(folder / "without", run, {});
+        EXPECT_FALSE(std::filesystem::exists(folder / "without" / "section.csv"));
+    }
+    scenario.view.set("section", std::string("0 0.5 1 0.5"));
+    gaspard::Run run(catalogue, scenario);
+    run.solve();
+    write_run_files(folder / "with", run, {});
+    const auto names = run_file_names(run, {});
+    EXPECT_NE(std::find(names.begin(), names.end(), "section.csv"), names.end());
+    EXPECT_TRUE(
+        read_file(folder / "with" / "section.csv").starts_with("arc_length,x,y,monitor,cell\n"));
+    EXPECT_NE(read_file(folder / "with" / "section.svg").find("arc length"), std::string::npos);
+}
+
 TEST(RunFiles, MakeTheirFolder) {
     const TemporaryFolder folder;
     gaspard::Run run = finished_run();
