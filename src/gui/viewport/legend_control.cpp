@@ -13,7 +13,7 @@ namespace gaspard {
 namespace {
 
 constexpr const char *field_id = "##legend value", *legend_menu_id = "##legend menu";
-constexpr float handle_size = 7; // pixels at scale 1
+constexpr float handle_size = 9; // pixels at scale 1
 
 void set_range(Values& view, double low, double high) {
     if (!(low < high) || !std::isfinite(low) || !std::isfinite(high)) return;
@@ -121,10 +121,10 @@ void LegendControl::draw(Values& view, const Colouring& colouring, const LegendP
     for (const Part end : {Part::low, Part::high}) {
         const float y = end == Part::high ? places.bar.min.y : places.bar.max.y, x = places.bar.max.x;
         const bool lit = held_ == end || (held_ == Part::none && under == end);
-        const ImVec2 tip{x - 0.8F * size, y}, above{x + 0.2F * size, y - 0.6F * size},
+        const ImVec2 tip{x - 0.9F * size, y}, above{x + 0.2F * size, y - 0.6F * size},
             below{x + 0.2F * size, y + 0.6F * size}; // on the bar, beside the numbers
         list.AddTriangleFilled(tip, above, below, packed(context.theme.accent, lit ? 1.0F : 0.9F));
-        list.AddTriangle(tip, above, below, packed(context.theme.background), 1.2F * context.scale);
+        list.AddTriangle(tip, above, below, packed(context.theme.background), context.scale);
         remember(end == Part::high ? "legend.high" : "legend.low",
                  {{x - 0.8F * size, y - 0.6F * size}, {x + 0.2F * size, y + 0.6F * size}});
     }
