@@ -20,7 +20,8 @@ gaspard_test(gui_tests LABELS threads LIBRARIES gaspard_scenes PkgConfig::IMGUI
     gui/scene/clip_matrix_test.cpp gui/scene/picking_test.cpp gui/viewport/viewport_test.cpp gui/plot/plot_widget_test.cpp
     gui/scene/mesh_scene_test.cpp gui/base/settings_test.cpp gui/base/theme_test.cpp gui/plot/plot_curves_test.cpp gui/panels/plot_pane_test.cpp
     gui/panels/plot_choice_test.cpp gui/panels/run_list_test.cpp gui/document/value_changes_test.cpp gui/document/runs_csv_test.cpp
-    gui/viewport/elevation_view_test.cpp gui/viewport/globe_view_test.cpp gui/viewport/interval_view_test.cpp gui/panels/comparison_panel_test.cpp gui/viewport/handles_test.cpp gui/viewport/cut_view_test.cpp)
+    gui/viewport/elevation_view_test.cpp gui/viewport/globe_view_test.cpp gui/viewport/interval_view_test.cpp gui/panels/comparison_panel_test.cpp gui/viewport/handles_test.cpp gui/viewport/cut_view_test.cpp
+    gui/app/application_legend_test.cpp gui/app/application_section_test.cpp gui/app/window_icon_test.cpp gui/panels/help_window_test.cpp)
 
 # Pictures drawn offscreen, compared with those in tests/goldens, which make_goldens draws anew.
 gaspard_test(picture_tests LABELS graphics LIBRARIES gaspard_scenes

@@ -10,7 +10,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr double icon_cells = 8, icon_radius = 0.22; // cells per side; of the circle
+constexpr double icon_radius = 0.22; // of the circle
 constexpr Vec3 icon_ground{0x1b, 0x1f, 0x2a}, icon_ring{0x31, 0x68, 0x8e}, icon_lines{0xfd, 0xe7, 0x25};
 
 /// The computational coordinates at a point of the square: they change fastest across the circle.
@@ -42,6 +42,7 @@ double inside_square(Vec3 p, double pixel) {
 Image window_icon(int size) {
     Image image{size, size, {}};
     const double pixel = 1.0 / size;
+    const double icon_cells = size < 32 ? 4 : 8; // per side
     for (int row = 0; row < size; ++row)
         for (int column = 0; column < size; ++column) {
             const Vec3 p{(column + 0.5) * pixel, (row + 0.5) * pixel, 0};

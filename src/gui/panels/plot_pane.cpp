@@ -29,7 +29,8 @@ std::optional<std::size_t> draw_list(const std::string& key, std::span<const Ent
                                      ItemRectangles& items) {
     ImGui::SetNextItemWidth(width);
     const std::string shown = shortened(std::string(label), width - 2 * ImGui::GetStyle().FramePadding.x);
-    const bool open = ImGui::BeginCombo(("##" + key).c_str(), shown.c_str(), ImGuiComboFlags_NoArrowButton);
+    const bool open = ImGui::BeginCombo(("##" + key).c_str(), shown.c_str(),
+                                        ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
     remember_item(items, key);
     if (!open) return std::nullopt;
     std::optional<std::size_t> clicked;

@@ -17,10 +17,15 @@ float label_width() { return ImGui::CalcTextSize(widest_label).x; }
 
 float legend_line_height() { return ImGui::GetFontSize() * 1.35F; }
 
-/// "monitor m"
-std::string title_of(const Colouring& colouring) {
-    return colouring.label + (colouring.symbol.empty() ? "" : " " + colouring.symbol) +
+std::string title_of(const Colouring& colouring, bool with_symbol) {
+    return colouring.label + (with_symbol && !colouring.symbol.empty() ? " " + colouring.symbol : "") +
            (colouring.range.logarithmic ? " (log)" : "");
+}
+
+/// "monitor m"; without the symbol where the legend would be wider for it.
+std::string fitting_title(const Colouring& colouring, float width) {
+    std::string title = title_of(colouring, true);
+    return ImGui::CalcTextSize(title.c_str()).x <= width ? title : title_of(colouring, false);
 }
 
 constexpr const char* widest_remark = "contours every 2×10⁻¹⁰"; // the width reserved for them
@@ -131,7 +136,7 @@ std::vector<Tick> legend_ticks(const ColourRange& range) {
 
 float legend_width(const Colouring& colouring, bool histogram, float scale) {
     const float bar = (bar_width + legend_gap + (histogram ? histogram_width : 0)) * scale + label_width();
-    float text = ImGui::CalcTextSize(title_of(colouring).c_str()).x;
+    float text = ImGui::CalcTextSize(title_of(colouring, false).c_str()).x;
     if (!colouring.contours.values.empty()) text = std::max(text, ImGui::CalcTextSize(widest_remark).x);
     return std::max(bar, text) + 2 * legend_margin * scale;
 }
@@ -166,7 +171,7 @@ void draw_legend(ImDrawList& list, const Colouring& colouring, bool histogram, H
     const auto [low, high] = std::pair(frame.low, frame.high);
     list.AddRectFilled(frame.all.min, frame.all.max, packed(theme.background, 0.82F), 6 * scale);
     list.AddText({frame.all.min.x + pad * scale, frame.all.min.y + pad * scale / 2}, packed(theme.text),
-                 title_of(colouring).c_str());
+                 fitting_title(colouring, frame.all.width() - 2 * pad * scale).c_str());
     draw_bar(list, *colouring.map, low, high);
     draw_levels(list, colouring, low, high, theme, scale);
     if (histogram) draw_histogram(list, colouring, counts, low, high, theme, scale);

@@ -156,6 +156,7 @@ void LegendControl::draw_field(Values& view, const Colouring& colouring, const L
     const bool entered = ImGui::InputText(
         "##value", &text_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     remember_item(context.items, "legend.value");
+    if (std::exchange(refused_, false)) ImGui::SetKeyboardFocusHere(-1); // to be corrected
     const auto value = parse_number(text_);
     const bool high = typed_ == Part::high_value;
     const double other = high ? colouring.range.low : colouring.range.high;
@@ -167,6 +168,7 @@ void LegendControl::draw_field(Values& view, const Colouring& colouring, const L
                            : colouring.range.logarithmic && !(*value > 0) ? "above 0 on a log scale"
                            : high                                         ? "above the low end"
                                                                           : "below the high end");
+    refused_ = entered && !fits;
     if (entered && fits) {
         set_range(view, high ? other : *value, high ? *value : other);
         ImGui::CloseCurrentPopup();

@@ -37,6 +37,7 @@ class LegendControl {
     Part typed_ = Part::none; ///< the value whose field is open
     std::string text_;        ///< in it
     bool opens_field_ = false, opens_menu_ = false;
+    bool refused_ = false; ///< what was typed cannot be the value
 };
 
 } // namespace gaspard

@@ -56,8 +56,10 @@ void draw_section_line(ImDrawList& list, const PlannedView& shown, const Section
 
 SectionLine usual_section_line(const MeshScene& scene) {
     const Box& box = scene.home_box;
-    const double y = (box.low.y + box.high.y) / 2;
-    return {{box.low.x, y, 0}, {box.high.x, y, 0}};
+    const double span = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+    const auto rounded_place = [span](double value) { return rounded_within(span, value) + 0.0; }; // no -0
+    const double y = rounded_place((box.low.y + box.high.y) / 2);
+    return {{rounded_place(box.low.x), y, 0}, {rounded_place(box.high.x), y, 0}};
 }
 
 bool SectionControl::interact(Values& view, const ViewportPlan& plan, float scale) {

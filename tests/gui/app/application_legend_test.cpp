@@ -65,7 +65,8 @@ TEST_F(LegendTest, NumbersAreTyped) {
     ui.key(ImGuiKey_Enter, true), frame();
     ui.key(ImGuiKey_Enter, false), frame();
     EXPECT_EQ(look().text("range"), "automatic") << "1 is not above the low end";
-    ui.type("0", drawing());
+    frame(), frame();
+    ui.type("10", drawing());
     ui.key(ImGuiKey_Enter, true), frame();
     ui.key(ImGuiKey_Enter, false), frame();
     EXPECT_EQ(look().text("range"), "fixed");
