@@ -205,7 +205,7 @@ PlotChoice with_abscissa(const DocumentRuns& runs, const PlotChoice& choice, con
 }
 
 std::string label_of(const DocumentRuns& runs, const Abscissa& abscissa) {
-    if (abscissa == along_section) return "arc length";
+    if (abscissa == along_section) return "length";
     const DocumentRun* run = of_runs(abscissa) ? nullptr : studied_run(runs);
     return run ? study_label(run->scenario, abscissa) : abscissa;
 }

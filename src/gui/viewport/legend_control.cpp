@@ -191,7 +191,7 @@ void LegendControl::draw_menu(Values& view, const Colouring& colouring, const Fr
         draw_swatch(map, 6 * em, em);
         ImGui::SameLine();
         const std::string name(map.name);
-        if (entry(name, name, &map == colouring.map)) view.set("color_map", name);
+        if (entry(name, name, view.text("color_map") == map.name)) view.set("color_map", name);
     }
     ImGui::Separator();
     const bool automatic = view.text("range") == "automatic";
