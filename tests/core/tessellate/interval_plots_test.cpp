@@ -219,20 +219,20 @@ TEST(PlotAxis, LabelsBesideEachOtherDoNotTouch) {
 TEST(PlotAxis, LabelsThatTouchAreLeftOutWhereTicksCannotBeFewer) {
     const auto height = [](const std::string&) { return 13.0; };
     for (const bool logarithmic : {false, true})
-        for (const double length : {9.0, 20.0, 31.0, 50.0}) {
-            const Axis y{.label = "y", .logarithmic = logarithmic};
-            const AxisRange range =
-                logarithmic ? AxisRange{std::log10(0.52), std::log10(0.68)} : AxisRange{0.52, 0.68};
-            double last = -1e9;
-            int labels = 0;
-            for (const Tick& tick : fitting_ticks(y, range, 3, length, height)) {
-                if (tick.label.empty()) continue;
-                const double at = fraction_of(y, range, to_axis(y, tick.value)) * length;
-                EXPECT_GE(at - last, 13) << tick.label << " on " << length;
-                last = at, ++labels;
+        for (const auto& [low, high] : {std::pair(0.52, 0.68), {0.2, 0.4}, {1.0, 10.0}})
+            for (const double length : {9.0, 20.0, 31.0, 50.0}) {
+                const Axis y{.label = "y", .logarithmic = logarithmic};
+                const AxisRange range{to_axis(y, low), to_axis(y, high)};
+                double last = -1e9;
+                int labels = 0;
+                for (const Tick& tick : fitting_ticks(y, range, 3, length, height)) {
+                    if (tick.label.empty()) continue;
+                    const double at = fraction_of(y, range, to_axis(y, tick.value)) * length;
+                    EXPECT_GE(at - last, 13) << tick.label << " on " << length;
+                    last = at, ++labels;
+                }
+                EXPECT_GE(labels, 1) << length;
             }
-            EXPECT_GE(labels, 1) << length;
-        }
 }
 
 TEST(PlotAxis, CountsAreWholeAndNotNegative) {
