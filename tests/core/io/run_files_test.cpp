@@ -287,8 +287,7 @@ TEST(RunFiles, HaveTheValuesAlongTheLineOfTheView) {
     write_run_files(folder / "with", run, {});
     const auto names = run_file_names(run, {});
     EXPECT_NE(std::find(names.begin(), names.end(), "section.csv"), names.end());
-    EXPECT_TRUE(
-        read_file(folder / "with" / "section.csv").starts_with("arc_length,x,y,monitor,cell\n"));
+    EXPECT_TRUE(read_file(folder / "with" / "section.csv").starts_with("arc_length,x,y,monitor,cell\n"));
     EXPECT_NE(read_file(folder / "with" / "section.svg").find("arc length"), std::string::npos);
 }
 
