@@ -83,7 +83,7 @@ class Runs(Contract):
         self.assertEqual(set(summary), {
             "scenario", "modified", "domain", "monitor", "method", "cells", "unknowns", "status", "iterations", "residual",
             "equidistribution", "theta", "tangled_cells", "min_jacobian", "max_jacobian", "exact_rms", "exact_rms_nodes",
-            "interpolation", "setup_seconds", "solve_seconds", "cpu_seconds", "seconds_per_iteration", "peak_memory_bytes", "version",
+            "cell_quality", "interpolation", "setup_seconds", "solve_seconds", "cpu_seconds", "seconds_per_iteration", "peak_memory_bytes", "version",
             "inner_iterations", "note"})
         self.assertEqual(summary["status"], "converged")
         self.assertEqual((summary["scenario"], summary["modified"]), ("plane-ring", ["domain.cells"]))

@@ -73,7 +73,10 @@ void write_patch_files(const std::filesystem::path& folder, const RunResult& res
 }
 
 Plot against_iteration(std::string title, const std::string& y) {
-    return {.title = std::move(title), .x = {"iteration", false}, .y = {y, true}, .curves = {{}}};
+    return {.title = std::move(title),
+            .x = {.label = "iteration", .whole = true},
+            .y = {y, true},
+            .curves = {{}}};
 }
 
 /// Where the series was not measured the curve goes on to the next report that was.
@@ -82,7 +85,7 @@ Plot history_plot(const std::vector<StepReport>& history, std::string_view name)
     const auto place = table.find(name);
     GASPARD_CHECK(place);
     const SeriesInfo& info = table.all()[*place];
-    Plot plot = against_iteration(info.label, info.help);
+    Plot plot = against_iteration(info.label, info.symbol.empty() ? info.help : info.symbol);
     for (const auto& report : history)
         if (const auto value = report.value(name)) {
             plot.curves[0].x.push_back(report.iteration);

@@ -3,9 +3,11 @@
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
 #include "core/base/version.hpp"
+#include "core/diagnostics/cell_quality.hpp"
 #include "core/diagnostics/quality.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/interpolation_files.hpp"
+#include "core/io/section_files.hpp"
 #include "core/io/spline_map_file.hpp"
 #include "core/io/state_file.hpp"
 #include "core/method/spline_map.hpp"
@@ -106,6 +108,19 @@ static Json interpolation_of(Run& run, std::stop_token stop) {
     return nullptr;
 }
 
+/// Worst and mean of every measure; null where cells are lines.
+static Json cell_quality_of(Run& run) {
+    const auto snapshot = run.snapshot();
+    if (!has_quality(snapshot->mesh->kind)) return nullptr;
+    const CellQualityMeter meter(snapshot->mesh);
+    const SeriesValues values = values_of(meter.measure(snapshot->x, snapshot->field("monitor")->values));
+    const double* next = values.begin();
+    Json json;
+    for (const QualityMeasureInfo& measure : quality_measures())
+        for (const char* part : {"worst", "mean"}) json[measure.name][part] = *next++;
+    return json;
+}
+
 std::string summary_json(Run& run, std::stop_token stop) {
     const Json interpolation = interpolation_of(run, std::move(stop));
     const Scenario& scenario = run.scenario();
@@ -129,6 +144,7 @@ std::string summary_json(Run& run, std::stop_token stop) {
     for (const char* name : {"min_jacobian", "max_jacobian", "exact_rms", "exact_rms_nodes"})
         json[name] = or_null(last.value(name));
     add_measures(json, last);
+    json["cell_quality"] = cell_quality_of(run);
     json["interpolation"] = interpolation;
     json["setup_seconds"] = run.setup_seconds();
     json["solve_seconds"] = last.seconds;
@@ -151,6 +167,8 @@ std::string summary_json(Run& run, std::stop_token stop) {
 std::vector<std::string> run_file_names(const Run& run, const std::vector<const Format*>& formats) {
     std::vector<std::string> names{"history.csv", "summary.json", "state.bin"};
     if (is_of_splines(run)) names.emplace_back("map.json");
+    if (has_section_files(*run.discretisation().mesh(), run.scenario().view))
+        names.insert(names.end(), section_file_names.begin(), section_file_names.end());
     for (const Format* format : formats)
         names.insert(names.end(), format->files.begin(), format->files.end());
     return names;
@@ -158,6 +176,7 @@ std::vector<std::string> run_file_names(const Run& run, const std::vector<const 
 
 std::vector<std::string> possible_run_file_names() {
     std::vector<std::string> names{"history.csv", "summary.json", "state.bin", "map.json"};
+    names.insert(names.end(), section_file_names.begin(), section_file_names.end());
     for (const Format& format : formats())
         names.insert(names.end(), format.files.begin(), format.files.end());
     return names;
@@ -183,7 +202,8 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
     make_folder(folder);
     std::exception_ptr first;
     const bool of_splines = is_of_splines(run);
-    const double all = (of_splines ? 4 : 3) + static_cast<double>(formats.size());
+    const bool of_section = has_section_files(*run.discretisation().mesh(), run.scenario().view);
+    const double all = (of_splines ? 4 : 3) + (of_section ? 1 : 0) + static_cast<double>(formats.size());
     double done = 0;
     const auto attempt = [&](const std::string& what, const auto& write) {
         if (stop.stop_requested()) throw Interrupted();
@@ -209,6 +229,8 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
                            run.scenario().view,
                            run.scenario().output.real("curve_tolerance"),
                            patch_wanted ? patch_of(run) : nullptr};
+    if (of_section)
+        attempt("section.csv", [&] { write_section_files(folder, *snapshot, run.scenario().view); });
     for (const auto* format : formats) attempt(format->files.front(), [&] { format->write(folder, result); });
     if (first) std::rethrow_exception(first);
 }

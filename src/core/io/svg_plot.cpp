@@ -274,6 +274,24 @@ std::string svg_marks(const Mapping& map) {
     return text;
 }
 
+/// Dashed lines at values, with their labels above the left end, which curves that fall to it leave free.
+std::string svg_levels(const Mapping& map) {
+    std::string text;
+    for (const PlotLevel& level : map.plot.levels) {
+        const double y = map.page_y(level.y);
+        if (!map.area.contains({map.area.left, y})) continue;
+        SvgPath path;
+        path.move({map.area.left, y});
+        path.line({map.area.right, y});
+        text += "<path fill=\"none\" stroke=\"#3a7d44\" stroke-width=\".6\" stroke-dasharray=\"4 2\" d=\"" +
+                path.data() + "\"/>\n";
+        const bool below = y - svg_font_size < map.area.top;
+        text += svg_text({map.area.left + gap, below ? y + svg_font_size : y - gap / 2}, Anchor::start,
+                         level.label, "fill=\"#3a7d44\"");
+    }
+    return text;
+}
+
 std::string colour_of(const Plot& plot, std::size_t curve) {
     return curve_colours[plot.curves[curve].colour.value_or(curve) % curve_colours.size()];
 }
@@ -390,17 +408,26 @@ struct Layout {
     double legend_above = 0; ///< height of its lines above the area; 0: a box inside
 };
 
+/// So many ticks as suit the size, but with labels that do not touch in the area.
+void fit_ticks(const Plot& plot, Layout& made, double width, double height) {
+    const auto height_of = [](const std::string&) { return svg_font_size; };
+    const auto width_of = [](const std::string& label) { return svg_text_width(label) + gap; };
+    made.y = fitting_ticks(plot.y, made.y_range, static_cast<int>(height / (2.8 * svg_font_size)),
+                           made.area.height(), height_of);
+    made.x = fitting_ticks(plot.x, made.x_range, static_cast<int>(width / (5 * svg_font_size)),
+                           made.area.width(), width_of);
+}
+
 Layout layout_of(const Plot& plot, double width, double height) {
     Layout made;
     made.x_range = shown_range(plot, false), made.y_range = shown_range(plot, true);
-    made.y = axis_ticks(plot.y, made.y_range, static_cast<int>(height / (2.8 * svg_font_size)));
-    const auto width_of = [](const std::string& label) { return svg_text_width(label) + gap; };
-    made.x =
-        fitting_ticks(plot.x, made.x_range, static_cast<int>(width / (5 * svg_font_size)), width, width_of);
+    made.area = area_of(plot, width, height, 0, 0);
+    fit_ticks(plot, made, width, height);
     const Tick* last = made.x.empty() ? nullptr : plot.x.reversed ? &made.x.front() : &made.x.back();
     made.area = area_of(plot, width, height, widest(made.y), last ? svg_text_width(last->label) : 0);
     made.legend_above = legend_height_above({plot, made.area, made.x_range, made.y_range});
     made.area.top += made.legend_above;
+    fit_ticks(plot, made, width, height); // in what is left of the area
     return made;
 }
 
@@ -408,8 +435,8 @@ std::string svg_content(const Plot& plot, const Layout& layout, double height) {
     const Mapping map{plot, layout.area, layout.x_range, layout.y_range};
     std::string content = svg_grid(map, layout.x, layout.y);
     content += svg_rect(map.area, "fill=\"none\" stroke=\"#444\" stroke-width=\".5\"");
-    content +=
-        svg_marks(map) + "<g stroke-width=\"1.2\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
+    content += svg_marks(map) + svg_levels(map) +
+               "<g stroke-width=\"1.2\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     for (const bool behind : {true, false})
         for (std::size_t c = 0; c < plot.curves.size(); ++c)
             if (plot.curves[c].behind == behind)

@@ -122,7 +122,11 @@ void cell_data(std::string& text, const Snapshot& snapshot) {
     Arrays arrays(text);
     for (const auto& field : snapshot.fields)
         if (field.place == FieldPlace::cell) arrays.reals(field.name, 1, field.values);
-    arrays.reals("measure", 1, ColouringMaker().measures(snapshot));
+    ColouringMaker maker;
+    arrays.reals("measure", 1, maker.measures(snapshot));
+    if (const CellQuality* quality = maker.quality(snapshot))
+        for (const QualityMeasureInfo& measure : quality_measures())
+            if (!(quality->*measure.values).empty()) arrays.reals(measure.name, 1, quality->*measure.values);
 }
 
 /// Files of version 1.0, the only one that all programs read, have two edges of Lagrange hexahedra exchanged:

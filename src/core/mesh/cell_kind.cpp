@@ -20,8 +20,10 @@ struct CellTable {
     std::vector<std::vector<int>> faces;
 };
 
-const std::vector<std::vector<int>> cube_faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
-                                                  {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+/// Made when it is first needed, which may be before the constants of this file are.
+std::vector<std::vector<int>> cube_faces() {
+    return {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+}
 
 /// VTK's Lagrange hexahedron.
 CellTable hexahedron_of_order(int order) {
@@ -32,7 +34,7 @@ CellTable hexahedron_of_order(int order) {
         8,
         {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
         {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}},
-        cube_faces};
+        cube_faces()};
     const auto place = [order](int i) { return static_cast<double>(i) / order; };
     for (auto& edge : cell.edges) { // their nodes run along the axes, whatever the direction of the edge
         const Vec3 a = cell.nodes[static_cast<std::size_t>(edge[0])],

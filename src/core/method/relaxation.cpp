@@ -126,7 +126,14 @@ std::vector<ParameterRow> common_method_rows() {
          .default_value = true,
          .help =
              "measures how well the uniform and the adapted mesh interpolate the monitor, or the function "
-             "from which it is made; needs diagnostics = full"}};
+             "from which it is made; needs diagnostics = full"},
+        {.key = "cell_quality",
+         .label = "Cell quality",
+         .kind = ParameterKind::boolean,
+         .default_value = false,
+         .help =
+             "measures aspect ratio, skewness, orthogonality and alignment with grad m whenever the mesh is "
+             "measured, for plots and history.csv; needs diagnostics = full"}};
 }
 
 } // namespace gaspard

@@ -6,8 +6,9 @@ namespace gaspard {
 SeriesInfo normalised_residual() {
     return {.name = "residual",
             .label = "Residual",
+            .symbol = "‖r‖ / ‖θ‖",
             .scale = ParameterScale::logarithmic,
-            .help = "normalised residual"};
+            .help = "normalised residual, r = m det(∂x/∂ξ) − θ tested with the finite element functions"};
 }
 
 SeriesInfo level_series() {

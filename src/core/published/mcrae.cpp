@@ -70,9 +70,15 @@ Solved solve_by_both_rules(const Workshop& workshop, const std::string& monitor,
 }
 
 Reproduction figure3(const Workshop& workshop) {
-    Plot residual{"Residual (5.1)", {"iteration", false}, {"normalised residual", true}, {}};
-    Plot spread{"Equidistribution (5.2)", {"iteration", false}, {"coefficient of variation of M", true}, {}};
-    Plot compared{"Relaxation and Newton's methods", {"iteration", false}, {"normalised residual", true}, {}};
+    Plot residual{"Residual (5.1)", {.label = "iteration", .whole = true}, {"normalised residual", true}, {}};
+    Plot spread{"Equidistribution (5.2)",
+                {.label = "iteration", .whole = true},
+                {"coefficient of variation of M", true},
+                {}};
+    Plot compared{"Relaxation and Newton's methods",
+                  {.label = "iteration", .whole = true},
+                  {"normalised residual", true},
+                  {}};
     Reproduction result;
     std::vector<Solved> relaxed;
     for (const std::string monitor : {"ring", "bell"}) {

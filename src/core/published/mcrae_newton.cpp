@@ -31,7 +31,7 @@ Curve attempt(const Workshop& workshop, const std::string& scenario, const std::
 }
 
 Plot residual_plot(const std::string& title) {
-    Plot plot{title, {"iteration", false}, {"normalised residual", true}, {}};
+    Plot plot{title, {.label = "iteration", .whole = true}, {"normalised residual", true}, {}};
     plot.y.low = 1e-10, plot.y.high = 100;
     return plot;
 }

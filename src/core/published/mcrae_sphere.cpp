@@ -48,7 +48,10 @@ Reproduction one_mesh(const Workshop& workshop, const std::string& scenario, con
 Reproduction figure8(const Workshop& workshop) {
     Reproduction result{{}, Figure{"Convergence of the relaxation method on the cubed sphere", {}}};
     for (const std::string ratio : {"2", "16"}) {
-        Plot plot{"X" + ratio, {"iteration", false}, {"residual, equidistribution, rms to exact", true}, {}};
+        Plot plot{"X" + ratio,
+                  {.label = "iteration", .whole = true},
+                  {"residual, equidistribution, rms to exact", true},
+                  {}};
         plot.y.low = 1e-9, plot.y.high = 10;
         for (const std::string order : {"1", "2"}) {
             const std::string cells = order == "1" ? "bilinear" : "biquadratic",

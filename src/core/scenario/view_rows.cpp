@@ -79,9 +79,12 @@ ParameterRow background_row() {
 }
 
 ParameterRow colour_row(std::span<const FieldInfo> further, std::string_view usual) {
-    ParameterRow row = choice("color", "Colour by", {"monitor"},
-                              "what the cells are filled with, or for an interval what is plotted (without "
-                              "it, or with none, the map x(ξ)); equidistribution is Mᵢ / mean − 1");
+    ParameterRow row =
+        choice("color", "Colour by", {"monitor"},
+               "what the cells are filled with, or for an interval what is plotted (without "
+               "it, or with none, the map x(ξ)); equidistribution is Mᵢ / mean − 1, orthogonality the "
+               "non-orthogonality angle; intervals have no aspect_ratio, skewness, "
+               "orthogonality and alignment");
     row.choices.clear();
     for (const FieldInfo& field : mesh_colours()) row.choices.push_back(field.name);
     for (const FieldInfo& field : further) {
@@ -124,6 +127,24 @@ const std::vector<FieldInfo>& mesh_colours() {
          .label = "displacement",
          .symbol = "|x − ξ|",
          .help = "|x − ξ| of the nodes"},
+        {.name = "aspect_ratio",
+         .label = "aspect ratio",
+         .place = FieldPlace::cell,
+         .help = "of the cell, 1 is ideal"},
+        {.name = "skewness",
+         .label = "skewness",
+         .place = FieldPlace::cell,
+         .help = "how far the angles are from ideal ones, 0 to 1"},
+        {.name = "orthogonality",
+         .label = "non-orthogonality",
+         .unit = "°",
+         .place = FieldPlace::cell,
+         .help = "angle between the line to a neighbour and the normal of the side, the largest"},
+        {.name = "alignment",
+         .label = "alignment with grad m",
+         .place = FieldPlace::cell,
+         .centre = 0,
+         .help = "1: the cell is thin along grad m, −1: thin across it"},
         {.name = "interpolation_error",
          .label = "interpolation error",
          .place = FieldPlace::cell,
@@ -176,6 +197,8 @@ std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further, std::str
         real("low", "Low", 0, "the lowest colour's value, where the range is fixed"),
         real("high", "High", 1, "the highest colour's value, where the range is fixed"),
         boolean("histogram", "Histogram", true, "histogram of the values, beside the legend"),
+        choice("histogram_counts", "Histogram counts", {"square-root", "linear", "logarithmic"},
+               "how long the bars of the histogram are, for the number of values"),
         boolean("lines", "Lines", true, "the cells' edges; of an interval, the nodes below the plot"),
         {.key = "contours",
          .label = "Contour lines",
@@ -225,6 +248,9 @@ std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further, std::str
          .maximum = 0.9,
          .default_value = 0.0,
          .help = "by what part of their size the cells of a solid are shrunk towards their middles"},
+        text("section", "Section line",
+             "a line across a mesh in the plane, as 'x0 y0 x1 y1', along which the values of the colours are "
+             "plotted and written to section.csv and section.svg; empty: none"),
         boolean("arrows", "Arrows", false, "from ξ to x, as many as fit"),
         layout_row(),
         {.key = "projection_longitude",

@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/stopwatch.hpp"
+#include "core/diagnostics/cell_quality.hpp"
 #include "core/diagnostics/exact_map.hpp"
 #include "core/diagnostics/quality.hpp"
 #include "core/method/nonlinear_problem.hpp"
@@ -142,6 +143,9 @@ void Run::prepare_reports(Course& course) const {
     if (course.method->knows_map()) diagnostics.push_back(folded_drawn_cells_series());
     if (interpolates(course))
         for (SeriesInfo& one : interpolation_series()) diagnostics.push_back(std::move(one));
+    prepare_shapes(course);
+    if (course.shapes)
+        for (SeriesInfo& one : cell_quality_series()) diagnostics.push_back(std::move(one));
     auto table = std::make_shared<const SeriesTable>(method_type(course).residual, std::move(diagnostics),
                                                      course.method->series(), method_type(course).criterion);
     if (!course.series || course.series->all() != table->all()) course.series = std::move(table);
@@ -407,6 +411,8 @@ void Run::measure(Course& course, StepReport& report, Diagnostics at_most) const
     }
     if (course.tangled) *next++ = static_cast<double>(quality.tangled_cells);
     if (interpolates(course)) next += static_cast<std::ptrdiff_t>(interpolation_series().size());
+    if (course.shapes && level == Diagnostics::full) std::ranges::copy(shapes(course), next);
+    if (course.shapes) next += static_cast<std::ptrdiff_t>(cell_quality_series().size());
     if (level == Diagnostics::full) {
         const std::vector<double> measures = course.method->measures(course.data);
         auto measure = measures.begin();

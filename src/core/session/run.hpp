@@ -25,6 +25,7 @@
 
 namespace gaspard GASPARD_API {
 
+class CellQualityMeter;
 class QualityMeter;
 struct SplinePatch; // core/spline/spline_patch.hpp
 
@@ -123,8 +124,9 @@ class Run {
         std::shared_ptr<const Discretisation> discretisation{};
         std::shared_ptr<Method> method{};
         std::shared_ptr<QualityMeter> meter{};
-        std::shared_ptr<const Points> exact{};       ///< null if no exact map is known
-        std::shared_ptr<const SeriesTable> series{}; ///< of the reports to come
+        std::shared_ptr<const CellQualityMeter> shapes{}; ///< if method.cell_quality is on; otherwise null
+        std::shared_ptr<const Points> exact{};            ///< null if no exact map is known
+        std::shared_ptr<const SeriesTable> series{};      ///< of the reports to come
         State state{};
         /// As in Snapshot, of the last measurement.
         std::shared_ptr<const std::vector<std::uint32_t>> tangled{};
@@ -168,6 +170,9 @@ class Run {
     void measure(Course& course, StepReport& report, Diagnostics at_most) const;
     void add_fields_of_method(Snapshot& snapshot);
     static bool interpolates(const Course& course);
+    static bool measures_shapes(const Course& course);
+    static void prepare_shapes(Course& course);
+    static SeriesValues shapes(const Course& course);
     void add_interpolation(Snapshot& snapshot) const;
     void add_fields_of_monitor(Snapshot& snapshot) const;
     bool out_of_bounds(const Course& course, const StepReport& report) const;

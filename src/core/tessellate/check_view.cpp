@@ -5,6 +5,7 @@
 #include "core/tessellate/camera.hpp"
 #include "core/tessellate/cell_geometry.hpp"
 #include "core/tessellate/inside_choice.hpp"
+#include "core/tessellate/line_section.hpp"
 #include "core/tessellate/pick.hpp"
 
 namespace gaspard {
@@ -16,6 +17,7 @@ void check_view(const Values& view, const Mesh* mesh) {
             throw InputError("view." + std::string(key) + ": " + error.what());
         }
     parse_background(view.text("background"));
+    parse_section_line(view.text("section"));
     const auto pick = parse_pick(view.text("pick"));
     if (pick && mesh != nullptr && !has(*mesh, *pick))
         throw InputError("view.pick = '" + view.text("pick") + "': the mesh has " +

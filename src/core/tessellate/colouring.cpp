@@ -139,10 +139,12 @@ void ColouringMaker::see(const Snapshot& snapshot) {
         mesh_ = snapshot.mesh;
         geometry_.emplace(mesh_);
         mass_.clear();
+        quality_meter_.reset();
     }
     if (!new_mesh && seen_version_ == snapshot.version) return;
     seen_version_ = snapshot.version;
     jacobian_.clear();
+    quality_.reset();
     if (const Field* mass = snapshot.field("mass")) mass_ = mass->values;
 }
 
@@ -156,6 +158,17 @@ const std::vector<double>& ColouringMaker::jacobians(const Snapshot& snapshot) {
     if (const Field* measured = snapshot.field("jacobian")) return measured->values;
     if (jacobian_.empty()) jacobian_ = geometry_->jacobians(snapshot.x);
     return jacobian_;
+}
+
+const CellQuality* ColouringMaker::quality(const Snapshot& snapshot) {
+    see(snapshot);
+    if (!has_quality(mesh_->kind)) return nullptr;
+    if (!quality_meter_) quality_meter_.emplace(mesh_);
+    if (!quality_) {
+        const Field* monitor = snapshot.field("monitor");
+        quality_ = quality_meter_->measure(snapshot.x, monitor ? monitor->values : std::vector<double>{});
+    }
+    return &*quality_;
 }
 
 std::vector<std::uint32_t> ColouringMaker::tangled(const Snapshot& snapshot) {
@@ -172,6 +185,12 @@ std::optional<std::vector<double>> ColouringMaker::values(const Snapshot& snapsh
     if (name == "jacobian") return jacobians(snapshot);
     if (name == "equidistribution") return mass_.empty() ? std::nullopt : std::optional(deviations(mass_));
     if (name == "displacement") return displacements(snapshot);
+    for (const QualityMeasureInfo& measure : quality_measures()) {
+        if (measure.name != name) continue;
+        const CellQuality* found = quality(snapshot);
+        return found && !(found->*measure.values).empty() ? std::optional(found->*measure.values)
+                                                          : std::nullopt;
+    }
     const Field* field = snapshot.field(name);
     return field != nullptr ? std::optional(field->values) : std::nullopt;
 }
@@ -184,6 +203,7 @@ std::optional<Colouring> ColouringMaker::make(const Snapshot& snapshot, const Co
     if (!found) return std::nullopt;
     Colouring colouring{.name = choice.colouring,
                         .label = legend_text(*info, cell_dimension(mesh_->kind)),
+                        .symbol = info->symbol,
                         .place = info->place,
                         .values = std::move(*found)};
     colouring.map = &map_of(choice, *info);
@@ -192,8 +212,8 @@ std::optional<Colouring> ColouringMaker::make(const Snapshot& snapshot, const Co
                            choice.logarithmic && !info->is_signed() && choice.low > 0 && choice.high > 0};
     else
         colouring.range =
-            automatic_range(whole_range(snapshot.field(choice.colouring), colouring.values),
-                            colouring.values, *info, choice.logarithmic, colouring.map->diverging);
+            automatic_range(whole_range(snapshot.field(choice.colouring), colouring.values), colouring.values,
+                            *info, choice.logarithmic, colouring.map->diverging);
     count(colouring);
     if (info->place == FieldPlace::node)
         colouring.contours = contour_levels(colouring.range, choice.contours);

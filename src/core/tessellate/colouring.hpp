@@ -6,10 +6,13 @@
 //   jacobian         det dx/dxi, the smallest sampled in each cell
 //   equidistribution M_i / mean of M - 1 of each cell: 0 where the monitor is equidistributed
 //   displacement     |x - xi| of the nodes
+//   aspect_ratio, skewness, orthogonality, alignment
+//                    of the cells (diagnostics/cell_quality.hpp)
 //   a field of the method or the monitor (MethodType::fields, MonitorType::fields), by its name
 //   none             no colours
 #pragma once
 
+#include "core/diagnostics/cell_quality.hpp"
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/cell_geometry.hpp"
 #include "core/tessellate/colour_choice.hpp"
@@ -26,8 +29,9 @@
 namespace gaspard {
 
 struct Colouring {
-    std::string name;  ///< as in ColourChoice
-    std::string label; ///< for a legend: "cell area"
+    std::string name;     ///< as in ColourChoice
+    std::string label;    ///< for a legend: "cell area"
+    std::string symbol{}; ///< "m"; may be empty
     FieldPlace place = FieldPlace::node;
     std::vector<double> values{}; ///< of the mesh's nodes or cells
     const ColourMap* map = nullptr;
@@ -60,13 +64,17 @@ class ColouringMaker {
     /// Of every cell.
     std::vector<double> measures(const Snapshot& snapshot);
     const std::vector<double>& jacobians(const Snapshot& snapshot); ///< valid until the next snapshot
-    const std::vector<double>& masses() const { return mass_; }     ///< M_i as last measured; empty before
+    /// Null if the cells are lines; valid until the next snapshot.
+    const CellQuality* quality(const Snapshot& snapshot);
+    const std::vector<double>& masses() const { return mass_; } ///< M_i as last measured; empty before
 
   private:
     std::optional<std::vector<double>> values(const Snapshot& snapshot, const std::string& name);
 
     std::shared_ptr<const Mesh> mesh_;
     std::optional<CellGeometry> geometry_;
+    std::optional<CellQualityMeter> quality_meter_; ///< of the mesh; made when it is needed
+    std::optional<CellQuality> quality_;            ///< of the snapshot seen last
     std::vector<double> mass_;
     std::vector<double> jacobian_; ///< at the nodes, of the snapshot seen last; empty where not needed yet
     std::uint64_t seen_version_ = 0;

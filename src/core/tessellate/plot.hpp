@@ -26,6 +26,7 @@ struct Axis {
     std::optional<double> low{}, high{}; ///< visible range, low < high; default: all values
     bool reversed = false;               ///< small values are at the right or at the top
     std::string before{};                ///< what labels begin with: "1 − " before a distance from 1
+    bool whole = false;                  ///< counts, such as iterations: whole numbers, none below 0
 };
 
 /// A thin vertical line that marks an event.
@@ -33,6 +34,13 @@ struct PlotMark {
     double x = 0;
     std::string label;   ///< the event
     bool handle = false; ///< in the window it can be dragged along x: a knob and the value say so
+};
+
+/// A dashed horizontal line at a value that curves are compared with, such as a tolerance. The range of the
+/// axis includes it.
+struct PlotLevel {
+    double y = 0;
+    std::string label;
 };
 
 /// Places on the x axis, each a short stroke in a row below the curves.
@@ -47,6 +55,7 @@ struct Plot {
     std::vector<Curve> curves;
     std::vector<PlotMark> marks{};
     std::vector<PlotRow> rows{};
+    std::vector<PlotLevel> levels{};
 };
 
 } // namespace gaspard

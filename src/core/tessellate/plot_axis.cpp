@@ -32,6 +32,13 @@ AxisRange range_around(double low, double high, bool logarithmic, bool padding) 
     return {low - more, high + more};
 }
 
+AxisRange range_of_counts(const Axis& axis, AxisRange range) {
+    if (!axis.whole || axis.logarithmic) return range;
+    if (range.span() < 1) range = {std::floor(range.low), std::ceil(range.high)};
+    range.low = std::max(range.low, 0.0);
+    return {range.low, std::max(range.high, range.low + 1)};
+}
+
 AxisRange asked_range(const Axis& axis, AxisRange otherwise) {
     const double low = axis.low ? to_axis(axis, *axis.low) : otherwise.low;
     const double high = axis.high ? to_axis(axis, *axis.high) : otherwise.high;
@@ -51,7 +58,11 @@ AxisRange shown_range(const Plot& plot, bool vertical) {
             low = std::min(low, vertical ? y : x), high = std::max(high, vertical ? y : x);
         }
     }
-    return asked_range(axis, range_around(low, high, axis.logarithmic, vertical || markers));
+    for (const PlotLevel& level : plot.levels)
+        if (const double at = to_axis(axis, level.y); vertical && !std::isnan(at))
+            low = std::min(low, at), high = std::max(high, at);
+    const AxisRange all = range_around(low, high, axis.logarithmic, vertical || markers);
+    return asked_range(axis, range_of_counts(axis, all));
 }
 
 double fraction_of(const Axis& axis, AxisRange range, double position) {
@@ -73,10 +84,40 @@ static std::string behind(const std::string& before, std::string label) {
     return more ? std::string(minus).append(label, 1) : "+" + label.substr(minus.size());
 }
 
+/// Less than one unit apart, ticks have labels with decimals, which whole numbers do without.
+static void keep_counts(std::vector<Tick>& ticks) {
+    constexpr double slack = 1e-6;
+    std::erase_if(ticks, [](const Tick& tick) {
+        return tick.value < -slack || std::abs(tick.value - std::round(tick.value)) > slack;
+    });
+    for (Tick& tick : ticks) {
+        tick.value = std::round(tick.value);
+        if (tick.label.find('.') != std::string::npos) tick.label = short_number(tick.value, 9);
+    }
+}
+
+/// Removes the labels that touch the one before.
+static void thin_touching(std::vector<Tick>& ticks, const Axis& axis, AxisRange range, double length,
+                          const std::function<double(const std::string&)>& width) {
+    double end = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        Tick& tick = ticks[axis.reversed ? ticks.size() - 1 - i : i];
+        if (tick.label.empty()) continue;
+        const double at = fraction_of(axis, range, to_axis(axis, tick.value)) * length;
+        const double half = width(tick.label) / 2;
+        if (at - half < end)
+            tick.label.clear();
+        else
+            end = at + half;
+    }
+}
+
 std::vector<Tick> axis_ticks(const Axis& axis, AxisRange range, int count) {
+    if (axis.whole && !axis.logarithmic) count = std::min(count, std::max(1, static_cast<int>(range.span())));
     std::vector<Tick> ticks = axis.logarithmic
                                   ? log_ticks(from_axis(axis, range.low), from_axis(axis, range.high), count)
                                   : linear_ticks(range.low, range.high, count);
+    if (axis.whole) keep_counts(ticks);
     for (Tick& tick : ticks) tick.label = behind(axis.before, std::move(tick.label));
     return ticks;
 }
@@ -97,6 +138,7 @@ std::vector<Tick> fitting_ticks(const Axis& axis, AxisRange range, int count, do
     };
     std::vector<Tick> ticks = axis_ticks(axis, range, count);
     while (count > 1 && touch(ticks)) ticks = axis_ticks(axis, range, --count);
+    thin_touching(ticks, axis, range, length, width);
     return ticks;
 }
 

@@ -32,6 +32,9 @@ double from_axis(const Axis& axis, double position);
 /// values): [0, 1], or one decade.
 AxisRange range_around(double low, double high, bool logarithmic, bool padding);
 
+/// The same for an axis of counts: at least one unit, and nothing below 0; of other axes, the range.
+AxisRange range_of_counts(const Axis& axis, AxisRange range);
+
 /// The range that the axis requests, as far as it does.
 AxisRange asked_range(const Axis& axis, AxisRange otherwise);
 /// The range that the plot requests or, by default, that shows every value.
@@ -42,10 +45,10 @@ double fraction_of(const Axis& axis, AxisRange range, double position);
 /// The inverse.
 double position_at(const Axis& axis, AxisRange range, double fraction);
 
-/// About `count` ticks at most; their values are values, not positions.
+/// About `count` ticks at most; their values are values, not positions. Of counts, whole numbers only.
 std::vector<Tick> axis_ticks(const Axis& axis, AxisRange range, int count);
-/// Those, or fewer, so that labels beside each other on an axis of this length do not touch. `width`: of a
-/// label.
+/// Those, or fewer, or some of them without a label, so that labels beside each other on an axis of this
+/// length do not touch. `width`: of a label along the axis, with the gap to the next one.
 std::vector<Tick> fitting_ticks(const Axis& axis, AxisRange range, int count, double length,
                                 const std::function<double(const std::string&)>& width);
 

@@ -309,8 +309,9 @@ void Application::set_text_size(double size) {
 
 bool Application::can_cancel() {
     return ImGui::IsPopupOpen("", any_popup) || messages_.error().open() || open_dialog_.open() ||
-           save_dialog_.open() || help_ || working() || document_.comparison().running() ||
-           comparison_panel_.open() || !viewport().view.text("pick").empty();
+           save_dialog_.open() || help_.open() || about_.open() || working() ||
+           document_.comparison().running() || comparison_panel_.open() ||
+           !viewport().view.text("pick").empty();
 }
 
 /// Closes or cancels the topmost thing only.
@@ -324,8 +325,10 @@ void Application::cancel() {
         open_dialog_.close();
     else if (save_dialog_.open())
         save_dialog_.close();
-    else if (help_)
-        help_ = false;
+    else if (about_.open())
+        about_.close();
+    else if (help_.open())
+        help_.close();
     else if (document_.comparison().running())
         document_.cancel_comparison();
     else if (working())
@@ -404,6 +407,10 @@ void Application::fulfil(const PlotWish& wish) {
             ImGui::SetClipboardText(error_plots_.csv(wish.place).c_str());
             return messages_.say({"Copied the numbers of the error study", false});
         }
+        if (wish.choice.plot == section_plot) {
+            ImGui::SetClipboardText(viewport_pane_.section_csv().c_str());
+            return messages_.say({"Copied the numbers along the section line", false});
+        }
         ImGui::SetClipboardText(runs_csv(document_.runs()).c_str());
         return messages_.say({"Copied the numbers of all runs that are shown", false});
     case PlotWish::Kind::save_png:
@@ -415,7 +422,8 @@ void Application::fulfil(const PlotWish& wish) {
     }
 }
 
-Plot Application::plot_for_file(const PlotWish& wish) const {
+Plot Application::plot_for_file(const PlotWish& wish) {
+    if (wish.choice.plot == section_plot) return zoomed(section_of(wish.choice), wish.zoom);
     if (wish.choice.plot == error_study_plot)
         return zoomed(error_plots_.for_file(wish.place, wish.choice), wish.zoom);
     return plot_of_runs(document_.runs(), wish.choice, wish.zoom);

@@ -19,6 +19,7 @@
 #include "gui/panels/comparison_panel.hpp"
 #include "gui/panels/dialogs.hpp"
 #include "gui/panels/error_plots.hpp"
+#include "gui/panels/help_window.hpp"
 #include "gui/panels/parameter_panel.hpp"
 #include "gui/panels/plot_pane.hpp"
 #include "gui/panels/run_list.hpp"
@@ -156,6 +157,7 @@ class Application {
     std::optional<int> first_tangled();
     void run_or_pause();
     void step_forward();
+    Plot section_of(const PlotChoice& choice);
     void draw_log();
     void draw_comparison();
     void draw_dialogs();
@@ -171,7 +173,7 @@ class Application {
     void move_in_history(bool forward);
     void record_edits();
     void fulfil(const PlotWish& wish);
-    Plot plot_for_file(const PlotWish& wish) const;
+    Plot plot_for_file(const PlotWish& wish);
     void sweep(const PlotSweep& sweep);
     void export_files();
     Scenario scenario_to_save();
@@ -224,7 +226,9 @@ class Application {
     Box cut_box_;              ///< around the solid that it belongs to
     double wheeled_ = 0;       ///< when the wheel was last turned, by ImGui::GetTime()
     bool wheel_burst_ = false; ///< nothing else was done since
-    bool quit_ = false, help_ = false, fullscreen_ = false;
+    bool quit_ = false, fullscreen_ = false;
+    HelpWindow help_;
+    AboutWindow about_;
     bool error_table_shown_ = false;
     bool screenshot_ = false;        ///< asked for
     bool taking_screenshot_ = false; ///< this frame is the screenshot: it shows no tooltip

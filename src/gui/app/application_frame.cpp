@@ -258,7 +258,7 @@ std::vector<std::string> Application::view_keys() {
         keys.insert(keys.end(), {"x_axis", "lines", "layout"});
         return keys;
     }
-    keys.insert(keys.end(), {"histogram", "lines"});
+    keys.insert(keys.end(), {"histogram", "histogram_counts", "lines"});
     const MeshScene* scene = views().empty() ? nullptr : &views().front().scene;
     const bool in_plane = run().snapshot && run().snapshot->mesh->space_dimension == 2;
     if (scene != nullptr && scene->cell_dimension > 1 && scene->colouring != nullptr && !scene->flat()) {
@@ -269,6 +269,7 @@ std::vector<std::string> Application::view_keys() {
         keys.insert(keys.end(), {"cut", "cut_cells", "peel", "only", "explode"});
         if (run().snapshot->mesh->lattice[0] > 0) keys.emplace_back("layers");
     }
+    if (scene != nullptr && has_section_line(*scene->mesh)) keys.emplace_back("section");
     keys.insert(keys.end(), {"arrows", "layout"});
     const bool projection = view.text("layout") == "projection" && available("layout=projection");
     if (projection) keys.insert(keys.end(), {"projection_longitude", "projection_camera"});
@@ -289,7 +290,9 @@ const StepReport* Application::shown_report() {
 }
 
 void Application::draw_plots(const FrameContext& context) {
-    const auto studies = error_plots_.plots(run(), plot_pane_.choices());
+    auto studies = error_plots_.plots(run(), plot_pane_.choices());
+    for (std::size_t i = 0; i < studies.size(); ++i)
+        if (plot_pane_.choices()[i].plot == section_plot) studies[i] = section_of(plot_pane_.choices()[i]);
     const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context, studies,
                                        playback_.live() ? nullptr : shown_report());
     if (wish) fulfil(*wish);
@@ -299,6 +302,16 @@ void Application::draw_plots(const FrameContext& context) {
     const auto choices = plot_pane_.choices();
     settings_.window.set("first_plot", format_choice(choices[0]));
     settings_.window.set("second_plot", format_choice(choices[1]));
+}
+
+/// Without a line, one through the middle of the mesh is drawn.
+Plot Application::section_of(const PlotChoice& choice) {
+    Values& view = viewport().view;
+    if (view.text("section").empty() && !views().empty() && has_section_line(*views().front().scene.mesh))
+        view.set("section", format_section_line(usual_section_line(views().front().scene)));
+    Plot plot = viewport_pane_.section_plot();
+    plot.x.logarithmic = choice.log_x, plot.y.logarithmic = choice.log_y;
+    return plot;
 }
 
 void Application::draw_status(const FrameContext& context) {
@@ -341,7 +354,8 @@ void Application::draw_dialogs() {
     }
     if (const auto folder = open_dialog_.take_folder_wish())
         files_.list(*folder, open_dialog_.purpose().endings);
-    draw_help(help_, actions_, theme_);
+    help_.draw(actions_, theme_, items_);
+    about_.draw(theme_, items_);
     if (messages_.error().open()) // two dialogs at once would close each other
         messages_.error().draw(items_);
     else if (const auto path = open_dialog_.draw(settings_.recent, items_))

@@ -50,7 +50,7 @@ std::string FileTasks::look_at(Arrivals& arrivals, const std::filesystem::path& 
     stream.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(stream.gcount()));
     const auto use = use_of(file, head);
-    if (!use) throw InputError(file.string() + " cannot be opened; open or drop " + what_opens());
+    if (!use) throw InputError("could not open " + file.string() + "; open or drop " + what_opens());
     std::lock_guard lock(arrivals.mutex);
     arrivals.data.push_back({*use, file});
     return {};

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "gui/app/whole_window.hpp"
+#include "gui/app/window_icon.hpp"
 #include "gui/base/font_finder.hpp"
 #include "gui/gl/gl.hpp"
 #include "gui/gl/imgui_context.hpp"
@@ -104,6 +105,15 @@ void place_window(GLFWwindow* window, const Values& remembered) {
     }
 }
 
+/// Of several sizes, of which the desktop takes what fits.
+void set_icon(GLFWwindow* window) {
+    std::vector<Image> icons;
+    for (const int size : {16, 32, 48, 128}) icons.push_back(window_icon(size));
+    std::vector<GLFWimage> images;
+    for (Image& icon : icons) images.push_back({icon.width, icon.height, icon.rgba.data()});
+    glfwSetWindowIcon(window, static_cast<int>(images.size()), images.data());
+}
+
 GlfwWindow open_window(const std::string& title, const Values& remembered) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -120,6 +130,7 @@ GlfwWindow open_window(const std::string& title, const Values& remembered) {
     if (!window)
         throw MachineError("No OpenGL 3.3 for a window here (" + last_glfw_error() +
                            "); use `gaspard run`, which draws without one");
+    set_icon(window.get());
     keep_within_screen(window.get());
     place_window(window.get(), remembered);
     glfwMakeContextCurrent(window.get());

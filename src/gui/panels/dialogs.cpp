@@ -45,13 +45,6 @@ bool begin_modal(const char* title) {
 /// The largest width of a line of text.
 float text_width() { return std::min(34 * ImGui::GetFontSize(), 0.85F * ImGui::GetIO().DisplaySize.x); }
 
-void help_line(const Theme& theme, const std::string& what, std::string_view help) {
-    ImGui::TableNextColumn();
-    ImGui::TextColored(to_imgui(theme.accent), "%s", what.c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(help.data(), help.data() + help.size());
-}
-
 } // namespace
 
 void ErrorDialog::draw(ItemRectangles& items) {
@@ -218,27 +211,6 @@ std::optional<SaveDialog::Choice> SaveDialog::draw(ItemRectangles& items) {
     if (!open_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return chosen;
-}
-
-void draw_help(bool& open, std::span<const Action> actions, const Theme& theme) {
-    if (!open) return;
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Appearing, {0.5F, 0.5F});
-    ImGui::SetNextWindowSizeConstraints({10 * em, 5 * em}, {0.95F * size.x, 0.9F * size.y});
-    const Frame frame;
-    if (ImGui::Begin("Keys and mouse", &open,
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
-                         ImGuiWindowFlags_NoSavedSettings)) {
-        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.6F * em, 0.25F * em});
-        if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-            for (const Action& row : actions) help_line(theme, describe_keys(row), row.help);
-            for (const MouseHelp& row : mouse_help()) help_line(theme, std::string(row.what), row.help);
-            ImGui::EndTable();
-        }
-        ImGui::PopStyleVar();
-    }
-    ImGui::End();
 }
 
 bool draw_progress(const std::string& what, double fraction, const ItemRectangle& over,

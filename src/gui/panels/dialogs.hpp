@@ -86,9 +86,6 @@ class SaveDialog {
     std::string present_; ///< the file that the user was asked whether to replace
 };
 
-/// A table of all actions with their keys, and of what the mouse does.
-void draw_help(bool& open, std::span<const Action> actions, const Theme& theme);
-
 /// A progress bar in the lower left corner of `over`; true when Cancel was pressed. Keys "progress" and
 /// "progress.cancel".
 bool draw_progress(const std::string& what, double fraction, const ItemRectangle& over,

@@ -2,6 +2,8 @@
 
 #include "core/base/check.hpp"
 #include "core/base/join.hpp"
+#include "core/tessellate/line_section.hpp"
+#include "core/tessellate/ticks.hpp"
 #include "gui/document/value_changes.hpp"
 #include "gui/plot/plot_curves.hpp"
 
@@ -28,7 +30,9 @@ bool of_runs(const Abscissa& abscissa) { return abscissa == "iterations" || absc
 
 /// Which an error study can have depends on the problem.
 bool is_abscissa(std::string_view plot, const Abscissa& name) {
+    if (plot == section_plot) return name == along_section;
     if (plot != error_study_plot) return of_runs(name);
+    if (name == along_section) return false;
     return !name.empty() && !of_runs(name) && std::none_of(name.begin(), name.end(), [](char c) {
         return c == ' ' || c == '"' || static_cast<unsigned char>(c) < ' ';
     });
@@ -62,10 +66,28 @@ void add_earlier(const DocumentRun& run, const PlotChoice& choice, PlotView& vie
         }
 }
 
+/// "θ", "‖r‖ / ‖θ‖ [m]"
+std::string name_of_values(const SeriesInfo& info) {
+    if (info.unit.empty()) return info.symbol;
+    return (info.symbol.empty() ? info.label : info.symbol) + " [" + info.unit + "]";
+}
+
+/// Where the plot has the series by which the run is judged.
+void add_tolerance(const DocumentRun& run, const PlotChoice& choice, PlotView& view) {
+    if (run.history.empty() || !run.scenario.method.values.has("tolerance")) return;
+    const SeriesTable& table = *run.history.back().series;
+    if (plot_name(table.all()[table.criterion()]) != choice.plot) return;
+    const double tolerance = run.scenario.method.values.real("tolerance");
+    for (const LevelView& level : view.levels)
+        if (level.y == tolerance) return;
+    view.levels.push_back({tolerance, "tolerance " + short_number(tolerance)});
+}
+
 PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_window, bool earlier) {
     const bool by_iteration = choice.abscissa == "iterations";
     PlotView view;
-    view.x = {by_iteration ? "iteration" : "seconds", choice.log_x};
+    view.x = {
+        .label = by_iteration ? "iteration" : "seconds", .logarithmic = choice.log_x, .whole = by_iteration};
     view.y = {"", choice.log_y};
     std::vector<std::string> names;
     for (const DocumentRun& run : runs)
@@ -77,13 +99,14 @@ PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_w
         const std::string name = names[shown++], label = run.live() && in_window ? name + " (now)" : name;
         for (const SeriesTrace& series : run.curves.all()) {
             if (series.plot != choice.plot) continue;
-            view.y.label = series.info.unit;
+            view.y.label = name_of_values(series.info);
             CurveView curve = view_of(series, by_iteration);
             curve.label = label;
             curve.colour = run.colour;
             curve.behind = !run.live();
             view.curves.push_back(std::move(curve));
         }
+        add_tolerance(run, choice, view);
     }
     for (const DocumentRun& run : runs)
         if (earlier && !run.hidden) add_earlier(run, choice, view);
@@ -135,6 +158,14 @@ const SeriesInfo& error_study_info() {
     return info;
 }
 
+const SeriesInfo& section_info() {
+    static const SeriesInfo info{.name = std::string(section_plot),
+                                 .label = "Section line",
+                                 .help = "the values of the colours along a line, whose ends can be dragged "
+                                         "on the mesh (view.section)"};
+    return info;
+}
+
 } // namespace
 
 std::vector<RunPlot> plots_of(const DocumentRuns& runs) {
@@ -148,6 +179,11 @@ std::vector<RunPlot> plots_of(const DocumentRuns& runs) {
             const std::string_view label = info.plot ? info.plot->label : info.label;
             plots.push_back({name, label, &info});
         }
+    for (const DocumentRun& run : runs)
+        if (run.snapshot && has_section_line(*run.snapshot->mesh)) {
+            plots.push_back({section_plot, section_info().label, &section_info()});
+            break;
+        }
     return plots;
 }
 
@@ -158,6 +194,7 @@ std::string_view plot_label(const DocumentRuns& runs, std::string_view name) {
 }
 
 std::vector<Abscissa> abscissas_of(const DocumentRuns& runs, std::string_view plot) {
+    if (plot == section_plot) return {std::string(along_section)};
     if (plot != error_study_plot) return {"iterations", "seconds"};
     const DocumentRun* run = studied_run(runs);
     return run ? study_variables(run->scenario) : std::vector<Abscissa>{};
@@ -168,13 +205,18 @@ PlotChoice with_plot(const DocumentRuns& runs, const PlotChoice& choice, const R
     changed.plot = plot.name;
     changed.log_y = plot.info->scale == ParameterScale::logarithmic;
     if (is_abscissa(plot.name, choice.abscissa)) return changed;
-    return with_abscissa(runs, changed, plot.name == error_study_plot ? "cells" : "iterations");
+    return with_abscissa(runs, changed,
+                         plot.name == error_study_plot ? "cells"
+                         : plot.name == section_plot   ? Abscissa(along_section)
+                                                       : "iterations");
 }
 
 PlotChoice with_abscissa(const DocumentRuns& runs, const PlotChoice& choice, const Abscissa& abscissa) {
     PlotChoice changed = choice;
     const DocumentRun* run = studied_run(runs);
-    if (!of_runs(abscissa))
+    if (abscissa == along_section)
+        changed.log_x = false;
+    else if (!of_runs(abscissa))
         changed.log_x = run && has_factors(run->scenario, study_key(run->scenario, abscissa));
     else if (!of_runs(choice.abscissa))
         changed.log_x = false;
@@ -183,6 +225,7 @@ PlotChoice with_abscissa(const DocumentRuns& runs, const PlotChoice& choice, con
 }
 
 std::string label_of(const DocumentRuns& runs, const Abscissa& abscissa) {
+    if (abscissa == along_section) return "length";
     const DocumentRun* run = of_runs(abscissa) ? nullptr : studied_run(runs);
     return run ? study_label(run->scenario, abscissa) : abscissa;
 }
@@ -217,6 +260,7 @@ Plot plot_of_runs(const DocumentRuns& runs, const PlotChoice& choice, const Plot
         if (curve.part != view.curves.front().part)
             plot.curves.back().label.clear(); // one entry in the legend per run
     }
+    for (const LevelView& level : view.levels) plot.levels.push_back({level.y, level.label});
     return zoomed(std::move(plot), zoom);
 }
 

@@ -16,6 +16,12 @@ namespace gaspard {
 using Abscissa = std::string;
 /// The plot of errors of other runs (gui/document/error_study.hpp).
 inline constexpr std::string_view error_study_plot = "error-study";
+/// The plot along the line of the view (core/tessellate/line_section.hpp), and what it is drawn against.
+inline constexpr std::string_view section_plot = "section", along_section = "arc-length";
+/// Whether a plot is made elsewhere, not of the series of the runs.
+inline bool is_made_elsewhere(std::string_view plot) {
+    return plot == error_study_plot || plot == section_plot;
+}
 
 struct PlotChoice {
     std::string plot = "residual"; ///< by its name, see plots_of()
@@ -31,7 +37,7 @@ struct RunPlot {
     const SeriesInfo* info; ///< of its first series
 };
 /// error_study_plot if a live run's problem has layers; then those of all series of all runs, in the order in
-/// which they report them. Valid until the runs change.
+/// which they report them; section_plot if a mesh lies in the plane. Valid until the runs change.
 std::vector<RunPlot> plots_of(const DocumentRuns& runs);
 /// For people; the name itself where no run has such a plot.
 std::string_view plot_label(const DocumentRuns& runs, std::string_view name);

@@ -30,7 +30,8 @@ std::optional<std::size_t> draw_list(const std::string& key, std::span<const Ent
                                      ItemRectangles& items) {
     ImGui::SetNextItemWidth(width);
     const std::string shown = shortened(std::string(label), width - 2 * ImGui::GetStyle().FramePadding.x);
-    const bool open = ImGui::BeginCombo(("##" + key).c_str(), shown.c_str(), ImGuiComboFlags_NoArrowButton);
+    const bool open = ImGui::BeginCombo(("##" + key).c_str(), shown.c_str(),
+                                        ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
     remember_item(items, key);
     if (!open) return std::nullopt;
     std::optional<std::size_t> clicked;
@@ -46,7 +47,6 @@ std::optional<std::size_t> draw_list(const std::string& key, std::span<const Ent
 
 /// "θ: the constant that ..."
 std::string help_of(const RunPlot& plot) {
-    if (plot.info->plot) return {};
     return (plot.info->symbol.empty() ? "" : plot.info->symbol + ": ") + plot.info->help;
 }
 
@@ -56,6 +56,9 @@ void draw_plots_list(const std::string& key, const DocumentRuns& runs, PlotChoic
     std::vector<Entry> entries;
     for (const RunPlot& plot : plots) entries.push_back({plot.name, plot.label, help_of(plot)});
     const auto clicked = draw_list(key, entries, choice.plot, plot_label(runs, choice.plot), width, items);
+    for (const Entry& one : entries)
+        if (one.name == choice.plot && !clicked && ImGui::IsItemHovered() && !one.help.empty())
+            ImGui::SetTooltip("%s", one.help.c_str());
     if (!clicked || plots[*clicked].name == choice.plot) return;
     choice = with_plot(runs, choice, plots[*clicked]);
 }
@@ -166,14 +169,15 @@ static double iteration_at(const std::vector<StepReport>& history, double second
 
 bool PlotPane::draw_curves(const Document& document, Shown& plot, const Plot& study,
                            const FrameContext& context, const StepReport* cursor) {
-    const bool of_study = plot.choice.plot == error_study_plot;
+    const bool of_study = is_made_elsewhere(plot.choice.plot);
     PlotView view = of_study ? view_of(study) : view_of_runs(document.runs(), plot.choice, earlier_);
     const bool by_iteration = plot.choice.abscissa == "iterations";
     if (cursor && !of_study)
         view.marks.push_back({.x = by_iteration ? cursor->iteration : cursor->seconds,
                               .label = "the iterate that is shown",
                               .handle = true});
-    const bool sweeps = of_study && plot.choice.abscissa != "cells" && !study.curves.empty();
+    const bool sweeps =
+        plot.choice.plot == error_study_plot && plot.choice.abscissa != "cells" && !study.curves.empty();
     PlotPointing pointing{sweeps ? PlotPointing::Use::sweep : PlotPointing::Use::point};
     const bool menu = plot_widget("##curves", view, ImGui::GetContentRegionAvail(), plot.zoom, context.theme,
                                   context.scale, sweeps || !of_study ? &pointing : nullptr);

@@ -125,7 +125,9 @@ void ViewportPane::frame(const ShownRun& shown_run, DocumentViewport& viewport, 
         if (plots) draw_plots(context);
         draw_viewport_overlay(*ImGui::GetWindowDrawList(), *plan_, context.theme, context.scale);
         cut_ = cut_of(*plan_, viewport.view);
-        if (!plots) draw_handles(context), draw_cut(context);
+        if (!plots)
+            draw_handles(context), draw_cut(context), section_.draw(*plan_, context),
+                draw_legend_control(viewport.view, context);
         views_.clear();
         for (const PlannedView& shown : plan_->views)
             views_.push_back({shown.scene,
@@ -149,8 +151,22 @@ void ViewportPane::interact(Values& view, const ItemRectangle& area, const Frame
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                                ImGuiButtonFlags_MouseButtonRight);
     if (!plan_ || plan_->views.empty()) return;
-    if (!drag_cut(view, context.scale) && !drag_handle(context.scale)) steer(view, context.scale);
+    const float scale = context.scale;
+    if (!use_legend(view, scale) && !drag_cut(view, scale) && !section_.interact(view, *plan_, scale) &&
+        !drag_handle(scale))
+        steer(view, scale);
     turn(view);
+}
+
+/// True if the mouse is on the legend.
+bool ViewportPane::use_legend(Values& view, float scale) {
+    const auto places = legend_of(*plan_, scale);
+    return places && legend_.interact(view, *plan_->colouring, *places, scale);
+}
+
+void ViewportPane::draw_legend_control(Values& view, const FrameContext& context) {
+    if (const auto places = legend_of(*plan_, context.scale))
+        legend_.draw(view, *plan_->colouring, *places, context);
 }
 
 /// Other axes begin with all there is to see.

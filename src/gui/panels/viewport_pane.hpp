@@ -10,6 +10,8 @@
 #include "gui/document/document.hpp"
 #include "gui/viewport/cut_handles.hpp"
 #include "gui/viewport/handles.hpp"
+#include "gui/viewport/legend_control.hpp"
+#include "gui/viewport/section_control.hpp"
 #include "gui/viewport/viewport.hpp"
 
 #include <optional>
@@ -76,12 +78,17 @@ class ViewportPane {
     }
     /// Fixes the range of the colours, or of a plot's vertical axis, to the present one.
     void fix_range(DocumentViewport& viewport) const;
+    /// Along the line of the view (view.section), of the last frame.
+    Plot section_plot() { return plan_ ? section_plot_.plot(*plan_) : Plot(); }
+    std::string section_csv() { return plan_ ? section_plot_.csv(*plan_) : std::string(); }
     /// The meshes of the last frame; empty before the first snapshot.
     const std::vector<ShownView>& views() const { return views_; }
 
   private:
     void interact(Values& view, const ItemRectangle& area, const FrameContext& context);
     void draw_plots(const FrameContext& context);
+    bool use_legend(Values& view, float scale);
+    void draw_legend_control(Values& view, const FrameContext& context);
     void forget_zooms(const Values& view);
     void steer(Values& view, float scale);
     void turn(Values& view);
@@ -114,6 +121,9 @@ class ViewportPane {
     bool offers_cut_ = true;
     std::vector<CutWedge> cut_; ///< of the view in the last frame, where the mesh is solid
     std::optional<HeldCut> held_cut_;
+    LegendControl legend_;
+    SectionControl section_;
+    SectionPlotMaker section_plot_;
     bool dragging_ = false;
     bool spinning_ = false;
     double spun_ = 0;           ///< rotation in radians since the view's camera was last set

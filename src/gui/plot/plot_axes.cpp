@@ -141,7 +141,10 @@ AxisRange home_range(const PlotView& plot, bool vertical) {
         markers = markers || curve.markers;
         (curve.extremes ? add_indexed : add_points)(curve, plot, vertical, hull);
     }
-    return asked_range(axis, range_around(hull.low, hull.high, axis.logarithmic, vertical || markers));
+    for (const LevelView& level : plot.levels)
+        if (vertical) hull.add(to_axis(axis, level.y));
+    const AxisRange all = range_around(hull.low, hull.high, axis.logarithmic, vertical || markers);
+    return asked_range(axis, range_of_counts(axis, all));
 }
 
 AxisRange limited(AxisRange range, AxisRange home, bool logarithmic) {
@@ -199,19 +202,26 @@ PlotFrame make_frame(const PlotView& plot, ScreenRect rect, const PlotZoom& zoom
     frame.y_range = zoom.y ? *zoom.y : home_range(plot, true);
     if (!frame.drawable()) return frame;
     const float spacing = plot.y.logarithmic ? 2.0F : 2.6F; // in lines of text
+    const auto height = [line](const std::string&) { return static_cast<double>(line); };
     frame.y_ticks =
-        axis_ticks(plot.y, frame.y_range, static_cast<int>(frame.area.height() / (spacing * line)));
+        fitting_ticks(plot.y, frame.y_range, static_cast<int>(frame.area.height() / (spacing * line)),
+                      static_cast<double>(frame.area.height()), height);
     frame.area.min.x += std::max(label_width(frame.y_ticks) + gap, plot.left);
     frame.area.max.x -= plot.right;
     const auto width = [gap](const std::string& label) {
         return static_cast<double>(ImGui::CalcTextSize(label.c_str()).x + gap);
     };
-    frame.x_ticks = fitting_ticks(plot.x, frame.x_range, static_cast<int>(frame.area.width() / (5 * line)),
-                                  static_cast<double>(frame.area.width()), width);
+    const auto fit = [&] {
+        frame.x_ticks =
+            fitting_ticks(plot.x, frame.x_range, static_cast<int>(frame.area.width() / (5 * line)),
+                          static_cast<double>(frame.area.width()), width);
+    };
+    fit();
     const std::vector<Tick>& ticks = frame.x_ticks;
     const float last =
         ticks.empty() ? 0 : text_size((plot.x.reversed ? ticks.front() : ticks.back()).label).x;
     frame.area.max.x += plot.right - std::max({last / 2, gap, plot.right});
+    if (frame.drawable()) fit(); // on the width that is left
     return frame;
 }
 

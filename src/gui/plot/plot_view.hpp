@@ -37,12 +37,19 @@ struct MarkView {
     bool handle = false; ///< as in PlotMark
 };
 
+/// As PlotLevel.
+struct LevelView {
+    double y = 0;
+    std::string label;
+};
+
 struct PlotView {
     std::string_view title;
     Axis x, y;
     std::vector<CurveView> curves;
     std::vector<MarkView> marks;
     std::vector<RowView> rows{};
+    std::vector<LevelView> levels{};
     float left = 0, right = 0; ///< pixels beside the curves, at least; to align plots with each other
 };
 
@@ -62,6 +69,7 @@ inline PlotView view_of(const Plot& plot) {
                                .name = curve.name});
     }
     for (const PlotRow& row : plot.rows) view.rows.push_back({row.x, row.colour});
+    for (const PlotLevel& level : plot.levels) view.levels.push_back({level.y, level.label});
     for (const PlotMark& mark : plot.marks)
         view.marks.push_back({.x = mark.x, .label = mark.label, .handle = mark.handle});
     return view;

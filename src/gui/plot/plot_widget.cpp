@@ -55,6 +55,23 @@ void draw_marks(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, 
     }
 }
 
+/// Dashed, each with its label above the left end, which curves that fall to it leave free.
+void draw_levels(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, const Theme& theme,
+                 float scale) {
+    const ScreenRect& area = frame.area;
+    for (const LevelView& level : plot.levels) {
+        const float y = std::round(static_cast<float>(frame.pixel_y(level.y)));
+        if (!(y >= area.min.y && y <= area.max.y)) continue;
+        const float dash = 5 * scale, thick = std::max(1.0F, std::round(scale));
+        for (float x = area.min.x; x < area.max.x; x += 1.7F * dash)
+            list.AddRectFilled({x, y}, {std::min(x + dash, area.max.x), y + thick}, packed(theme.good, 0.8F));
+        const ImVec2 size = text_size(level.label);
+        const float above = y - size.y - scale >= area.min.y ? y - size.y - scale : y + 2 * scale;
+        if (size.x + 4 * scale < area.width() && area.height() > 3 * size.y)
+            write_text(list, {area.min.x + 4 * scale, above}, theme.good, level.label);
+    }
+}
+
 /// Which axes the mouse changes at a position.
 struct Steered {
     bool x = false, y = false;
@@ -86,7 +103,11 @@ class Steering {
             return AxisRange{range.low - fraction * range.span(), range.high - fraction * range.span()};
         };
         const double right = frame_.x.reversed ? -1 : 1, up = frame_.y.reversed ? -1 : 1;
-        if (which.x) set_x(moved(frame_.x_range, right * static_cast<double>(by.x / frame_.area.width())));
+        if (which.x) {
+            const AxisRange to =
+                moved(frame_.x_range, right * static_cast<double>(by.x / frame_.area.width()));
+            set_x(begins_below_zero(to) ? AxisRange{0, to.span()} : to);
+        }
         if (which.y) set_y(moved(frame_.y_range, -up * static_cast<double>(by.y / frame_.area.height())));
     }
     void show(ScreenRect rect) {
@@ -104,7 +125,14 @@ class Steering {
     }
 
   private:
-    void set_x(AxisRange range) { zoom_.x = limited(range, home_range(plot_, false), frame_.x.logarithmic); }
+    /// Of counts there are none.
+    bool begins_below_zero(AxisRange x) const { return frame_.x.whole && !frame_.x.logarithmic && x.low < 0; }
+    void set_x(AxisRange range) {
+        const AxisRange home = home_range(plot_, false);
+        range = limited(range, home, frame_.x.logarithmic);
+        if (begins_below_zero(range)) range = range.high > 0 ? AxisRange{0, range.high} : home;
+        zoom_.x = range;
+    }
     void set_y(AxisRange range) { zoom_.y = limited(range, home_range(plot_, true), frame_.y.logarithmic); }
 
     const PlotView& plot_;
@@ -203,6 +231,7 @@ void draw(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, Screen
           float scale) {
     draw_frame(list, plot, frame, rect, theme, scale);
     draw_marks(list, plot, frame, theme, scale);
+    draw_levels(list, plot, frame, theme, scale);
     const std::vector<PixelPath> paths = pixel_paths(plot, frame);
     draw_curves(list, plot, paths, frame, theme, scale);
     draw_legend(list, plot, paths, frame, theme, scale);

@@ -17,8 +17,15 @@ float label_width() { return ImGui::CalcTextSize(widest_label).x; }
 
 float legend_line_height() { return ImGui::GetFontSize() * 1.35F; }
 
-std::string title_of(const Colouring& colouring) {
-    return colouring.label + (colouring.range.logarithmic ? " (log)" : "");
+std::string title_of(const Colouring& colouring, bool with_symbol) {
+    return colouring.label + (with_symbol && !colouring.symbol.empty() ? " " + colouring.symbol : "") +
+           (colouring.range.logarithmic ? " (log)" : "");
+}
+
+/// "monitor m"; without the symbol where the legend would be wider for it.
+std::string fitting_title(const Colouring& colouring, float width) {
+    std::string title = title_of(colouring, true);
+    return ImGui::CalcTextSize(title.c_str()).x <= width ? title : title_of(colouring, false);
 }
 
 constexpr const char* widest_remark = "contours every 2×10⁻¹⁰"; // the width reserved for them
@@ -66,10 +73,9 @@ void draw_bar(ImDrawList& list, const ColourMap& map, ImVec2 low, ImVec2 high) {
     }
 }
 
-/// Bars to the left of the colours, as long as the square roots of the counts: with the counts themselves, a
-/// mesh that has one colour nearly everywhere would show one bar and nothing else.
-void draw_histogram(ImDrawList& list, const Colouring& colouring, ImVec2 low, ImVec2 high, const Theme& theme,
-                    float scale) {
+/// Bars to the left of the colours.
+void draw_histogram(ImDrawList& list, const Colouring& colouring, HistogramCounts how, ImVec2 low,
+                    ImVec2 high, const Theme& theme, float scale) {
     const auto& counts = colouring.histogram;
     const std::uint32_t most = *std::max_element(counts.begin(), counts.end());
     if (most == 0) return;
@@ -80,8 +86,7 @@ void draw_histogram(ImDrawList& list, const Colouring& colouring, ImVec2 low, Im
     const float longest = (histogram_width - 4) * scale, right = low.x - 2 * scale;
     for (std::size_t k = 0; k < counts.size(); ++k) {
         if (counts[k] == 0) continue;
-        const float length = std::max(
-            longest * std::sqrt(static_cast<float>(counts[k]) / static_cast<float>(most)), 1.5F * scale);
+        const float length = std::max(longest * histogram_length(counts[k], most, how), 1.5F * scale);
         list.AddRectFilled({right - length, y(k + 1)}, {right, y(k)}, packed(theme.faint_text, 0.85F));
     }
 }
@@ -131,21 +136,45 @@ std::vector<Tick> legend_ticks(const ColourRange& range) {
 
 float legend_width(const Colouring& colouring, bool histogram, float scale) {
     const float bar = (bar_width + legend_gap + (histogram ? histogram_width : 0)) * scale + label_width();
-    float text = ImGui::CalcTextSize(title_of(colouring).c_str()).x;
+    float text = ImGui::CalcTextSize(title_of(colouring, false).c_str()).x;
     if (!colouring.contours.values.empty()) text = std::max(text, ImGui::CalcTextSize(widest_remark).x);
     return std::max(bar, text) + 2 * legend_margin * scale;
 }
 
-void draw_legend(ImDrawList& list, const Colouring& colouring, bool histogram, ScreenRect available,
-                 const Theme& theme, float scale) {
+HistogramCounts histogram_counts(std::string_view choice) {
+    if (choice == "linear") return HistogramCounts::linear;
+    return choice == "logarithmic" ? HistogramCounts::logarithmic : HistogramCounts::square_root;
+}
+
+/// By default the square root: with the counts themselves, a mesh that has one colour nearly everywhere would
+/// show one bar and nothing else. A logarithmic bar of one value is as long as log 2 / log (1 + most).
+float histogram_length(std::uint32_t count, std::uint32_t most, HistogramCounts counts) {
+    if (count == 0 || most == 0) return 0;
+    if (counts == HistogramCounts::logarithmic)
+        return std::log1p(static_cast<float>(count)) / std::log1p(static_cast<float>(most));
+    const float share = static_cast<float>(count) / static_cast<float>(most);
+    return counts == HistogramCounts::linear ? share : std::sqrt(share);
+}
+
+LegendPlaces legend_places(const Colouring& colouring, bool histogram, ScreenRect available, float scale) {
+    const Frame frame = frame_of(colouring, histogram, available, scale);
+    const auto number = [&](float y) {
+        const float left = frame.high.x + legend_gap * scale, half = legend_line_height() / 2;
+        return ScreenRect{{left, y - half}, {left + label_width(), y + half}};
+    };
+    return {frame.all, {frame.low, frame.high}, number(frame.high.y), number(frame.low.y)};
+}
+
+void draw_legend(ImDrawList& list, const Colouring& colouring, bool histogram, HistogramCounts counts,
+                 ScreenRect available, const Theme& theme, float scale) {
     const Frame frame = frame_of(colouring, histogram, available, scale);
     const auto [low, high] = std::pair(frame.low, frame.high);
     list.AddRectFilled(frame.all.min, frame.all.max, packed(theme.background, 0.82F), 6 * scale);
     list.AddText({frame.all.min.x + pad * scale, frame.all.min.y + pad * scale / 2}, packed(theme.text),
-                 title_of(colouring).c_str());
+                 fitting_title(colouring, frame.all.width() - 2 * pad * scale).c_str());
     draw_bar(list, *colouring.map, low, high);
     draw_levels(list, colouring, low, high, theme, scale);
-    if (histogram) draw_histogram(list, colouring, low, high, theme, scale);
+    if (histogram) draw_histogram(list, colouring, counts, low, high, theme, scale);
     draw_tips(list, colouring, low, high, scale);
     float y = frame.all.min.y + pad * scale / 2;
     for (const std::string& remark : remarks_of(colouring))
@@ -156,8 +185,8 @@ void draw_legend(ImDrawList& list, const Colouring& colouring, bool histogram, S
         const float mark = std::round(high.y - at * (high.y - low.y));
         list.AddRectFilled({high.x, mark}, {high.x + 3 * scale, mark + std::max(1.0F, std::round(scale))},
                            packed(theme.faint_text));
-        list.AddText({high.x + legend_gap * scale, mark - ImGui::GetFontSize() / 2}, packed(theme.text, 0.85F),
-                     tick.label.c_str());
+        list.AddText({high.x + legend_gap * scale, mark - ImGui::GetFontSize() / 2},
+                     packed(theme.text, 0.85F), tick.label.c_str());
     }
 }
 

@@ -4,6 +4,7 @@
 #include "core/tessellate/ticks.hpp"
 #include "gui/plot/plot_widget.hpp"
 #include "gui/viewport/legend.hpp"
+#include "gui/viewport/section_control.hpp"
 #include "gui/viewport/viewport_text.hpp"
 
 #include <algorithm>
@@ -304,6 +305,18 @@ void draw_viewport_plots(ImDrawList& list, const ViewportPlan& plan, const Theme
     for (const PlannedPlot& plot : plan.plots) draw_plot(list, plot.view, plot.rect, plot.zoom, theme, scale);
 }
 
+/// What the legend may take a part of.
+static ScreenRect beside_legend(const ViewportPlan& plan, float scale) {
+    ScreenRect available = above_caption(plan, scale);
+    available.min.y += title_height(plan.text.title, scale);
+    return available;
+}
+
+std::optional<LegendPlaces> legend_of(const ViewportPlan& plan, float scale) {
+    if (!plan.colouring || plan.views.empty()) return std::nullopt;
+    return legend_places(*plan.colouring, plan.histogram, beside_legend(plan, scale), scale);
+}
+
 void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale) {
     list.PushClipRect(plan.rect.min, plan.rect.max, true);
     ScreenRect available = above_caption(plan, scale);
@@ -311,6 +324,7 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
         if (shown.scene.projection) draw_graticule(list, shown, theme, scale);
         if (shown.scene.ball > 0 && shown.scene.mesh->kind.order > 1) // straight cells have none
             draw_rim(list, shown, theme, scale);
+        if (plan.section) draw_section_line(list, shown, *plan.section, theme, scale);
         if (plan.pick && has(*shown.scene.mesh, *plan.pick)) draw_mark(list, shown, *plan.pick, theme, scale);
         draw_title(list, shown.title, shown.rect, theme, scale);
     }
@@ -322,11 +336,9 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
             list.AddRectFilled(r.min, {r.max.x, r.min.y + 1}, packed(theme.border));
     }
     if (!plan.views.empty()) {
-        if (plan.colouring) {
-            ScreenRect legend = available;
-            legend.min.y += title_height(plan.text.title, scale);
-            draw_legend(list, *plan.colouring, plan.histogram, legend, theme, scale);
-        }
+        if (plan.colouring)
+            draw_legend(list, *plan.colouring, plan.histogram, plan.counts, beside_legend(plan, scale), theme,
+                        scale);
         draw_notes(list, plan, available, theme, scale);
     }
     if (plan.text.caption) draw_caption(list, plan, theme, scale);

@@ -8,11 +8,13 @@
 
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/camera.hpp"
+#include "core/tessellate/line_section.hpp"
 #include "gui/base/screen_rect.hpp"
 #include "gui/base/theme.hpp"
 #include "gui/scene/picking.hpp"
 #include "gui/scene/projection_scene.hpp"
 #include "gui/viewport/interval_planner.hpp"
+#include "gui/viewport/legend.hpp"
 
 #include <imgui.h>
 #include <memory>
@@ -59,10 +61,12 @@ struct ViewportPlan {
     std::vector<PlannedPlot> plots; ///< of a mesh of an interval, which then has no views
     ViewportText text;
     std::shared_ptr<const Colouring> colouring; ///< of the legend; null: none
+    std::optional<SectionLine> section;         ///< view.section, for a mesh in the plane
     std::optional<Pick> pick;
     PickFacts facts;       ///< of the pick
     std::string complaint; ///< what was wrong with the view's texts
     bool histogram = true;
+    HistogramCounts counts = HistogramCounts::square_root;
     std::vector<std::string> unavailable; ///< choices of the view that this mesh has not: "layout=projection"
 };
 
@@ -111,6 +115,7 @@ class ViewportPlanner {
                      std::span<const NamedSnapshot> others, const std::vector<ColumnZoom>& zooms,
                      float scale);
     void add_arrows(ViewportPlan& plan, float scale);
+    void add_section(const Values& view, ViewportPlan& plan);
     void add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan);
 
     SceneBuilder maker_;
@@ -149,6 +154,9 @@ class ViewportPlanner {
 void draw_viewport_plots(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale);
 /// Everything but the meshes and the plots, over them.
 void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale);
+
+/// Where the legend of a plan is; nothing if there is none.
+std::optional<LegendPlaces> legend_of(const ViewportPlan& plan, float scale);
 
 /// A sentence about what the view asks for and this mesh has not, where that is no error; else empty.
 std::string missing_note(const Values& view, const Snapshot& snapshot);

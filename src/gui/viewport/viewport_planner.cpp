@@ -303,6 +303,15 @@ static std::string complaint_about_inside(const Values& view) {
     }
 }
 
+void ViewportPlanner::add_section(const Values& view, ViewportPlan& plan) {
+    if (plan.views.empty() || !has_section_line(*plan.views.front().scene.mesh)) return;
+    try {
+        plan.section = parse_section_line(view.text("section"));
+    } catch (const InputError& error) {
+        plan.complaint = error.what();
+    }
+}
+
 void ViewportPlanner::add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan) {
     try {
         plan.pick = parse_pick(view.text("pick"));
@@ -333,6 +342,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
     if (scene.cell_dimension == 3) plan.complaint = complaint_about_inside(view);
     plan.colouring = scene.colouring;
     plan.histogram = view.boolean("histogram");
+    plan.counts = histogram_counts(view.text("histogram_counts"));
     if (!in_space(scene)) plan.unavailable.emplace_back("layout=front-and-rear");
     if (scene.ball == 0) plan.unavailable.emplace_back("layout=projection");
     if (!snapshot.exact) plan.unavailable.emplace_back("overlay=exact");
@@ -341,6 +351,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
     else
         place_views(scene, snapshot, view, plan, scale);
     if (view.boolean("arrows")) add_arrows(plan, scale);
+    add_section(view, plan);
     add_pick(snapshot, view, plan);
     return plan;
 }
@@ -356,9 +367,14 @@ static bool has_nodal_colours(const Values& view, const Snapshot& snapshot) {
 
 std::string missing_note(const Values& view, const Snapshot& snapshot) {
     if (is_interval(*snapshot.mesh))
-        for (const char* key : {"camera", "arrows", "pick", "contours", "elevation"})
+        for (const char* key : {"camera", "arrows", "pick", "contours", "elevation", "section"})
             if (!is_default(view, key))
                 return "view." + std::string(key) + " shows nothing: an interval is shown as plots";
+    for (const QualityMeasureInfo& measure : quality_measures())
+        if (view.text("color") == measure.name && is_interval(*snapshot.mesh))
+            return "view.color = " + view.text("color") + " shows nothing: an interval has no such values";
+    if (!has_section_line(*snapshot.mesh) && !is_default(view, "section"))
+        return "view.section shows nothing: only a mesh in the plane is cut by a line";
     const bool plane = snapshot.mesh->space_dimension == 2 && cell_dimension(snapshot.mesh->kind) == 2;
     if (!plane && !is_default(view, "elevation"))
         return "view.elevation shows nothing: only a surface in the plane has heights";

@@ -82,6 +82,7 @@ TEST(Summary, HasTheFieldsOfTheContractInTheirOrder) {
                                                        "max_jacobian",
                                                        "exact_rms",
                                                        "exact_rms_nodes",
+                                                       "cell_quality",
                                                        "interpolation",
                                                        "setup_seconds",
                                                        "solve_seconds",
@@ -122,6 +123,28 @@ TEST(Summary, SaysWhatTheRunFound) {
     EXPECT_DOUBLE_EQ(json["seconds_per_iteration"].get<double>() * 6, last.seconds);
     EXPECT_GT(json["peak_memory_bytes"].get<std::uint64_t>(), 1u << 20); // this very process needs more
     EXPECT_EQ(json["version"], "0.1.0");
+}
+
+TEST(Summary, HasTheCellQualityOfTheLastMeshThatTheHistoryHasOnRequest) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Scenario scenario = small_scenario(*catalogue, 3);
+    scenario.method.values.set("cell_quality", true);
+    gaspard::Run run(catalogue, scenario);
+    run.solve();
+    const OrderedJson quality = OrderedJson::parse(summary_json(run))["cell_quality"];
+    const StepReport& last = run.history().back();
+    EXPECT_EQ(quality["aspect_ratio"]["worst"].get<double>(), last.value("max_aspect_ratio"));
+    EXPECT_EQ(quality["skewness"]["mean"].get<double>(), last.value("mean_skewness"));
+    EXPECT_EQ(quality["alignment"]["worst"].get<double>(), last.value("min_alignment"));
+    EXPECT_GT(quality["orthogonality"]["worst"].get<double>(), 0);
+    EXPECT_NE(history_csv(run.history()).find("max_aspect_ratio,mean_aspect_ratio"), std::string::npos);
+
+    scenario.method.values.set("cell_quality", false);
+    run.change(scenario);
+    EXPECT_FALSE(run.history().back().value("max_aspect_ratio"));
+    EXPECT_GE(OrderedJson::parse(summary_json(run))["cell_quality"]["aspect_ratio"]["worst"], 1.0);
+    gaspard::Run interval(catalogue, find_scenario(*catalogue, "layer-1d"));
+    EXPECT_TRUE(OrderedJson::parse(summary_json(interval))["cell_quality"].is_null());
 }
 
 TEST(Summary, WithoutAnIterationHasNoTimePerIteration) {
@@ -247,6 +270,25 @@ TEST(RunFiles, BeginWithTheRecord) {
     EXPECT_THROW(write_run_files(folder.path(), run, {}, at_the_first, stop.get_token()), Interrupted);
     ASSERT_FALSE(folder.content().empty());
     EXPECT_NO_THROW(check_replaceable(folder.path(), run_file_names(run, {}), "summary.json", "plane-ring"));
+}
+
+TEST(RunFiles, HaveTheValuesAlongTheLineOfTheView) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Scenario scenario = small_scenario(*catalogue, 3);
+    const TemporaryFolder folder;
+    {
+        gaspard::Run run(catalogue, scenario);
+        write_run_files(folder / "without", run, {});
+        EXPECT_FALSE(std::filesystem::exists(folder / "without" / "section.csv"));
+    }
+    scenario.view.set("section", std::string("0 0.5 1 0.5"));
+    gaspard::Run run(catalogue, scenario);
+    run.solve();
+    write_run_files(folder / "with", run, {});
+    const auto names = run_file_names(run, {});
+    EXPECT_NE(std::find(names.begin(), names.end(), "section.csv"), names.end());
+    EXPECT_TRUE(read_file(folder / "with" / "section.csv").starts_with("arc_length,x,y,monitor,cell\n"));
+    EXPECT_NE(read_file(folder / "with" / "section.svg").find("arc length"), std::string::npos);
 }
 
 TEST(RunFiles, MakeTheirFolder) {

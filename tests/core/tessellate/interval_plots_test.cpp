@@ -216,5 +216,44 @@ TEST(PlotAxis, LabelsBesideEachOtherDoNotTouch) {
     EXPECT_LT(fitting_ticks(x, {0, 1}, 10, 150, width).size(), axis_ticks(x, {0, 1}, 10).size());
 }
 
+TEST(PlotAxis, LabelsThatTouchAreLeftOutWhereTicksCannotBeFewer) {
+    const auto height = [](const std::string&) { return 13.0; };
+    for (const bool logarithmic : {false, true})
+        for (const auto& [low, high] : {std::pair(0.52, 0.68), {0.2, 0.4}, {1.0, 10.0}})
+            for (const double length : {9.0, 20.0, 31.0, 50.0}) {
+                const Axis y{.label = "y", .logarithmic = logarithmic};
+                const AxisRange range{to_axis(y, low), to_axis(y, high)};
+                double last = -1e9;
+                int labels = 0;
+                for (const Tick& tick : fitting_ticks(y, range, 3, length, height)) {
+                    if (tick.label.empty()) continue;
+                    const double at = fraction_of(y, range, to_axis(y, tick.value)) * length;
+                    EXPECT_GE(at - last, 13) << tick.label << " on " << length;
+                    last = at, ++labels;
+                }
+                EXPECT_GE(labels, 1) << length;
+            }
+}
+
+TEST(PlotAxis, CountsAreWholeAndNotNegative) {
+    for (const bool logarithmic : {false, true})
+        for (const AxisRange range : {AxisRange{0, 3}, AxisRange{-2, 5}, AxisRange{0.2, 2.9},
+                                      AxisRange{0, 27}, AxisRange{3.1, 3.4}, AxisRange{-0.5, 0.5}})
+            for (const int count : {1, 3, 8, 20})
+                for (const Tick& tick : axis_ticks(
+                         {.label = "iteration", .logarithmic = logarithmic, .whole = true}, range, count)) {
+                    EXPECT_EQ(tick.value, std::round(tick.value)) << tick.label;
+                    EXPECT_GE(tick.value, 0);
+                    EXPECT_EQ(tick.label.find('.'), std::string::npos) << tick.label;
+                }
+    const Axis iterations{.label = "iteration", .whole = true};
+    const auto ticks = axis_ticks(iterations, {0, 3}, 8);
+    ASSERT_EQ(ticks.size(), 4U);
+    EXPECT_EQ(ticks[3].label, "3");
+    EXPECT_EQ(range_of_counts(iterations, {-0.5, 0.5}), (AxisRange{0, 1}));
+    EXPECT_EQ(range_of_counts(iterations, {4.75, 5.25}), (AxisRange{4, 6}));
+    EXPECT_EQ(range_of_counts({.label = "x"}, {-0.5, 0.5}), (AxisRange{-0.5, 0.5}));
+}
+
 } // namespace
 } // namespace gaspard

@@ -48,7 +48,7 @@ TEST_F(SpringsApplicationTest, PlotsShowTheMethodsSeries) {
     ASSERT_EQ(view.curves.size(), 1U);
     ASSERT_EQ(view.curves[0].y.size(), run().history.size());
     EXPECT_EQ(view.curves[0].y.back(), run().history.back().value("energy"));
-    EXPECT_EQ(view.y.label, "J");
+    EXPECT_EQ(view.y.label, "E [J]");
     EXPECT_EQ(plot_label(application.document().runs(), "energy"), "Spring energy");
 }
 

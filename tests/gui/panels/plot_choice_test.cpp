@@ -101,6 +101,25 @@ TEST(ViewOfRuns, ShowsTheChosenColumnsOfAllThatIsNotHidden) {
         << "where it was not measured the curve goes on";
 }
 
+TEST(ViewOfRuns, ShowsTheToleranceInThePlotOfTheCriterion) {
+    DocumentRuns runs = two_runs();
+    for (DocumentRun& run : runs) {
+        run.history = {StepReport{}};
+        run.scenario.method.values =
+            Values("method", {{.key = "tolerance", .minimum = 0, .maximum = 1, .default_value = 1e-8}});
+    }
+    ASSERT_EQ(view_of_runs(runs, {}).levels.size(), 1U) << "one line where both have the same";
+    EXPECT_EQ(view_of_runs(runs, {}).levels[0].label, "tolerance 10⁻⁸");
+    EXPECT_LT(home_range(view_of_runs(runs, {}), true).low, -8);
+    EXPECT_TRUE(view_of_runs(runs, {.plot = "equidistribution"}).levels.empty());
+    EXPECT_EQ(plot_of_runs(runs, {}).levels.size(), 1U);
+    runs[1].scenario.method.values.set("tolerance", 1e-4);
+    EXPECT_EQ(view_of_runs(runs, {}).levels.size(), 2U);
+    runs[1].hidden = true;
+    EXPECT_EQ(view_of_runs(runs, {}).levels.size(), 1U);
+    EXPECT_EQ(view_of_runs(runs, {}).y.label, "‖r‖ / ‖θ‖");
+}
+
 TEST(PlotOfRuns, HasItsOwnNumbersAndIsThinnedOut) {
     const Plot small = plot_of_runs(two_runs(), {.plot = "jacobian"}, {});
     EXPECT_EQ(small.title, "Jacobian range");

@@ -297,6 +297,20 @@ TEST_F(PlotSteering, NewDataMoveOnlyWhatIsNotZoomed) {
     EXPECT_LT(shown.y_range.low, -12);
 }
 
+TEST_F(PlotSteering, CountsBeginAtZero) {
+    plot.x.whole = true;
+    for (const float turns : {-3.0F, -9.0F, 5.0F, -9.0F}) {
+        wheel(place(0.3F, 0.4F), turns);
+        ASSERT_TRUE(zoom.x);
+        EXPECT_GE(zoom.x->low, 0);
+    }
+    const double span = zoom.x->span();
+    drag(place(0.2F, 0.5F), place(0.8F, 0.5F), 0);
+    EXPECT_EQ(zoom.x->low, 0);
+    EXPECT_NEAR(zoom.x->span(), span, 1e-9 * span) << "dragged, not zoomed";
+    for (const Tick& tick : shown.x_ticks) EXPECT_GE(tick.value, 0);
+}
+
 TEST_F(PlotSteering, NeverLeavesWhatNumbersCanShow) {
     for (const float turns : {60.0F, -60.0F})
         for (int i = 0; i < 20; ++i) {
