@@ -86,6 +86,7 @@ MonitorType spiral_monitor() {
             .equation = "m(x) = 1 + A / (1 + (B r cos(angle - k r²))²), r, angle relative to c",
             .figure = MonitorFigure::unit_square,
             .spaces = {SpaceKind::euclidean},
+            .solids = false,
             .rows =
                 [](const Space&) {
                     std::vector<ParameterRow> rows = {
@@ -158,6 +159,7 @@ MonitorType sine_waves_monitor() {
                         "+ A exp( -B |y - 1/4 - sin(2 π x) / 4| )",
             .figure = MonitorFigure::unit_square,
             .spaces = {SpaceKind::euclidean},
+            .solids = false,
             .rows =
                 [](const Space&) {
                     ParameterRow amplitude = amplitude_row(1000, 5, "on the waves");
