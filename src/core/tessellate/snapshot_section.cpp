@@ -39,14 +39,34 @@ static Tessellation without_unused_points(const Tessellation& whole) {
     return kept;
 }
 
-std::optional<Tessellation> surface_of_cut(const Snapshot& snapshot, const Values& view) {
+/// nullopt if the view does not look into a solid; without triangles if nothing is left.
+static std::optional<Tessellation> section_of_view(const Snapshot& snapshot, const Values& view) {
     if (cell_dimension(snapshot.mesh->kind) != 3) return std::nullopt;
     const InsideChoice inside = inside_choice(view);
     if (!inside.looks_inside()) return std::nullopt;
     ColouringMaker maker;
-    const Tessellation shape = snapshot_section(snapshot, snapshot.x, inside, maker, view.text("color"));
-    if (shape.triangles.empty()) return std::nullopt;
-    return without_unused_points(shape);
+    return snapshot_section(snapshot, snapshot.x, inside, maker, view.text("color"));
+}
+
+std::optional<Tessellation> surface_of_cut(const Snapshot& snapshot, const Values& view) {
+    const auto shape = section_of_view(snapshot, view);
+    if (!shape || shape->triangles.empty()) return std::nullopt;
+    return without_unused_points(*shape);
+}
+
+std::string nothing_left(const Values& view) {
+    std::vector<std::string> keys;
+    for (const char* key : {"cut", "peel", "layers", "only"})
+        if (!is_default(view, key)) keys.push_back(std::string("view.") + key);
+    std::string text;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == keys.size() ? " and " : ", ") + keys[i];
+    return text + (keys.size() == 1 ? " leaves" : " leave") + " nothing to see of the solid";
+}
+
+std::string note_on_hidden(const Snapshot& snapshot, const Values& view) {
+    const auto shape = section_of_view(snapshot, view);
+    return shape && shape->triangles.empty() ? nothing_left(view) : std::string();
 }
 
 } // namespace gaspard

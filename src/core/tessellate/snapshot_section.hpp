@@ -21,4 +21,9 @@ Tessellation snapshot_section(const Snapshot& snapshot, const Points& x, const I
 /// nothing is left. Throws InputError as inside_choice().
 std::optional<Tessellation> surface_of_cut(const Snapshot& snapshot, const Values& view);
 
+/// "view.cut and view.only leave nothing to see of the solid": names what `view` has set.
+std::string nothing_left(const Values& view);
+/// That sentence if it is so; else empty.
+std::string note_on_hidden(const Snapshot& snapshot, const Values& view);
+
 } // namespace gaspard

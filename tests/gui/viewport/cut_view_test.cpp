@@ -1,5 +1,6 @@
 // Solids that are cut open: scenes, picking, handles of planes, and the actions of the window.
 #include "core/scenario/view_rows.hpp"
+#include "core/tessellate/snapshot_section.hpp"
 #include "core/tessellate/visible_cells.hpp"
 #include "fixtures/fixture_catalogue.hpp"
 #include "gui/application_fixture.hpp"
@@ -121,8 +122,15 @@ TEST_F(CutPlan, ConditionsLayersAndPeelsHideCells) {
     set("color", "area");
     set("only", "value > 1");
     EXPECT_TRUE(scene().tessellation->triangles.empty()) << "no cell is as large";
+    EXPECT_EQ(plan(snapshot_).complaint, "view.only leaves nothing to see of the solid");
+    EXPECT_EQ(note_on_hidden(snapshot_, view_), plan(snapshot_).complaint);
+    set("peel", "1");
+    EXPECT_EQ(plan(snapshot_).complaint, "view.peel and view.only leave nothing to see of the solid");
+    set("peel", "0");
     set("only", "area > 0.004 and jacobian > 0.5 and monitor < 1.6");
     EXPECT_EQ(scene().tessellation->triangle_cells.empty(), false);
+    EXPECT_EQ(plan(snapshot_).complaint, "");
+    EXPECT_EQ(note_on_hidden(snapshot_, view_), "");
     set("explode", "0.4");
     set("only", "monitor > 1.6");
     EXPECT_EQ(shown_cells(), cells);
