@@ -103,6 +103,29 @@ TEST_F(CutPlan, CapsArePickedAndHiddenCellsAreNot) {
     EXPECT_FALSE(std::binary_search(cells.begin(), cells.end(), 5U));
 }
 
+TEST_F(CutPlan, WhatOtherCellsHideIsNotOutlined) {
+    set("camera", "right 0 1 0 up 0 0 1"); // from x = infinity
+    const auto is_seen = [&](Pick pick) {
+        const PlannedView shown = plan(snapshot_).views.front();
+        return faces_viewer(pick, shown.scene, shown.camera);
+    };
+    constexpr std::uint32_t row = 6, front = row - 1; // of cells along x
+    const Pick near{Pick::Kind::cell, 2 * row * row + 2 * row + front},
+        far{Pick::Kind::cell, 2 * row * row + 2 * row};
+    const Pick inner{Pick::Kind::cell, 2 * row * row + 2 * row + 2};
+    EXPECT_TRUE(is_seen(near));
+    EXPECT_FALSE(is_seen(far)) << "on the far side";
+    EXPECT_FALSE(is_seen(inner));
+    set("cut", "x 0.45");
+    EXPECT_TRUE(is_seen(inner)) << "on the cut face";
+    EXPECT_FALSE(is_seen(near)) << "cut off";
+    set("cut", "");
+    const std::uint32_t nodes = row + 1;
+    const std::uint32_t middle = 3 * nodes * nodes + 3 * nodes;
+    EXPECT_TRUE(is_seen({Pick::Kind::node, middle + row}));
+    EXPECT_FALSE(is_seen({Pick::Kind::node, middle}));
+}
+
 TEST_F(CutPlan, ConditionsLayersAndPeelsHideCells) {
     EXPECT_EQ(shown_cells().size(), 216U - 64) << "what is seen from outside";
     set("peel", "1");
