@@ -124,6 +124,9 @@ TEST_F(CutPlan, WhatOtherCellsHideIsNotOutlined) {
     const std::uint32_t middle = 3 * nodes * nodes + 3 * nodes;
     EXPECT_TRUE(is_seen({Pick::Kind::node, middle + row}));
     EXPECT_FALSE(is_seen({Pick::Kind::node, middle}));
+    set("explode", "0.3");
+    EXPECT_TRUE(is_seen(near));
+    EXPECT_FALSE(is_seen(inner)) << "all of its faces are there, behind others";
 }
 
 TEST_F(CutPlan, ConditionsLayersAndPeelsHideCells) {
