@@ -30,7 +30,25 @@ struct SolidSamples {
     std::vector<double> inner;
     double exact = 0; ///< distances below are rounding
     double volume = 0;
+    std::array<bool, 3> closed{}; ///< the two sides of a direction are the same, as those of a full pipe
 };
+
+/// Sample i of a side of the direction, as a number of a sample on its low and its high side.
+std::array<std::size_t, 2> opposite_samples(std::size_t direction, std::size_t i) {
+    constexpr std::size_t n = cube_side;
+    const std::size_t step = direction == 0 ? 1 : direction == 1 ? n : n * n;
+    const std::size_t fast = i % step, slow = i / step;
+    const std::size_t low = slow * step * n + fast;
+    return {low, low + step * (n - 1)};
+}
+
+bool is_closed(const Points& x, std::size_t direction, double rounding) {
+    for (std::size_t i = 0; i < cube_side * cube_side; ++i) {
+        const auto [low, high] = opposite_samples(direction, i);
+        if (norm(x[high] - x[low]) > rounding) return false;
+    }
+    return true;
+}
 
 /// The farthest that neighbours on the boundary are apart: between them it may come nearer than they are.
 double widest_gap(const Points& x) {
@@ -67,9 +85,14 @@ SolidSamples sample_solid(const SolidMap& map) {
     for (std::size_t i = 0; i < samples.xi.size(); ++i) {
         const std::array<std::size_t, 3> at{i % n, i / n % n, i / n / n};
         samples.xi.set(i, {parameter_of(at[0]), parameter_of(at[1]), parameter_of(at[2])});
-        outer[i] = std::any_of(at.begin(), at.end(), [](std::size_t k) { return k == 0 || k == n - 1; });
     }
     map.points(samples.xi, x);
+    const double size = bounding_box(x).size();
+    for (std::size_t d = 0; d < 3; ++d) {
+        samples.closed[d] = is_closed(x, d, 1e-12 * size);
+        for (std::size_t i = 0; !samples.closed[d] && i < n * n; ++i)
+            for (const std::size_t end : opposite_samples(d, i)) outer[end] = true;
+    }
     for (std::size_t i = 0; i < x.size(); ++i)
         if (outer[i]) boundary.resize(boundary.size() + 1), boundary.set(boundary.size() - 1, x[i]);
     const double gap = widest_gap(x);
@@ -78,7 +101,7 @@ SolidSamples sample_solid(const SolidMap& map) {
         const double distance = outer[i] ? 0 : norm(nearest_outer.points()[nearest_outer(x[i])] - x[i]);
         samples.inner.push_back(std::max(0.0, distance - gap));
     }
-    samples.exact = 1e-10 * bounding_box(x).size();
+    samples.exact = 1e-10 * size;
     samples.volume = volume_of(map);
     samples.nearest = NearestPoint(std::move(x));
     return samples;
@@ -93,6 +116,7 @@ struct SolidSearch {
     Vec3 residual{}; ///< x - F
     std::array<Vec3, 3> tangents{};
     double squared = std::numeric_limits<double>::infinity(), damping = 0;
+    bool crossed = false; ///< a seam
 };
 
 /// Solves the damped normal equations (A + damping diag A) s = b of the free directions, in place of b.
@@ -152,9 +176,20 @@ Three next_in_cube(SolidSearch& s) {
     return to;
 }
 
+/// Goes on from the other side of the seams at which a search has ended; once. Returns whether it does.
+bool cross_seams(SolidSearch& s, const std::array<bool, 3>& closed) {
+    bool at_seam = false;
+    for (std::size_t d = 0; !s.crossed && d < 3; ++d)
+        if (closed[d] && (s.xi[d] <= 0 || s.xi[d] >= 1)) s.xi[d] = 1 - s.xi[d], at_seam = true;
+    if (!at_seam) return false;
+    s.crossed = true, s.damping = 0;
+    s.squared = std::numeric_limits<double>::infinity(); // evaluated anew
+    return true;
+}
+
 /// Accepts the trial if it is nearer. Returns whether the search has ended.
 bool judge_in_cube(SolidSearch& s, const Three& trial, Vec3 residual, const std::array<Vec3, 3>& tangents,
-                   double exact) {
+                   const SolidSamples& known) {
     const double squared = dot(residual, residual);
     double step = 0;
     for (const double one : s.step) step = std::max(step, std::abs(one));
@@ -166,7 +201,8 @@ bool judge_in_cube(SolidSearch& s, const Three& trial, Vec3 residual, const std:
     } else {
         s.damping = std::max(1e-3, 10 * s.damping);
     }
-    return std::sqrt(s.squared) <= exact || (!start && (step <= last_cube_step || s.damping > 1e12));
+    if (std::sqrt(s.squared) <= known.exact) return true;
+    return !start && (step <= last_cube_step || s.damping > 1e12) && !cross_seams(s, known.closed);
 }
 
 class Shape final : public SolidShape {
@@ -218,9 +254,8 @@ class Shape final : public SolidShape {
             std::size_t left = 0;
             for (std::size_t j = 0; j < active.size(); ++j) {
                 SolidSearch& s = active[j];
-                const bool done =
-                    judge_in_cube(s, tried[j], x[s.index] - there[j],
-                                  {tangents[0][j], tangents[1][j], tangents[2][j]}, known.exact);
+                const bool done = judge_in_cube(s, tried[j], x[s.index] - there[j],
+                                                {tangents[0][j], tangents[1][j], tangents[2][j]}, known);
                 nearest.set(s.index, x[s.index] - s.residual);
                 if (!done) active[left++] = s;
             }

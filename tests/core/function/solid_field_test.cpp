@@ -171,6 +171,51 @@ TEST(SolidShape, KeepsThePointsOfEverySolid) {
     EXPECT_NEAR(solid_shape(half_torus_map())->volume(), 2 * pi * pi, 0.01 * pi * pi);
 }
 
+/// A pipe of radii 1 and 2, closed around its axis.
+class Pipe final : public SolidMap {
+  public:
+    int space_dimension() const override { return 3; }
+    void points(const Points& xi, Points& x) const override {
+        x.resize(xi.size());
+        for (std::size_t i = 0; i < xi.size(); ++i) {
+            const double r = 1 + xi.x[i], t = 2 * pi * xi.y[i];
+            x.set(i, {r * std::cos(t), r * std::sin(t), xi.z[i]});
+        }
+    }
+    void tangents(const Points& xi, std::array<Points, 3>& tangents) const override {
+        for (Points& one : tangents) one.resize(xi.size());
+        for (std::size_t i = 0; i < xi.size(); ++i) {
+            const double r = 2 * pi * (1 + xi.x[i]), t = 2 * pi * xi.y[i];
+            tangents[0].set(i, {std::cos(t), std::sin(t), 0});
+            tangents[1].set(i, {-r * std::sin(t), r * std::cos(t), 0});
+            tangents[2].set(i, {0, 0, 1});
+        }
+    }
+    void places(const Points& xi, Points& x, std::span<double> element) const override {
+        points(xi, x);
+        for (std::size_t i = 0; i < xi.size(); ++i) element[i] = 2 * pi * (1 + xi.x[i]);
+    }
+    void element_gradients(const Points&, std::span<double>, Points&) const override {}
+};
+
+TEST(SolidShape, GoesOnAcrossTheSeamOfAPipe) {
+    const auto pipe = solid_shape(std::make_shared<Pipe>());
+    EXPECT_NEAR(pipe->volume(), 3 * pi, 1e-9);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> along(0.9, 2.1), angle(-0.12, 0.12), up(-0.1, 1.1);
+    Points x(4000), nearest;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double r = along(random), t = angle(random);
+        x.set(i, {r * std::cos(t), r * std::sin(t), up(random)});
+    }
+    pipe->nearest(x, nearest);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double r = std::hypot(x.x[i], x.y[i]), wanted = std::clamp(r, 1.0, 2.0) / r;
+        EXPECT_LT(norm(nearest[i] - Vec3{wanted * x.x[i], wanted * x.y[i], std::clamp(x.z[i], 0.0, 1.0)}),
+                  1e-7);
+    }
+}
+
 TEST(SolidShape, TakesTheMeasureOfWhatLiesBesideTheSolid) {
     const SolidDomain ball(2, 8, ball_map());
     const DomainGrid domain = domain_grid(in_space(&ball), 6);
