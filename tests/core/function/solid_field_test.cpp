@@ -178,7 +178,8 @@ class Pipe final : public SolidMap {
     void points(const Points& xi, Points& x) const override {
         x.resize(xi.size());
         for (std::size_t i = 0; i < xi.size(); ++i) {
-            const double r = 1 + xi.x[i], t = 2 * pi * xi.y[i];
+            // Its ends are the same to the last bit, as those of splines may be.
+            const double r = 1 + xi.x[i], t = 2 * pi * (xi.y[i] - std::floor(xi.y[i]));
             x.set(i, {r * std::cos(t), r * std::sin(t), xi.z[i]});
         }
     }
