@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 # What a simulation needs; src/core/gaspard.hpp includes all of them. Other headers are not public.
 set(public_headers
   gaspard.hpp base/box.hpp base/error.hpp base/export.hpp base/field.hpp base/file_cache.hpp base/parameter.hpp base/points.hpp base/series.hpp base/version.hpp
-  mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/patch_list.hpp mesh/patch_parameters.hpp mesh/space.hpp mesh/sphere_mesh.hpp mesh/surface_mesh.hpp mesh/surface_topology.hpp
+  mesh/discretisation.hpp mesh/domain_type.hpp mesh/mesh.hpp mesh/patch_list.hpp mesh/patch_parameters.hpp mesh/solid_shape.hpp mesh/space.hpp mesh/sphere_mesh.hpp mesh/surface_mesh.hpp mesh/surface_topology.hpp
   diagnostics/interpolation_error.hpp data/field_data.hpp data/image.hpp function/field_options.hpp function/formula.hpp function/image_options.hpp function/scalar_function.hpp mesh/data_context.hpp
   monitor/combine.hpp monitor/derived.hpp monitor/field_monitor.hpp monitor/formula_monitor.hpp monitor/function.hpp monitor/image_monitor.hpp monitor/monitor.hpp monitor/problem_data.hpp monitor/tensor.hpp
   method/method.hpp

@@ -192,6 +192,12 @@ void read_fields(std::string_view bytes, FieldData (*read)(std::string_view, con
         if (const auto* data = std::get_if<ScatteredData>(&other.data))
             GASPARD_CHECK(data->points.size() == data->values.size());
     }
+    try {
+        const FieldData in_space = read(bytes, {.dimension = 3});
+        if (const auto* grid = std::get_if<GridData>(&in_space.data))
+            GASPARD_CHECK(grid->values.size() == grid->count(0) * grid->count(1) * grid->count(2));
+    } catch (const InputError&) { // a matrix of four columns is no list of points
+    }
 }
 
 /// Files of HDF5 are read by its library alone, which is not ours to test.

@@ -12,6 +12,7 @@
 #include "core/io/state_file.hpp"
 #include "core/session/report_columns.hpp"
 #include "core/session/run.hpp"
+#include "core/tessellate/snapshot_section.hpp"
 #include "gui/app/viewport_image.hpp"
 #include "gui/app/whole_window.hpp"
 #include "gui/gl/offscreen.hpp"
@@ -204,6 +205,8 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
             return exit_code(RunStatus::interrupted);
         }
         if (failure) std::rethrow_exception(failure);
+        if (const std::string note = note_on_hidden(*run.snapshot(), scenario.view); !note.empty())
+            std::cerr << "gaspard: " << note << "\n";
         return exit_code(run.status());
     } catch (const Interrupted&) {
         std::cerr << "gaspard: interrupted before the first iteration; nothing was written\n";

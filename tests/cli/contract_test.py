@@ -583,6 +583,13 @@ class Information(Contract):
         self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
         self.assertIn("view.overlay", result.stderr)
 
+    def test_a_view_that_hides_a_whole_solid_says_so(self):
+        result = gaspard("run", "spline-cube", "--set", "domain.cells=6", "--set", "monitor.type=constant", "--set", "view.cut=x -1",
+                         "--no-render", "--formats", "ply", "--out", self.out)
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stderr, "gaspard: view.cut leaves nothing to see of the solid\n")
+        self.assertTrue(os.path.exists(os.path.join(self.out, "adapted.ply")))
+
     def test_version_and_help(self):
         self.assertRegex(gaspard("--version").stdout, r"^gaspard \d+\.\d+\.\d+\n$")
         self.assertIn("reproduce", gaspard("--help").stdout)

@@ -1,8 +1,8 @@
 // Numbers in text, separated by ',', ';', tabs or blanks. Own code, since the separator has to be guessed and
 // messages name the line, which CSV libraries do not help with.
 //
-//   x,y,value       columns with coordinates, named x, y, z, lon, lat and the like; or three without names
-//   0.1,0.2,3
+//   x,y,value       columns with coordinates, named x, y, z, lon, lat and the like; or three without
+//   0.1,0.2,3       names, in space four
 //
 //   1,2,3           a matrix: its first row is the top
 //   4,5,6
@@ -230,7 +230,8 @@ std::optional<std::size_t> find_column(const std::vector<std::string>& names,
     return std::nullopt;
 }
 
-Columns columns_of(const Table& table) {
+/// `dimension`: of the domain, in whose space four columns without names are points.
+Columns columns_of(const Table& table, std::size_t dimension) {
     Columns found;
     if (table.corner) return found;
     for (const CoordinateNames& names : coordinate_names()) {
@@ -240,6 +241,9 @@ Columns columns_of(const Table& table) {
         if (table.columns == 3) found.z.reset(); // then z is the value
         break;
     }
+    const bool in_space = dimension == 3 && table.columns == 4;
+    if (found.coordinates == Coordinates::none && table.names.empty() && in_space)
+        found = {Coordinates::cartesian, 0, 1, 2, {}};
     if (found.coordinates == Coordinates::none && table.columns == 3)
         found.coordinates = Coordinates::cartesian;
     for (std::size_t i = 0; i < table.columns; ++i)
@@ -271,8 +275,10 @@ FieldData read_columns(const Table& table, const Columns& columns, const FieldRe
                                       : table.names[i]);
     const std::size_t chosen = find_variable(request.variable, field.variables);
     field.variable = field.variables[chosen];
-    field.data = arranged(points_in(table, columns, columns.values[chosen]), field.notes, request.stop);
-    if (table.names.empty()) field.notes.push_back("The three columns are read as x, y and the value.");
+    field.data = arranged(points_in(table, columns, columns.values[chosen]), field.notes, request);
+    if (table.names.empty())
+        field.notes.push_back(columns.z ? "The four columns are read as x, y, z and the value."
+                                        : "The three columns are read as x, y and the value.");
     return field;
 }
 
@@ -285,7 +291,7 @@ std::vector<double> counted(std::size_t count) {
 
 GridData matrix(const Table& table) {
     const std::size_t nx = table.columns, ny = table.numbers.size() / nx;
-    GridData grid{Coordinates::none, {counted(nx), counted(ny)}, {}};
+    GridData grid{Coordinates::none, {counted(nx), counted(ny), {}}, {}};
     grid.values.reserve(nx * ny);
     for (std::size_t j = ny; j-- > 0;) // the first row is the top
         for (std::size_t i = 0; i < nx; ++i) grid.values.push_back(table.numbers[j * nx + i]);
@@ -308,7 +314,7 @@ GridData matrix_with_axes(const Table& table) {
 FieldData parse_csv_field(std::string_view text, const FieldRequest& request) {
     find_index(request.time, 1, "time"), find_index(request.level, 1, "level");
     const Table table = TableReader(text, request).read();
-    const Columns columns = columns_of(table);
+    const Columns columns = columns_of(table, request.dimension);
     if (columns.coordinates != Coordinates::none) return read_columns(table, columns, request);
     FieldData field{"matrix", {"matrix"}, table.corner ? matrix_with_axes(table) : matrix(table), {}};
     find_variable(request.variable, field.variables);

@@ -157,26 +157,35 @@ std::string coincidence_note(std::size_t merged) {
 }
 
 std::variant<GridData, ScatteredData> arranged(ScatteredData data, std::vector<std::string>& notes,
-                                               const std::stop_token& stop) {
-    if (const std::size_t merged = merge_coincident(data.points, data.values, stop))
+                                               const FieldRequest& request) {
+    if (const std::size_t merged = merge_coincident(data.points, data.values, request.stop))
         notes.push_back(coincidence_note(merged));
+    if (static_cast<std::size_t>(data.dimension) > request.dimension) return data;
     if (auto grid = as_grid(data)) return std::move(*grid);
     return data;
 }
 
 std::optional<GridData> as_grid(const ScatteredData& data) {
-    if (data.dimension != 2 || data.values.size() < 4 || !all_finite(data.points.x) ||
-        !all_finite(data.points.y))
-        return std::nullopt;
-    GridData grid{data.coordinates, {different(data.points.x), different(data.points.y)}, {}};
-    const std::size_t nx = grid.axes[0].size(), ny = grid.axes[1].size();
-    if (nx < 2 || ny < 2 || nx > data.values.size() / ny || nx * ny != data.values.size())
-        return std::nullopt;
-    grid.values.assign(nx * ny, no_value);
-    std::vector<char> taken(nx * ny, 0);
-    for (std::size_t p = 0; p < data.values.size(); ++p) {
-        const std::size_t i = nearest_index(grid.axes[0], data.points.x[p]);
-        const std::size_t at = nearest_index(grid.axes[1], data.points.y[p]) * nx + i;
+    const std::array<const std::vector<double>*, 3> coordinates{&data.points.x, &data.points.y,
+                                                                &data.points.z};
+    const auto dimension = static_cast<std::size_t>(data.dimension);
+    if (data.values.size() < 4) return std::nullopt;
+    GridData grid{data.coordinates, {}, {}};
+    std::size_t points = 1;
+    for (std::size_t d = 0; d < dimension; ++d) {
+        if (!all_finite(*coordinates[d])) return std::nullopt;
+        grid.axes[d] = different(*coordinates[d]);
+        const std::size_t count = grid.axes[d].size();
+        if (count < 2 || count > data.values.size() / points) return std::nullopt;
+        points *= count;
+    }
+    if (points != data.values.size()) return std::nullopt;
+    grid.values.assign(points, no_value);
+    std::vector<char> taken(points, 0);
+    for (std::size_t p = 0; p < points; ++p) {
+        std::size_t at = 0;
+        for (std::size_t d = dimension; d-- > 0;)
+            at = at * grid.count(d) + nearest_index(grid.axes[d], (*coordinates[d])[p]);
         if (taken[at] != 0) return std::nullopt;
         taken[at] = 1;
         grid.values[at] = data.values[p];
@@ -188,20 +197,25 @@ GridData with_sorted_axes(GridData grid) {
     const auto increasing = [](const std::vector<double>& axis) {
         return std::adjacent_find(axis.begin(), axis.end(), std::greater_equal<>()) == axis.end();
     };
-    check_axis(grid.axes[0]), check_axis(grid.axes[1]);
-    if (increasing(grid.axes[0]) && increasing(grid.axes[1])) return grid;
-    const auto columns = order_of(grid.axes[0]), rows = order_of(grid.axes[1]);
+    for (const auto& axis : grid.axes) check_axis(axis);
+    if (std::all_of(grid.axes.begin(), grid.axes.end(), increasing)) return grid;
+    std::array<std::vector<std::size_t>, 3> orders;
     GridData sorted{grid.coordinates, {}, {}};
-    for (const std::size_t i : columns) sorted.axes[0].push_back(grid.axes[0][i]);
-    for (const std::size_t j : rows) sorted.axes[1].push_back(grid.axes[1][j]);
+    for (std::size_t d = 0; d < 3; ++d) {
+        orders[d] = order_of(grid.axes[d]);
+        for (const std::size_t i : orders[d]) sorted.axes[d].push_back(grid.axes[d][i]);
+        if (orders[d].empty()) orders[d] = {0};
+    }
     for (const auto& axis : sorted.axes) {
         const auto twice = std::adjacent_find(axis.begin(), axis.end());
         if (twice != axis.end())
             throw InputError("the coordinate " + format_number(*twice) + " of the grid appears twice");
     }
     sorted.values.reserve(grid.values.size());
-    for (const std::size_t j : rows)
-        for (const std::size_t i : columns) sorted.values.push_back(grid.values[j * columns.size() + i]);
+    for (const std::size_t k : orders[2])
+        for (const std::size_t j : orders[1])
+            for (const std::size_t i : orders[0])
+                sorted.values.push_back(grid.values[(k * grid.count(1) + j) * grid.count(0) + i]);
     return sorted;
 }
 

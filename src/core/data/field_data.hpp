@@ -28,11 +28,15 @@ enum class Coordinates {
     geographic, ///< longitude and latitude in degrees, in this order
 };
 
-/// Values at (axes[0][i], axes[1][j]) are values[j * axes[0].size() + i]. Axes increase strictly.
+/// Values at (axes[0][i], axes[1][j], axes[2][k]), the first direction fastest. Axes increase strictly.
 struct GridData {
     Coordinates coordinates = Coordinates::none;
-    std::array<std::vector<double>, 2> axes;
-    std::vector<double> values; ///< NaN where a value is missing
+    std::array<std::vector<double>, 3> axes; ///< the third is empty if the grid has two directions
+    std::vector<double> values;              ///< NaN where a value is missing
+
+    std::size_t dimension() const { return axes[2].empty() ? 2 : 3; }
+    /// Points along a direction; 1 along the third of a grid in the plane.
+    std::size_t count(std::size_t d) const { return axes[d].empty() ? 1 : axes[d].size(); }
 };
 
 struct ScatteredData {
@@ -49,6 +53,8 @@ struct FieldRequest {
     std::int64_t level = 0;                 ///< likewise
     std::function<void(double)> progress{}; ///< told the fraction of a long text that is read
     std::stop_token stop{};
+    /// 3: grids with three directions are read whole, and `level` is not used; others are as for 2.
+    std::size_t dimension = 2;
 };
 /// For loops over long data: reports progress; throws Interrupted if asked to stop.
 void check_stop(const FieldRequest& request, double done);
@@ -70,12 +76,13 @@ std::size_t merge_coincident(Points& points, std::vector<double>& values, const 
 /// "2 points coincide with others; ...".
 std::string coincidence_note(std::size_t merged);
 
-/// The same data as a grid if its points in the plane are all points of a rectilinear grid, in any order.
-/// Coordinates that differ by less than 1e-9 of the extent are the same.
+/// The same data as a grid if its points, in the plane or in space, are all points of a rectilinear grid, in
+/// any order. Coordinates that differ by less than 1e-9 of the extent are the same.
 std::optional<GridData> as_grid(const ScatteredData& data);
-/// The data without coincident points, which a note counts, as a grid if they are one.
+/// The data without coincident points, which a note counts, as a grid if they are one with at most so many
+/// directions as the request has.
 std::variant<GridData, ScatteredData> arranged(ScatteredData data, std::vector<std::string>& notes,
-                                               const std::stop_token& stop = {});
+                                               const FieldRequest& request = {});
 /// Sorts the axes of a grid, and its values with them. Throws InputError (without a file's name) if a
 /// coordinate is not finite or appears twice.
 GridData with_sorted_axes(GridData grid);

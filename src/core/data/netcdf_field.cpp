@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 
 namespace gaspard {
@@ -229,32 +230,88 @@ std::array<std::size_t, 2> plane_of(const NetcdfInput& file, const Variable& var
     return found;
 }
 
+/// The third dimension in space, beside x and y: z, else the last that is left; nullopt if there is none.
+std::optional<std::size_t> height_of(const NetcdfInput& file, const Variable& variable,
+                                     const std::array<std::size_t, 2>& plane) {
+    std::optional<std::size_t> found;
+    for (std::size_t d = variable.dimensions.size(); d-- > 0;) {
+        const Axis axis = axis_of_dimension(file, variable.dimensions[d]);
+        if (d == plane[0] || d == plane[1] || axis == Axis::time || file.length(variable, d) < 2) continue;
+        if (axis == Axis::z) return d;
+        if (!found) found = d;
+    }
+    return found;
+}
+
+/// The dimensions of the variable in space: x and y, and z if the request has three and the variable, too.
+std::vector<std::size_t> directions_of(const NetcdfInput& file, const Variable& variable,
+                                       std::size_t dimension) {
+    const std::array<std::size_t, 2> plane = plane_of(file, variable);
+    std::vector<std::size_t> found(plane.begin(), plane.end());
+    if (dimension == 3)
+        if (const auto height = height_of(file, variable, plane)) found.push_back(*height);
+    return found;
+}
+
 Coordinates kind_of_axes(const NetcdfInput& file, const Variable& variable,
-                         const std::array<std::size_t, 2>& plane) {
-    const Variable *x = coordinate_variable(file, variable.dimensions[plane[0]]),
-                   *y = coordinate_variable(file, variable.dimensions[plane[1]]);
-    if (x == nullptr || y == nullptr) return Coordinates::none;
+                         const std::vector<std::size_t>& directions) {
+    const auto has_coordinates = [&](std::size_t d) {
+        return coordinate_variable(file, variable.dimensions[d]) != nullptr;
+    };
+    if (!std::all_of(directions.begin(), directions.end(), has_coordinates)) return Coordinates::none;
+    const Variable *x = coordinate_variable(file, variable.dimensions[directions[0]]),
+                   *y = coordinate_variable(file, variable.dimensions[directions[1]]);
     const bool geographic =
         (is_longitude(file, *x) && is_latitude(file, *y)) ||
         (is_geographic_name(lower_case(x->name)) && is_geographic_name(lower_case(y->name)));
     return geographic ? Coordinates::geographic : Coordinates::cartesian;
 }
 
+/// From the order of the file, whose last dimension runs fastest.
+void put_x_first(GridData& grid, const std::vector<std::size_t>& directions) {
+    if (std::is_sorted(directions.rbegin(), directions.rend())) return;
+    std::array<std::size_t, 3> strides{};
+    for (std::size_t d = 0; d < directions.size(); ++d) {
+        strides[d] = 1;
+        for (std::size_t other = 0; other < directions.size(); ++other)
+            if (directions[other] > directions[d]) strides[d] *= grid.count(other);
+    }
+    std::vector<double> turned;
+    turned.reserve(grid.values.size());
+    for (std::size_t k = 0; k < grid.count(2); ++k)
+        for (std::size_t j = 0; j < grid.count(1); ++j)
+            for (std::size_t i = 0; i < grid.count(0); ++i)
+                turned.push_back(grid.values[i * strides[0] + j * strides[1] + k * strides[2]]);
+    grid.values = std::move(turned);
+}
+
 GridData read_grid(const NetcdfInput& file, const Variable& variable, const FieldRequest& request,
                    std::vector<std::string>& notes) {
-    const std::array<std::size_t, 2> plane = plane_of(file, variable);
-    const Slice slice(file, variable, {plane[0], plane[1]}, request, notes);
+    const auto directions = directions_of(file, variable, request.dimension);
+    const Slice slice(file, variable, directions, request, notes);
     // The values first: they check that the lengths are not those of a damaged header.
-    GridData grid{kind_of_axes(file, variable, plane), {}, file.values(variable, slice.start, slice.count)};
-    for (std::size_t d = 0; d < 2; ++d) grid.axes[d] = axis_values(file, variable, plane[d]);
-    if (plane[0] < plane[1]) { // x runs slower in the file
-        const std::size_t nx = grid.axes[0].size(), ny = grid.axes[1].size();
-        std::vector<double> turned(grid.values.size());
-        for (std::size_t i = 0; i < nx; ++i)
-            for (std::size_t j = 0; j < ny; ++j) turned[j * nx + i] = grid.values[i * ny + j];
-        grid.values = std::move(turned);
-    }
+    GridData grid{
+        kind_of_axes(file, variable, directions), {}, file.values(variable, slice.start, slice.count)};
+    for (std::size_t d = 0; d < directions.size(); ++d)
+        grid.axes[d] = axis_values(file, variable, directions[d]);
+    put_x_first(grid, directions);
     return with_sorted_axes(std::move(grid));
+}
+
+/// Leaves the variables with three directions or coordinates in space if there are any, and the wanted one is
+/// none of the others.
+void prefer_solid_fields(const NetcdfInput& file, const std::string& wanted,
+                         std::vector<std::string>& names) {
+    std::vector<std::string> in_space;
+    for (const std::string& name : names) {
+        const Variable& variable = *file.find(name);
+        const PointCoordinates at = point_coordinates(file, variable);
+        const bool grid = at.x == nullptr && long_dimensions(file, variable) >= 3;
+        if (at.z != nullptr || (grid && directions_of(file, variable, 3).size() == 3))
+            in_space.push_back(name);
+    }
+    const bool fits = wanted.empty() || std::find(in_space.begin(), in_space.end(), wanted) != in_space.end();
+    if (!in_space.empty() && fits) names = std::move(in_space);
 }
 
 } // namespace
@@ -263,14 +320,14 @@ FieldData parse_netcdf_field(std::string_view bytes, const FieldRequest& request
     const NetcdfInput file(bytes);
     FieldData field;
     field.variables = field_names(file);
+    if (request.dimension == 3) prefer_solid_fields(file, request.variable, field.variables);
     field.variable = field.variables[find_variable(request.variable, field.variables)];
     const Variable& variable = *file.find(field.variable);
     const PointCoordinates at = point_coordinates(file, variable);
     if (at.x == nullptr)
         field.data = read_grid(file, variable, request, field.notes);
     else
-        field.data =
-            arranged(read_points(file, variable, at, request, field.notes), field.notes, request.stop);
+        field.data = arranged(read_points(file, variable, at, request, field.notes), field.notes, request);
     return field;
 }
 

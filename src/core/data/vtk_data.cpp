@@ -91,6 +91,10 @@ std::vector<double> middles(const std::vector<double>& axis) {
     return all;
 }
 
+bool has_three_directions(const std::array<std::vector<double>, 3>& axes) {
+    return std::all_of(axes.begin(), axes.end(), [](const auto& axis) { return axis.size() > 1; });
+}
+
 /// A plane of a grid: its two longest directions; `level` chooses along the third.
 std::variant<GridData, ScatteredData> slice(const std::array<std::vector<double>, 3>& axes,
                                             const std::vector<double>& values, std::int64_t level) {
@@ -104,7 +108,7 @@ std::variant<GridData, ScatteredData> slice(const std::array<std::vector<double>
         throw InputError("it must have two values at least along two directions");
     const std::array<std::size_t, 3> strides = {1, axes[0].size(), axes[0].size() * axes[1].size()};
     const std::size_t begin = find_index(level, axes[across].size(), "level") * strides[across];
-    GridData grid{Coordinates::cartesian, {axes[plane[0]], axes[plane[1]]}, {}};
+    GridData grid{Coordinates::cartesian, {axes[plane[0]], axes[plane[1]], {}}, {}};
     grid.values.reserve(grid.axes[0].size() * grid.axes[1].size());
     for (std::size_t j = 0; j < grid.axes[1].size(); ++j)
         for (std::size_t i = 0; i < grid.axes[0].size(); ++i)
@@ -239,7 +243,9 @@ FieldData vtk_field(const VtkFile& file, const FieldRequest& request) {
         if (array.of_cells)
             for (auto& axis : axes) axis = middles(axis);
         demand(checked_product(axes[0].size(), axes[1].size(), axes[2].size(), "points"));
-        field.data = slice(axes, values, request.level);
+        field.data = request.dimension == 3 && has_three_directions(axes)
+                         ? with_sorted_axes({Coordinates::cartesian, axes, std::move(values)})
+                         : slice(axes, values, request.level);
         return field;
     }
     find_index(request.level, 1, "level");
@@ -252,7 +258,7 @@ FieldData vtk_field(const VtkFile& file, const FieldRequest& request) {
     demand(at.size() / 3);
     for (const double one : at)
         if (!std::isfinite(one)) throw InputError("a coordinate of a point is not finite");
-    field.data = arranged(at_points(at, std::move(values)), field.notes, request.stop);
+    field.data = arranged(at_points(at, std::move(values)), field.notes, request);
     return field;
 }
 

@@ -51,7 +51,8 @@ struct VtkFile {
 };
 
 /// Reads the requested array: points or centres of cells with values, as a grid if they are one. The length
-/// of vectors is their value. `request.level` is the index along z of a grid with three directions.
+/// of vectors is their value. Of a grid with three directions a plane is read, with the index `request.level`
+/// along z, unless the request has three.
 FieldData vtk_field(const VtkFile& file, const FieldRequest& request);
 
 /// Of a grid; its coordinates are made before its values are read.

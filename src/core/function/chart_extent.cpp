@@ -41,6 +41,8 @@ double measure_of(const std::shared_ptr<const Chart>& chart, const DataContext& 
     }
     const auto patch = context.discretisation ? context.discretisation->parameters() : nullptr;
     if (patch) return area_of(*patch);
+    if (const auto solid = context.discretisation ? context.discretisation->solid_shape() : nullptr)
+        return solid->volume();
     double measure = 1;
     for (std::size_t d = 0; d < chart->dimension(); ++d) measure *= length(*chart, d);
     return measure;

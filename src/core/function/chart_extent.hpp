@@ -15,7 +15,7 @@ struct ChartExtent {
     double width = 0, height = 0; ///< sides of the chart's box as lengths, on surfaces their means
     double cell = 0;              ///< size of a cell of the uniform mesh (cell_size)
 };
-/// Length, area or volume of the domain; of a planar patch without what lies beside it in the box.
+/// Length, area or volume of the domain; of a planar patch or a solid without what lies beside it in the box.
 double measure_of(const std::shared_ptr<const Chart>& chart, const DataContext& context);
 /// The size of a cell of the uniform mesh of a domain: (measure / cells)^(1/dimension). Two triangles count
 /// as one cell; without a mesh there are 60 cells along each direction.

@@ -148,15 +148,18 @@ FieldGrid grid_field(GridData data, const FieldOptions& options, const DataConte
 }
 
 FieldGrid field_grid(const FieldData& field, const FieldOptions& options, const DataContext& context) {
-    if (chart_of(context)->dimension() != 2) throw InputError("a field needs a domain of dimension two");
-    FieldGrid made = std::visit(
-        [&](const auto& data) {
-            if constexpr (std::is_same_v<std::decay_t<decltype(data)>, GridData>)
-                return grid_field(data, options, context);
-            else
-                return scattered_field(data, options, context);
-        },
-        field.data);
+    const std::size_t dimension = chart_of(context)->dimension();
+    if (dimension == 1) throw InputError("a field needs a domain of dimension two or three");
+    FieldGrid made = dimension == 3
+                         ? solid_field(field, options, context)
+                         : std::visit(
+                               [&](const auto& data) {
+                                   if constexpr (std::is_same_v<std::decay_t<decltype(data)>, GridData>)
+                                       return grid_field(data, options, context);
+                                   else
+                                       return scattered_field(data, options, context);
+                               },
+                               field.data);
     made.notes.insert(made.notes.begin(), field.notes.begin(), field.notes.end());
     return made;
 }

@@ -35,8 +35,11 @@ std::pair<std::size_t, std::size_t> count_outside(const Grid& grid, const std::v
     grid.chart->coordinates(nodes, s);
     std::size_t count = 0;
     for (std::size_t p = 0; p < s.size(); ++p) {
-        const std::size_t row = nearest_index(grid, 1, s.y[p]);
-        count += inside[row * grid.directions[0].count + nearest_index(grid, 0, s.x[p])] == 0 ? 1 : 0;
+        const std::array<double, 3> at{s.x[p], s.y[p], s.z[p]};
+        std::size_t index = 0;
+        for (std::size_t d = grid.directions.size(); d-- > 0;)
+            index = index * grid.directions[d].count + nearest_index(grid, d, at[d]);
+        count += inside[index] == 0 ? 1 : 0;
     }
     return {count, s.size()};
 }
@@ -61,14 +64,17 @@ AxisRange range_of(const Chart& chart, std::size_t d) {
     return {chart.direction(d).low, chart.direction(d).high};
 }
 
-bool by_coordinates(const std::array<AxisRange, 2>& data, Coordinates coordinates, const Chart& chart,
+bool by_coordinates(const std::vector<AxisRange>& data, Coordinates coordinates, const Chart& chart,
                     FieldPlacement wanted) {
     if (wanted != FieldPlacement::automatic) return wanted == FieldPlacement::coordinates;
     if (coordinates == Coordinates::none || chart.kind() == ChartKind::surface) return false;
     if (chart.kind() == ChartKind::sphere) return coordinates == Coordinates::geographic;
-    const std::array<AxisRange, 2> box = {range_of(chart, 0), range_of(chart, 1)};
-    return covered(data[0], box[0]) * covered(data[1], box[1]) >= 0.5 &&
-           covered(box[0], data[0]) * covered(box[1], data[1]) >= 0.05;
+    double of_domain = 1, of_data = 1;
+    for (std::size_t d = 0; d < chart.dimension(); ++d) {
+        of_domain *= covered(data[d], range_of(chart, d));
+        of_data *= covered(range_of(chart, d), data[d]);
+    }
+    return of_domain >= 0.5 && of_data >= 0.05;
 }
 
 void note_placement(bool placed, FieldPlacement wanted, const Chart& chart, std::vector<std::string>& notes) {

@@ -29,8 +29,8 @@ struct AxisRange {
 AxisRange range_of(const std::vector<double>& all);
 AxisRange range_of(const Chart& chart, std::size_t direction);
 
-/// Whether data with these ranges of coordinates are placed by them.
-bool by_coordinates(const std::array<AxisRange, 2>& data, Coordinates coordinates, const Chart& chart,
+/// Whether data with these ranges of coordinates, as many as the chart has, are placed by them.
+bool by_coordinates(const std::vector<AxisRange>& data, Coordinates coordinates, const Chart& chart,
                     FieldPlacement wanted);
 /// Says that the data are fitted if that was not asked for.
 void note_placement(bool by_coordinates, FieldPlacement wanted, const Chart& chart,
@@ -47,8 +47,10 @@ Grid sampling_grid(const std::shared_ptr<const Chart>& chart, const std::array<d
 /// Reports progress; throws Interrupted if asked to stop.
 void check_stop(const DataContext& context, double done, std::string_view what);
 
-/// The two kinds of data on a grid of the chart (field_grid).
+/// The two kinds of data on a grid of a chart with two directions (field_grid).
 FieldGrid grid_field(GridData data, const FieldOptions& options, const DataContext& context);
 FieldGrid scattered_field(ScatteredData data, const FieldOptions& options, const DataContext& context);
+/// Both kinds on a grid of a solid's chart. Throws InputError if they do not have three coordinates.
+FieldGrid solid_field(const FieldData& field, const FieldOptions& options, const DataContext& context);
 
 } // namespace gaspard

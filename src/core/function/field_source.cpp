@@ -21,8 +21,12 @@ std::shared_ptr<const FieldData> read_field(const Values& values, const DataCont
     const auto report = [&](double done) {
         if (context.progress) context.progress(done, "Reading the field");
     };
-    const FieldRequest request{values.text("variable"), values.integer("time"), values.integer("level"),
-                               report, context.stop};
+    const FieldRequest request{values.text("variable"),
+                               values.integer("time"),
+                               values.has("level") ? values.integer("level") : 0,
+                               report,
+                               context.stop,
+                               context.space.solid ? std::size_t{3} : std::size_t{2}};
     const std::function<std::shared_ptr<const FieldData>()> read = [&] {
         report(0);
         return std::make_shared<const FieldData>(
@@ -32,62 +36,67 @@ std::shared_ptr<const FieldData> read_field(const Values& values, const DataCont
     const std::string name = is_data_uri(file) ? file : data_file_name(file, context.folder);
     return context.files->get<FieldData>(name,
                                          "field " + std::to_string(request.time) + ' ' +
-                                             std::to_string(request.level) + ' ' + request.variable,
+                                             std::to_string(request.level) + ' ' +
+                                             std::to_string(request.dimension) + ' ' + request.variable,
                                          read, &memory_of);
 }
 
-std::vector<ParameterRow> field_rows(const Space&) {
+std::vector<ParameterRow> field_rows(const Space& space) {
     constexpr double most = 1e6;
-    return {{.key = "file",
-             .label = "File",
-             .kind = ParameterKind::text,
-             .default_value = std::string(),
-             .help = "a NetCDF, CSV or VTK file (.vtk, .vtu, .vti, ...), relative to the folder of the "
-                     "scenario's file",
-             .role = ParameterRole::file},
-            {.key = "variable",
-             .label = "Variable",
-             .kind = ParameterKind::text,
-             .default_value = std::string(),
-             .help = "name of the variable, array or column; empty: the first"},
-            {.key = "time",
-             .label = "Time",
-             .kind = ParameterKind::integer,
-             .minimum = -1,
-             .maximum = most,
-             .slider = SliderRange{0, 20},
-             .default_value = std::int64_t{0},
-             .help = "index of the time step, from 0; -1: the last"},
-            {.key = "level",
-             .label = "Level",
-             .kind = ParameterKind::integer,
-             .minimum = -1,
-             .maximum = most,
-             .slider = SliderRange{0, 20},
-             .default_value = std::int64_t{0},
-             .help = "index of the level (height, depth, z), from 0; -1: the last"},
-            {.key = "transform",
-             .label = "Transform",
-             .kind = ParameterKind::choice,
-             .default_value = std::string("none"),
-             .choices = {"none", "absolute", "logarithm"},
-             .help = "what is done to the values: nothing, the absolute value, or the logarithm (base 10)"},
-            {.key = "missing",
-             .label = "Missing values",
-             .kind = ParameterKind::choice,
-             .default_value = std::string("nearest"),
-             .choices = {"nearest", "floor", "error"},
-             .help = "what stands in for missing values and outside of the data: the nearest value, the "
-                     "lowest value, "
-                     "or nothing (an error)"},
-            {.key = "placement",
-             .label = "Placement",
-             .kind = ParameterKind::choice,
-             .default_value = std::string("auto"),
-             .choices = {"auto", "coordinates", "fit"},
-             .help = "where the data lie: by their coordinates, fitted to the domain, or by coordinates if "
-                     "they cover "
-                     "half of the domain"}};
+    std::vector<ParameterRow> rows = {
+        {.key = "file",
+         .label = "File",
+         .kind = ParameterKind::text,
+         .default_value = std::string(),
+         .help = "a NetCDF, CSV or VTK file (.vtk, .vtu, .vti, ...), relative to the folder of the "
+                 "scenario's file",
+         .role = ParameterRole::file},
+        {.key = "variable",
+         .label = "Variable",
+         .kind = ParameterKind::text,
+         .default_value = std::string(),
+         .help = "name of the variable, array or column; empty: the first"},
+        {.key = "time",
+         .label = "Time",
+         .kind = ParameterKind::integer,
+         .minimum = -1,
+         .maximum = most,
+         .slider = SliderRange{0, 20},
+         .default_value = std::int64_t{0},
+         .help = "index of the time step, from 0; -1: the last"},
+        {.key = "level",
+         .label = "Level",
+         .kind = ParameterKind::integer,
+         .minimum = -1,
+         .maximum = most,
+         .slider = SliderRange{0, 20},
+         .default_value = std::int64_t{0},
+         .help = "index of the level (height, depth, z), from 0; -1: the last"},
+        {.key = "transform",
+         .label = "Transform",
+         .kind = ParameterKind::choice,
+         .default_value = std::string("none"),
+         .choices = {"none", "absolute", "logarithm"},
+         .help = "what is done to the values: nothing, the absolute value, or the logarithm (base 10)"},
+        {.key = "missing",
+         .label = "Missing values",
+         .kind = ParameterKind::choice,
+         .default_value = std::string("nearest"),
+         .choices = {"nearest", "floor", "error"},
+         .help = "what stands in for missing values and outside of the data: the nearest value, the "
+                 "lowest value, "
+                 "or nothing (an error)"},
+        {.key = "placement",
+         .label = "Placement",
+         .kind = ParameterKind::choice,
+         .default_value = std::string("auto"),
+         .choices = {"auto", "coordinates", "fit"},
+         .help = "where the data lie: by their coordinates, fitted to the domain, or by coordinates if "
+                 "they cover "
+                 "half of the domain"}};
+    if (space.solid) // the third direction of a field is that of the solid
+        std::erase_if(rows, [](const ParameterRow& row) { return row.key == "level"; });
+    return rows;
 }
 
 FieldOptions field_options(const Values& values) {

@@ -69,14 +69,14 @@ void note_missing(std::size_t missing, std::size_t all, MissingValues how, std::
 
 /// From present values to their neighbours, step by step.
 void spread(GridData& grid) {
-    const std::size_t nx = grid.axes[0].size(), ny = grid.axes[1].size();
+    const std::size_t nx = grid.count(0), ny = grid.count(1), plane = nx * ny;
     std::vector<std::uint32_t> front, next;
     for (std::size_t i = 0; i < grid.values.size(); ++i)
         if (std::isfinite(grid.values[i])) front.push_back(static_cast<std::uint32_t>(i));
     while (!front.empty()) {
         next.clear();
         for (const std::uint32_t at : front) {
-            const std::size_t i = at % nx, j = at / nx;
+            const std::size_t i = at % nx, j = at / nx % ny, k = at / plane;
             const auto give = [&](std::size_t to) {
                 if (std::isfinite(grid.values[to])) return;
                 grid.values[to] = grid.values[at];
@@ -86,6 +86,8 @@ void spread(GridData& grid) {
             if (i + 1 < nx) give(at + 1);
             if (j > 0) give(at - nx);
             if (j + 1 < ny) give(at + nx);
+            if (k > 0) give(at - plane);
+            if (k + 1 < grid.count(2)) give(at + plane);
         }
         front.swap(next);
     }

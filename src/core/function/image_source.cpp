@@ -95,7 +95,8 @@ SourceType image_source() {
             [](const Values& values, const DataContext& context) {
                 const auto image = read_image(values.text("file"), key_name(values, "file"), context);
                 return image_function(*image, image_options(values, context.space), context);
-            }};
+            },
+        .solids = false};
 }
 
 } // namespace gaspard

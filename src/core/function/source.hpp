@@ -38,6 +38,7 @@ struct SourceType {
     /// Further rows that depend on the values of `rows`, such as the parameters of a formula; a row on which
     /// they depend has the role defines_rows. Throws InputError if the values are invalid. May be empty.
     std::function<std::vector<ParameterRow>(const Values&, const Space&)> further_rows{};
+    bool solids = true; ///< offered on solids
 };
 
 /// All sources, in the order in which users see them.

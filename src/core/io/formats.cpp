@@ -13,6 +13,7 @@
 #include "core/tessellate/colouring.hpp"
 #include "core/tessellate/fine_tessellation.hpp"
 #include "core/tessellate/interval_plots.hpp"
+#include "core/tessellate/snapshot_section.hpp"
 
 #include <algorithm>
 
@@ -23,11 +24,19 @@ namespace {
 void write_obj_files(const std::filesystem::path& folder, const RunResult& result) {
     const Snapshot& snapshot = result.snapshot;
     write_obj(folder / "computational.obj", *snapshot.mesh, snapshot.mesh->nodes);
-    write_obj(folder / "adapted.obj", *snapshot.mesh, snapshot.x);
+    const auto cut = surface_of_cut(snapshot, result.view);
+    if (cut)
+        write_obj(folder / "adapted.obj", *cut, snapshot.x);
+    else
+        write_obj(folder / "adapted.obj", *snapshot.mesh, snapshot.x);
 }
 
 void write_glb_file(const std::filesystem::path& folder, const RunResult& result) {
-    write_glb(folder / "adapted.glb", result.snapshot);
+    const auto cut = surface_of_cut(result.snapshot, result.view);
+    if (cut)
+        write_glb(folder / "adapted.glb", result.snapshot, *cut);
+    else
+        write_glb(folder / "adapted.glb", result.snapshot);
 }
 
 Tessellation curved(const RunResult& result) {
@@ -37,11 +46,13 @@ Tessellation curved(const RunResult& result) {
 void write_curved_obj_files(const std::filesystem::path& folder, const RunResult& result) {
     const Tessellation shape = curved(result);
     write_obj(folder / "computational-curved.obj", shape, result.snapshot.mesh->nodes);
-    write_obj(folder / "adapted-curved.obj", shape, result.snapshot.x);
+    const auto cut = surface_of_cut(result.snapshot, result.view);
+    write_obj(folder / "adapted-curved.obj", cut ? *cut : shape, result.snapshot.x);
 }
 
 void write_curved_glb_file(const std::filesystem::path& folder, const RunResult& result) {
-    write_glb(folder / "adapted-curved.glb", result.snapshot, curved(result));
+    const auto cut = surface_of_cut(result.snapshot, result.view);
+    write_glb(folder / "adapted-curved.glb", result.snapshot, cut ? *cut : curved(result));
 }
 
 void write_vtu_file(const std::filesystem::path& folder, const RunResult& result) {
@@ -53,7 +64,11 @@ void write_msh_file(const std::filesystem::path& folder, const RunResult& result
 }
 
 void write_ply_file(const std::filesystem::path& folder, const RunResult& result) {
-    write_ply(folder / "adapted.ply", result.snapshot);
+    const auto cut = surface_of_cut(result.snapshot, result.view);
+    if (cut)
+        write_ply(folder / "adapted.ply", result.snapshot, *cut);
+    else
+        write_ply(folder / "adapted.ply", result.snapshot);
 }
 
 void write_csv_file(const std::filesystem::path& folder, const RunResult& result) {

@@ -48,6 +48,8 @@ void write_msh(const std::filesystem::path& file, const Snapshot& snapshot, cons
 /// Binary PLY: corners in double precision with the monitor and its colour, and straight-edged faces; edges
 /// for lines, the boundary for solids.
 void write_ply(const std::filesystem::path& file, const Snapshot& snapshot);
+/// The same with the triangles of a tessellation.
+void write_ply(const std::filesystem::path& file, const Snapshot& snapshot, const Tessellation& shape);
 
 /// CSV with a header, one line per node: node (from 0), xi_1, xi_2, xi_3 and x, y, z (as many as the space
 /// has dimensions), and the nodal fields; decimals read back to the same doubles.
@@ -59,7 +61,8 @@ void write_csv(const std::filesystem::path& file, const Snapshot& snapshot);
 void write_ugrid(const std::filesystem::path& file, const Snapshot& snapshot, const Points& positions,
                  const std::string& title);
 
-/// The results of a run that writers use.
+/// The results of a run that writers use. If `view` looks into a solid, its files of surfaces (obj, glb, ply,
+/// curved or not) have what is seen of the adapted mesh, caps included.
 struct RunResult {
     const Snapshot& snapshot;
     const std::vector<StepReport>& history;

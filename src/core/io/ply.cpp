@@ -1,5 +1,5 @@
 // adapted.ply: corner vertices in double precision with the monitor and its colour, and straight-edged faces.
-// Lines are "edge" elements; for solids the boundary is written.
+// Lines are "edge" elements; for solids the boundary is written, or triangles of a section.
 #include "core/base/check.hpp"
 #include "core/base/version.hpp"
 #include "core/io/atomic_file.hpp"
@@ -9,6 +9,7 @@
 #include "core/mesh/number_anew.hpp"
 #include "core/tessellate/colour_map.hpp"
 #include "core/tessellate/colouring.hpp"
+#include "core/tessellate/tessellation.hpp"
 
 #include <cmath>
 
@@ -39,11 +40,18 @@ Polygons polygons_of(const Mesh& mesh) {
     return polygons;
 }
 
-std::string header(std::size_t vertices, bool monitor, const Polygons& polygons) {
+/// The vertices of the file.
+struct PlyVertices {
+    Points x;
+    bool monitor = false;
+    std::vector<double> values; ///< of the monitor
+};
+
+std::string header(const PlyVertices& vertices, const Polygons& polygons) {
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment Gaspard " + std::string(version()) +
-                       "\nelement vertex " + std::to_string(vertices) +
+                       "\nelement vertex " + std::to_string(vertices.x.size()) +
                        "\nproperty double x\nproperty double y\nproperty double z\n";
-    if (monitor)
+    if (vertices.monitor)
         text += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty double monitor\n";
     text += (polygons.corners == 2 ? "element edge " : "element face ") + std::to_string(polygons.size());
     text += polygons.corners == 2 ? "\nproperty int vertex1\nproperty int vertex2\n"
@@ -51,18 +59,15 @@ std::string header(std::size_t vertices, bool monitor, const Polygons& polygons)
     return text + "end_header\n";
 }
 
-void append_vertices(std::string& bytes, const Points& x, const std::vector<std::size_t>& vertices,
-                     const Field* monitor) {
-    std::vector<double> values;
-    if (monitor)
-        for (const std::size_t i : vertices) values.push_back(monitor->values[i]);
+void append_vertices(std::string& bytes, const PlyVertices& vertices) {
+    const std::vector<double>& values = vertices.values;
     const ColourMap& map = colour_maps().front();
     const ColourRange range = range_of(values);
-    for (std::size_t k = 0; k < vertices.size(); ++k) {
-        const Vec3 p = x[vertices[k]];
+    for (std::size_t k = 0; k < vertices.x.size(); ++k) {
+        const Vec3 p = vertices.x[k];
         GASPARD_CHECK(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
         for (const double value : {p.x, p.y, p.z}) append_little_endian(bytes, value);
-        if (!monitor) continue;
+        if (!vertices.monitor) continue;
         GASPARD_CHECK(std::isfinite(values[k]));
         for (const unsigned char channel : colour_at(map, range.position(values[k])))
             append_little_endian(bytes, channel);
@@ -78,18 +83,39 @@ void append_polygons(std::string& bytes, const Polygons& polygons) {
     }
 }
 
+void write(const std::filesystem::path& file, const PlyVertices& vertices, const Polygons& polygons) {
+    std::string bytes = header(vertices, polygons);
+    append_vertices(bytes, vertices);
+    append_polygons(bytes, polygons);
+    write_atomically(file, bytes);
+}
+
+const Field* monitor_at_nodes(const Snapshot& snapshot) {
+    GASPARD_CHECK(snapshot.x.size() == snapshot.mesh->node_count());
+    const Field* monitor = snapshot.field("monitor");
+    GASPARD_CHECK(!monitor || monitor->place == FieldPlace::node);
+    return monitor;
+}
+
 } // namespace
 
 void write_ply(const std::filesystem::path& file, const Snapshot& snapshot) {
-    GASPARD_CHECK(snapshot.x.size() == snapshot.mesh->node_count());
+    const Field* monitor = monitor_at_nodes(snapshot);
     Polygons polygons = polygons_of(*snapshot.mesh);
-    const auto vertices = number_anew(polygons.nodes, snapshot.x.size());
-    const Field* monitor = snapshot.field("monitor");
-    GASPARD_CHECK(!monitor || monitor->place == FieldPlace::node);
-    std::string bytes = header(vertices.size(), monitor != nullptr, polygons);
-    append_vertices(bytes, snapshot.x, vertices, monitor);
-    append_polygons(bytes, polygons);
-    write_atomically(file, bytes);
+    const auto nodes = number_anew(polygons.nodes, snapshot.x.size());
+    PlyVertices vertices{Points(nodes.size()), monitor != nullptr, {}};
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        vertices.x.set(k, snapshot.x[nodes[k]]);
+        if (monitor) vertices.values.push_back(monitor->values[nodes[k]]);
+    }
+    write(file, vertices, polygons);
+}
+
+void write_ply(const std::filesystem::path& file, const Snapshot& snapshot, const Tessellation& shape) {
+    const Field* monitor = monitor_at_nodes(snapshot);
+    PlyVertices vertices{shown_points(shape, snapshot.x), monitor != nullptr, {}};
+    if (monitor) vertices.values = shown_values(shape, monitor->values);
+    write(file, vertices, {3, {shape.triangles.begin(), shape.triangles.end()}});
 }
 
 } // namespace gaspard

@@ -1,11 +1,9 @@
 #include "core/io/svg_section.hpp"
 
 #include "core/tessellate/contours.hpp"
-#include "core/tessellate/section.hpp"
-#include "core/tessellate/visible_cells.hpp"
+#include "core/tessellate/snapshot_section.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 namespace gaspard {
@@ -16,15 +14,6 @@ std::int32_t signed_number(std::uint32_t point) { return static_cast<std::int32_
 
 bool before(const SectionSide& a, const SectionSide& b) {
     return std::pair(a.from, a.to) < std::pair(b.from, b.to);
-}
-
-/// `x`: where the nodes are seen.
-Tessellation section_of(const Snapshot& snapshot, const Points& x, const InsideChoice& inside,
-                        ColouringMaker& maker, const std::string& colour) {
-    const auto faces = std::make_shared<const SolidFaces>(solid_faces(*snapshot.mesh));
-    const auto visible =
-        visible_cells(*snapshot.mesh, *faces, inside, condition_values(maker, snapshot, inside, colour), x);
-    return SectionMaker(snapshot.mesh, faces).make(x, visible, inside, cuts_for(*snapshot.mesh, snapshot.x));
 }
 
 /// The mean over the corners of each triangle, or the value of its cell.
@@ -72,7 +61,8 @@ SvgScene svg_section(const Snapshot& snapshot, double blend, const std::optional
     Points x = snapshot.x;
     for (std::size_t i = 0; blend != 1 && i < x.size(); ++i)
         x.set(i, (1 - blend) * snapshot.mesh->nodes[i] + blend * snapshot.x[i]);
-    const Tessellation shape = section_of(snapshot, x, inside, maker, colouring ? colouring->name : "none");
+    const Tessellation shape =
+        snapshot_section(snapshot, x, inside, maker, colouring ? colouring->name : "none");
     SvgScene scene;
     scene.x = shown_points(shape, x);
     scene.xi = shown_points(shape, snapshot.mesh->nodes);

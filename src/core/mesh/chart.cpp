@@ -145,7 +145,7 @@ std::shared_ptr<const Chart> chart_of(const DataContext& context) {
     case SpaceKind::euclidean:
         break;
     }
-    if (!mesh) return box_chart(space.box.value_or(unit), 2, ChartEnds::open);
+    if (!mesh) return box_chart(space.box.value_or(unit), space.solid ? 3 : 2, ChartEnds::open);
     const auto patch = context.discretisation->parameters();
     const bool surface = cell_dimension(mesh->kind) == 2 && mesh->space_dimension == 3;
     if (patch && surface) return std::make_shared<SurfaceChart>(patch);

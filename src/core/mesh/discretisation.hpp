@@ -7,6 +7,7 @@
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/patch_list.hpp"
 #include "core/mesh/patch_parameters.hpp"
+#include "core/mesh/solid_shape.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -49,6 +50,8 @@ class Discretisation {
     virtual std::shared_ptr<const TensorMap<2>> patch_map() const { return nullptr; }
     /// The map of the parameter cube to a spline solid; null on other domains.
     virtual std::shared_ptr<const TensorMap<3>> solid_map() const { return nullptr; }
+    /// Where a spline solid lies; null on other domains.
+    virtual std::shared_ptr<const SolidShape> solid_shape() const { return nullptr; }
     /// Number of unknowns.
     virtual std::size_t unknowns() const = 0;
 };

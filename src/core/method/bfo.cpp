@@ -1,6 +1,7 @@
 #include "core/method/bfo.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/cube_root.hpp"
 #include "core/linear/reduce.hpp"
 
 #include <algorithm>
@@ -146,7 +147,7 @@ void BfoIteration<D>::fill_g(Band& band) {
         const double t = trace(at), power = (D == 2 ? t : t * t) * t;
         const double value = power + delta<D> * (f[i] - determinant(at));
         const double positive = value > 0 ? value : 0.0 * value; // cut off at 0; NaN remains NaN
-        g[i] = D == 2 ? std::sqrt(positive) : std::cbrt(positive);
+        g[i] = D == 2 ? std::sqrt(positive) : cube_root(positive);
     }
 }
 

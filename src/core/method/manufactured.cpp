@@ -38,12 +38,20 @@ template <std::size_t D>
 class Source final : public JacobianSource {
   public:
     explicit Source(const SplineLine& line)
-        : points_(line.points), slab_(tensor_size<D - 1>(line.points.size())) {}
+        : points_(line.points), slab_(tensor_size<D - 1>(line.points.size())) {
+        for (const double x : points_) exponentials_.push_back(std::exp(x * x));
+    }
+    /// Rows of points along the first direction at a time; exp(|xi|^2) is a product.
     void values(std::size_t y, const Points& psi, std::span<double> f) const override {
         const double d = D, scale = D == 2 ? 1 : 8.0 / 27;
-        for (std::size_t i = 0; i < psi.size(); ++i) {
-            const double r = square<D>(points_, y * slab_ + i);
-            f[i] = scale * (1 + 2 / d * r) * std::exp(r);
+        const std::size_t n = points_.size();
+        for (std::size_t i = 0; i < psi.size(); i += n) {
+            const std::size_t row = y * slab_ + i;
+            const double r = square<D>(points_, row) - points_[0] * points_[0];
+            double product = scale;
+            for (std::size_t k = 1, at = row / n; k < D; ++k, at /= n) product *= exponentials_[at % n];
+            for (std::size_t k = 0; k < n; ++k)
+                f[i + k] = (1 + 2 / d * (r + points_[k] * points_[k])) * product * exponentials_[k];
         }
     }
     void gradients(std::size_t y, const Points& psi, std::span<double> f, Points& gradient) const override {
@@ -52,7 +60,7 @@ class Source final : public JacobianSource {
     }
 
   private:
-    std::vector<double> points_;
+    std::vector<double> points_, exponentials_; ///< xi and exp(xi^2) along a line
     std::size_t slab_;
 };
 

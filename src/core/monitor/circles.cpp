@@ -103,6 +103,7 @@ MonitorType circle_monitor() {
             .equation = "m(x) = 1 + A exp( -B | |x - c|² - r² | )",
             .figure = MonitorFigure::unit_square,
             .spaces = {SpaceKind::euclidean},
+            .solids = false,
             .rows =
                 [](const Space&) {
                     std::vector<ParameterRow> rows = {amplitude_row(1000, 5, "on the circle"),
@@ -131,91 +132,91 @@ MonitorType circle_monitor() {
 }
 
 MonitorType three_circles_monitor() {
-    return {
-        .name = "three-circles",
-        .label = "Three circles",
-        .help = "a large circle and two small ones in the unit disk, like a head with ears",
-        .equation =
-            "m(x) = 1 + Σᵢ A exp( -B | |x - cᵢ|² - rᵢ² | ) + Aₘ exp( -B | |x - cₘ|² - rₘ² | )",
-        .figure = MonitorFigure::unit_disk,
-        .spaces = {SpaceKind::euclidean},
-        .rows =
-            [](const Space&) {
-                ParameterRow mouth = positive_amplitude(0, "on the mouth");
-                mouth.key = "mouth";
-                mouth.label = "Mouth";
-                mouth.symbol = "Aₘ";
-                return std::vector<ParameterRow>{positive_amplitude(5, "on the circles"),
-                                                 creased_sharpness(100), mouth};
+    return {.name = "three-circles",
+            .label = "Three circles",
+            .help = "a large circle and two small ones in the unit disk, like a head with ears",
+            .equation = "m(x) = 1 + Σᵢ A exp( -B | |x - cᵢ|² - rᵢ² | ) + Aₘ exp( -B | |x - cₘ|² - rₘ² | )",
+            .figure = MonitorFigure::unit_disk,
+            .spaces = {SpaceKind::euclidean},
+            .solids = false,
+            .rows =
+                [](const Space&) {
+                    ParameterRow mouth = positive_amplitude(0, "on the mouth");
+                    mouth.key = "mouth";
+                    mouth.label = "Mouth";
+                    mouth.symbol = "Aₘ";
+                    return std::vector<ParameterRow>{positive_amplitude(5, "on the circles"),
+                                                     creased_sharpness(100), mouth};
+                },
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
+                const double a = v.real("amplitude");
+                return std::make_shared<FormulaMonitor<CreasedCircles<4>>>(CreasedCircles<4>{
+                    {Circle{a, 0.1, {0.45, 0.4, 0}}, Circle{a, 0.2, {0, 0, 0}},
+                     Circle{a, 0.1, {-0.45, 0.4, 0}}, Circle{v.real("mouth"), 0.4, {0, -1.25, 0}}},
+                    v.real("sharpness")});
             },
-        .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
-            const double a = v.real("amplitude");
-            return std::make_shared<FormulaMonitor<CreasedCircles<4>>>(CreasedCircles<4>{
-                {Circle{a, 0.1, {0.45, 0.4, 0}}, Circle{a, 0.2, {0, 0, 0}}, Circle{a, 0.1, {-0.45, 0.4, 0}},
-                 Circle{v.real("mouth"), 0.4, {0, -1.25, 0}}},
-                v.real("sharpness")});
-        },
-        .formula =
-            [](const Space& space) {
-                const Placement at = placement_of(MonitorFigure::unit_disk, space);
-                const auto circle = [&](const std::string& height, double radius_squared, Vec3 centre) {
-                    return " + " + height + "*exp(-sharpness*abs(" +
-                           distance_formula(at.origin + at.scale * centre) + "^2 - " +
-                           format_number(at.scale * at.scale * radius_squared) + "))";
-                };
-                return "1" + circle("amplitude", 0.1, {0.45, 0.4, 0}) + circle("amplitude", 0.2, {0, 0, 0}) +
-                       circle("amplitude", 0.1, {-0.45, 0.4, 0}) + circle("mouth", 0.4, {0, -1.25, 0});
-            }};
+            .formula =
+                [](const Space& space) {
+                    const Placement at = placement_of(MonitorFigure::unit_disk, space);
+                    const auto circle = [&](const std::string& height, double radius_squared, Vec3 centre) {
+                        return " + " + height + "*exp(-sharpness*abs(" +
+                               distance_formula(at.origin + at.scale * centre) + "^2 - " +
+                               format_number(at.scale * at.scale * radius_squared) + "))";
+                    };
+                    return "1" + circle("amplitude", 0.1, {0.45, 0.4, 0}) +
+                           circle("amplitude", 0.2, {0, 0, 0}) + circle("amplitude", 0.1, {-0.45, 0.4, 0}) +
+                           circle("mouth", 0.4, {0, -1.25, 0});
+                }};
 }
 
 MonitorType two_circles_monitor() {
-    return {
-        .name = "two-circles",
-        .label = "Two circles",
-        .help = "small cells along two large circles (spheres in space) that intersect",
-        .equation = "m(x) = 1 + Σᵢ A sech²( B (|x - cᵢ|² - r²) ), cᵢ = (±sqrt(3)/2, 1/2, c₃)",
-        .figure = MonitorFigure::unit_disk,
-        .spaces = {SpaceKind::euclidean},
-        .rows =
-            [](const Space&) {
-                return std::vector<ParameterRow>{positive_amplitude(5, "on the circles"),
-                                                 sharpness_row(5, "0.44 / (B r)"),
-                                                 {.key = "radius",
-                                                  .label = "Radius",
-                                                  .symbol = "r",
-                                                  .unit = "length",
-                                                  .minimum = 0,
-                                                  .maximum = 10,
-                                                  .default_value = std::numbers::pi / 2,
-                                                  .help = "radius of both circles"},
-                                                 {.key = "center_z",
-                                                  .label = "Centre z",
-                                                  .symbol = "c₃",
-                                                  .minimum = -10,
-                                                  .maximum = 10,
-                                                  .default_value = 0.0,
-                                                  .help = "z coordinate of both centres, for surfaces in "
-                                                          "space; 1/2 on the Möbius strip of the "
-                                                          "paper",
-                                                  .role = ParameterRole::z,
-                                                  .point = "center"}};
+    return {.name = "two-circles",
+            .label = "Two circles",
+            .help = "small cells along two large circles (spheres in space) that intersect",
+            .equation = "m(x) = 1 + Σᵢ A sech²( B (|x - cᵢ|² - r²) ), cᵢ = (±sqrt(3)/2, 1/2, c₃)",
+            .figure = MonitorFigure::unit_disk,
+            .spaces = {SpaceKind::euclidean},
+            .solids = false,
+            .rows =
+                [](const Space&) {
+                    return std::vector<ParameterRow>{positive_amplitude(5, "on the circles"),
+                                                     sharpness_row(5, "0.44 / (B r)"),
+                                                     {.key = "radius",
+                                                      .label = "Radius",
+                                                      .symbol = "r",
+                                                      .unit = "length",
+                                                      .minimum = 0,
+                                                      .maximum = 10,
+                                                      .default_value = std::numbers::pi / 2,
+                                                      .help = "radius of both circles"},
+                                                     {.key = "center_z",
+                                                      .label = "Centre z",
+                                                      .symbol = "c₃",
+                                                      .minimum = -10,
+                                                      .maximum = 10,
+                                                      .default_value = 0.0,
+                                                      .help = "z coordinate of both centres, for surfaces in "
+                                                              "space; 1/2 on the Möbius strip of the "
+                                                              "paper",
+                                                      .role = ParameterRole::z,
+                                                      .point = "center"}};
+                },
+            .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
+                const double a = v.real("amplitude"), r = v.real("radius"), z = v.real("center_z");
+                const double x = std::sqrt(3.0) / 2;
+                return std::make_shared<FormulaMonitor<SmoothCircles>>(SmoothCircles{
+                    {Circle{a, r * r, {x, 0.5, z}}, Circle{a, r * r, {-x, 0.5, z}}}, v.real("sharpness")});
             },
-        .make = [](const Values& v, const MonitorContext&) -> std::shared_ptr<const Monitor> {
-            const double a = v.real("amplitude"), r = v.real("radius"), z = v.real("center_z");
-            const double x = std::sqrt(3.0) / 2;
-            return std::make_shared<FormulaMonitor<SmoothCircles>>(SmoothCircles{
-                {Circle{a, r * r, {x, 0.5, z}}, Circle{a, r * r, {-x, 0.5, z}}}, v.real("sharpness")});
-        },
-        .formula =
-            [](const Space& space) {
-                const Placement at = placement_of(MonitorFigure::unit_disk, space);
-                const auto circle = [&](double x) {
-                    const Vec3 centre = at.origin + at.scale * Vec3{x, 0.5, 0};
-                    return " + amplitude*sech(sharpness*(dist(" + format_number(centre.x) + ", " +
-                           format_number(centre.y) + ", center_z)^2 - radius^2))^2";
-                };
-                return "1" + circle(std::sqrt(3.0) / 2) + circle(-std::sqrt(3.0) / 2);
-            }};
+            .formula =
+                [](const Space& space) {
+                    const Placement at = placement_of(MonitorFigure::unit_disk, space);
+                    const auto circle = [&](double x) {
+                        const Vec3 centre = at.origin + at.scale * Vec3{x, 0.5, 0};
+                        return " + amplitude*sech(sharpness*(dist(" + format_number(centre.x) + ", " +
+                               format_number(centre.y) + ", center_z)^2 - radius^2))^2";
+                    };
+                    return "1" + circle(std::sqrt(3.0) / 2) + circle(-std::sqrt(3.0) / 2);
+                }};
 }
 
 } // namespace gaspard

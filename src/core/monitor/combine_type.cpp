@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 4> first_types{"ring", "bell", no_part, n
 
 bool can_be_part(const MonitorType& type, const Space& space) {
     const auto& spaces = type.spaces;
-    return type.make && type.name != own_name &&
+    return type.make && type.name != own_name && (type.solids || !space.solid) &&
            (spaces.empty() || std::find(spaces.begin(), spaces.end(), space.kind) != spaces.end());
 }
 

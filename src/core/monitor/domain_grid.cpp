@@ -57,15 +57,20 @@ std::array<double, 3> lengths_of(const Chart& chart) {
     return lengths;
 }
 
-/// Puts the points beside a planar patch at the nearest points of the patch, and takes their measure.
-void keep_to_patch(DomainGrid& domain, const PatchParameters& parameters) {
+/// The nearest points of a planar patch.
+Points nearest_on(const PatchParameters& parameters, const Points& x) {
     Points uv, nearest;
-    parameters.find(domain.x, uv);
+    parameters.find(x, uv);
     for (std::size_t i = 0; i < uv.size(); ++i)
         uv.set(i, {std::clamp(uv.x[i], 0.0, 1.0), std::clamp(uv.y[i], 0.0, 1.0), 0});
     parameters.points(uv, nearest);
+    return nearest;
+}
+
+/// Puts the points beside a planar patch or a solid at its nearest points, and takes their measure.
+void keep_to(DomainGrid& domain, const Points& nearest) {
     const double close = 1e-6 * domain.size;
-    for (std::size_t i = 0; i < uv.size(); ++i) {
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
         if (norm(nearest[i] - domain.x[i]) <= close) continue;
         domain.x.set(i, nearest[i]), domain.s.set(i, nearest[i]);
         domain.measures[i] = 0;
@@ -117,8 +122,14 @@ DomainGrid domain_on(Grid grid, const DataContext& context) {
     domain.measures = measures(domain.grid);
     chart.points(domain.s, domain.x);
     const auto parameters = context.discretisation ? context.discretisation->parameters() : nullptr;
-    domain.patch = parameters && chart.kind() == ChartKind::box;
-    if (domain.patch) keep_to_patch(domain, *parameters);
+    const auto solid = context.discretisation ? context.discretisation->solid_shape() : nullptr;
+    domain.patch = chart.kind() == ChartKind::box && (parameters || (solid && !solid->is_box()));
+    if (domain.patch && parameters) keep_to(domain, nearest_on(*parameters, domain.x));
+    if (domain.patch && solid) {
+        Points nearest;
+        solid->nearest(domain.x, nearest);
+        keep_to(domain, nearest);
+    }
     return domain;
 }
 

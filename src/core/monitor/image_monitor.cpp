@@ -34,6 +34,7 @@ MonitorType image_file_monitor() {
             .label = "Image",
             .help = "small cells where a picture is dark (or bright)",
             .equation = "m(x) = 1 + (C - 1) (1 - brightness)^γ, blurred",
+            .solids = false,
             .rows =
                 [](const Space& space) {
                     std::vector<ParameterRow> rows =

@@ -224,6 +224,7 @@ MonitorType layer_monitor_type() {
         .help = "cells as in Bakhvalov's meshes, for boundary layers",
         .equation = "ρ = max{1, Σ K β/ε exp(-β d/(σ ε))}, d the distance from a side",
         .spaces = {SpaceKind::euclidean},
+        .solids = false,
         .rows =
             [](const Space& space) {
                 return rows({layer_width_row("eps", "ε")}, std::string("auto"), side_rows(space, {"left"}));
@@ -241,6 +242,7 @@ MonitorType two_layers_monitor_type() {
         .help = "for boundary layers of two widths at the same place",
         .equation = "ρ = 1 + Σ K β/ε₁ exp(-β d/(σ ε₁)) + K β/ε₂ exp(-β d/(σ ε₂))",
         .spaces = {SpaceKind::euclidean},
+        .solids = false,
         .rows =
             [](const Space& space) {
                 return rows({layer_width_row("eps1", "ε₁"), layer_width_row("eps2", "ε₂")}, 0.1,

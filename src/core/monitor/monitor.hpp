@@ -105,7 +105,8 @@ struct MonitorType {
     std::string equation; ///< as in the source, with the rows' symbols
     MonitorFigure figure = MonitorFigure::none;
     std::vector<SpaceKind>
-        spaces{}; ///< offered as a part of others on these alone (combine_type.cpp); empty: all
+        spaces{};       ///< offered as a part of others on these alone (combine_type.cpp); empty: all
+    bool solids = true; ///< likewise: on solids
     std::function<std::vector<ParameterRow>(const Space&)> rows; ///< points have different keys on a sphere
     /// Exactly one of these two is set, for a scalar or a tensor monitor. They throw InputError.
     std::function<std::shared_ptr<const Monitor>(const Values&, const MonitorContext&)> make{};

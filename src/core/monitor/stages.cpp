@@ -85,7 +85,8 @@ double steepness(const DomainGrid& domain, std::span<const double> values) {
 }
 
 double steepest(const DomainGrid& domain, double on_square) {
-    return domain.grid.chart->kind() == ChartKind::box && !domain.patch ? on_square : 0.5;
+    const bool square = domain.grid.chart->kind() == ChartKind::box && domain.dimension() == 2;
+    return square && !domain.patch ? on_square : 0.5;
 }
 
 Followed follow(const DomainGrid& domain, std::vector<double> values, std::optional<double> length,

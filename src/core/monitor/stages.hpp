@@ -38,7 +38,7 @@ double steepness(const DomainGrid& domain, std::span<const double> values);
 /// of data. Found by experiment: interpolation errors of u are smaller with the first; with the second, which
 /// blurs less, `auto` still converges for every picture tried (bench/images.py, docs/monitors.md).
 inline constexpr double steepest_stages = 1.0, steepest_data = 1.2;
-/// The limit on a domain: `on_square`, or 0.5 on the sphere and on patches.
+/// The limit on a domain: `on_square`, or 0.5 on the sphere, on patches and on solids.
 double steepest(const DomainGrid& domain, double on_square);
 
 /// A monitor that a mesh can follow, or a note that it may not.

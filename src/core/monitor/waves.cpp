@@ -1,5 +1,6 @@
 // A spiral and waves, Bahari et al. (2024): examples 5.4 (the paper prints 20 r instead of 20 r^2), 7.3, 7.8
 // and 7.7 (sin(2 pi/3) is a constant, as printed).
+#include "core/base/cosine.hpp"
 #include "core/base/exponential.hpp"
 #include "core/monitor/formula.hpp"
 #include "core/monitor/placement.hpp"
@@ -41,7 +42,7 @@ struct CosineWaves {
     double frequency; ///< in 1 / length
     Vec3 centre;
 
-    double value(Vec3 x) const { return 1 / (2 + std::cos(2 * pi * frequency * norm(x - centre))); }
+    double value(Vec3 x) const { return 1 / (2 + cosine_of_turns(frequency * norm(x - centre))); }
     Vec3 gradient(Vec3 x) const {
         const Vec3 d = x - centre;
         const double k = 2 * pi * frequency, r = norm(d), m = value(x);
@@ -86,6 +87,7 @@ MonitorType spiral_monitor() {
             .equation = "m(x) = 1 + A / (1 + (B r cos(angle - k r²))²), r, angle relative to c",
             .figure = MonitorFigure::unit_square,
             .spaces = {SpaceKind::euclidean},
+            .solids = false,
             .rows =
                 [](const Space&) {
                     std::vector<ParameterRow> rows = {
@@ -158,6 +160,7 @@ MonitorType sine_waves_monitor() {
                         "+ A exp( -B |y - 1/4 - sin(2 π x) / 4| )",
             .figure = MonitorFigure::unit_square,
             .spaces = {SpaceKind::euclidean},
+            .solids = false,
             .rows =
                 [](const Space&) {
                     ParameterRow amplitude = amplitude_row(1000, 5, "on the waves");

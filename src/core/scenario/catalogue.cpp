@@ -93,7 +93,7 @@ Capability solid_capability(const std::string& domain_type) {
     return {.domain = domain_type,
             .boundaries = {},
             .monitors = {"cosine-waves", "ring", "bell", "ring-and-bell", "random-bells", "random-waves",
-                         "constant", "formula"},
+                         "constant", "formula", "field", "derived", "combine"},
             .methods = {"picard", "picard-mixed", "newton", "accelerated", "auto"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 if (context.progress) context.progress(0, "preparing the solid");

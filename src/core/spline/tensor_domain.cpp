@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/spline/patch_inverse.hpp"
+#include "core/spline/solid_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -141,6 +142,7 @@ TensorDomain<D>::TensorDomain(int degree, std::size_t cells, std::shared_ptr<con
       patches_(std::move(patches)) {
     GASPARD_CHECK(map_ != nullptr && cells_ >= 1 && degree_ >= 2 && degree_ <= highest_degree);
     if constexpr (D == 2) parameters_ = patch_parameters(map_);
+    if constexpr (D == 3) shape_ = gaspard::solid_shape(map_);
     const std::vector<double> line = node_lines();
     mesh_ = std::make_shared<const Mesh>(tensor_mesh<D>(cells_, mesh_order(), line, *map_));
     collapsed_ = find_collapsed(Lattice<D>{line.size()}, mesh_->nodes);

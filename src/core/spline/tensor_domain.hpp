@@ -35,6 +35,7 @@ class TensorDomain final : public Discretisation {
     std::shared_ptr<const PatchParameters> parameters() const override { return parameters_; }
     std::shared_ptr<const PatchMap> patch_map() const override;
     std::shared_ptr<const SolidMap> solid_map() const override;
+    std::shared_ptr<const SolidShape> solid_shape() const override { return shape_; }
     /// Unknowns of the standard form.
     std::size_t unknowns() const override;
 
@@ -54,6 +55,7 @@ class TensorDomain final : public Discretisation {
     std::shared_ptr<const Points> control_;
     std::shared_ptr<const PatchList> patches_;
     std::shared_ptr<const PatchParameters> parameters_;
+    std::shared_ptr<const SolidShape> shape_;
     std::shared_ptr<const Mesh> mesh_;
     CollapsedSides<D> collapsed_;
 };

@@ -29,7 +29,7 @@ struct FileKind {
 std::span<const FileKind> file_kinds();
 
 /// How much of a file use_of() looks at.
-inline constexpr std::size_t head_size = 4096;
+inline constexpr std::size_t head_size = std::size_t{1} << 20;
 /// By the first bytes of the file for images and NetCDF, whatever they are called, and else by the name;
 /// whether a patch is a surface or a solid again by the first bytes. Nothing if it is none of the kinds.
 std::optional<FileUse> use_of(const std::filesystem::path& file, std::string_view head);

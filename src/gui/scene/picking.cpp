@@ -259,7 +259,50 @@ std::optional<Pixel> middle_of(const Pick& pick, const MeshScene& scene, const C
     return Pixel{sum.x / static_cast<double>(sides.size()), sum.y / static_cast<double>(sides.size())};
 }
 
+/// The middles of the largest triangles of a cell that face the viewer, in pixels.
+static std::vector<Pixel> facing_middles(const MeshScene& scene, const std::vector<Seen>& seen, Vec3 viewer,
+                                         std::uint32_t cell) {
+    constexpr std::size_t most = 6;
+    const Tessellation& t = *scene.tessellation;
+    std::vector<std::pair<double, Pixel>> facing;
+    for (std::size_t i = 0; i < t.triangle_cells.size(); ++i) {
+        if (t.triangle_cells[i] != cell) continue;
+        const std::uint32_t* corners = &t.triangles[3 * i];
+        const Vec3 a = shown_point(scene, corners[0]), b = shown_point(scene, corners[1]),
+                   c = shown_point(scene, corners[2]);
+        const double area = dot(cross(b - a, c - a), viewer);
+        if (!(area > 0)) continue;
+        Pixel middle;
+        for (std::size_t k = 0; k < 3; ++k)
+            middle.x += seen[corners[k]].x / 3, middle.y += seen[corners[k]].y / 3;
+        facing.emplace_back(area, middle);
+    }
+    std::sort(facing.begin(), facing.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    facing.resize(std::min(facing.size(), most));
+    std::vector<Pixel> middles;
+    for (const auto& one : facing) middles.push_back(one.second);
+    return middles;
+}
+
+/// Whether no other cell is in front of it, as far as its largest triangles tell.
+static bool is_seen_of_solid(const Pick& pick, const MeshScene& scene, const Camera& camera) {
+    const Eye eye(scene, camera, {1000, 1000}); // of any size
+    std::vector<Seen> seen(scene.tessellation->point_count);
+    for (std::uint32_t p = 0; p < seen.size(); ++p) seen[p] = eye(p);
+    if (pick.kind == Pick::Kind::node) {
+        constexpr double rounding = 0.5; // pixels
+        const std::uint32_t point = point_of_node(*scene.tessellation, pick.index);
+        if (point == no_point) return false;
+        const CellHit hit = cell_under(scene, seen, {seen[point].x, seen[point].y});
+        return !hit.found || hit.near <= seen[point].near + rounding;
+    }
+    const auto middles = facing_middles(scene, seen, towards_viewer(camera), pick.index);
+    return std::any_of(middles.begin(), middles.end(),
+                       [&](Pixel middle) { return cell_under(scene, seen, middle).cell == pick.index; });
+}
+
 bool faces_viewer(const Pick& pick, const MeshScene& scene, const Camera& camera) {
+    if (scene.cell_dimension == 3) return is_seen_of_solid(pick, scene, camera);
     if (scene.ball == 0) return true;
     const Tessellation& t = *scene.tessellation;
     const Vec3 viewer = towards_viewer(camera);

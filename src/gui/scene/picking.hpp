@@ -29,7 +29,7 @@ std::vector<std::pair<Pixel, Pixel>> outline_of(const MeshScene& scene, const Ca
 /// Where a node is seen, or the middle of a cell's outline; nothing if it is inside a solid.
 std::optional<Pixel> middle_of(const Pick& pick, const MeshScene& scene, const Camera& camera, Size size);
 
-/// Whether the viewer sees any of it; on a ball its own other side hides it.
+/// Whether the viewer sees any of it; the other side of a ball, and other cells of a solid, hide it.
 bool faces_viewer(const Pick& pick, const MeshScene& scene, const Camera& camera);
 
 /// The rows of a card: names and values; the first is a title without a name.

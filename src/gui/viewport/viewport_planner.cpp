@@ -1,6 +1,7 @@
 #include "core/base/error.hpp"
 #include "core/scenario/view_rows.hpp"
 #include "core/tessellate/blend.hpp"
+#include "core/tessellate/snapshot_section.hpp"
 #include "core/tessellate/ticks.hpp"
 #include "gui/scene/arrows.hpp"
 #include "gui/viewport/legend.hpp"
@@ -350,6 +351,8 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
         place_runs(scene, view, plan, others, scale);
     else
         place_views(scene, snapshot, view, plan, scale);
+    if (scene.cell_dimension == 3 && plan.complaint.empty() && scene.tessellation->triangles.empty())
+        plan.complaint = nothing_left(view);
     if (view.boolean("arrows")) add_arrows(plan, scale);
     add_section(view, plan);
     add_pick(snapshot, view, plan);

@@ -86,6 +86,74 @@ TEST(FieldFile, VtkHasTheValuesThatVtkWrote) {
     }
 }
 
+/// g of make_files.py.
+double g(double x, double y, double z) { return 1 + 2 * x - 3 * y + x * y + 4 * z + x * y * z; }
+
+void expect_g(const FieldData& field, std::size_t count) {
+    EXPECT_EQ(field.variable, "g");
+    EXPECT_EQ(values_of(field).size(), count);
+    if (const auto* data = std::get_if<ScatteredData>(&field.data)) {
+        EXPECT_EQ(data->dimension, 3);
+        for (std::size_t p = 0; p < data->values.size(); ++p)
+            EXPECT_NEAR(data->values[p], g(data->points.x[p], data->points.y[p], data->points.z[p]), 1e-12);
+        return;
+    }
+    const GridData& data = grid(field);
+    ASSERT_EQ(data.dimension(), 3u);
+    std::size_t at = 0;
+    for (const double z : data.axes[2])
+        for (const double y : data.axes[1])
+            for (const double x : data.axes[0]) EXPECT_NEAR(data.values[at++], g(x, y, z), 1e-12);
+}
+
+TEST(FieldFile, FieldsInSpaceAreReadWhole) {
+    for (const char* name : {"space.vti", "space.vtk", "space.vts"}) {
+        SCOPED_TRACE(name);
+        const FieldData field = read(name, {.dimension = 3});
+        expect_g(field, 36);
+        EXPECT_TRUE(std::holds_alternative<GridData>(field.data)) << "the points are a lattice";
+    }
+    const FieldData netcdf = read("space.nc", {.dimension = 3});
+    expect_g(netcdf, 60);
+    EXPECT_EQ(netcdf.variables, std::vector<std::string>{"g"}) << "the ground has two directions";
+    EXPECT_EQ(grid(netcdf).axes[1], (std::vector<double>{0, 0.5, 1, 2, 3})) << "y descends in the file";
+    EXPECT_EQ(grid(read("space.nc", {.variable = "ground", .dimension = 3})).dimension(), 2u);
+    expect_g(read("space-points.nc", {.dimension = 3}), 30);
+    expect_g(read("space.vtu", {.dimension = 3}), 5);
+    const FieldData cells = read("space.vtu", {.variable = "number", .dimension = 3});
+    EXPECT_NEAR(scattered(cells).points.z[1], 0.75, 1e-15) << "the middle of the second tetrahedron";
+}
+
+TEST(FieldFile, InThePlaneALevelOfAFieldInSpaceIsRead) {
+    const FieldData upper = read("space.vti", {.variable = "g", .level = 2});
+    ASSERT_EQ(grid(upper).dimension(), 2u);
+    EXPECT_NEAR(grid(upper).values[1], g(-0.5, 2, 4), 1e-12);
+    const FieldData ground = read("space.nc", {.variable = "g", .level = -1});
+    ASSERT_EQ(grid(ground).dimension(), 2u);
+    EXPECT_NEAR(grid(ground).values[2], g(1, 0, 0.25), 1e-12);
+    EXPECT_TRUE(std::holds_alternative<ScatteredData>(read("space.vts").data))
+        << "its third direction is kept";
+}
+
+TEST(FieldFile, ColumnsOfPointsInSpace) {
+    const FieldRequest in_space{.dimension = 3};
+    const FieldData named = parse_field("z;y;x;t\n0;1;2;3\n1;0;2;5\n2;2;2;7\n", "it", in_space);
+    EXPECT_EQ(scattered(named).dimension, 3);
+    EXPECT_EQ(scattered(named).points.x, (std::vector<double>{2, 2, 2}));
+    EXPECT_EQ(scattered(named).points.z, (std::vector<double>{0, 1, 2}));
+    const FieldData plain = parse_field("0 1 2 3\n1 0 2 5\n2 2 2.5 7\n", "it", in_space);
+    EXPECT_EQ(plain.notes, std::vector<std::string>{"The four columns are read as x, y, z and the value."});
+    EXPECT_EQ(scattered(plain).values, (std::vector<double>{3, 5, 7}));
+    EXPECT_TRUE(std::holds_alternative<GridData>(parse_field("0 1 2 3\n1 0 2 5\n", "it").data))
+        << "in the plane it is a matrix";
+    std::string lattice = "x,y,z,v\n";
+    for (const char* point : {"0,0,0", "1,0,0", "0,1,0", "1,1,0", "0,0,1", "1,0,1", "0,1,1", "1,1,1"})
+        lattice += std::string(point) + "," + point[0] + "\n";
+    EXPECT_EQ(grid(parse_field(lattice, "it", in_space)).values,
+              (std::vector<double>{0, 1, 0, 1, 0, 1, 0, 1}));
+    EXPECT_TRUE(std::holds_alternative<ScatteredData>(parse_field(lattice, "it").data));
+}
+
 TEST(FieldFile, VectorsOfVtkAreTheirLengths) {
     const FieldData field = read("raw-zlib.vti", {.variable = "velocity"});
     for (std::size_t k = 0; k < 12; ++k)

@@ -261,3 +261,50 @@ mesh.write(folder / "meshio.vtk", binary=False)
 
 y, x = np.meshgrid(np.linspace(0, 1, 3), np.linspace(0, 1, 4), indexing="ij")
 np.savetxt(folder / "numpy.csv", np.stack([x.ravel(), y.ravel(), f(x, y).ravel()], axis=1), header="x y f")
+
+# Fields in space, with g(x, y, z) = f(x, y) + 4 z + x y z.
+
+
+def g(x, y, z):
+    return f(x, y) + 4 * z + x * y * z
+
+
+lines = {"x": np.array([0, 0.5, 1, 2]), "y": np.array([3, 2, 1, 0.5, 0]), "z": np.array([-1, 0, 0.25])}
+with netcdf("space.nc") as file:  # y descends, z is the slowest direction and x in the middle
+    for name, values in lines.items():
+        axis(file, name, values, axis=name.upper())
+    file.createVariable("ground", "f8", ("y", "x"))[:] = 7
+    file.createVariable("g", "f8", ("z", "x", "y"))[:] = g(
+        lines["x"][None, :, None], lines["y"][None, None, :], lines["z"][:, None, None])
+with netcdf("space-points.nc") as file:
+    at = np.random.default_rng(2).uniform(0, 1, (3, 30))
+    file.createDimension("node", 30)
+    for name, values in zip("xyz", at):
+        file.createVariable(name, "f8", ("node",))[:] = values
+    one = file.createVariable("g", "f8", ("node",))
+    one.coordinates = "x y z"
+    one[:] = g(*at)
+
+
+def lattice(data, x, y, z):
+    data.SetDimensions(len(x), len(y), len(z))
+    z, y, x = np.meshgrid(z, y, x, indexing="ij")
+    values = numpy_to_vtk(g(x, y, z).ravel(), deep=True)
+    values.SetName("g")
+    data.GetPointData().AddArray(values)
+    return x.ravel(), y.ravel(), z.ravel()
+
+
+cube = vtk.vtkImageData()
+lattice(cube, 0.5 * np.arange(4) - 1, 0.25 * np.arange(3) + 2, 2.0 * np.arange(3))
+cube.SetOrigin(-1, 2, 0)
+cube.SetSpacing(0.5, 0.25, 2)
+write(vtk.vtkXMLImageDataWriter(), "space.vti", cube)
+write(vtk.vtkStructuredPointsWriter(), "space.vtk", cube)
+block = vtk.vtkStructuredGrid()
+x, y, z = lattice(block, np.arange(3.0), np.arange(4.0), np.arange(3.0))
+block.SetPoints(points_of(x, y, z))
+write(vtk.vtkXMLStructuredGridWriter(), "space.vts", block)
+corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 2.0]])
+meshio.Mesh(corners, [("tetra", [[0, 1, 2, 3], [1, 2, 3, 4]])], point_data={"g": g(*corners.T)},
+            cell_data={"number": [np.array([0.0, 1.0])]}).write(folder / "space.vtu")

@@ -9,9 +9,12 @@
 #include "support/largest_distance.hpp"
 #include "support/sanitizers.hpp"
 #include "support/solved_run.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -68,6 +71,75 @@ TEST(SolidRuns, AConstantMonitorMovesNothing) {
             EXPECT_LT(largest_distance(run.snapshot()->x, run.snapshot()->mesh->nodes), 1e-8)
                 << domain << measure;
         }
+}
+
+/// A bell as a field on 41^3 points around the ball, in a file of VTK.
+std::filesystem::path bell_file(const TemporaryFolder& folder) {
+    const std::filesystem::path path = folder / "bell.vtk";
+    std::ofstream file(path);
+    file.precision(17);
+    file << "# vtk DataFile Version 3.0\nbell\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 41 41 41\n"
+            "ORIGIN -1 -1 -1\nSPACING 0.05 0.05 0.05\nPOINT_DATA 68921\nSCALARS m double\nLOOKUP_TABLE "
+            "default\n";
+    const auto at = [](int i) { return -1 + 0.05 * i; };
+    for (int k = 0; k < 41; ++k)
+        for (int j = 0; j < 41; ++j)
+            for (int i = 0; i < 41; ++i) {
+                const double x = at(i) - 0.2, y = at(j), z = at(k) + 0.1;
+                file << 1 + 3 * std::exp(-4 * (x * x + y * y + z * z)) << '\n';
+            }
+    return path;
+}
+const std::string bell_expression = "1 + 3*exp(-4*((x - 0.2)^2 + y^2 + (z + 0.1)^2))";
+
+Points mesh_of(const std::string& domain, int cells, std::vector<std::string> further) {
+    further.insert(further.end(), {"domain.type=" + domain, "domain.cells=" + std::to_string(cells),
+                                   "method.interpolation=false", "method.tolerance=1e-9"});
+    gaspard::Run run = solved_run("spline-ball", further);
+    EXPECT_EQ(run.status(), RunStatus::converged);
+    EXPECT_GT(largest_distance(run.snapshot()->x, run.snapshot()->mesh->nodes), 0.03) << "nodes move";
+    return run.snapshot()->x;
+}
+
+// The blur over a cell changes a sampled monitor with order 2 in the size of cells.
+TEST(SolidMonitors, AFieldAndItsFormulaLeadToTheSameMesh) {
+    const TemporaryFolder folder;
+    const std::string file = bell_file(folder).string();
+    std::vector<double> distances;
+    for (const int cells : {8, 16}) {
+        const Points sampled = mesh_of(
+            "spline-ball", cells, {"monitor.type=field", "monitor.density=values", "monitor.file=" + file});
+        const Points exact =
+            mesh_of("spline-ball", cells, {"monitor.type=formula", "monitor.expression=" + bell_expression});
+        distances.push_back(largest_distance(sampled, exact));
+    }
+    EXPECT_LT(distances[1], 0.015) << "an eighth of a cell";
+    EXPECT_GT(distances[0] / distances[1], 2.8);
+}
+
+// Derived monitors have no blur, so that only the interpolation of u differs; it has second derivatives to
+// order 1 where splines are kept between the data.
+TEST(SolidMonitors, AMonitorDerivedFromAFieldIsThatOfItsFormula) {
+    const TemporaryFolder folder;
+    const std::string file = bell_file(folder).string();
+    for (const std::string kind : {"arc-length", "curvature", "magnitude"}) {
+        if (sanitized && kind == "curvature") continue;
+        const std::vector<std::string> common = {"monitor.type=derived", "monitor.kind=" + kind};
+        auto of_field = common, of_formula = common;
+        of_field.insert(of_field.end(), {"monitor.u.type=field", "monitor.u.file=" + file});
+        of_formula.insert(of_formula.end(),
+                          {"monitor.u.type=formula", "monitor.u.expression=" + bell_expression});
+        if (kind == "magnitude") // as a part of a whole
+            for (auto* one : {&of_field, &of_formula}) {
+                for (std::string& setting : *one) setting.replace(0, 8, "monitor.a.");
+                one->insert(one->begin(), {"monitor.type=combine", "monitor.operation=product"});
+                one->insert(one->end(), {"monitor.b.type=bell"});
+            }
+        EXPECT_LT(
+            largest_distance(mesh_of("spline-ball", 8, of_field), mesh_of("spline-ball", 8, of_formula)),
+            kind == "curvature" ? 0.03 : 0.001)
+            << kind;
+    }
 }
 
 TEST(SolidRuns, EquidistributeInSpaceWithTheirMeasure) {

@@ -25,6 +25,9 @@ TEST(FileKinds, ContentComesBeforeTheName) {
     EXPECT_EQ(use_of("p.xml", "<xml> <Geometry type=\"TensorNurbs3\""), FileUse::solid);
     EXPECT_EQ(use_of("p.xml", "<xml> <Geometry type=\"TensorNurbs2\"/> <Geometry type=\"TensorBSpline3\""),
               FileUse::patch);
+    const std::string late =
+        "{\"control_points\": [" + std::string(200'000, ' ') + "], \"degrees\": [2, 2, 1]}";
+    EXPECT_EQ(use_of("p.json", late.substr(0, head_size)), FileUse::solid) << "degrees behind many points";
     for (const char* name : {"m.obj", "m.off", "m.PLY", "m.stl"}) EXPECT_EQ(use_of(name, ""), FileUse::mesh);
     EXPECT_EQ(use_of("s.toml", "title"), FileUse::scenario);
     EXPECT_EQ(use_of("letter.pdf", "%PDF"), std::nullopt);

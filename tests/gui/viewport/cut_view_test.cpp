@@ -1,5 +1,6 @@
 // Solids that are cut open: scenes, picking, handles of planes, and the actions of the window.
 #include "core/scenario/view_rows.hpp"
+#include "core/tessellate/snapshot_section.hpp"
 #include "core/tessellate/visible_cells.hpp"
 #include "fixtures/fixture_catalogue.hpp"
 #include "gui/application_fixture.hpp"
@@ -102,6 +103,32 @@ TEST_F(CutPlan, CapsArePickedAndHiddenCellsAreNot) {
     EXPECT_FALSE(std::binary_search(cells.begin(), cells.end(), 5U));
 }
 
+TEST_F(CutPlan, WhatOtherCellsHideIsNotOutlined) {
+    set("camera", "right 0 1 0 up 0 0 1"); // from x = infinity
+    const auto is_seen = [&](Pick pick) {
+        const PlannedView shown = plan(snapshot_).views.front();
+        return faces_viewer(pick, shown.scene, shown.camera);
+    };
+    constexpr std::uint32_t row = 6, front = row - 1; // of cells along x
+    const Pick near{Pick::Kind::cell, 2 * row * row + 2 * row + front},
+        far{Pick::Kind::cell, 2 * row * row + 2 * row};
+    const Pick inner{Pick::Kind::cell, 2 * row * row + 2 * row + 2};
+    EXPECT_TRUE(is_seen(near));
+    EXPECT_FALSE(is_seen(far)) << "on the far side";
+    EXPECT_FALSE(is_seen(inner));
+    set("cut", "x 0.45");
+    EXPECT_TRUE(is_seen(inner)) << "on the cut face";
+    EXPECT_FALSE(is_seen(near)) << "cut off";
+    set("cut", "");
+    const std::uint32_t nodes = row + 1;
+    const std::uint32_t middle = 3 * nodes * nodes + 3 * nodes;
+    EXPECT_TRUE(is_seen({Pick::Kind::node, middle + row}));
+    EXPECT_FALSE(is_seen({Pick::Kind::node, middle}));
+    set("explode", "0.3");
+    EXPECT_TRUE(is_seen(near));
+    EXPECT_FALSE(is_seen(inner)) << "all of its faces are there, behind others";
+}
+
 TEST_F(CutPlan, ConditionsLayersAndPeelsHideCells) {
     EXPECT_EQ(shown_cells().size(), 216U - 64) << "what is seen from outside";
     set("peel", "1");
@@ -121,8 +148,15 @@ TEST_F(CutPlan, ConditionsLayersAndPeelsHideCells) {
     set("color", "area");
     set("only", "value > 1");
     EXPECT_TRUE(scene().tessellation->triangles.empty()) << "no cell is as large";
+    EXPECT_EQ(plan(snapshot_).complaint, "view.only leaves nothing to see of the solid");
+    EXPECT_EQ(note_on_hidden(snapshot_, view_), plan(snapshot_).complaint);
+    set("peel", "1");
+    EXPECT_EQ(plan(snapshot_).complaint, "view.peel and view.only leave nothing to see of the solid");
+    set("peel", "0");
     set("only", "area > 0.004 and jacobian > 0.5 and monitor < 1.6");
     EXPECT_EQ(scene().tessellation->triangle_cells.empty(), false);
+    EXPECT_EQ(plan(snapshot_).complaint, "");
+    EXPECT_EQ(note_on_hidden(snapshot_, view_), "");
     set("explode", "0.4");
     set("only", "monitor > 1.6");
     EXPECT_EQ(shown_cells(), cells);
