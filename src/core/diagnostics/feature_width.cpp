@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace gaspard {
 
@@ -11,7 +12,7 @@ double share_within_cell(const Mesh& mesh, std::span<const double> m) {
     const double range = *most / *least;
     if (!(*least > 0) || !(range > 1.01) || !std::isfinite(range)) return 0;
     const auto corners = static_cast<std::size_t>(corners_per_cell(mesh.kind));
-    double widest = 1;
+    std::vector<double> ratios(mesh.cell_count());
     for (std::size_t i = 0; i < mesh.cell_count(); ++i) {
         const auto nodes = mesh.cell(i).first(corners);
         double low = *most, high = *least;
@@ -19,9 +20,12 @@ double share_within_cell(const Mesh& mesh, std::span<const double> m) {
             low = std::min(low, m[static_cast<std::size_t>(node)]);
             high = std::max(high, m[static_cast<std::size_t>(node)]);
         }
-        widest = std::max(widest, high / low);
+        ratios[i] = high / low;
     }
-    return std::log(widest) / std::log(range);
+    const auto few = static_cast<std::ptrdiff_t>(ratios.size() / 100);
+    const auto exceeded = ratios.end() - 1 - few;
+    std::nth_element(ratios.begin(), exceeded, ratios.end());
+    return std::log(*exceeded) / std::log(range);
 }
 
 } // namespace gaspard

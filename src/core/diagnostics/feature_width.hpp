@@ -1,7 +1,8 @@
 // Whether a mesh can carry the features of a monitor: how much of the monitor's range lies within one cell,
 //
-//   max over the cells of log(max m / min m at the corners) / log(max m / min m at all nodes).
+//   log(max m / min m at the corners) / log(max m / min m at all nodes),
 //
+// of which the value is taken that one cell in a hundred exceeds.
 // Near 1, m rises from its lowest to its highest value between neighbouring nodes: the feature is narrower
 // than the cells, the discrete problem hardly knows it, and where the iteration ends may depend on where it
 // began.

@@ -1,7 +1,6 @@
 #include "gui/app/menus.hpp"
 
 #include "core/io/formats.hpp"
-#include "core/scenario/toml.hpp"
 #include "gui/base/icons.hpp"
 #include "gui/base/part_window.hpp"
 
@@ -67,7 +66,7 @@ bool draw_button(const MenuContext& context, const Action& row, bool label) {
     remember_item(context.frame.items, "action." + std::string(row.name));
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("%s", row.is_enabled() ? (row.current_label() + "\n" + tooltip_of(row)).c_str()
-                                                : row.why_disabled().c_str());
+                                                 : row.why_disabled().c_str());
     return pressed;
 }
 
@@ -146,34 +145,9 @@ std::optional<MenuChoice> Menus::draw_buttons(const MenuContext& context) {
 }
 
 std::optional<MenuChoice> Menus::draw_scenarios(const MenuContext& context, float width) {
-    const float em = ImGui::GetFontSize();
-    ImGui::SetNextItemWidth(width);
-    const bool open = ImGui::BeginCombo("##scenario", context.run.title.c_str(), ImGuiComboFlags_HeightLarge);
-    remember_item(context.frame.items, "scenario");
-    if (!open) return {};
-    if (shipped_.empty())
-        for (const BuiltinScenario& one : builtin_scenarios())
-            shipped_.push_back(find_scenario(context.catalogue, std::string(one.name)));
-    float widest = 0;
-    for (const Scenario& one : shipped_) widest = std::max(widest, ImGui::CalcTextSize(one.title.c_str()).x);
-    Choice chosen;
-    for (const Scenario& one : shipped_) {
-        const std::string id = "##" + one.name;
-        if (ImGui::Selectable(id.c_str(),
-                              context.run.scenario.name == one.name && context.run.scenario.modified.empty()))
-            chosen = {Kind::scenario, one.name};
-        remember_item(context.frame.items, "scenario=" + one.name);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", one.description.c_str());
-        ImGui::SameLine(0, 0);
-        ImGui::TextUnformatted(one.title.c_str());
-        ImGui::SameLine(widest + 2 * em);
-        ImGui::TextDisabled("%s", one.name.c_str());
-    }
-    if (!context.recent.empty()) ImGui::Separator();
-    for (const std::string& file : context.recent)
-        if (ImGui::Selectable(file.c_str())) chosen = {Kind::file, file};
-    ImGui::EndCombo();
-    return chosen;
+    const auto chosen = scenarios_.draw(context.catalogue, context.run, context.recent, width, context.frame);
+    if (!chosen) return {};
+    return MenuChoice{chosen->file ? Kind::file : Kind::scenario, chosen->name};
 }
 
 } // namespace gaspard

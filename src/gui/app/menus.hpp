@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/scenario/catalogue.hpp"
+#include "gui/app/scenario_list.hpp"
 #include "gui/base/actions.hpp"
 #include "gui/base/frame_context.hpp"
 #include "gui/document/document.hpp"
@@ -42,7 +43,7 @@ class Menus {
 
     float height_ = 0;
 
-    std::vector<Scenario> shipped_; ///< for the list of scenarios, once it has been opened
+    ScenarioList scenarios_;
 };
 
 } // namespace gaspard

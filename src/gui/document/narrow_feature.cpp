@@ -40,7 +40,7 @@ std::string NarrowFeature::warning(const Catalogue& catalogue, const DocumentRun
                       sharpness = label_of(run.scenario.monitor.values, "sharpness");
     std::string help = cells.empty() ? "Finer cells help" : "A larger value of \"" + cells + "\" helps";
     if (!sharpness.empty()) help += ", or a smaller \"" + sharpness + "\"";
-    return "Narrower than the cells: within one cell, m changes by " +
+    return "Narrower than the cells: within single cells, m changes by " +
            std::to_string(std::lround(100 * share_)) +
            " % of its range, and the mesh may depend on where it started. " + help + ".";
 }

@@ -344,7 +344,7 @@ std::vector<ParameterRow> ParameterPanel::rows_in_sight(const std::vector<Parame
 void ParameterPanel::draw_more(const PanelContext& context, const std::string& section) {
     if (hidden_rows_ == 0) return;
     const bool open = opened_.contains(section);
-    const std::string label = open ? "Less" : "More (" + std::to_string(hidden_rows_) + ")";
+    const std::string label = open ? "Less" : std::string("More") + " (" + std::to_string(hidden_rows_) + ")";
     const float width = text_size(label).x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SetCursorPosX(std::max(0.0F, columns().end - width));
     ImGui::PushStyleColor(ImGuiCol_Button, {0, 0, 0, 0});

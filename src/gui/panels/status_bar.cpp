@@ -30,7 +30,7 @@ std::span<const StepReport> up_to(const std::vector<StepReport>& history, int it
 }
 
 /// The last value up to an iteration.
-std::optional<double> value_at(const Trace& trace, int iteration) {
+std::optional<double> last_value_up_to(const Trace& trace, int iteration) {
     const auto after = std::upper_bound(trace.iterations.begin(), trace.iterations.end(), iteration);
     if (after == trace.iterations.begin()) return std::nullopt;
     return trace.values[static_cast<std::size_t>(after - trace.iterations.begin()) - 1];
@@ -95,7 +95,7 @@ std::vector<StatusCell> status_cells(const DocumentRun& run, int iteration) {
     cells.push_back({"Iteration", now ? std::to_string(now->iteration) : none});
     for (const char* name : {"residual", "equidistribution", "min_jacobian"}) {
         const SeriesTrace& series = *run.curves.find(name);
-        const auto value = series.info.measured ? value_at(series.trace, iteration)
+        const auto value = series.info.measured ? last_value_up_to(series.trace, iteration)
                            : now                ? now->value(name)
                                                 : std::nullopt;
         cells.push_back(

@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""How long the window takes from an input to a changed pixel, on a screen in memory without a graphics card.
+
+    bench/window.py [--program build/gaspard] [--repeat 15]
+
+Starts Xvfb and the program, then pans the mesh, drags a field, hovers over a button while a large mesh is being
+solved, and drags the knob of the playback bar. Each input is sent by XTEST; a part of the screen is read until it
+differs. Prints the median and the slowest of each in milliseconds, and the CPU milliseconds of the program per
+input. Needs Xvfb and python3-xlib.
+"""
+import argparse
+import os
+import statistics
+import subprocess
+import tempfile
+import time
+
+from Xlib import X, display
+from Xlib.ext import xtest
+
+SCREEN = ":97"
+SIZE = (1400, 900)
+
+
+class Window:
+    """The program on a screen of its own."""
+
+    def __init__(self, program, *arguments):
+        self.folder = tempfile.TemporaryDirectory()
+        environment = dict(os.environ, DISPLAY=SCREEN, HOME=self.folder.name, XDG_CONFIG_HOME=self.folder.name,
+                           LIBGL_ALWAYS_SOFTWARE="1")
+        self.screen = subprocess.Popen(["Xvfb", SCREEN, "-screen", "0", "%dx%dx24" % SIZE], stderr=subprocess.DEVNULL)
+        time.sleep(1)
+        self.program = subprocess.Popen([os.path.abspath(program), "--size", "%dx%d" % SIZE, *arguments],
+                                        env=environment, cwd=self.folder.name, stderr=subprocess.DEVNULL)
+        self.display = display.Display(SCREEN)
+        self.root = self.display.screen().root
+        time.sleep(4)  # fonts, first solve
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.program.terminate()
+        self.program.wait()
+        self.display.close()
+        self.screen.terminate()
+        self.screen.wait()
+        self.folder.cleanup()
+
+    def part(self, area):
+        x, y, width, height = area
+        return self.root.get_image(x, y, width, height, X.ZPixmap, 0xFFFFFFFF).data
+
+    def move(self, x, y):
+        xtest.fake_input(self.display, X.MotionNotify, x=x, y=y)
+        self.display.sync()
+
+    def button(self, down):
+        xtest.fake_input(self.display, X.ButtonPress if down else X.ButtonRelease, 1)
+        self.display.sync()
+
+    def key(self, name):
+        code = self.display.keysym_to_keycode({"End": 0xFF57, "space": 0x20, "h": 0x68}[name])
+        for kind in (X.KeyPress, X.KeyRelease):
+            xtest.fake_input(self.display, kind, code)
+        self.display.sync()
+
+    def cpu(self):
+        fields = open("/proc/%d/stat" % self.program.pid).read().rsplit(")", 1)[1].split()
+        return 10.0 * (int(fields[11]) + int(fields[12]))  # ticks of 10 ms
+
+    def until_changed(self, area, act, patience=3.0):
+        """Milliseconds from act() until the area of the screen differs; None if it does not."""
+        before = self.part(area)
+        start = time.perf_counter()
+        act()
+        while time.perf_counter() - start < patience:
+            if self.part(area) != before:
+                return 1000 * (time.perf_counter() - start)
+        return None
+
+    def until_still(self, area, rest=0.4):
+        last, since = self.part(area), time.perf_counter()
+        while time.perf_counter() - since < rest:
+            now = self.part(area)
+            if now != last:
+                last, since = now, time.perf_counter()
+
+
+def measure(name, window, repeat, area, acts):
+    times, before = [], window.cpu()
+    for i in range(repeat):
+        took = window.until_changed(area, lambda: acts(i))
+        if took is not None:
+            times.append(took)
+        time.sleep(0.15)
+    if not times:
+        print("%-44s nothing changed" % name)
+        return
+    print("%-44s median %4.0f ms, slowest %4.0f ms, CPU %4.0f ms, %d of %d" %
+          (name, statistics.median(times), max(times), (window.cpu() - before) / repeat, len(times), repeat))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--program", default="build/gaspard")
+    parser.add_argument("--repeat", type=int, default=15)
+    options = parser.parse_args()
+    mesh = (330, 150, 560, 560)  # the middle of the view
+    with Window(options.program) as window:
+        window.move(600, 400), window.button(True)
+        measure("pan, n = 60", window, options.repeat, mesh, lambda i: window.move(600 + 12 * (i % 2 + 1), 400 + i))
+        window.button(False), window.key("h"), window.until_still(mesh)
+        window.move(150, 310), window.button(True)  # the first number of the monitor
+        measure("drag a value, n = 60, until it shows", window, options.repeat, (15, 300, 220, 22),
+                lambda i: window.move(152 + 3 * i, 310))
+        measure("drag a value, n = 60, until the mesh moves", window, options.repeat, mesh,
+                lambda i: window.move(152 + 3 * (options.repeat - i), 310))
+        window.button(False), window.until_still(mesh)
+        window.move(800, 849), window.button(True)  # the knob of the playback bar
+        measure("scrub, n = 60", window, options.repeat, mesh, lambda i: window.move(560 + 20 * (i % 8), 849))
+        window.button(False), window.key("End")
+    with Window(options.program, "--set", "domain.cells=240", "--set", "method.type=relaxation", "--set",
+                "method.tolerance=1e-14", "--set", "method.max_iterations=1000000", "--set",
+                "method.step_size=0.001") as window:
+        measure("hover over a button while n = 240 is solved", window, options.repeat, (1100, 4, 290, 26),
+                lambda i: window.move(1340 if i % 2 else 1250, 16))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,51 @@
+#include "core/scenario/toml.hpp"
+#include "gui/app/scenario_list.hpp"
+#include "gui/application_fixture.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+TEST(ScenarioList, EveryBuiltInScenarioHasAGroupAndASentence) {
+    const Catalogue catalogue = builtin_catalogue();
+    for (const BuiltinScenario& one : builtin_scenarios()) {
+        EXPECT_NE(scenario_group(one.name), "Others") << one.name;
+        const std::string text =
+            short_description(find_scenario(catalogue, std::string(one.name)).description);
+        EXPECT_FALSE(text.empty()) << one.name;
+        EXPECT_EQ(text.find("McRae"), std::string::npos) << text << ": sources are in the tooltip";
+    }
+    EXPECT_EQ(short_description("Rings around the middle (Bahari, example 7.3)."), "Rings around the middle");
+}
+
+class ScenarioListTest : public ApplicationTest {};
+
+TEST_F(ScenarioListTest, WhatIsTypedNarrowsItDown) {
+    frame();
+    ui.click(application.items().find("scenario")->second, drawing());
+    for (int i = 0; i < 4; ++i) frame();
+    EXPECT_TRUE(application.items().count("scenario=plane-bell"));
+    EXPECT_TRUE(application.items().count("scenario=sphere-x4"));
+    ASSERT_TRUE(ImGui::GetIO().WantTextInput) << "one can type at once";
+    ui.type("möbius", drawing());
+    frame();
+    EXPECT_FALSE(application.items().count("scenario=plane-bell"));
+    ui.type("\b", drawing());
+}
+
+TEST_F(ScenarioListTest, AScenarioIsFoundByItsNameAndOpened) {
+    frame();
+    ui.click(application.items().find("scenario")->second, drawing());
+    for (int i = 0; i < 4; ++i) frame();
+    ui.type("X16", drawing());
+    frame();
+    frame();
+    EXPECT_FALSE(application.items().count("scenario=plane-bell"));
+    ASSERT_TRUE(application.items().count("scenario=sphere-x16"));
+    ui.click(application.items().find("scenario=sphere-x16")->second, drawing());
+    ASSERT_TRUE(wait_until([&] { return run().scenario.name == "sphere-x16"; }));
+}
+
+} // namespace
+} // namespace gaspard
