@@ -16,7 +16,7 @@ gaspard_test(gui_tests LABELS threads LIBRARIES gaspard_scenes PkgConfig::IMGUI
     gui/document/document_edits_test.cpp gui/document/edit_history_test.cpp gui/panels/parameter_panel_test.cpp gui/app/application_test.cpp
     gui/app/application_data_test.cpp gui/app/file_kinds_test.cpp gui/panels/formula_field_test.cpp
     gui/app/application_view_test.cpp gui/app/application_files_test.cpp gui/app/application_plots_test.cpp gui/app/application_series_test.cpp
-    gui/app/application_study_test.cpp gui/document/cell_study_test.cpp
+    gui/app/application_study_test.cpp gui/app/file_dialogs_test.cpp gui/document/cell_study_test.cpp
     gui/scene/clip_matrix_test.cpp gui/scene/picking_test.cpp gui/viewport/viewport_test.cpp gui/plot/plot_widget_test.cpp
     gui/scene/mesh_scene_test.cpp gui/base/settings_test.cpp gui/base/theme_test.cpp gui/plot/plot_curves_test.cpp gui/panels/plot_pane_test.cpp
     gui/panels/plot_choice_test.cpp gui/panels/run_list_test.cpp gui/document/value_changes_test.cpp gui/document/runs_csv_test.cpp

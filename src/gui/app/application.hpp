@@ -5,6 +5,7 @@
 // it calls frame().
 #pragma once
 
+#include "gui/app/file_dialogs.hpp"
 #include "gui/app/file_tasks.hpp"
 #include "gui/app/menus.hpp"
 #include "gui/app/messages.hpp"
@@ -172,18 +173,17 @@ class Application {
     void fulfil(const PlotWish& wish);
     Plot plot_for_file(const PlotWish& wish) const;
     void sweep(const PlotSweep& sweep);
-    void export_files();
+    void export_files(const std::string& formats, const ExportDialog::Choice& choice = {});
+    void ask_what_to_export();
     Scenario scenario_to_save();
     void save_scenario();
     void ask_where_to_save();
-    void save_as(const SaveDialog::Choice& choice);
+    void take_answer(const FileAnswer& answer);
+    void save_as(const ScenarioToSave& choice);
     void open_scenario(const Scenario& scenario);
     void take_opening();
-    void toggle_format(const std::string& name);
     void open_builtin(const std::string& name);
-    void ask_what_to_open();
-    void ask_for_file(const FileWish& wish);
-    void take_chosen(const std::string& path);
+    void take_file(const FileOfValue& chosen);
     void take_data(const DataFile& data);
     void reload_data();
     void change_values(const Scenario& scenario);
@@ -191,9 +191,7 @@ class Application {
     std::shared_ptr<const Catalogue> catalogue_;
     Settings settings_;
     Messages messages_;
-    OpenDialog open_dialog_;
-    std::string choosing_for_; ///< the key of the value whose file is being chosen; empty: a file to open
-    SaveDialog save_dialog_;
+    FileDialogs file_dialogs_;
     std::uint64_t saved_in_ = 0;     ///< how many openings preceded the last save
     std::filesystem::path saved_as_; ///< the chosen file that it was last saved to; empty: none
     std::string closing_note_;       ///< of the last end, which is in the log
