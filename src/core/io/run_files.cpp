@@ -208,7 +208,8 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
                            run.space(),
                            run.scenario().view,
                            run.scenario().output.real("curve_tolerance"),
-                           patch_wanted ? patch_of(run) : nullptr};
+                           patch_wanted ? patch_of(run) : nullptr,
+                           scenario_title(run.scenario())};
     for (const auto* format : formats) attempt(format->files.front(), [&] { format->write(folder, result); });
     if (first) std::rethrow_exception(first);
 }

@@ -161,8 +161,14 @@ Image render_view(const Snapshot& snapshot, const Values& view, int width, int h
     ImageOptions themed = options;
     themed.light = options.light || view.text("theme") == "light";
     themed.background = parse_background(view.text("background"));
-    Canvas canvas(width, height, image_scale(width, height), themed, subject);
-    canvas.mesh(snapshot, view, {.subject = subject, .report = snapshot.report}, {0, 0, width, height});
+    const float scale = image_scale(width, height) * static_cast<float>(view.real("text_size"));
+    Canvas canvas(width, height, scale, themed, subject);
+    const ViewportText text{.subject = subject,
+                            .report = snapshot.report,
+                            .caption = view.boolean("caption"),
+                            .with_legend = view.boolean("legend"),
+                            .notes = view.boolean("note")};
+    canvas.mesh(snapshot, view, text, {0, 0, width, height});
     return canvas.finish();
 }
 
