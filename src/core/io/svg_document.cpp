@@ -105,7 +105,7 @@ double svg_text_width(std::string_view text) {
 }
 
 std::vector<std::string> svg_lines(const std::vector<std::string>& parts, double width) {
-    constexpr std::string_view between = "   ";
+    constexpr std::string_view between = " · ";
     std::vector<std::string> lines;
     for (const std::string& part : parts) {
         const std::string longer = lines.empty() ? part : lines.back() + std::string(between) + part;

@@ -494,8 +494,33 @@ void Application::take_answer(const FileAnswer& answer) {
             save_as(*saved);
         } else if (const auto* exported = std::get_if<ExportDialog::Choice>(&answer)) {
             export_files(exported->formats, *exported);
+        } else if (const auto* figure = std::get_if<FigureDialog::Choice>(&answer)) {
+            take_figure(*figure);
         }
     } catch (const InputError& error) {
+        messages_.say({error.what(), true});
+    }
+}
+
+/// Of the iterate that is shown. The view keeps what does not change the window, for the next figure and scripts.
+void Application::take_figure(const FigureDialog::Choice& choice) {
+    const auto snapshot = playback_.snapshot(run());
+    if (!snapshot) return messages_.say({"There is no mesh to draw yet.", false});
+    for (const char* key : {"width", "height", "dpi", "text_size", "background", "legend", "caption", "note"})
+        viewport().view.set(key, choice.view.at(key));
+    const std::string subject = scenario_title(run().scenario);
+    if (choice.kind == FigureKind::png)
+        figure_to_save_ = {choice, subject, snapshot};
+    else
+        files_.save_figure(choice, subject, snapshot);
+}
+
+void Application::save_figure(const std::function<Image(const FigureToDraw&)>& draw) {
+    const auto figure = std::exchange(figure_to_save_, std::nullopt);
+    if (!figure) return;
+    try {
+        files_.save_figure(figure->choice, draw(*figure));
+    } catch (const MachineError& error) {
         messages_.say({error.what(), true});
     }
 }

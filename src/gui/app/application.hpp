@@ -58,6 +58,13 @@ struct WindowState {
     bool animating = false;   ///< every frame differs from the last one, even without input or news
 };
 
+/// A figure in pixels that was asked for.
+struct FigureToDraw {
+    FigureDialog::Choice choice;
+    std::string subject;
+    std::shared_ptr<const Snapshot> snapshot;
+};
+
 class Application {
   public:
     Application(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
@@ -87,6 +94,8 @@ class Application {
     void save_image(Image image);
     /// Saves the requested plot, if any, as the image that `draw` returns.
     void save_plot(const std::function<Image(const Plot&)>& draw);
+    /// Saves the requested figure, if any, as the image that `draw` returns.
+    void save_figure(const std::function<Image(const FigureToDraw&)>& draw);
     /// To be written when the window closes.
     Settings settings();
 
@@ -180,6 +189,7 @@ class Application {
     void ask_where_to_save();
     void take_answer(const FileAnswer& answer);
     void save_as(const ScenarioToSave& choice);
+    void take_figure(const FigureDialog::Choice& choice);
     void open_scenario(const Scenario& scenario);
     void take_opening();
     void open_builtin(const std::string& name);
@@ -215,6 +225,7 @@ class Application {
     ToastPanel toast_;
     Playback playback_;
     std::optional<Plot> plot_to_save_;
+    std::optional<FigureToDraw> figure_to_save_;
     std::string plot_name_;    ///< of the file to come
     std::string closed_cut_;   ///< view.cut before it was closed
     Box cut_box_;              ///< around the solid that it belongs to

@@ -67,9 +67,15 @@ void FileDialogs::ask_what_to_export(const Scenario& scenario, bool splines,
     export_.show(scenario.output.text("formats"), splines, folder.string());
 }
 
+void FileDialogs::ask_how_to_draw(const Values& view, const std::filesystem::path& folder) {
+    figure_.show(view, (folder / "figure").string());
+}
+
 void FileDialogs::close() {
     if (browser_.open())
         browser_.close();
+    else if (figure_.open())
+        figure_.close();
     else
         export_.close();
 }
@@ -101,16 +107,28 @@ FileAnswer FileDialogs::answer(const std::string& path) {
 }
 
 std::optional<FileAnswer> FileDialogs::draw(const Settings& settings, ItemRectangles& items) {
-    if (browser_.open()) {
-        const FileBrowser::Recent recent{settings.recent, settings.folders};
-        std::function<bool()> further;
-        if (purpose_ == Purpose::save) further = [&] { return draw_save_fields(items); };
-        const auto path = browser_.draw(recent, items, further);
-        if (!path) return std::nullopt;
-        if (purpose_ != Purpose::export_folder) return answer(*path);
+    if (browser_.open()) return draw_browser(settings, items);
+    return figure_.open() ? draw_figure(items) : draw_export(items);
+}
+
+std::optional<FileAnswer> FileDialogs::draw_browser(const Settings& settings, ItemRectangles& items) {
+    const FileBrowser::Recent recent{settings.recent, settings.folders};
+    std::function<bool()> further;
+    if (purpose_ == Purpose::save) further = [&] { return draw_save_fields(items); };
+    const auto path = browser_.draw(recent, items, further);
+    if (!path) return std::nullopt;
+    if (purpose_ == Purpose::export_folder) {
         export_.set_folder(*path);
         return std::nullopt;
     }
+    if (purpose_ == Purpose::figure_file) {
+        figure_.set_file(*path);
+        return std::nullopt;
+    }
+    return answer(*path);
+}
+
+std::optional<FileAnswer> FileDialogs::draw_export(ItemRectangles& items) {
     const auto choice = export_.draw(items);
     if (export_.take_browse_wish()) {
         purpose_ = Purpose::export_folder;
@@ -118,6 +136,22 @@ std::optional<FileAnswer> FileDialogs::draw(const Settings& settings, ItemRectan
                        .keys = "folder",
                        .title = "Choose a folder",
                        .start = (std::filesystem::path(export_.folder()) / "").string()});
+    }
+    if (choice) return *choice;
+    return std::nullopt;
+}
+
+std::optional<FileAnswer> FileDialogs::draw_figure(ItemRectangles& items) {
+    const auto choice = figure_.draw(items);
+    if (figure_.take_browse_wish()) {
+        purpose_ = Purpose::figure_file;
+        const std::string_view ending = figure_ending(figure_.kind());
+        browser_.show({.mode = BrowseMode::save,
+                       .keys = "image",
+                       .title = "Save the figure as",
+                       .endings = {ending},
+                       .start = figure_.file(),
+                       .ending = std::string(ending)});
     }
     if (choice) return *choice;
     return std::nullopt;

@@ -1,4 +1,4 @@
-// The dialogs about files: open, choose the file of a value, save, export. One of them is shown at a time.
+// The dialogs about files: open, choose the file of a value, save, export, figures. One of them is shown at a time.
 #pragma once
 
 #include "core/scenario/scenario.hpp"
@@ -6,6 +6,7 @@
 #include "gui/base/settings.hpp"
 #include "gui/panels/export_dialog.hpp"
 #include "gui/panels/file_browser.hpp"
+#include "gui/panels/figure_dialog.hpp"
 #include "gui/panels/file_row.hpp"
 
 #include <filesystem>
@@ -29,7 +30,8 @@ struct ScenarioToSave {
     std::string file, title;
     bool packed = false; ///< with the content of its data files
 };
-using FileAnswer = std::variant<FileToOpen, FileOfValue, ScenarioToSave, ExportDialog::Choice>;
+using FileAnswer = std::variant<FileToOpen, FileOfValue, ScenarioToSave, ExportDialog::Choice,
+                                FigureDialog::Choice>;
 
 class FileDialogs {
   public:
@@ -40,8 +42,10 @@ class FileDialogs {
     void ask_where_to_save(const Scenario& scenario, const std::filesystem::path& file);
     /// `folder`: the usual one.
     void ask_what_to_export(const Scenario& scenario, bool splines, const std::filesystem::path& folder);
+    /// `folder`: the usual one for images.
+    void ask_how_to_draw(const Values& view, const std::filesystem::path& folder);
 
-    bool open() const { return browser_.open() || export_.open(); }
+    bool open() const { return browser_.open() || export_.open() || figure_.open(); }
     bool opening() const { return browser_.opening(); } ///< its text field does not take input yet
     void close();                                       ///< the topmost one
     std::optional<FileAnswer> draw(const Settings& settings, ItemRectangles& items);
@@ -52,11 +56,15 @@ class FileDialogs {
   private:
     bool draw_save_fields(ItemRectangles& items);
     FileAnswer answer(const std::string& path);
+    std::optional<FileAnswer> draw_browser(const Settings& settings, ItemRectangles& items);
+    std::optional<FileAnswer> draw_export(ItemRectangles& items);
+    std::optional<FileAnswer> draw_figure(ItemRectangles& items);
 
-    enum class Purpose { open, value, save, export_folder };
+    enum class Purpose { open, value, save, export_folder, figure_file };
     Purpose purpose_ = Purpose::open;
     FileBrowser browser_;
     ExportDialog export_;
+    FigureDialog figure_;
     std::string key_;            ///< of the value
     ScenarioToSave to_save_;
     bool with_data_ = false; ///< the scenario to save refers to files, which can be packed into it

@@ -3,6 +3,8 @@
 #include "core/base/error.hpp"
 #include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/figure.hpp"
+#include "core/io/pdf.hpp"
 #include "core/io/run_files.hpp"
 #include "core/io/run_folder.hpp"
 #include "core/io/state_file.hpp"
@@ -144,6 +146,40 @@ void FileTasks::save(Arrivals& arrivals, ScenarioOnDisk scenario, bool packed) {
 void FileTasks::save_image(const Scenario& scenario, const std::string& name, Image image) {
     writer_.write_new(output_, scenario_stem(scenario), name, ".png",
                       [image = std::move(image)](const auto& file) { write_png(file, image); });
+}
+
+namespace {
+
+/// The chosen file; its folder is made if necessary. If it has come into being since, it is not replaced.
+std::filesystem::path figure_file(const FigureDialog::Choice& figure) {
+    const auto file = std::filesystem::absolute(user_path(figure.file));
+    if (!figure.replace && std::filesystem::exists(file))
+        throw InputError(file.string() + " exists already; nothing was written");
+    check_writable(file.parent_path());
+    return file;
+}
+
+} // namespace
+
+void FileTasks::save_figure(const FigureDialog::Choice& figure, const std::string& subject,
+                            std::shared_ptr<const Snapshot> snapshot) {
+    writer_.run([figure, subject, snapshot = std::move(snapshot)] {
+        const auto file = figure_file(figure);
+        const std::string svg = svg_of_figure(*snapshot, figure.view, subject);
+        if (figure.kind == FigureKind::pdf)
+            write_pdf(file, svg);
+        else
+            write_atomically(file, svg);
+        return "Saved " + file.string();
+    });
+}
+
+void FileTasks::save_figure(const FigureDialog::Choice& figure, Image image) {
+    writer_.run([figure, image = std::move(image)] {
+        const auto file = figure_file(figure);
+        write_png(file, image, figure.view.real("dpi"));
+        return "Saved " + file.string();
+    });
 }
 
 void FileTasks::save_svg(const Scenario& scenario, const std::string& name, Plot plot) {

@@ -10,6 +10,7 @@
 #include "gui/base/folder_listing.hpp"
 #include "gui/base/output_folders.hpp"
 #include "gui/document/document.hpp"
+#include "gui/panels/figure_dialog.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -73,6 +74,11 @@ class FileTasks {
     std::vector<ScenarioOnDisk> take_saved();
     /// "NAME.png" or the next free name.
     void save_image(const Scenario& scenario, const std::string& name, Image image);
+    /// A figure of a snapshot as vectors, to a file that the user has chosen.
+    void save_figure(const FigureDialog::Choice& figure, const std::string& subject,
+                     std::shared_ptr<const Snapshot> snapshot);
+    /// A figure that has been drawn, to a file that the user has chosen.
+    void save_figure(const FigureDialog::Choice& figure, Image image);
     /// "NAME.svg" or the next free name.
     void save_svg(const Scenario& scenario, const std::string& name, Plot plot);
 

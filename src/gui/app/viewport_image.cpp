@@ -66,15 +66,14 @@ class Canvas {
   public:
     /// `text`: what will be written that is not the program's own, such as titles.
     Canvas(int width, int height, float scale, const ImageOptions& options, std::string_view text)
-        : theme_(theme_of(options)), scale_(scale), context_(make_offscreen_context(options.backend)),
-          width_(width), height_(height), stop_(options.stop),
-          target_(context_->gl(), width, strip_height(width, height, options.most_pixels)),
-          mesh_renderer_(context_->gl()) {
+        : theme_(theme_of(options)), scale_(scale), context_(options.gl ? nullptr : make_offscreen_context(options.backend)),
+          gl_(options.gl ? *options.gl : context_->gl()), width_(width), height_(height), stop_(options.stop),
+          target_(gl_, width, strip_height(width, height, options.most_pixels)), mesh_renderer_(gl_) {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
         load_font(*io.Fonts, theme_, scale, text);
         apply_theme(theme_, scale);
-        text_renderer_.emplace(context_->gl());
+        text_renderer_.emplace(gl_);
         ImGui::NewFrame();
     }
 
@@ -117,7 +116,7 @@ class Canvas {
 
     Image draw(Strip strip) {
         target_.bind();
-        const Gl& gl = context_->gl();
+        const Gl& gl = gl_;
         const Colour ground = theme_.background;
         gl.Disable(GL_SCISSOR_TEST);
         gl.ClearColor(ground.r * ground.a, ground.g * ground.a, ground.b * ground.a, ground.a);
@@ -144,7 +143,8 @@ class Canvas {
 
     Theme theme_;
     float scale_;
-    std::unique_ptr<OffscreenContext> context_;
+    std::unique_ptr<OffscreenContext> context_; ///< null: the caller's
+    const Gl& gl_;
     int width_, height_; ///< of the image
     std::stop_token stop_;
     RenderTarget target_; ///< one strip of it

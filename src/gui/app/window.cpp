@@ -1,6 +1,7 @@
 #include "gui/app/window.hpp"
 
 #include "core/base/error.hpp"
+#include "gui/app/viewport_image.hpp"
 #include "gui/app/whole_window.hpp"
 #include "gui/base/font_finder.hpp"
 #include "gui/gl/gl.hpp"
@@ -504,6 +505,11 @@ class Window {
         application_->save_plot([this](const Plot& plot) {
             return draw_plot_image(gl_, scene_->interface(), plot, application_->window_state().theme, zoom(),
                                    look_.scales.density);
+        });
+        application_->save_figure([this](const FigureToDraw& figure) {
+            const Values& view = figure.choice.view;
+            return render_view(*figure.snapshot, view, static_cast<int>(view.integer("width")),
+                               static_cast<int>(view.integer("height")), figure.subject, {.gl = &gl_});
         });
         gl_.Finish();
         if (drawn_anew) drawing_seconds_ = glfwGetTime() - begun_; // without waiting for the screen

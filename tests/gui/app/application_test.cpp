@@ -16,7 +16,7 @@ TEST_F(ApplicationTest, EveryPartHasItsPlaceInTheWindow) {
         frame();
         frame();
         for (const char* key :
-             {"action.run", "action.step", "action.reset", "action.home", "action.screenshot",
+             {"action.run", "action.step", "action.reset", "action.home", "action.figure",
               "action.export-to", "scenario", "monitor.type", "monitor.amplitude", "viewport", "plot.first",
               "plot.second", "status.0", "playback.scrubber", "playback.position"}) {
             ASSERT_TRUE(application.items().count(key)) << key;
@@ -76,7 +76,7 @@ TEST_F(ApplicationTest, ButtonsDoWhatKeysDo) {
     ASSERT_TRUE(wait_until([&] { return run().status.paused; }));
     ui.click(application.items().find("action.reset")->second, drawing());
     ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
-    ui.click(application.items().find("action.screenshot")->second, drawing());
+    application.perform("screenshot");
     bool taken = application.take_screenshot_request();
     for (int frame = 0; frame < 3 && !taken; ++frame) {
         ui.frame(drawing());
