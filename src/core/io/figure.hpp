@@ -1,8 +1,8 @@
 // Figures: the drawing of a mesh as the section `view` says, on a page of its size.
 //
 // The page has view.width / view.dpi by view.height / view.dpi inches. It is drawn for paper, dark on the
-// background of view.background, with the meshes of view.layout beside each other; a drawing has no other side
-// and no map.
+// background of view.background, with the meshes of view.layout beside each other; a drawing has no other
+// side and no map.
 #pragma once
 
 #include "core/base/export.hpp"

@@ -8,8 +8,8 @@
 
 namespace gaspard GASPARD_API {
 
-/// One page of the size of the drawing, with paths and text as vectors; the same bytes for the same drawing and
-/// fonts. Throws MachineError if the libraries fail.
+/// One page of the size of the drawing, with paths and text as vectors; the same bytes for the same drawing
+/// and fonts. Throws MachineError if the libraries fail.
 std::string pdf_of_svg(const std::string& svg);
 
 /// Throws MachineError also if the file cannot be written.

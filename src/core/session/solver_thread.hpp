@@ -30,9 +30,9 @@ struct StepCommand {};  ///< one iteration, then pause
 struct ResetCommand {}; ///< restart from the identity map, paused or running as before
 /// Changes values and continues from the current map if possible (Run::change), even if the run had ended.
 /// `number` identifies the command in SolverStatus. `anew`: restart from the identity map, with a new
-/// history, and run; or from `start`, which must fit to the problem. `reread`: read files anew (Run::change). `same_gesture`: it goes on with the change
-/// before it, as the drag of a slider does. If the values are invalid or the command is cancelled, the run
-/// does not change.
+/// history, and run; or from `start`, which must fit to the problem. `reread`: read files anew (Run::change).
+/// `same_gesture`: it goes on with the change before it, as the drag of a slider does. If the values are
+/// invalid or the command is cancelled, the run does not change.
 struct ChangeCommand {
     Scenario scenario;
     std::uint64_t number = 0;

@@ -8,8 +8,8 @@
 
 namespace gaspard {
 
-/// "plane, ring", "iteration 52", "residual 9.8×10⁻⁹", "equidistribution 0.0367", "converged". `subject` names
-/// what is solved; it may be empty.
+/// "plane, ring", "iteration 52", "residual 9.8×10⁻⁹", "equidistribution 0.0367", "converged". `subject`
+/// names what is solved; it may be empty.
 std::vector<std::string> caption_parts(const std::string& subject, const StepReport& report);
 
 } // namespace gaspard

@@ -502,7 +502,8 @@ void Application::take_answer(const FileAnswer& answer) {
     }
 }
 
-/// Of the iterate that is shown. The view keeps what does not change the window, for the next figure and scripts.
+/// Of the iterate that is shown. The view keeps what does not change the window, for the next figure and for
+/// scripts.
 void Application::take_figure(const FigureDialog::Choice& choice) {
     const auto snapshot = playback_.snapshot(run());
     if (!snapshot) return messages_.say({"There is no mesh to draw yet.", false});

@@ -1,4 +1,5 @@
-// The dialogs about files: open, choose the file of a value, save, export, figures. One of them is shown at a time.
+// The dialogs about files: open, choose the file of a value, save, export, figures. One of them is shown
+// at a time.
 #pragma once
 
 #include "core/scenario/scenario.hpp"

@@ -31,7 +31,7 @@ std::span<const FileKind> file_kinds();
 
 /// How much of a file use_of() looks at.
 inline constexpr std::size_t head_size = 4096;
-/// By the first bytes of the file for images, NetCDF and states, whatever they are called, and else by the name;
+/// By the first bytes of the file for images, NetCDF and states, whatever their names, and else by the name;
 /// whether a patch is a surface or a solid again by the first bytes. Nothing if it is none of the kinds.
 std::optional<FileUse> use_of(const std::filesystem::path& file, std::string_view head);
 

@@ -30,8 +30,8 @@ struct MenuContext {
 
 class Menus {
   public:
-    /// Keys "menu.File" and, in an open menu, "menu.NAME" of an action, "recent.0", "export-as", "format.NAME"; "scenario"
-    /// and, in the open list, "scenario=NAME"; "action.NAME" of the buttons.
+    /// Keys "menu.File" and, in an open menu, "menu.NAME" of an action, "recent.0", "menu.export-as" and in
+    /// that "format.NAME"; "scenario" and, in the open list, "scenario=NAME"; "action.NAME" of the buttons.
     std::optional<MenuChoice> draw_bar(const MenuContext& context);
     /// Of the bar, as last drawn.
     float height() const { return height_; }

@@ -1,6 +1,7 @@
 // Images without a window: a viewport, a plot, or several of them side by side, drawn offscreen.
 //
-// Each call creates and releases an OpenGL context, unless it is given one. Throws MachineError if there is no OpenGL.
+// Each call creates and releases an OpenGL context, unless it is given one. Throws MachineError
+// if there is no OpenGL.
 #pragma once
 
 #include "core/base/parameter.hpp"

@@ -1,7 +1,7 @@
 // The window's settings, which are kept between sessions: place, size, appearance, and recent files.
 //
-// A TOML file with the rows below as keys of [window], and the recent scenario files and folders. A missing file gives
-// the defaults; invalid entries are ignored and reported, so that the window always opens.
+// A TOML file with the rows below as keys of [window], and the recent scenario files and folders. A
+// missing file gives the defaults; invalid entries are ignored and reported, so that the window always opens.
 #pragma once
 
 #include "core/base/parameter.hpp"

@@ -149,14 +149,15 @@ void FigureDialog::draw_size(ItemRectangles& items) {
 
 void FigureDialog::draw_ground(ItemRectangles& items) {
     const float em = ImGui::GetFontSize();
-    if (kind_ == FigureKind::png) {
-        label_before("Theme");
-        ImGui::SetNextItemWidth(9 * em);
-        int theme = view_->text("theme") == "light" ? 1 : 0;
-        if (ImGui::Combo("##theme", &theme, "dark\0light\0"))
-            view_->set("theme", std::string(theme == 1 ? "light" : "dark"));
-        remember_item(items, "figure.theme");
-    }
+    label_before("Theme");
+    const bool vectors = kind_ != FigureKind::png; // are drawn for paper
+    int theme = vectors || view_->text("theme") == "light" ? 1 : 0;
+    ImGui::SetNextItemWidth(9 * em);
+    ImGui::BeginDisabled(vectors);
+    if (ImGui::Combo("##theme", &theme, "dark\0light\0"))
+        view_->set("theme", std::string(theme == 1 ? "light" : "dark"));
+    ImGui::EndDisabled();
+    remember_item(items, "figure.theme");
     label_before("Background");
     ImGui::SetNextItemWidth(9 * em);
     ImGui::Combo("##ground", &ground_, kind_ == FigureKind::png ? "of the theme\0transparent\0colour\0"

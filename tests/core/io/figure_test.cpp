@@ -38,7 +38,7 @@ class FigureTest : public testing::Test {
 
     std::shared_ptr<const Catalogue> catalogue = std::make_shared<Catalogue>(builtin_catalogue());
     Scenario scenario;
-    mutable Run run;
+    mutable gaspard::Run run;
     Values view = run.scenario().view;
     TemporaryFolder folder;
 };
@@ -67,7 +67,7 @@ TEST_F(FigureTest, LegendCaptionAndNoteAreShownOrNot) {
     folded.tangled = std::make_shared<const std::vector<std::uint32_t>>(std::vector<std::uint32_t>{3, 4});
     EXPECT_TRUE(has(svg_of_figure(folded, view), "2 tangled cells"));
     view.set("note", false);
-    EXPECT_FALSE(has(svg_of_figure(folded, view), "tangled"));
+    EXPECT_FALSE(has(svg_of_figure(folded, view), "tangled cell"));
 }
 
 TEST_F(FigureTest, AHighMeshFitsOnALowPage) {

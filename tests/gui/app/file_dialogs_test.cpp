@@ -1,4 +1,7 @@
 // Opening, saving and exporting with the dialogs of the window.
+#include "core/base/read_file.hpp"
+#include "core/io/figure.hpp"
+#include "core/io/pdf.hpp"
 #include "core/io/state_file.hpp"
 #include "gui/application_fixture.hpp"
 
@@ -104,6 +107,73 @@ TEST_F(FileDialogsTest, AnExportReplacesNothingUnlessAsked) {
     export_to(true);
     ASSERT_TRUE(says("Exported to " + (folder / "mine").string())) << said();
     EXPECT_GT(std::filesystem::file_size(folder / "mine" / "adapted.obj"), 4U);
+}
+
+TEST_F(FileDialogsTest, AFigureHasTheChosenSizeAndParts) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    click("action.figure");
+    click("figure.pdf");
+    replace_text("figure.width", "800");
+    replace_text("figure.height", "600");
+    replace_text("figure.dpi", "200");
+    click("figure.legend");
+    replace_text("figure.file", (folder / "paper").string());
+    click("figure.ok");
+    ASSERT_TRUE(says("Saved " + (folder / "paper.pdf").string())) << said();
+    const std::string pdf = read_file(folder / "paper.pdf");
+    EXPECT_TRUE(pdf.starts_with("%PDF"));
+    EXPECT_EQ(pdf, pdf_of_svg(svg_of_figure(*run().snapshot, look(), small_ring().title)));
+    EXPECT_EQ(look().integer("width"), 800);
+    EXPECT_EQ(look().real("dpi"), 200);
+    EXPECT_FALSE(look().boolean("legend")) << "a script draws the same";
+    EXPECT_TRUE(look().boolean("caption"));
+}
+
+TEST_F(FileDialogsTest, AFigureInMillimetresIsDrawnInPixels) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    click("action.figure");
+    click("figure.unit");
+    ui.move(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y + 2.6F * ImGui::GetFontSize());
+    frame(); // "mm" is the second in the list
+    ui.button(true);
+    frame();
+    ui.button(false);
+    frames(2);
+    replace_text("figure.width", "80");
+    replace_text("figure.height", "60");
+    replace_text("figure.dpi", "300");
+    frames(2);
+    replace_text("figure.file", (folder / "talk").string());
+    click("figure.ok");
+    int width = 0, height = 0;
+    application.save_figure([&](const FigureToDraw& figure) {
+        width = static_cast<int>(figure.choice.view.integer("width"));
+        height = static_cast<int>(figure.choice.view.integer("height"));
+        EXPECT_EQ(figure.snapshot, run().snapshot);
+        return Image{2, 2, std::vector<std::uint8_t>(16, 200)};
+    });
+    EXPECT_EQ(width, 945) << "80 mm";
+    EXPECT_EQ(height, 709) << "60 mm";
+    ASSERT_TRUE(says("Saved " + (folder / "talk.png").string())) << said();
+    EXPECT_NE(read_file(folder / "talk.png").find("pHYs"), std::string::npos);
+}
+
+TEST_F(FileDialogsTest, AFigureReplacesNothingUnlessAsked) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    std::ofstream(folder / "mine.svg") << "mine";
+    click("action.figure");
+    click("figure.svg");
+    replace_text("figure.width", "10");
+    replace_text("figure.file", (folder / "mine").string());
+    click("figure.ok");
+    EXPECT_TRUE(shows("figure.ok")) << "10 pixels are too few";
+    replace_text("figure.width", "400");
+    click("figure.ok");
+    EXPECT_TRUE(shows("figure.ok")) << "to replace a file has to be confirmed";
+    EXPECT_EQ(read_file(folder / "mine.svg"), "mine");
+    click("figure.ok");
+    ASSERT_TRUE(says("Saved " + (folder / "mine.svg").string())) << said();
+    EXPECT_TRUE(read_file(folder / "mine.svg").starts_with("<svg"));
 }
 
 TEST_F(FileDialogsTest, FoldersAreBrowsedWithKeys) {
