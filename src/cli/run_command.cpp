@@ -128,8 +128,9 @@ void draw_view(std::shared_ptr<const Catalogue> catalogue, Run& run, const std::
                          render_whole_window(std::move(catalogue), {scenario, run.history(), run.snapshot()},
                                              width, height),
                          scenario.view.real("dpi"));
-    write_png(folder / "view.png", render_view(*run.snapshot(), scenario.view, width, height,
-                                               scenario_title(scenario), {.stop = std::move(stop)}),
+    write_png(folder / "view.png",
+              render_view(*run.snapshot(), scenario.view, width, height, scenario_title(scenario),
+                          {.stop = std::move(stop)}),
               scenario.view.real("dpi"));
 }
 

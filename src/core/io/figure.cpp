@@ -25,11 +25,12 @@ std::vector<SvgPanel> panels_of(const Snapshot& snapshot, const Values& view) {
 }
 
 MeshSvgOptions mesh_svg_options(const Values& view) {
+    const auto pixels = [&](const char* key) { return static_cast<double>(view.integer(key)); };
     return {.text_size = view.real("text_size"),
             .legend = view.boolean("legend"),
             .note = view.boolean("note"),
             .camera = view.text("camera"),
-            .aspect = static_cast<double>(view.integer("height")) / static_cast<double>(view.integer("width")),
+            .aspect = pixels("height") / pixels("width"),
             .background = parse_background(view.text("background")),
             .lines = view.boolean("lines"),
             .elevation = view.real("elevation"),

@@ -36,13 +36,13 @@ std::string svg_of_plots(const std::vector<IntervalColumn>& columns, const Backg
                          const SvgPage& page = {});
 
 struct MeshSvgOptions {
-    double width_mm = 120;   ///< of the whole drawing
-    double height_mm = 0;    ///< of the whole drawing; 0: as high as what it shows
-    double text_size = 1;    ///< of texts and lines; 1: 8 points
-    bool legend = true;      ///< beside the mesh
-    bool note = true;        ///< below it, if cells are tangled
+    double width_mm = 120;              ///< of the whole drawing
+    double height_mm = 0;               ///< of the whole drawing; 0: as high as what it shows
+    double text_size = 1;               ///< of texts and lines; 1: 8 points
+    bool legend = true;                 ///< beside the mesh
+    bool note = true;                   ///< below it, if cells are tangled
     std::vector<std::string> caption{}; ///< parts of the text below it
-    int classes = 16;        ///< colours
+    int classes = 16;                   ///< colours
     std::string camera{};    ///< as view.camera; empty: the whole mesh, a mesh in space from slightly above
     double aspect = 0.75;    ///< height over width of what a camera with a centre and a height shows
     Background background{}; ///< the theme's is white

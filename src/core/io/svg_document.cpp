@@ -69,8 +69,7 @@ std::string svg_document(double width, double height, std::string_view title, st
         below = "<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"" + std::string(background) + "\"/>\n";
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
            svg_number(zoom * width / points_per_mm) + "mm\" height=\"" +
-           svg_number(zoom * height / points_per_mm) +
-           "mm\" viewBox=\"0 0 " + w + ' ' + h +
+           svg_number(zoom * height / points_per_mm) + "mm\" viewBox=\"0 0 " + w + ' ' + h +
            "\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" font-size=\"" +
            svg_number(svg_font_size) + "\">\n<title>" + xml_escape(title) + "</title>\n<desc>Gaspard " +
            std::string(version()) + "</desc>\n" + below + std::string(content) + "</svg>\n";

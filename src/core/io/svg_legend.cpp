@@ -58,13 +58,15 @@ std::vector<std::string> svg_legend_words(const Colouring& colouring) {
 
 double svg_legend_width(const Colouring& colouring, double height) {
     double width = 0;
-    for (const std::string& words : svg_legend_words(colouring)) width = std::max(width, svg_text_width(words));
+    for (const std::string& words : svg_legend_words(colouring))
+        width = std::max(width, svg_text_width(words));
     for (const Tick& tick : ticks_of(colouring.range, height))
         width = std::max(width, bar_width + 5 + svg_text_width(tick.label));
     return width;
 }
 
-std::string svg_colour_bar(const SvgClasses& classes, const Colouring& colouring, PagePoint corner, double height) {
+std::string svg_colour_bar(const SvgClasses& classes, const Colouring& colouring, PagePoint corner,
+                           double height) {
     const double block = height / static_cast<double>(classes.count());
     std::string text = "<g id=\"legend\" fill=\"#222\">\n";
     double top = corner.y;
@@ -78,9 +80,10 @@ std::string svg_colour_bar(const SvgClasses& classes, const Colouring& colouring
                           "fill=\"" + classes.colour(k) + '"');
     text += svg_block(corner.x, top, bar_width, height, "fill=\"none\" stroke=\"#444\" stroke-width=\".35\"");
     for (const double level : colouring.contours.values)
-        text += svg_block(
-            corner.x, top + height * (1 - classes.range().position(level)) - 0.3, bar_width, 0.6,
-            std::string("fill=\"") + (classes.level_wants_light_ink(level) ? svg_light_ink : svg_dark_ink) + '"');
+        text +=
+            svg_block(corner.x, top + height * (1 - classes.range().position(level)) - 0.3, bar_width, 0.6,
+                      std::string("fill=\"") +
+                          (classes.level_wants_light_ink(level) ? svg_light_ink : svg_dark_ink) + '"');
     SvgPath marks;
     for (const Tick& tick : ticks_of(classes.range(), height)) {
         const double y = top + height * (1 - classes.range().position(tick.value));

@@ -53,6 +53,7 @@ std::vector<std::string> svg_legend_words(const Colouring& colouring);
 /// Of the legend with a bar of this height.
 double svg_legend_width(const Colouring& colouring, double height);
 /// A bar of the classes with ticks and levels, the upper left corner of the words above it at `corner`.
-std::string svg_colour_bar(const SvgClasses& classes, const Colouring& colouring, PagePoint corner, double height);
+std::string svg_colour_bar(const SvgClasses& classes, const Colouring& colouring, PagePoint corner,
+                           double height);
 
 } // namespace gaspard

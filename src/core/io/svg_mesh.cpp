@@ -18,8 +18,8 @@ namespace gaspard {
 namespace {
 
 constexpr const char *dark_ink = svg_dark_ink, *light_ink = svg_light_ink, *tangled_colour = "#e600b8";
-constexpr double margin = 6, legend_gap = 10, panel_gap = 10,
-                 highest_bar = 170, note_height = 1.5 * svg_font_size; // points
+constexpr double margin = 6, legend_gap = 10, panel_gap = 10, highest_bar = 170,
+                 note_height = 1.5 * svg_font_size; // points
 constexpr double contour_width = 0.7;
 constexpr double skin_light = 0.78, skin_grey = 0.55; // as in mesh_fill.frag
 
@@ -487,9 +487,9 @@ std::string svg_of_meshes(const Snapshot& snapshot, const std::vector<SvgPanel>&
     }
     if (legend) {
         const auto words = static_cast<double>(svg_legend_words(*legend).size());
-        content += svg_colour_bar(SvgClasses(scenes.back(), legend, options.classes), *legend,
-                                  {at.legend, at.top},
-                                  std::min(at.height - 1.5 * svg_font_size * words, highest_bar));
+        content +=
+            svg_colour_bar(SvgClasses(scenes.back(), legend, options.classes), *legend, {at.legend, at.top},
+                           std::min(at.height - 1.5 * svg_font_size * words, highest_bar));
     }
     double height = at.top + at.height + margin;
     const std::string note =

@@ -381,8 +381,7 @@ RunStatus Run::judge(Course& course, const StepReport& report, Ending ending, st
             method.has("step_size") ? "a smaller step may help" : "a finer mesh or a weaker monitor may help";
         return RunStatus::diverged;
     }
-    if (report.iteration >= method.integer("max_iterations"))
-        return RunStatus::iteration_limit;
+    if (report.iteration >= method.integer("max_iterations")) return RunStatus::iteration_limit;
     if (report.iteration - by.best_iteration >= patience) {
         const std::string reason = note.empty() ? "" : "; " + note;
         note = "the " + course.series->all()[course.series->criterion()].name + " has not decreased for " +
@@ -485,10 +484,10 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
         if (!new_method) next.method->configure(next.problem.scenario.method.values);
         prepare_reports(next);
         if (transferred)
-            begin_history(
-                std::move(next),
-                back ? "values changed; restarted from the last mesh without tangled cells" : "values changed",
-                stop, at_most);
+            begin_history(std::move(next),
+                          back ? "values changed; restarted from the last mesh without tangled cells"
+                               : "values changed",
+                          stop, at_most);
         else
             restart(std::move(next), stop);
     } catch (...) {

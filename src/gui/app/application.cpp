@@ -303,8 +303,9 @@ void Application::set_text_size(double size) {
 }
 
 bool Application::can_cancel() {
-    return ImGui::IsPopupOpen("", any_popup) || messages_.error().open() || file_dialogs_.open() || help_ || working() || document_.comparison().running() ||
-           comparison_panel_.open() || !viewport().view.text("pick").empty();
+    return ImGui::IsPopupOpen("", any_popup) || messages_.error().open() || file_dialogs_.open() || help_ ||
+           working() || document_.comparison().running() || comparison_panel_.open() ||
+           !viewport().view.text("pick").empty();
 }
 
 /// Closes or cancels the topmost thing only.

@@ -115,7 +115,8 @@ std::vector<Action> Application::solve_actions() {
          .enabled = [this] { return !playback_.live() || !run().ended(); },
          .reason =
              [this] {
-                 return "The run has ended; press " + describe_keys(action("run-again")) + " to run it again.";
+                 return "The run has ended; press " + describe_keys(action("run-again")) +
+                        " to run it again.";
              }},
         {.name = "step-back",
          .label = "Step back",
@@ -475,14 +476,16 @@ std::vector<Action> Application::file_actions() {
          .toolbar = 3,
          .icon = Icon::image,
          .help = "Save the view as PNG, SVG or PDF, in the size and with the parts that you choose.",
-         .run = [this] { file_dialogs_.ask_how_to_draw(viewport().view, files_.export_folder(run().scenario)); },
+         .run =
+             [this] { file_dialogs_.ask_how_to_draw(viewport().view, files_.export_folder(run().scenario)); },
          .enabled = [this] { return run().snapshot != nullptr; },
          .reason = [] { return "Figure: there is no mesh yet."; }},
         {.name = "export",
          .label = "Export",
          .menu = "File",
          .keys = {"E"},
-         .help = "Save the meshes, the history and a summary as files in a new folder, in the chosen formats.",
+         .help =
+             "Save the meshes, the history and a summary as files in a new folder, in the chosen formats.",
          .needs_solver = true,
          .run = [this] { export_files(run().scenario.output.text("formats")); }},
         {.name = "export-to",

@@ -312,10 +312,10 @@ void Application::draw_status(const FrameContext& context) {
                     context);
     ImGui::End();
     begin_part("##playback", layout_.playback,
-               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse,
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                   ImGuiWindowFlags_NoScrollWithMouse,
                true);
-    if (const auto pressed = draw_playback_bar(run(), playback_, actions_, context))
-        perform(*pressed);
+    if (const auto pressed = draw_playback_bar(run(), playback_, actions_, context)) perform(*pressed);
     ImGui::End();
 }
 

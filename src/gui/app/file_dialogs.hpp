@@ -6,8 +6,8 @@
 #include "gui/base/item_rectangles.hpp"
 #include "gui/base/settings.hpp"
 #include "gui/panels/export_dialog.hpp"
-#include "gui/panels/file_browser.hpp"
 #include "gui/panels/figure_dialog.hpp"
+#include "gui/panels/file_browser.hpp"
 #include "gui/panels/file_row.hpp"
 
 #include <filesystem>
@@ -31,8 +31,8 @@ struct ScenarioToSave {
     std::string file, title;
     bool packed = false; ///< with the content of its data files
 };
-using FileAnswer = std::variant<FileToOpen, FileOfValue, ScenarioToSave, ExportDialog::Choice,
-                                FigureDialog::Choice>;
+using FileAnswer =
+    std::variant<FileToOpen, FileOfValue, ScenarioToSave, ExportDialog::Choice, FigureDialog::Choice>;
 
 class FileDialogs {
   public:
@@ -66,7 +66,7 @@ class FileDialogs {
     FileBrowser browser_;
     ExportDialog export_;
     FigureDialog figure_;
-    std::string key_;            ///< of the value
+    std::string key_; ///< of the value
     ScenarioToSave to_save_;
     bool with_data_ = false; ///< the scenario to save refers to files, which can be packed into it
 };

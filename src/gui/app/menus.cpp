@@ -87,8 +87,7 @@ struct BarSizes {
     float padding, button_padding, offset;
     BarSizes()
         : padding(std::round(0.55F * ImGui::GetFontSize())),
-          button_padding(std::round(0.27F * ImGui::GetFontSize())),
-          offset(padding - button_padding) {}
+          button_padding(std::round(0.27F * ImGui::GetFontSize())), offset(padding - button_padding) {}
 };
 
 } // namespace
@@ -104,7 +103,8 @@ std::optional<MenuChoice> Menus::draw_bar(const MenuContext& context) {
             const bool open = ImGui::BeginMenu(menu);
             remember_item(context.frame.items, "menu." + std::string(menu));
             if (!open) continue;
-            ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.6F * ImGui::GetFontSize(), sizes.button_padding});
+            ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                                {0.6F * ImGui::GetFontSize(), sizes.button_padding});
             if (auto one = draw_menu(context, menu)) chosen = std::move(one);
             ImGui::PopStyleVar();
             ImGui::EndMenu();

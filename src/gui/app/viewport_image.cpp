@@ -66,7 +66,8 @@ class Canvas {
   public:
     /// `text`: what will be written that is not the program's own, such as titles.
     Canvas(int width, int height, float scale, const ImageOptions& options, std::string_view text)
-        : theme_(theme_of(options)), scale_(scale), context_(options.gl ? nullptr : make_offscreen_context(options.backend)),
+        : theme_(theme_of(options)), scale_(scale),
+          context_(options.gl ? nullptr : make_offscreen_context(options.backend)),
           gl_(options.gl ? *options.gl : context_->gl()), width_(width), height_(height), stop_(options.stop),
           target_(gl_, width, strip_height(width, height, options.most_pixels)), mesh_renderer_(gl_) {
         ImGuiIO& io = ImGui::GetIO();

@@ -39,7 +39,8 @@ std::span<const MouseHelp> mouse_help() {
         {"Double-click", "Center the view on a point; on a globe, rotate the point to the front."},
         {"Drag or wheel on a plot", "Pan or zoom; with Shift or Ctrl, or on an axis, in one direction only."},
         {"Right drag on a plot", "Zoom to a rectangle; double-click to show everything."},
-        {"Drag a field", "Change a value; Shift: finely; double-click: type it; wheel and arrow keys after a click: step."},
+        {"Drag a field",
+         "Change a value; Shift: finely; double-click: type it; wheel and arrow keys after a click: step."},
         {"Drop a file",
          "Open a scenario; use an image or a field as the monitor, a spline patch or solid or the mesh of a "
          "convex domain as the domain; start from a state."},

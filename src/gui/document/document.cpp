@@ -190,8 +190,8 @@ void Document::post_change(DocumentRun& run, const Scenario& scenario, bool same
     run.name = describe_scenario(*catalogue_, run.opened, scenario);
     update_views(run);
     run.changes.asked_for_good = ++run.changes.asked;
-    run.solver->post(ChangeCommand{
-        .scenario = run.scenario, .number = run.changes.asked, .same_gesture = same_gesture});
+    run.solver->post(
+        ChangeCommand{.scenario = run.scenario, .number = run.changes.asked, .same_gesture = same_gesture});
 }
 
 void Document::reread(RunId run) {
@@ -206,10 +206,8 @@ void Document::start_from(RunId run, std::shared_ptr<const State> state) {
     if (entry.opening) return; // the state is of other values
     entry.changes.asked_for_good = ++entry.changes.asked;
     entry.wants_to_run = true;
-    entry.solver->post(ChangeCommand{.scenario = entry.scenario,
-                                     .number = entry.changes.asked,
-                                     .anew = true,
-                                     .start = std::move(state)});
+    entry.solver->post(ChangeCommand{
+        .scenario = entry.scenario, .number = entry.changes.asked, .anew = true, .start = std::move(state)});
 }
 
 void Document::replace(RunId run, const Scenario& scenario) {

@@ -59,8 +59,7 @@ void ExportDialog::draw_folder(ItemRectangles& items) {
     remember_item(items, "export.browse");
     ImGui::Checkbox("Replace the files of an earlier export", &replace_);
     remember_item(items, "export.replace");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Otherwise a folder with the next free number is used.");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Otherwise a folder with the next free number is used.");
 }
 
 std::optional<ExportDialog::Choice> ExportDialog::draw(ItemRectangles& items) {
@@ -73,8 +72,7 @@ std::optional<ExportDialog::Choice> ExportDialog::draw(ItemRectangles& items) {
     std::vector<std::string_view> names;
     for (std::size_t i = 0; i < chosen_.size(); ++i)
         if (chosen_[i] && (splines_ || !formats()[i].splines_only)) names.push_back(formats()[i].name);
-    const auto answer =
-        draw_modal_buttons("export", "Export", !names.empty() && !folder_.empty(), items);
+    const auto answer = draw_modal_buttons("export", "Export", !names.empty() && !folder_.empty(), items);
     std::optional<Choice> choice;
     if (answer == ModalAnswer::accept) choice = Choice{join(names, ","), folder_, replace_};
     if (answer != ModalAnswer::none) close();

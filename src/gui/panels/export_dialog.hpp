@@ -12,8 +12,8 @@ namespace gaspard {
 class ExportDialog {
   public:
     struct Choice {
-        std::string formats; ///< as in output.formats: "obj,svg"
-        std::string folder;  ///< as typed
+        std::string formats;  ///< as in output.formats: "obj,svg"
+        std::string folder;   ///< as typed
         bool replace = false; ///< files of an earlier export in this folder
     };
     /// `splines`: whether the run has the formats of splines. `folder`: the usual one of this run.

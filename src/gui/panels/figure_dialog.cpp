@@ -75,9 +75,9 @@ void FigureDialog::set_pixels() {
 /// What is wrong with the fields; empty if nothing is.
 std::string FigureDialog::problem() const {
     const double factor = millimetres_ ? view_->real("dpi") / mm_per_inch : 1;
+    const auto possible = [](double pixels) { return pixels >= least_pixels && pixels <= most_pixels; };
     for (const double size : {width_, height_})
-        if (const double pixels = std::round(size * factor); !(pixels >= least_pixels && pixels <= most_pixels))
-            return "Width and height must be 64 to 8192 pixels.";
+        if (!possible(std::round(size * factor))) return "Width and height must be 64 to 8192 pixels.";
     if (std::filesystem::path(stem_).filename().empty()) return "The file needs a name.";
     try {
         if (ground_ == 2) parse_background(colour_);
@@ -93,8 +93,8 @@ std::string FigureDialog::size_note() const {
     const double mm = mm_per_inch / view_->real("dpi");
     std::array<char, 128> text{};
     if (kind_ == FigureKind::png)
-        std::snprintf(text.data(), text.size(), "%.0f × %.0f pixels, printed as %.1f × %.1f mm", width, height,
-                      mm * width, mm * height);
+        std::snprintf(text.data(), text.size(), "%.0f × %.0f pixels, printed as %.1f × %.1f mm", width,
+                      height, mm * width, mm * height);
     else
         std::snprintf(text.data(), text.size(), "%.1f × %.1f mm, texts of %.1f points", mm * width,
                       mm * height, 8 * view_->real("text_size"));
@@ -160,8 +160,9 @@ void FigureDialog::draw_ground(ItemRectangles& items) {
     remember_item(items, "figure.theme");
     label_before("Background");
     ImGui::SetNextItemWidth(9 * em);
-    ImGui::Combo("##ground", &ground_, kind_ == FigureKind::png ? "of the theme\0transparent\0colour\0"
-                                                                : "white\0transparent\0colour\0");
+    ImGui::Combo("##ground", &ground_,
+                 kind_ == FigureKind::png ? "of the theme\0transparent\0colour\0"
+                                          : "white\0transparent\0colour\0");
     remember_item(items, "figure.ground");
     if (ground_ == 2) {
         ImGui::SameLine();
@@ -222,8 +223,7 @@ std::optional<FigureDialog::Choice> FigureDialog::draw(ItemRectangles& items) {
     ImGui::TextUnformatted(!wrong.empty() ? wrong.c_str()
                            : asked        ? "This file exists already. Replace it?"
                                           : "");
-    const auto answer =
-        draw_modal_buttons("figure", asked ? "Replace" : "Save", wrong.empty(), items);
+    const auto answer = draw_modal_buttons("figure", asked ? "Replace" : "Save", wrong.empty(), items);
     std::optional<Choice> choice;
     if (answer == ModalAnswer::accept) {
         std::error_code unknown;

@@ -18,8 +18,8 @@ class FigureDialog {
   public:
     struct Choice {
         FigureKind kind = FigureKind::png;
-        std::string file; ///< as typed, with its ending
-        Values view;      ///< of the figure
+        std::string file;     ///< as typed, with its ending
+        Values view;          ///< of the figure
         bool replace = false; ///< the file exists, and the user has agreed
     };
     /// `view`: as it is shown. `stem`: the suggested path without the ending.

@@ -136,8 +136,8 @@ std::string FileBrowser::completion() const {
             first = &entry, common = entry.name.size();
             continue;
         }
-        const auto [end, other] = std::mismatch(first->name.begin(), first->name.end(), entry.name.begin(),
-                                                entry.name.end());
+        const auto [end, other] =
+            std::mismatch(first->name.begin(), first->name.end(), entry.name.begin(), entry.name.end());
         common = std::min(common, static_cast<std::size_t>(end - first->name.begin()));
     }
     if (first == nullptr || common < typed.size()) return text_;
@@ -174,11 +174,11 @@ int FileBrowser::edit(ImGuiInputTextCallbackData* data) {
 bool FileBrowser::draw_field(ItemRectangles& items) {
     ImGui::SetNextItemWidth(-1);
     if (ImGui::IsWindowAppearing() || std::exchange(refocus_, false)) ImGui::SetKeyboardFocusHere();
-    const bool entered = ImGui::InputText(
-        "##path", &text_,
-        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways |
-            ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_CallbackCompletion,
-        &FileBrowser::edit, this);
+    const bool entered =
+        ImGui::InputText("##path", &text_,
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways |
+                             ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_CallbackCompletion,
+                         &FileBrowser::edit, this);
     if (ImGui::IsItemEdited()) {
         find_ = name_in(text_);
         selected_.clear(), present_.clear();
@@ -276,9 +276,9 @@ bool FileBrowser::draw_entry(const Entry& entry, ItemRectangles& items) {
 /// True when an entry was double-clicked.
 bool FileBrowser::draw_list(float height, ItemRectangles& items) {
     const float em = ImGui::GetFontSize();
-    constexpr ImGuiTableFlags flags =
-        ImGuiTableFlags_ScrollY | ImGuiTableFlags_Sortable | ImGuiTableFlags_BordersOuter |
-        ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_Sortable |
+                                      ImGuiTableFlags_BordersOuter | ImGuiTableFlags_SizingFixedFit |
+                                      ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("##folder", 3, flags, {0, height})) return false;
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch | ImGuiTableColumnFlags_DefaultSort);
@@ -393,8 +393,9 @@ std::optional<std::string> FileBrowser::draw(const Recent& recent, ItemRectangle
     if (answer == ModalAnswer::cancel) close();
     std::optional<std::string> chosen;
     if (open_ && (accepted || answer == ModalAnswer::accept)) {
-        if (purpose_.mode == BrowseMode::folder && answer == ModalAnswer::accept && selected_entry() != nullptr)
-            go_to(listing_.folder / selected_entry()->name); // the button chooses what is selected
+        const Entry* entry = selected_entry();
+        if (purpose_.mode == BrowseMode::folder && answer == ModalAnswer::accept && entry != nullptr)
+            go_to(listing_.folder / entry->name); // the button chooses what is selected
         chosen = accept();
     }
     if (!open_) ImGui::CloseCurrentPopup();

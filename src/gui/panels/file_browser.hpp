@@ -77,10 +77,10 @@ class FileBrowser {
 
     bool open_ = false, ready_ = false;
     BrowsePurpose purpose_;
-    std::string text_;     ///< of the field
-    std::string find_;     ///< what was typed of a name
-    std::string selected_; ///< a name of the list; empty: none
-    std::string present_;  ///< the file that the user was asked whether to replace
+    std::string text_;                      ///< of the field
+    std::string find_;                      ///< what was typed of a name
+    std::string selected_;                  ///< a name of the list; empty: none
+    std::string present_;                   ///< the file that the user was asked whether to replace
     bool refocus_ = false, at_end_ = false; ///< the text was changed from outside the field
     bool scroll_ = false;                   ///< to the selected entry
     bool naming_ = false;                   ///< a new folder

@@ -43,9 +43,7 @@ bool begin_modal(const char* title, float width, float height) {
     return ImGui::BeginPopupModal(title, nullptr, modal_flags | ImGuiWindowFlags_NoResize);
 }
 
-float modal_text_width() {
-    return std::min(34 * ImGui::GetFontSize(), 0.85F * ImGui::GetIO().DisplaySize.x);
-}
+float modal_text_width() { return std::min(34 * ImGui::GetFontSize(), 0.85F * ImGui::GetIO().DisplaySize.x); }
 
 ModalAnswer draw_modal_buttons(const std::string& keys, const char* accept, bool enabled,
                                ItemRectangles& items) {

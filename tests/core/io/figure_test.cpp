@@ -1,5 +1,6 @@
 // Figures as PDF and SVG, and the resolution of PNG files.
 #include "core/base/read_file.hpp"
+#include "core/io/atomic_file.hpp"
 #include "core/io/figure.hpp"
 #include "core/io/formats.hpp"
 #include "core/io/image.hpp"
@@ -29,10 +30,11 @@ class FigureTest : public testing::Test {
         return text.find(part) != std::string::npos;
     }
     /// What a tool of Poppler says of a PDF.
-    std::string tool(const std::string& command, const std::string& pdf) const {
+    std::string tool(const std::string& command, const std::string& pdf, const std::string& to = "") const {
         const auto file = folder.path() / "figure.pdf", out = folder.path() / "said.txt";
-        write_pdf(file, pdf);
-        EXPECT_EQ(std::system((command + " " + file.string() + " > " + out.string()).c_str()), 0) << command;
+        write_atomically(file, pdf);
+        const std::string line = command + " " + file.string() + to + " > " + out.string();
+        EXPECT_EQ(std::system(line.c_str()), 0) << line;
         return read_file(out);
     }
 
@@ -75,7 +77,7 @@ TEST_F(FigureTest, AHighMeshFitsOnALowPage) {
     view.set("height", std::int64_t{400}); // the mesh is a square
     const std::string text = svg();
     EXPECT_TRUE(has(text, "width=\"120mm\" height=\"40mm\""));
-    const std::string pixels = tool("pdftotext -bbox", pdf_of_svg(text));
+    const std::string pixels = tool("pdftotext -bbox", pdf_of_svg(text), " -");
     std::istringstream lines(pixels);
     int words = 0;
     for (std::string line; std::getline(lines, line);)
@@ -91,14 +93,15 @@ TEST_F(FigureTest, APdfHasVectorsTextAndTheSizeOfThePageInPoints) {
     EXPECT_TRUE(pdf.starts_with("%PDF"));
     EXPECT_EQ(pdf, pdf_of_svg(svg())) << "the same bytes";
     EXPECT_TRUE(has(tool("pdfinfo", pdf), "340.157 x 255.118 pts"));
-    EXPECT_TRUE(has(tool("pdftotext -layout", pdf), "monitor"));
+    EXPECT_TRUE(has(tool("pdftotext -layout", pdf, " -"), "monitor"));
     EXPECT_FALSE(has(tool("pdfimages -list", pdf), "image")) << "vectors, no pixels";
     EXPECT_THROW(pdf_of_svg("no drawing"), MachineError);
 }
 
 TEST_F(FigureTest, TheFormatWritesFigurePdf) {
     const auto chosen = parse_formats("pdf");
-    const RunResult result{*run.snapshot(), run.history(), run.space(), view};
+    const auto snapshot = run.snapshot();
+    const RunResult result{*snapshot, run.history(), run.space(), view};
     chosen.front()->write(folder.path(), result);
     EXPECT_TRUE(read_file(folder.path() / "figure.pdf").starts_with("%PDF"));
 }
@@ -110,7 +113,9 @@ TEST_F(FigureTest, PngFilesHaveTheirResolution) {
     const std::string bytes = read_file(file);
     const auto at = bytes.find("pHYs");
     ASSERT_NE(at, std::string::npos);
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(bytes[at + i])); };
+    const auto byte = [&](std::size_t i) {
+        return static_cast<unsigned>(static_cast<unsigned char>(bytes[at + i]));
+    };
     EXPECT_EQ((byte(4) << 24U) + (byte(5) << 16U) + (byte(6) << 8U) + byte(7), 11811U) << "pixels per metre";
     EXPECT_EQ(byte(12), 1U);
     EXPECT_EQ(read_image(file).rgba, image.rgba);

@@ -16,9 +16,9 @@ TEST_F(ApplicationTest, EveryPartHasItsPlaceInTheWindow) {
         frame();
         frame();
         for (const char* key :
-             {"action.run", "action.step", "action.reset", "action.home", "action.figure",
-              "action.export-to", "scenario", "monitor.type", "monitor.amplitude", "viewport", "plot.first",
-              "plot.second", "status.0", "playback.scrubber", "playback.position"}) {
+             {"action.run", "action.step", "action.reset", "action.home", "action.figure", "action.export-to",
+              "scenario", "monitor.type", "monitor.amplitude", "viewport", "plot.first", "plot.second",
+              "status.0", "playback.scrubber", "playback.position"}) {
             ASSERT_TRUE(application.items().count(key)) << key;
             const ItemRectangle& item = application.items().find(key)->second;
             EXPECT_GT(item.width(), 10) << key << " at " << width;
@@ -298,9 +298,9 @@ TEST_F(ApplicationTest, EverythingHasRoomAtTheSizeForProjectors) {
     for (const ImVec2 size : {ImVec2{1920, 1080}, {1400, 900}}) {
         ImGui::GetIO().DisplaySize = size;
         for (int i = 0; i < 3; ++i) frame();
-        for (const char* key : {"action.run", "action.export-to", "scenario", "monitor.amplitude",
-                                "viewport", "plot.first", "plot.second", "plot.first.menu",
-                                "plot.second.menu", "status.0", "playback.scrubber", "action.step"}) {
+        for (const char* key : {"action.run", "action.export-to", "scenario", "monitor.amplitude", "viewport",
+                                "plot.first", "plot.second", "plot.first.menu", "plot.second.menu",
+                                "status.0", "playback.scrubber", "action.step"}) {
             ASSERT_TRUE(application.items().count(key)) << key;
             const ItemRectangle item = application.items().find(key)->second;
             EXPECT_LE(item.right, size.x + 1) << key;

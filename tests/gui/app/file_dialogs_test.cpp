@@ -267,9 +267,8 @@ TEST_F(FileDialogsTest, AStateThatDoesNotFitIsASentenceAndChangesNothing) {
     EXPECT_EQ(run().history.size(), rows);
     std::ofstream(folder / "broken.bin") << "GASPARD STATE\n" << '\0' << '\0' << "no more";
     application.open_file(folder / "broken.bin");
-    ASSERT_TRUE(wait_until([&] {
-        return application.messages().error().sentence().find("broken.bin") != std::string::npos;
-    }));
+    ASSERT_TRUE(wait_until(
+        [&] { return application.messages().error().sentence().find("broken.bin") != std::string::npos; }));
 }
 
 } // namespace
