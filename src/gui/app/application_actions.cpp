@@ -441,7 +441,7 @@ std::vector<Action> Application::file_actions() {
          .menu = "File",
          .keys = {"Ctrl+O"},
          .help = "Open a scenario, or use an image, a field, a spline patch or a state in this one.",
-         .run = [this] { file_dialogs_.ask_what_to_open(); }},
+         .run = [this] { file_dialogs_.ask_what_to_open(settings_); }},
         {.name = "reload",
          .label = "Reload data",
          .menu = "File",

@@ -28,11 +28,13 @@ std::vector<std::string_view> endings_for(const std::string& key, const Scenario
 
 } // namespace
 
-void FileDialogs::ask_what_to_open() {
+void FileDialogs::ask_what_to_open(const Settings& settings) {
     purpose_ = Purpose::open;
+    const std::filesystem::path last = settings.folders.empty() ? "." : settings.folders.front();
     browser_.show({.title = "Open",
                    .line = "Open " + what_opens() + "; you can also drop a file on the window.",
-                   .endings = endings_of()});
+                   .endings = endings_of(),
+                   .start = (std::filesystem::absolute(last).lexically_normal() / "").string()});
 }
 
 void FileDialogs::ask_for_value(const FileWish& wish, const Scenario& scenario) {

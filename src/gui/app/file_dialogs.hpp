@@ -36,7 +36,8 @@ using FileAnswer =
 
 class FileDialogs {
   public:
-    void ask_what_to_open();
+    /// In the folder that was used last.
+    void ask_what_to_open(const Settings& settings);
     /// A file for a value of the scenario. Its folder is listed with those files that could be meant.
     void ask_for_value(const FileWish& wish, const Scenario& scenario);
     /// `file`: the one that is suggested.

@@ -197,6 +197,13 @@ TEST_F(ApplicationTest, TheOpenDialogTakesAPath) {
     std::ofstream(folder / "typed.toml") << to_toml(other);
     EXPECT_TRUE(application.press_key("Ctrl+O"));
     for (int i = 0; i < 3; ++i) frame();
+    ui.click(application.items().find("open.path")->second, drawing());
+    ui.control(true);
+    ui.key(ImGuiKey_A, true);
+    frame();
+    ui.key(ImGuiKey_A, false);
+    ui.control(false);
+    frame();
     ui.type((folder / "typed.toml").string(), drawing());
     ui.click(application.items().find("open.ok")->second, drawing());
     EXPECT_TRUE(wait_until([&] { return application.title() == "Typed"; }))

@@ -184,7 +184,7 @@ TEST_F(FileDialogsTest, FoldersAreBrowsedWithKeys) {
     std::ofstream(folder / "one" / ".hidden.toml") << "";
     application.perform("open");
     frames(4);
-    ui.type((folder / "").string() + "O", drawing());
+    replace_text("open.path", (folder / "").string() + "O");
     ASSERT_TRUE(wait_until([&] { return shows("open.entry.one"); }));
     EXPECT_FALSE(shows("open.entry.two")) << "only what begins as typed";
     press(ImGuiKey_Tab); // completes the name
@@ -212,6 +212,8 @@ TEST_F(FileDialogsTest, FoldersAreBrowsedWithKeys) {
     ASSERT_FALSE(application.settings().folders.empty());
     EXPECT_EQ(application.settings().folders.front(), (folder / "one" / "inner").string());
     EXPECT_FALSE(shows("open.path"));
+    application.perform("open");
+    EXPECT_TRUE(wait_until([&] { return shows("open.entry.deep.toml"); })) << "where the last file was";
 }
 
 TEST_F(FileDialogsTest, AFolderThatCannotBeReadSaysWhy) {
