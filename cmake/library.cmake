@@ -30,7 +30,7 @@ target_include_directories(gaspard_library INTERFACE
   $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(gaspard_library PUBLIC Threads::Threads
   PRIVATE $<BUILD_INTERFACE:gaspard_options> $<BUILD_INTERFACE:tomlplusplus::tomlplusplus>
-    $<BUILD_INTERFACE:pugixml::pugixml> $<BUILD_INTERFACE:TinyGLTF::TinyGLTF> $<BUILD_INTERFACE:PkgConfig::STB> $<BUILD_INTERFACE:PkgConfig::NETCDF> $<BUILD_INTERFACE:PkgConfig::HDF5> $<BUILD_INTERFACE:PkgConfig::MUPARSER> $<BUILD_INTERFACE:PNG::PNG> $<BUILD_INTERFACE:JPEG::JPEG> $<BUILD_INTERFACE:OpenMeshCore>)
+    $<BUILD_INTERFACE:pugixml::pugixml> $<BUILD_INTERFACE:TinyGLTF::TinyGLTF> $<BUILD_INTERFACE:PkgConfig::STB> $<BUILD_INTERFACE:PkgConfig::NETCDF> $<BUILD_INTERFACE:PkgConfig::HDF5> $<BUILD_INTERFACE:PkgConfig::MUPARSER> $<BUILD_INTERFACE:PkgConfig::RSVG> $<BUILD_INTERFACE:PkgConfig::CAIRO> $<BUILD_INTERFACE:PNG::PNG> $<BUILD_INTERFACE:JPEG::JPEG> $<BUILD_INTERFACE:OpenMeshCore>)
 # The list of symbols leaves out instances of the standard library's templates, which no visibility hides.
 # -Bsymbolic: the library calls its own inline functions, not those of a program compiled with other options.
 set(symbols ${PROJECT_SOURCE_DIR}/cmake/library.map)

@@ -4,11 +4,11 @@ set -euo pipefail
 build="build-essential cmake ninja-build pkg-config libglfw3-dev libimgui-dev libglm-dev libeigen3-dev
   libtinygltf-dev libegl-dev libgl-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libnetcdf-dev
   libopenmesh-dev libpugixml-dev libmuparser-dev libpng-dev libjpeg-dev zlib1g-dev libnanoflann-dev
-  libstb-dev libgl1-mesa-dri libfontconfig-dev"
+  libstb-dev libgl1-mesa-dri libfontconfig-dev librsvg2-dev libcairo2-dev fonts-liberation"
 # Not in every release: Mesa has dropped OSMesa after 25.0. Images are then drawn through EGL.
 optional="libosmesa6"
 test="libgtest-dev libassimp-dev libtinyxml2-dev xvfb xdotool x11-utils python3 python3-xlib
-  desktop-file-utils fonts-droid-fallback"
+  desktop-file-utils fonts-droid-fallback poppler-utils"
 bench="libbenchmark-dev python3 python3-dolfin python3-numpy python3-petsc4py python3-scipy"
 package="dpkg-dev file"
 # The same compiler in both releases: the default of Debian 12 has no std::source_location.

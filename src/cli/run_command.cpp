@@ -127,9 +127,12 @@ void draw_view(std::shared_ptr<const Catalogue> catalogue, Run& run, const std::
     if (whole_window)
         return write_png(folder / "view.png",
                          render_whole_window(std::move(catalogue), {scenario, run.history(), run.snapshot()},
-                                             width, height));
-    write_png(folder / "view.png", render_view(*run.snapshot(), scenario.view, width, height,
-                                               scenario_title(scenario), {.stop = std::move(stop)}));
+                                             width, height),
+                         scenario.view.real("dpi"));
+    write_png(folder / "view.png",
+              render_view(*run.snapshot(), scenario.view, width, height, scenario_title(scenario),
+                          {.stop = std::move(stop)}),
+              scenario.view.real("dpi"));
 }
 
 } // namespace

@@ -78,7 +78,7 @@ void check_with_mesh(const ScenarioInput& input, const Mesh& mesh) {
     with_place_of(input.source, [&] {
         const Values& view = input.scenario.view;
         check_view(view, &mesh);
-        const auto is_svg = [](const Format* one) { return one->name == "svg"; };
+        const auto is_svg = [](const Format* one) { return one->name == "svg" || one->name == "pdf"; };
         if (std::none_of(input.formats.begin(), input.formats.end(), is_svg)) return;
         const double aspect =
             static_cast<double>(view.integer("height")) / static_cast<double>(view.integer("width"));

@@ -19,7 +19,7 @@ import xml.etree.ElementTree
 PROGRAM = None
 DOCS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "docs")
 QUICK = ["--set", "domain.cells=12"]
-ALL_FORMATS = "obj,glb,obj-curved,glb-curved,vtu,msh,ply,csv,ugrid,patch,svg"
+ALL_FORMATS = "obj,glb,obj-curved,glb-curved,vtu,msh,ply,csv,ugrid,patch,svg,pdf"
 PLANE_FORMATS = ALL_FORMATS.replace("patch,", "")
 
 

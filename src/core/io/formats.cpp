@@ -5,12 +5,12 @@
 #include "core/base/join.hpp"
 #include "core/base/parameter.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/figure.hpp"
+#include "core/io/pdf.hpp"
 #include "core/io/svg.hpp"
 #include "core/scenario/catalogue.hpp"
 #include "core/spline/patch_file.hpp"
 #include "core/spline/patch_xml.hpp"
-#include "core/tessellate/blend.hpp"
-#include "core/tessellate/colouring.hpp"
 #include "core/tessellate/fine_tessellation.hpp"
 #include "core/tessellate/interval_plots.hpp"
 #include "core/tessellate/snapshot_section.hpp"
@@ -109,46 +109,24 @@ Plot history_plot(const std::vector<StepReport>& history, std::string_view name)
     return plot;
 }
 
-/// As the layout of the view says; a drawing has no other side and no map.
-std::vector<SvgPanel> panels_of(const Snapshot& snapshot, const Values& view) {
-    const ColourChoice choice = colour_choice(view);
-    ColourChoice uniform = choice; // there the interpolation error is another
-    if (choice.colouring == "interpolation_error" && snapshot.interpolation)
-        uniform.colouring = "interpolation_error_uniform";
-    const std::string& layout = view.text("layout");
-    const double blend = view.real("blend");
-    SvgPanel computational{"computational", 0, make_colouring(snapshot, uniform)};
-    SvgPanel shown{layout == "side-by-side" ? blend_title(blend) : "", blend,
-                   make_colouring(snapshot, choice)};
-    std::vector<SvgPanel> panels;
-    if (layout == "computational") computational.title.clear();
-    if (layout == "computational" || layout == "side-by-side") panels.push_back(std::move(computational));
-    if (layout != "computational") panels.push_back(std::move(shown));
-    return panels;
-}
-
 void write_svg_files(const std::filesystem::path& folder, const RunResult& result) {
     const Values& view = result.view;
-    const Background background = parse_background(view.text("background"));
-    const double aspect =
-        static_cast<double>(view.integer("height")) / static_cast<double>(view.integer("width"));
-    if (is_interval(*result.snapshot.mesh))
-        write_svg(folder / "adapted.svg", interval_plots(result.snapshot, view), background);
-    else {
+    if (is_interval(*result.snapshot.mesh)) {
+        write_svg(folder / "adapted.svg", interval_plots(result.snapshot, view),
+                  parse_background(view.text("background")));
+    } else {
         const std::vector<SvgPanel> panels = panels_of(result.snapshot, view);
         constexpr double single = 120, beside = 180; // mm, as of an interval
-        write_svg(folder / "adapted.svg", result.snapshot, panels,
-                  {.width_mm = panels.size() > 1 ? beside : single,
-                   .camera = view.text("camera"),
-                   .aspect = aspect,
-                   .background = background,
-                   .lines = view.boolean("lines"),
-                   .elevation = view.real("elevation"),
-                   .elevation_camera = view.text("elevation_camera"),
-                   .inside = inside_choice(view)});
+        MeshSvgOptions options = mesh_svg_options(view);
+        options.width_mm = panels.size() > 1 ? beside : single;
+        write_svg(folder / "adapted.svg", result.snapshot, panels, options);
     }
     write_svg(folder / "residual.svg", history_plot(result.history, "residual"));
     write_svg(folder / "equidistribution.svg", history_plot(result.history, "equidistribution"));
+}
+
+void write_pdf_file(const std::filesystem::path& folder, const RunResult& result) {
+    write_pdf(folder / "figure.pdf", svg_of_figure(result.snapshot, result.view, result.subject));
 }
 
 const Format& find_format(std::string_view name) {
@@ -214,6 +192,11 @@ const std::vector<Format>& formats() {
          "and equidistribution",
          {"adapted.svg", "residual.svg", "equidistribution.svg"},
          &write_svg_files},
+        {"pdf",
+         "the meshes of view.layout (of an interval, its plots) as vectors, on a page of view.width and "
+         "view.height",
+         {"figure.pdf"},
+         &write_pdf_file},
     };
     return table;
 }

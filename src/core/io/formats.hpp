@@ -70,6 +70,7 @@ struct RunResult {
     const Values& view; ///< of view_rows()
     double curve_tolerance = default_curve_tolerance; ///< relative to the size of the mesh
     std::shared_ptr<const SplinePatch> patch{}; ///< the mesh as splines; null if it is not a spline mesh
+    std::string subject{};                      ///< names the problem in captions; may be empty
 };
 
 struct Format {

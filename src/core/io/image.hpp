@@ -14,7 +14,7 @@ struct Image {
 };
 
 /// Throws MachineError if the file cannot be written.
-void write_png(const std::filesystem::path& file, const Image& image);
+void write_png(const std::filesystem::path& file, const Image& image, double dpi = 0);
 /// Throws InputError if the file cannot be read or decoded.
 Image read_image(const std::filesystem::path& file);
 

@@ -3,15 +3,41 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/image.hpp"
 
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <stb_image.h>
 #include <stb_image_write.h> // Debian's libstb holds the implementations
 #include <string>
+#include <zlib.h>
 
 namespace gaspard {
 
-void write_png(const std::filesystem::path& file, const Image& image) {
+namespace {
+
+void append_big_endian(std::string& bytes, std::uint32_t value) {
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>((value >> shift) & 0xffU);
+}
+
+/// The chunk with the resolution.
+std::string phys_chunk(double dpi) {
+    const auto per_metre = static_cast<std::uint32_t>(std::lround(dpi / 0.0254));
+    std::string body = "pHYs";
+    append_big_endian(body, per_metre);
+    append_big_endian(body, per_metre);
+    body += '\1'; // the unit is the metre
+    std::string chunk;
+    append_big_endian(chunk, static_cast<std::uint32_t>(body.size() - 4));
+    chunk += body;
+    append_big_endian(chunk, static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(body.data()),
+                                                              static_cast<uInt>(body.size()))));
+    return chunk;
+}
+
+} // namespace
+
+void write_png(const std::filesystem::path& file, const Image& image, double dpi) {
     GASPARD_CHECK(image.width > 0 && image.height > 0);
     GASPARD_CHECK(image.rgba.size() ==
                   4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
@@ -22,6 +48,8 @@ void write_png(const std::filesystem::path& file, const Image& image) {
     const int done = stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(),
                                             4 * image.width);
     GASPARD_CHECK(done != 0);
+    constexpr std::size_t after_header = 8 + 25; // the signature and IHDR
+    if (dpi > 0) bytes.insert(after_header, phys_chunk(dpi));
     write_atomically(file, bytes);
 }
 

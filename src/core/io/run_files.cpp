@@ -228,7 +228,8 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
                            run.space(),
                            run.scenario().view,
                            run.scenario().output.real("curve_tolerance"),
-                           patch_wanted ? patch_of(run) : nullptr};
+                           patch_wanted ? patch_of(run) : nullptr,
+                           scenario_title(run.scenario())};
     if (of_section)
         attempt("section.csv", [&] { write_section_files(folder, *snapshot, run.scenario().view); });
     for (const auto* format : formats) attempt(format->files.front(), [&] { format->write(folder, result); });

@@ -61,8 +61,14 @@ class Reader {
     std::string file_;
 };
 
+} // namespace
+
+bool is_state(std::string_view head) { return head.starts_with(mark); }
+
+namespace {
+
 void check_whole(Reader& reader, std::string_view bytes) {
-    if (bytes.substr(0, mark.size()) != mark) reader.fail("is not a Gaspard state file (state.bin of a run)");
+    if (!is_state(bytes)) reader.fail("is not a Gaspard state file (state.bin of a run)");
     if (bytes.size() < mark.size() + sizeof(std::uint64_t)) reader.fail("is truncated");
     const auto body = bytes.substr(0, bytes.size() - sizeof(std::uint64_t));
     if (Reader(bytes.substr(body.size()), {}).number<std::uint64_t>() != fnv1a(body))

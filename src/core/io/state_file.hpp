@@ -9,9 +9,12 @@
 #include "core/method/method.hpp"
 
 #include <filesystem>
+#include <string_view>
 
 namespace gaspard GASPARD_API {
 
+/// Whether the first bytes of a file are those of a state.
+bool is_state(std::string_view head);
 /// Throws MachineError if the file cannot be written.
 void write_state(const std::filesystem::path& file, const State& state);
 /// Throws InputError if the file does not exist, is not a state file, is damaged or has another version.

@@ -26,12 +26,23 @@ struct PlotSvgOptions {
 /// show (zero, negative numbers) and what is not finite is a gap.
 std::string svg_of_plot(const Plot& plot, const PlotSvgOptions& options = {});
 
+struct SvgPage {
+    double width_mm = 0, height_mm = 0; ///< 0: the usual size
+    double text_size = 1;               ///< of texts and lines; 1: 8 points
+};
+
 /// The plots of an interval's mesh, columns beside each other.
-std::string svg_of_plots(const std::vector<IntervalColumn>& columns, const Background& background = {});
+std::string svg_of_plots(const std::vector<IntervalColumn>& columns, const Background& background = {},
+                         const SvgPage& page = {});
 
 struct MeshSvgOptions {
-    double width_mm = 120;   ///< of the whole drawing
-    int classes = 16;        ///< colours
+    double width_mm = 120;              ///< of the whole drawing
+    double height_mm = 0;               ///< of the whole drawing; 0: as high as what it shows
+    double text_size = 1;               ///< of texts and lines; 1: 8 points
+    bool legend = true;                 ///< beside the mesh
+    bool note = true;                   ///< below it, if cells are tangled
+    std::vector<std::string> caption{}; ///< parts of the text below it
+    int classes = 16;                   ///< colours
     std::string camera{};    ///< as view.camera; empty: the whole mesh, a mesh in space from slightly above
     double aspect = 0.75;    ///< height over width of what a camera with a centre and a height shows
     Background background{}; ///< the theme's is white

@@ -62,14 +62,14 @@ std::string svg_background(const Background& background) {
 }
 
 std::string svg_document(double width, double height, std::string_view title, std::string_view content,
-                         std::string_view background) {
+                         std::string_view background, double zoom) {
     const std::string w = svg_number(width), h = svg_number(height);
     std::string below;
     if (!background.empty())
         below = "<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"" + std::string(background) + "\"/>\n";
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
-           svg_number(width / points_per_mm) + "mm\" height=\"" + svg_number(height / points_per_mm) +
-           "mm\" viewBox=\"0 0 " + w + ' ' + h +
+           svg_number(zoom * width / points_per_mm) + "mm\" height=\"" +
+           svg_number(zoom * height / points_per_mm) + "mm\" viewBox=\"0 0 " + w + ' ' + h +
            "\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" font-size=\"" +
            svg_number(svg_font_size) + "\">\n<title>" + xml_escape(title) + "</title>\n<desc>Gaspard " +
            std::string(version()) + "</desc>\n" + below + std::string(content) + "</svg>\n";
@@ -101,6 +101,23 @@ double svg_text_width(std::string_view text) {
             if ((static_cast<unsigned char>(byte) & 0xc0u) != 0x80) // the first byte of a character
                 characters += piece.raised ? raised_size : 1;
     return 0.56 * svg_font_size * characters;
+}
+
+std::vector<std::string> svg_lines(const std::vector<std::string>& parts, double width) {
+    constexpr std::string_view between = " · ";
+    std::vector<std::string> lines;
+    for (const std::string& part : parts) {
+        const std::string longer = lines.empty() ? part : lines.back() + std::string(between) + part;
+        if (lines.empty() || svg_text_width(longer) > width)
+            lines.push_back(part);
+        else
+            lines.back() = longer;
+    }
+    return lines;
+}
+
+std::string path_element(const SvgPath& path, const std::string& attributes) {
+    return path.empty() ? "" : "<path" + attributes + " d=\"" + path.data() + "\"/>\n";
 }
 
 } // namespace gaspard

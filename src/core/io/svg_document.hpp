@@ -7,6 +7,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gaspard {
 
@@ -19,9 +20,9 @@ std::string svg_colour(std::array<unsigned char, 3> colour);
 std::string svg_background(const Background& background);
 
 /// A document of this size in points around `content`, on a background of this colour; on none if it is
-/// empty.
+/// empty. The page is larger by `zoom`, with all that is on it.
 std::string svg_document(double width, double height, std::string_view title, std::string_view content,
-                         std::string_view background = "#fff");
+                         std::string_view background = "#fff", double zoom = 1);
 
 enum class Anchor { start, middle, end };
 
@@ -29,5 +30,10 @@ enum class Anchor { start, middle, end };
 std::string svg_text(PagePoint at, Anchor anchor, std::string_view text, std::string_view attributes = {});
 /// About how wide that is, in points.
 double svg_text_width(std::string_view text);
+/// Parts of a text, so many to a line as fit.
+std::vector<std::string> svg_lines(const std::vector<std::string>& parts, double width);
+
+/// A path with these attributes, which begin with a space; nothing if it is empty.
+std::string path_element(const SvgPath& path, const std::string& attributes = {});
 
 } // namespace gaspard

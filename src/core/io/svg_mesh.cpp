@@ -2,11 +2,11 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/svg.hpp"
 #include "core/io/svg_document.hpp"
+#include "core/io/svg_legend.hpp"
 #include "core/io/svg_scene.hpp"
 #include "core/io/svg_section.hpp"
 #include "core/tessellate/blend.hpp"
 #include "core/tessellate/colouring.hpp"
-#include "core/tessellate/ticks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,72 +17,17 @@ namespace gaspard {
 
 namespace {
 
-constexpr const char *dark_ink = "#14171c", *light_ink = "#d4d2de", *tangled_colour = "#e600b8";
-constexpr double margin = 6, legend_gap = 10, bar_width = 10, panel_gap = 10; // points
+constexpr const char *dark_ink = svg_dark_ink, *light_ink = svg_light_ink, *tangled_colour = "#e600b8";
+constexpr double margin = 6, legend_gap = 10, panel_gap = 10, highest_bar = 170,
+                 note_height = 1.5 * svg_font_size; // points
 constexpr double contour_width = 0.7;
 constexpr double skin_light = 0.78, skin_grey = 0.55; // as in mesh_fill.frag
-
-/// From 0 to 1, of linear light.
-double luminance(std::array<unsigned char, 3> colour) {
-    constexpr std::array weights = {0.2126, 0.7152, 0.0722};
-    double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double s = colour[i] / 255.0;
-        sum += weights[i] * (s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
-    }
-    return sum;
-}
-
-/// The colours of the cells, a limited number of them.
-class Classes {
-  public:
-    Classes(const SvgScene& scene, const std::optional<Colouring>& colouring, int classes) : scene_(scene) {
-        GASPARD_CHECK(classes >= 1);
-        if (!colouring) return;
-        range_ = colouring->range;
-        int count = range_.low < range_.high ? classes : 1;
-        if (colouring->map->diverging && count % 2 == 0) ++count; // one for the middle
-        colours_.clear();
-        for (int k = 0; k < count; ++k) colours_.push_back(colour_at(*colouring->map, (k + 0.5) / count));
-    }
-
-    std::size_t count() const { return colours_.size(); }
-    const ColourRange& range() const { return range_; }
-    std::string colour(std::size_t k) const { return svg_colour(colours_[k]); }
-    std::array<unsigned char, 3> parts(std::size_t k) const { return colours_[k]; }
-    std::size_t of(std::size_t face) const {
-        if (scene_.values.empty()) return 0;
-        const double place = std::clamp(range_.position(scene_.values[face]), 0.0, 1.0);
-        return std::min(count() - 1, static_cast<std::size_t>(place * static_cast<double>(count())));
-    }
-    /// Of a contour line.
-    bool level_wants_light_ink(double level) const {
-        const std::size_t k = static_cast<std::size_t>(std::clamp(range_.position(level), 0.0, 1.0) *
-                                                       static_cast<double>(count()));
-        return wants_light_ink(std::min(k, count() - 1), k > 0 ? k - 1 : 0);
-    }
-    /// Lines on these classes are seen: against either ink the contrast ratio is at least 3.
-    bool wants_light_ink(std::size_t a, std::size_t b) const {
-        return (luminance(colours_[a]) + luminance(colours_[b])) / 2 < 0.13;
-    }
-
-  private:
-    const SvgScene& scene_;
-    ColourRange range_;
-    std::vector<std::array<unsigned char, 3>> colours_ = {{255, 255, 255}};
-};
-
-std::vector<Tick> ticks_of(const ColourRange& range, double height) {
-    const int count = static_cast<int>(height / 20);
-    return range.logarithmic ? log_ticks(range.low, range.high, count)
-                             : linear_ticks(range.low, range.high, count);
-}
 
 /// Everything the drawing functions share.
 struct Drawing {
     const SvgScene& scene;
     const SvgView& view;
-    const Classes& classes;
+    const SvgClasses& classes;
     std::string name{}; ///< of the mesh, before the ids of its groups
     bool lines = true;
     int decimals = 2;
@@ -167,10 +112,6 @@ int decimals_of(const Drawing& drawing) {
     return *small < 0.15 ? 3 : 2;
 }
 
-std::string path_element(const SvgPath& path, const std::string& attributes = {}) {
-    return path.empty() ? "" : "<path" + attributes + " d=\"" + path.data() + "\"/>\n";
-}
-
 std::string contour_look(bool light) {
     return " fill=\"none\" stroke=\"" + std::string(light ? light_ink : dark_ink) + "\" stroke-width=\"" +
            svg_number(contour_width) + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"";
@@ -206,7 +147,7 @@ std::string line_group(const Drawing& drawing, const std::vector<Side>& edges, c
 }
 
 std::string flat_edges(const Drawing& drawing) {
-    const Classes& classes = drawing.classes;
+    const SvgClasses& classes = drawing.classes;
     std::array<std::array<std::vector<Side>, line_widths.size()>, 2> groups; // light and dark ink
     for (const DrawnEdge& edge : edges_of(drawing.scene.faces)) {
         const auto [a, b] = edge.faces;
@@ -400,55 +341,6 @@ std::string coloured_lines(const Drawing& drawing) {
     return text + "</g>\n";
 }
 
-std::string svg_block(double x, double y, double width, double height, const std::string& attributes) {
-    return "<rect x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" width=\"" + svg_number(width) +
-           "\" height=\"" + svg_number(height) + "\" " + attributes + "/>\n";
-}
-
-/// The lines above the bar.
-std::vector<std::string> legend_words(const Colouring& colouring) {
-    if (colouring.contours.values.empty()) return {colouring.label};
-    return {colouring.label, "contours " + colouring.contours.text};
-}
-
-double legend_width(const Colouring& colouring, double height) {
-    double width = 0;
-    for (const std::string& words : legend_words(colouring)) width = std::max(width, svg_text_width(words));
-    for (const Tick& tick : ticks_of(colouring.range, height))
-        width = std::max(width, bar_width + 5 + svg_text_width(tick.label));
-    return width;
-}
-
-/// A bar of the classes with ticks and levels, the upper left corner of the words above it at `corner`.
-std::string colour_bar(const Classes& classes, const Colouring& colouring, PagePoint corner, double height) {
-    const double block = height / static_cast<double>(classes.count());
-    std::string text = "<g id=\"legend\" fill=\"#222\">\n";
-    double top = corner.y;
-    for (const std::string& words : legend_words(colouring)) {
-        text += svg_text({corner.x, top + 0.75 * svg_font_size}, Anchor::start, words);
-        top += 1.5 * svg_font_size;
-    }
-    for (std::size_t k = 0; k < classes.count(); ++k)
-        // Each up to the bar's top, the next one over it: no gap shines through between them.
-        text += svg_block(corner.x, top, bar_width, height - static_cast<double>(k) * block,
-                          "fill=\"" + classes.colour(k) + '"');
-    text += svg_block(corner.x, top, bar_width, height, "fill=\"none\" stroke=\"#444\" stroke-width=\".35\"");
-    for (const double level : colouring.contours.values)
-        text += svg_block(
-            corner.x, top + height * (1 - classes.range().position(level)) - 0.3, bar_width, 0.6,
-            std::string("fill=\"") + (classes.level_wants_light_ink(level) ? light_ink : dark_ink) + '"');
-    SvgPath marks;
-    for (const Tick& tick : ticks_of(classes.range(), height)) {
-        const double y = top + height * (1 - classes.range().position(tick.value));
-        if (y < top - 0.01 || y > top + height + 0.01) continue;
-        marks.move({corner.x + bar_width, y});
-        marks.line({corner.x + bar_width + (tick.major ? 2.5 : 1.5), y});
-        if (tick.label.empty()) continue;
-        text += svg_text({corner.x + bar_width + 5, y + 0.36 * svg_font_size}, Anchor::start, tick.label);
-    }
-    return text + path_element(marks, " stroke=\"#444\" stroke-width=\".35\"") + "</g>\n";
-}
-
 /// The sentence that says what is wrong, with its colour; nothing if all is well.
 std::string tangled_note(const SvgScene& scene, PagePoint at) {
     std::vector<std::uint32_t> cells; // a solid's cell may show several faces
@@ -523,12 +415,52 @@ std::string panel_title(const std::string& title, PagePoint above) {
     return title.empty() ? "" : svg_text(above, Anchor::middle, title, "fill=\"#222\"");
 }
 
-std::string panel_content(const SvgScene& scene, const SvgView& view, const Classes& classes,
+std::string panel_content(const SvgScene& scene, const SvgView& view, const SvgClasses& classes,
                           const std::string& name, bool lines) {
     Drawing drawing{scene, view, classes, name, lines};
     drawing.shown = shown_parts(scene, view);
     drawing.decimals = decimals_of(drawing);
     return cropped(view, name, mesh_content(drawing));
+}
+
+/// Where the parts of a drawing are, in points.
+struct SvgPlaces {
+    double page_width = 0, page_height = 0; ///< height 0: as high as the content
+    double part = 0;                        ///< width of a mesh
+    double left = margin, top = margin;     ///< of the first mesh
+    double height = 0;                      ///< of meshes and legend
+    double legend = 0;                      ///< its left edge
+    SvgView view{};                         ///< of the first mesh
+    std::vector<std::string> caption{};     ///< lines
+};
+
+SvgPlaces places_of(const std::vector<SvgPanel>& panels, const std::vector<SvgScene>& scenes,
+                    const std::optional<Colouring>& legend, const MeshSvgOptions& options) {
+    SvgPlaces at;
+    const double points = points_per_mm / options.text_size, gaps = panel_gap * (double(panels.size()) - 1);
+    const double width = at.page_width = options.width_mm * points;
+    at.page_height = options.height_mm * points;
+    at.caption = svg_lines(options.caption, width - 2 * margin);
+    const double beside = legend ? legend_gap + svg_legend_width(*legend, highest_bar) : 0;
+    at.part = (width - 2 * margin - beside - gaps) / static_cast<double>(panels.size());
+    if (!panels.front().title.empty()) at.top += 2 * svg_font_size;
+    at.view = common_view(scenes, options, {at.left, at.top}, at.part);
+    const bool tangled = options.note && !tangled_note(scenes.back(), {}).empty();
+    const double room = at.page_height - at.top - margin -
+                        note_height * (static_cast<double>(at.caption.size()) + (tangled ? 1 : 0));
+    if (at.page_height > 0 && at.view.height > room && room > 0) { // smaller, in the middle
+        const double part = at.part * room / at.view.height;
+        at.left += static_cast<double>(panels.size()) * (at.part - part) / 2;
+        at.part = part;
+        at.view = common_view(scenes, options, {at.left, at.top}, at.part);
+    }
+    at.height = std::max(at.view.height, legend ? 90.0 : 0.0);
+    at.legend = at.left + static_cast<double>(panels.size()) * at.part + gaps + legend_gap;
+    return at;
+}
+
+std::string moved_down(const std::string& content, double by) {
+    return "<g transform=\"translate(0 " + svg_number(by) + ")\">\n" + content + "</g>\n";
 }
 
 } // namespace
@@ -542,37 +474,35 @@ std::string svg_of_meshes(const Snapshot& snapshot, const std::vector<SvgPanel>&
         scenes.push_back(section
                              ? svg_section(snapshot, panel.blend, panel.colouring, options.inside)
                              : svg_scene(moved(snapshot, panel.blend), panel.colouring, options.elevation));
-    const std::optional<Colouring>& colouring = panels.back().colouring;
-    const Classes classes(scenes.back(), colouring, options.classes);
-    const auto count = static_cast<double>(panels.size());
-    const double width = options.width_mm * points_per_mm;
-    constexpr double highest_bar = 170;
-    const double beside = colouring ? legend_gap + legend_width(*colouring, highest_bar) : 0;
-    const double part = (width - 2 * margin - beside - (count - 1) * panel_gap) / count;
-    const double top = margin + (panels.front().title.empty() ? 0 : 2 * svg_font_size);
-    SvgView view = common_view(scenes, options, {margin, top}, part);
-
+    const std::optional<Colouring> legend = options.legend ? panels.back().colouring : std::nullopt;
+    const SvgPlaces at = places_of(panels, scenes, legend, options);
+    SvgView view = at.view;
     std::string content;
     for (std::size_t k = 0; k < panels.size(); ++k) {
         const bool last = k + 1 == panels.size();
-        content += panel_title(panels[k].title, {view.corner.x + part / 2, margin + svg_font_size});
-        content += panel_content(scenes[k], view, Classes(scenes[k], panels[k].colouring, options.classes),
+        content += panel_title(panels[k].title, {view.corner.x + at.part / 2, at.top - svg_font_size});
+        content += panel_content(scenes[k], view, SvgClasses(scenes[k], panels[k].colouring, options.classes),
                                  last ? "" : panels[k].title + "-", options.lines);
-        view.corner.x += part + panel_gap, view.origin.x += part + panel_gap;
+        view.corner.x += at.part + panel_gap, view.origin.x += at.part + panel_gap;
     }
-    const double shown_height = std::max(view.height, colouring ? 90.0 : 0.0);
-    if (colouring)
+    if (legend) {
+        const auto words = static_cast<double>(svg_legend_words(*legend).size());
         content +=
-            colour_bar(classes, *colouring, {width - margin - beside + legend_gap, top},
-                       std::min(shown_height - 1.5 * svg_font_size *
-                                                   static_cast<double>(legend_words(*colouring).size()),
-                                highest_bar));
-    double height = top + shown_height + margin;
-    const std::string note = tangled_note(scenes.back(), {margin, height + 0.75 * svg_font_size});
-    if (!note.empty()) content += note, height += 1.5 * svg_font_size;
-    return svg_document(width, height,
-                        "Mesh after " + std::to_string(snapshot.report.iteration) + " iterations", content,
-                        svg_background(options.background));
+            svg_colour_bar(SvgClasses(scenes.back(), legend, options.classes), *legend, {at.legend, at.top},
+                           std::min(at.height - 1.5 * svg_font_size * words, highest_bar));
+    }
+    double height = at.top + at.height + margin;
+    const std::string note =
+        options.note ? tangled_note(scenes.back(), {at.left, height + 0.75 * svg_font_size}) : "";
+    if (!note.empty()) content += note, height += note_height;
+    for (const std::string& line : at.caption) {
+        content += svg_text({at.left, height + 0.75 * svg_font_size}, Anchor::start, line, "fill=\"#444\"");
+        height += note_height;
+    }
+    return svg_document(at.page_width, at.page_height > 0 ? at.page_height : height,
+                        "Mesh after " + std::to_string(snapshot.report.iteration) + " iterations",
+                        at.page_height > 0 ? moved_down(content, (at.page_height - height) / 2) : content,
+                        svg_background(options.background), options.text_size);
 }
 
 std::string svg_of_mesh(const Snapshot& snapshot, const std::optional<Colouring>& colouring,

@@ -456,9 +456,14 @@ std::string svg_of_plot(const Plot& plot, const PlotSvgOptions& options) {
     return svg_document(width, height, plot.title, svg_content(plot, layout_of(plot, width, height), height));
 }
 
-std::string svg_of_plots(const std::vector<IntervalColumn>& columns, const Background& background) {
-    constexpr double width = 120 * points_per_mm, height = 120 * points_per_mm;
-    const double part = width * (columns.size() > 1 ? 0.75 : 1.0), upper = values_share * height;
+std::string svg_of_plots(const std::vector<IntervalColumn>& columns, const Background& background,
+                         const SvgPage& page) {
+    const auto count = static_cast<double>(columns.size());
+    const double points = points_per_mm / page.text_size;
+    const double height = page.height_mm > 0 ? page.height_mm * points : 120 * points_per_mm;
+    const double whole = count > 1 ? 90 * count : 120; // mm
+    const double part = (page.width_mm > 0 ? page.width_mm * points : whole * points_per_mm) / count,
+                 upper = values_share * height;
     std::string content;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const Plot &values = columns[i].values, &spacing = columns[i].spacing;
@@ -470,8 +475,8 @@ std::string svg_of_plots(const std::vector<IntervalColumn>& columns, const Backg
                    "</g>\n<g transform=\"translate(" + left + ' ' + svg_number(upper) + ")\">\n" +
                    svg_content(spacing, below, height - upper) + "</g>\n";
     }
-    return svg_document(part * static_cast<double>(columns.size()), height, columns[0].values.title, content,
-                        svg_background(background));
+    return svg_document(part * count, height, columns[0].values.title, content, svg_background(background),
+                        page.text_size);
 }
 
 void write_svg(const std::filesystem::path& file, const Plot& plot, const PlotSvgOptions& options) {

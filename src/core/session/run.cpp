@@ -113,13 +113,7 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
     now_.meter = make_meter(now_);
     prepare_reports(now_);
     now_.state = now_.method->initial_state();
-    if (options.start) {
-        auto adopted = now_.method->adopt(*options.start, nullptr);
-        if (!adopted)
-            throw InputError("the start state has layout '" + options.start->layout +
-                             "', which is not compatible with '" + now_.state.layout + "'");
-        now_.state = std::move(*adopted);
-    }
+    if (options.start) now_.state = adopted(now_, *options.start);
     setup_seconds_ = watch.seconds();
     restart(now_, stop);
     epoch_ = 0;
@@ -221,6 +215,22 @@ void Run::reset() {
     next.state = next.method->initial_state();
     stale_ = true; // until the start is in place
     restart(std::move(next), {});
+}
+
+/// A state as the unknowns of the course.
+State Run::adopted(const Course& course, const State& start) {
+    auto state = course.method->adopt(start, nullptr);
+    if (!state)
+        throw InputError("the start state has layout '" + start.layout + "', which is not compatible with '" +
+                         course.method->initial_state().layout + "'");
+    return std::move(*state);
+}
+
+void Run::start_from(const State& state, std::stop_token stop) {
+    Course next = now_;
+    stale_ = true; // until the start is in place
+    next.state = adopted(next, state);
+    restart(std::move(next), stop);
 }
 
 void Run::follow(std::shared_ptr<const Monitor> monitor, std::stop_token stop) {

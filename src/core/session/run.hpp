@@ -81,6 +81,9 @@ class Run {
     void follow(std::shared_ptr<const Monitor> monitor, std::stop_token stop = {});
     /// Restarts from the identity map, with a new history.
     void reset();
+    /// Restarts from a state, such as that of a file (core/io/state_file.hpp), with a new history. Throws
+    /// InputError if it does not fit to the problem, and Interrupted if asked to stop.
+    void start_from(const State& state, std::stop_token stop = {});
 
     RunStatus status() const { return history_.back().status; }
     const Scenario& scenario() const { return now_.problem.scenario; }
@@ -158,6 +161,7 @@ class Run {
     bool returns() const;
     bool transfer(Course& course) const;
     Evaluation first_look(const Course& course, std::stop_token stop) const;
+    static State adopted(const Course& course, const State& start);
     void restart(Course next, std::stop_token stop);
     void begin_history(Course next, std::string note, std::stop_token stop, Diagnostics at_most);
     void put_in_place(Course&& next) noexcept;

@@ -346,7 +346,7 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
                     begins_ = command.same_gesture ? SolverEventKind::same_gesture : SolverEventKind::change;
             }
         }
-        if (!refused && command.anew) begin_anew(stop);
+        if (!refused && command.anew) begin_anew(command.start.get(), stop);
     } catch (const InputError& error) { // the run keeps its old values
         refused = true;
         say(error.what(), true);
@@ -361,10 +361,13 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
     if (run_ && !refused && !following_) publish(stop); // before the next step
 }
 
-void SolverThread::begin_anew(std::stop_token stop) {
+void SolverThread::begin_anew(const State* start, std::stop_token stop) {
     following_ = false;
     publish(stop); // the rest of the old history
-    run_->reset();
+    if (start == nullptr)
+        run_->reset();
+    else
+        run_->start_from(*start, stop);
     begins_ = SolverEventKind::restart;
     running_ = true;
 }

@@ -1,14 +1,10 @@
 #include "gui/app/application.hpp"
 
 #include "core/base/error.hpp"
-#include "core/base/join.hpp"
 #include "core/base/user_path.hpp"
-#include "core/io/formats.hpp"
 #include "core/scenario/data_files.hpp"
 #include "core/scenario/own_names.hpp"
 #include "core/scenario/toml.hpp"
-#include "core/spline/solid_domain.hpp"
-#include "core/spline/spline_domain.hpp"
 #include "core/tessellate/interval_plots.hpp"
 #include "gui/document/runs_csv.hpp"
 #include "gui/panels/status_bar.hpp"
@@ -72,7 +68,7 @@ bool Application::collect() {
     }
     for (const DataFile& data : files_.take_data()) take_data(data), news = true;
     follow_study();
-    if (auto listing = files_.take_listing()) open_dialog_.set_listing(std::move(*listing)), news = true;
+    if (auto listing = files_.take_listing()) file_dialogs_.set_listing(std::move(*listing)), news = true;
     for (const ScenarioOnDisk& saved : files_.take_saved()) {
         if (run().openings != saved_in_) continue;
         document_.name_saved(run().id, saved.scenario);
@@ -134,7 +130,7 @@ bool Application::press_key(std::string_view key) {
     if (!row && key.starts_with(shifted)) return press_key("Ctrl+" + std::string(key.substr(shifted.size())));
     if (!row) return false;
     document_.record_views(); // changes by keys since the last frame, so that undo includes them
-    const bool dialog = messages_.error().open() || open_dialog_.open() || save_dialog_.open(); // comes first
+    const bool dialog = messages_.error().open() || file_dialogs_.open(); // comes first
     if (dialog && row->name != "cancel" && row->name != "quit") return false;
     if (!dialog && text_expected() && belongs_to_text(key)) return false;
     if (!row->is_enabled()) {
@@ -171,8 +167,7 @@ WindowState Application::window_state() const {
             static_cast<float>(settings_.window.real("text_size")),
             fullscreen_,
             quit_,
-            (open_dialog_.opening() || save_dialog_.opening() || panel_.awaits_text()) &&
-                !messages_.error().open(),
+            (file_dialogs_.opening() || panel_.awaits_text()) && !messages_.error().open(),
             viewport_pane_.changing() || panel_.waiting() || playback_.playing() || playback_.blends()};
 }
 
@@ -185,7 +180,7 @@ void Application::follow(const MenuChoice& choice) {
     case MenuChoice::Kind::scenario:
         return open_builtin(choice.name);
     case MenuChoice::Kind::format:
-        return toggle_format(choice.name);
+        return export_files(choice.name);
     }
 }
 
@@ -308,23 +303,21 @@ void Application::set_text_size(double size) {
 }
 
 bool Application::can_cancel() {
-    return ImGui::IsPopupOpen("", any_popup) || messages_.error().open() || open_dialog_.open() ||
-           save_dialog_.open() || help_.open() || about_.open() || working() ||
-           document_.comparison().running() || comparison_panel_.open() ||
+    return ImGui::IsPopupOpen("", any_popup) || messages_.error().open() || file_dialogs_.open() ||
+           help_.open() || about_.open() || working() || document_.comparison().running() ||
+           comparison_panel_.open() ||
            !viewport().view.text("pick").empty();
 }
 
 /// Closes or cancels the topmost thing only.
 void Application::cancel() {
-    const bool dialog = messages_.error().open() || open_dialog_.open() || save_dialog_.open();
+    const bool dialog = messages_.error().open() || file_dialogs_.open();
     if (ImGui::IsPopupOpen("", any_popup) && !dialog)
         ImGui::ClosePopupToLevel(0, true); // a menu or a list
     else if (messages_.error().open())
         messages_.error().close();
-    else if (open_dialog_.open())
-        open_dialog_.close();
-    else if (save_dialog_.open())
-        save_dialog_.close();
+    else if (file_dialogs_.open())
+        file_dialogs_.close();
     else if (about_.open())
         about_.close();
     else if (help_.open())
@@ -339,26 +332,24 @@ void Application::cancel() {
         viewport().view.set("pick", std::string());
 }
 
-/// At least one format stays selected.
-void Application::toggle_format(const std::string& name) {
-    std::vector<std::string_view> names;
-    for (const Format& format : formats()) {
-        const bool chosen = exports(run().scenario, format.name) != (format.name == name);
-        if (chosen) names.push_back(format.name);
-    }
-    if (names.empty()) return;
-    Scenario scenario = run().scenario;
-    scenario.output.set("formats", join(names, ","));
-    document_.change(run().id, scenario);
-}
-
-void Application::export_files() {
+/// The chosen folder, if any, is that of the dialog.
+void Application::export_files(const std::string& formats, const ExportDialog::Choice& choice) {
     // The files use the colours and the camera of the viewport.
     Scenario scenario = run().scenario;
     scenario.view = viewport().view;
+    if (!choice.formats.empty()) scenario.output.set("formats", choice.formats);
     if (scenario != run().scenario) document_.change(run().id, scenario);
-    files_.export_run(run());
+    ExportOrder order{.formats = formats, .replace = choice.replace};
+    if (!choice.folder.empty()) order.folder = std::filesystem::absolute(user_path(choice.folder));
+    if (order.folder.lexically_normal() == files_.export_folder(run().scenario) && !order.replace)
+        order.folder.clear(); // the usual one, or another where that cannot be written
+    files_.export_run(run(), std::move(order));
     messages_.show({"Exporting ...", false});
+}
+
+void Application::ask_what_to_export() {
+    const bool splines = catalogue_->domain(run().scenario.domain.type).spline_patch;
+    file_dialogs_.ask_what_to_export(run().scenario, splines, files_.export_folder(run().scenario));
 }
 
 void Application::save_image(Image image) {
@@ -484,10 +475,10 @@ void Application::ask_where_to_save() {
     const Scenario& scenario = run().scenario;
     std::filesystem::path file = saved_as_;
     if (file.empty()) file = std::filesystem::absolute(scenario.folder / (scenario_stem(scenario) + ".toml"));
-    save_dialog_.show(file.string(), scenario_title(scenario), has_data_files(scenario));
+    file_dialogs_.ask_where_to_save(scenario, file);
 }
 
-void Application::save_as(const SaveDialog::Choice& choice) {
+void Application::save_as(const ScenarioToSave& choice) {
     Scenario scenario = scenario_to_save();
     if (choice.title != scenario_title(scenario)) {
         scenario = with_own_names(std::move(scenario));
@@ -498,47 +489,57 @@ void Application::save_as(const SaveDialog::Choice& choice) {
 
 void Application::open_file(const std::filesystem::path& file) { files_.open(file); }
 
-void Application::ask_what_to_open() {
-    choosing_for_.clear();
-    open_dialog_.show({.title = "Open",
-                       .line = "Path of " + what_opens() + "; you can also drop a file on the window:",
-                       .endings = endings_of(),
-                       .recent = true});
-}
-
-/// The file of a value. Its folder is listed with those files that could be meant.
-void Application::ask_for_file(const FileWish& wish) {
-    choosing_for_ = wish.key;
-    const bool domain = wish.key.starts_with("domain.");
-    const std::string& type = run().scenario.domain.type;
-    const bool splines = type == own_patch_domain || type == own_solid_domain;
-    const FileUse of_domain = splines ? FileUse::patch : FileUse::mesh;
-    std::vector<std::string_view> endings = endings_of(domain ? of_domain : FileUse::image);
-    if (!domain)
-        for (const std::string_view ending : endings_of(FileUse::field)) endings.push_back(ending);
-    std::string start;
-    if (is_path(wish.present)) {
-        std::filesystem::path file = wish.present; // with ~, as it is typed
-        if (file.is_relative() && !wish.present.starts_with("~")) file = run().scenario.folder / file;
-        start = (file.parent_path() / "").string();
-    }
-    open_dialog_.show({.title = "Choose a file",
-                       .line = "Path of the file (you can also drop it on the window):",
-                       .endings = std::move(endings),
-                       .start = start});
-}
-
-void Application::take_chosen(const std::string& path) {
-    if (choosing_for_.empty()) return files_.open(path);
+void Application::take_answer(const FileAnswer& answer) {
+    const auto folder = [](const std::string& file) { return std::filesystem::absolute(file).parent_path(); };
     try {
-        const std::string value =
-            is_path(path) ? std::filesystem::absolute(user_path(path)).lexically_normal().string() : path;
-        Scenario scenario = run().scenario;
-        set_value_unlocated(*catalogue_, scenario, choosing_for_, value);
-        change_values(scenario);
+        if (const auto* opened = std::get_if<FileToOpen>(&answer)) {
+            remember_folder(settings_, folder(opened->path));
+            files_.open(opened->path);
+        } else if (const auto* chosen = std::get_if<FileOfValue>(&answer)) {
+            remember_folder(settings_, folder(chosen->path));
+            take_file(*chosen);
+        } else if (const auto* saved = std::get_if<ScenarioToSave>(&answer)) {
+            remember_folder(settings_, folder(saved->file));
+            save_as(*saved);
+        } else if (const auto* exported = std::get_if<ExportDialog::Choice>(&answer)) {
+            export_files(exported->formats, *exported);
+        } else if (const auto* figure = std::get_if<FigureDialog::Choice>(&answer)) {
+            take_figure(*figure);
+        }
     } catch (const InputError& error) {
         messages_.say({error.what(), true});
     }
+}
+
+/// Of the iterate that is shown. The view keeps what does not change the window, for the next figure and for
+/// scripts.
+void Application::take_figure(const FigureDialog::Choice& choice) {
+    const auto snapshot = playback_.snapshot(run());
+    if (!snapshot) return messages_.say({"There is no mesh to draw yet.", false});
+    for (const char* key : {"width", "height", "dpi", "text_size", "background", "legend", "caption", "note"})
+        viewport().view.set(key, choice.view.at(key));
+    const std::string subject = scenario_title(run().scenario);
+    if (choice.kind == FigureKind::png)
+        figure_to_save_ = {choice, subject, snapshot};
+    else
+        files_.save_figure(choice, subject, snapshot);
+}
+
+void Application::save_figure(const std::function<Image(const FigureToDraw&)>& draw) {
+    const auto figure = std::exchange(figure_to_save_, std::nullopt);
+    if (!figure) return;
+    try {
+        files_.save_figure(figure->choice, draw(*figure));
+    } catch (const MachineError& error) {
+        messages_.say({error.what(), true});
+    }
+}
+
+void Application::take_file(const FileOfValue& chosen) {
+    const std::string value = std::filesystem::absolute(chosen.path).lexically_normal().string();
+    Scenario scenario = run().scenario;
+    set_value_unlocated(*catalogue_, scenario, chosen.key, value);
+    change_values(scenario);
 }
 
 void Application::take_data(const DataFile& data) {
@@ -547,6 +548,10 @@ void Application::take_data(const DataFile& data) {
                                   " cannot be used: this run has ended elsewhere and cannot be "
                                   "changed",
                               true});
+    if (data.state) {
+        document_.start_from(run().id, data.state);
+        return messages_.show({"Starting from " + data.file.string(), false});
+    }
     try {
         change_values(with_file(*catalogue_, run().opened, run().scenario, data.use, data.file));
         messages_.show({"Using " + data.file.string(), false});

@@ -5,6 +5,7 @@
 // it calls frame().
 #pragma once
 
+#include "gui/app/file_dialogs.hpp"
 #include "gui/app/file_tasks.hpp"
 #include "gui/app/menus.hpp"
 #include "gui/app/messages.hpp"
@@ -59,6 +60,13 @@ struct WindowState {
     bool animating = false;   ///< every frame differs from the last one, even without input or news
 };
 
+/// A figure in pixels that was asked for.
+struct FigureToDraw {
+    FigureDialog::Choice choice;
+    std::string subject;
+    std::shared_ptr<const Snapshot> snapshot;
+};
+
 class Application {
   public:
     Application(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
@@ -88,6 +96,8 @@ class Application {
     void save_image(Image image);
     /// Saves the requested plot, if any, as the image that `draw` returns.
     void save_plot(const std::function<Image(const Plot&)>& draw);
+    /// Saves the requested figure, if any, as the image that `draw` returns.
+    void save_figure(const std::function<Image(const FigureToDraw&)>& draw);
     /// To be written when the window closes.
     Settings settings();
 
@@ -175,18 +185,18 @@ class Application {
     void fulfil(const PlotWish& wish);
     Plot plot_for_file(const PlotWish& wish);
     void sweep(const PlotSweep& sweep);
-    void export_files();
+    void export_files(const std::string& formats, const ExportDialog::Choice& choice = {});
+    void ask_what_to_export();
     Scenario scenario_to_save();
     void save_scenario();
     void ask_where_to_save();
-    void save_as(const SaveDialog::Choice& choice);
+    void take_answer(const FileAnswer& answer);
+    void save_as(const ScenarioToSave& choice);
+    void take_figure(const FigureDialog::Choice& choice);
     void open_scenario(const Scenario& scenario);
     void take_opening();
-    void toggle_format(const std::string& name);
     void open_builtin(const std::string& name);
-    void ask_what_to_open();
-    void ask_for_file(const FileWish& wish);
-    void take_chosen(const std::string& path);
+    void take_file(const FileOfValue& chosen);
     void take_data(const DataFile& data);
     void reload_data();
     void change_values(const Scenario& scenario);
@@ -194,9 +204,7 @@ class Application {
     std::shared_ptr<const Catalogue> catalogue_;
     Settings settings_;
     Messages messages_;
-    OpenDialog open_dialog_;
-    std::string choosing_for_; ///< the key of the value whose file is being chosen; empty: a file to open
-    SaveDialog save_dialog_;
+    FileDialogs file_dialogs_;
     std::uint64_t saved_in_ = 0;     ///< how many openings preceded the last save
     std::filesystem::path saved_as_; ///< the chosen file that it was last saved to; empty: none
     std::string closing_note_;       ///< of the last end, which is in the log
@@ -221,6 +229,7 @@ class Application {
     Playback playback_;
     NarrowFeature narrow_feature_;
     std::optional<Plot> plot_to_save_;
+    std::optional<FigureToDraw> figure_to_save_;
     std::string plot_name_;    ///< of the file to come
     std::string closed_cut_;   ///< view.cut before it was closed
     Box cut_box_;              ///< around the solid that it belongs to

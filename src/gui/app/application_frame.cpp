@@ -172,7 +172,7 @@ void Application::draw_sidebar() {
         document_.change(run().id, scenario, formula);
     }
     if (formula) document_.end_gesture();
-    if (const auto wish = panel_.take_file_wish()) ask_for_file(*wish);
+    if (const auto wish = panel_.take_file_wish()) file_dialogs_.ask_for_value(*wish, run().scenario);
     if (const auto field = panel_.take_field_wish()) viewport().view.set("color", *field);
     ImGui::End();
 }
@@ -352,16 +352,13 @@ void Application::draw_dialogs() {
         if (draw_progress("comparing methods", document_.comparison().progress(), layout_.viewport, items_))
             document_.cancel_comparison();
     }
-    if (const auto folder = open_dialog_.take_folder_wish())
-        files_.list(*folder, open_dialog_.purpose().endings);
+    if (auto wish = file_dialogs_.take_wish()) files_.list(std::move(*wish));
     help_.draw(actions_, theme_, items_);
     about_.draw(theme_, items_);
     if (messages_.error().open()) // two dialogs at once would close each other
         messages_.error().draw(items_);
-    else if (const auto path = open_dialog_.draw(settings_.recent, items_))
-        take_chosen(*path);
-    else if (const auto choice = save_dialog_.draw(items_))
-        save_as(*choice);
+    else if (const auto answer = file_dialogs_.draw(settings_, items_))
+        take_answer(*answer);
 }
 
 } // namespace gaspard

@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
 #include "core/base/user_path.hpp"
+#include "core/io/state_file.hpp"
 #include "core/spline/solid_domain.hpp"
 #include "core/spline/spline_domain.hpp"
 #include "core/transport/convex_shape.hpp"
@@ -58,9 +59,10 @@ Destination destination_of(FileUse use) {
     case FileUse::mesh:
         return {SectionKind::domain, "convex"};
     case FileUse::scenario:
+    case FileUse::state:
         break;
     }
-    check_failed("a scenario is opened, not taken into another one");
+    check_failed("a scenario or a state is not a value of a scenario");
 }
 
 } // namespace
@@ -72,6 +74,7 @@ std::span<const FileKind> file_kinds() {
         {FileUse::field, "a field", {".nc", ".csv", ".txt", ".vtk", ".vti", ".vtr", ".vts", ".vtu", ".vtp"}},
         {FileUse::patch, "a spline patch or solid", {".json", ".xml"}},
         {FileUse::mesh, "the mesh of a convex domain", {".obj", ".off", ".ply", ".stl"}},
+        {FileUse::state, "the state of an earlier run", {".bin"}},
     };
     return kinds;
 }
@@ -79,6 +82,7 @@ std::span<const FileKind> file_kinds() {
 std::optional<FileUse> use_of(const std::filesystem::path& file, std::string_view head) {
     if (is_image(head)) return FileUse::image;
     if (is_netcdf(head)) return FileUse::field;
+    if (is_state(head)) return FileUse::state;
     for (const FileKind& kind : file_kinds())
         for (const std::string_view ending : kind.endings)
             if (has_extension(file, ending))

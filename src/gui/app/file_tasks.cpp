@@ -3,8 +3,11 @@
 #include "core/base/error.hpp"
 #include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/figure.hpp"
+#include "core/io/pdf.hpp"
 #include "core/io/run_files.hpp"
 #include "core/io/run_folder.hpp"
+#include "core/io/state_file.hpp"
 #include "core/io/svg.hpp"
 #include "core/scenario/data_files.hpp"
 #include "core/scenario/own_names.hpp"
@@ -51,8 +54,10 @@ std::string FileTasks::look_at(Arrivals& arrivals, const std::filesystem::path& 
     head.resize(static_cast<std::size_t>(stream.gcount()));
     const auto use = use_of(file, head);
     if (!use) throw InputError("could not open " + file.string() + "; open or drop " + what_opens());
+    DataFile data{*use, file};
+    if (*use == FileUse::state) data.state = std::make_shared<const State>(read_state(file));
     std::lock_guard lock(arrivals.mutex);
-    arrivals.data.push_back({*use, file});
+    arrivals.data.push_back(std::move(data));
     return {};
 }
 
@@ -61,9 +66,9 @@ std::vector<DataFile> FileTasks::take_data() {
     return std::exchange(arrivals_->data, {});
 }
 
-void FileTasks::list(const std::filesystem::path& folder, std::vector<std::string_view> endings) {
-    writer_.run([arrivals = arrivals_, folder, endings = std::move(endings)] {
-        FolderListing listing = list_folder(folder, endings);
+void FileTasks::list(FolderWish wish) {
+    writer_.run([arrivals = arrivals_, wish = std::move(wish)] {
+        FolderListing listing = list_folder(wish);
         std::lock_guard lock(arrivals->mutex);
         arrivals->listing = std::move(listing);
         return std::string();
@@ -80,22 +85,28 @@ std::vector<ScenarioOnDisk> FileTasks::take_saved() {
     return std::exchange(arrivals_->saved, {});
 }
 
-void FileTasks::export_run(DocumentRun& run) {
+std::filesystem::path FileTasks::export_folder(const Scenario& scenario) const {
+    return std::filesystem::absolute(output_.preferred / scenario_stem(scenario));
+}
+
+void FileTasks::export_run(DocumentRun& run, ExportOrder order) {
     // The board is shared: the task may run when the window is already closing.
-    run.solver->post(
-        InspectCommand{[catalogue = catalogue_, board = board_, output = output_,
-                        names = run.scenario.output.text("formats")](Run& solved, const Activity& activity) {
-            report_outcome(*board, [&] {
-                Scenario chosen = solved.scenario();
-                chosen.output.set("formats", names);
-                const auto formats = formats_of(*catalogue, chosen);
-                const WritableFolder place = writable_folder(output, scenario_stem(chosen));
-                const auto folder = free_folder(place.folder, run_file_names(solved, formats));
-                check_writable(folder);
-                write_run_files(folder, solved, formats, activity.progress, activity.stop);
-                return "Exported to " + folder.string() + place.remark;
-            });
-        }});
+    run.solver->post(InspectCommand{[catalogue = catalogue_, board = board_, output = output_,
+                                     order = std::move(order)](Run& solved, const Activity& activity) {
+        report_outcome(*board, [&] {
+            Scenario chosen = solved.scenario();
+            chosen.output.set("formats", order.formats);
+            const auto formats = formats_of(*catalogue, chosen);
+            const auto names = run_file_names(solved, formats);
+            const WritableFolder place = order.folder.empty() ? writable_folder(output, scenario_stem(chosen))
+                                                              : WritableFolder{order.folder, {}};
+            const auto folder = order.replace ? place.folder : free_folder(place.folder, names);
+            check_no_folders(folder, names);
+            check_writable(folder);
+            write_run_files(folder, solved, formats, activity.progress, activity.stop);
+            return "Exported to " + folder.string() + place.remark;
+        });
+    }});
 }
 
 namespace {
@@ -135,6 +146,40 @@ void FileTasks::save(Arrivals& arrivals, ScenarioOnDisk scenario, bool packed) {
 void FileTasks::save_image(const Scenario& scenario, const std::string& name, Image image) {
     writer_.write_new(output_, scenario_stem(scenario), name, ".png",
                       [image = std::move(image)](const auto& file) { write_png(file, image); });
+}
+
+namespace {
+
+/// The chosen file; its folder is made if necessary. If it has come into being since, it is not replaced.
+std::filesystem::path figure_file(const FigureDialog::Choice& figure) {
+    const auto file = std::filesystem::absolute(user_path(figure.file));
+    if (!figure.replace && std::filesystem::exists(file))
+        throw InputError(file.string() + " exists already; nothing was written");
+    check_writable(file.parent_path());
+    return file;
+}
+
+} // namespace
+
+void FileTasks::save_figure(const FigureDialog::Choice& figure, const std::string& subject,
+                            std::shared_ptr<const Snapshot> snapshot) {
+    writer_.run([figure, subject, snapshot = std::move(snapshot)] {
+        const auto file = figure_file(figure);
+        const std::string svg = svg_of_figure(*snapshot, figure.view, subject);
+        if (figure.kind == FigureKind::pdf)
+            write_pdf(file, svg);
+        else
+            write_atomically(file, svg);
+        return "Saved " + file.string();
+    });
+}
+
+void FileTasks::save_figure(const FigureDialog::Choice& figure, Image image) {
+    writer_.run([figure, image = std::move(image)] {
+        const auto file = figure_file(figure);
+        write_png(file, image, figure.view.real("dpi"));
+        return "Saved " + file.string();
+    });
 }
 
 void FileTasks::save_svg(const Scenario& scenario, const std::string& name, Plot plot) {

@@ -7,9 +7,10 @@
 #include "core/tessellate/plot.hpp"
 #include "gui/app/file_kinds.hpp"
 #include "gui/base/background_writer.hpp"
+#include "gui/base/folder_listing.hpp"
 #include "gui/base/output_folders.hpp"
 #include "gui/document/document.hpp"
-#include "gui/panels/dialogs.hpp"
+#include "gui/panels/figure_dialog.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -30,7 +31,15 @@ struct ScenarioOnDisk {
 /// A file that is there and can be taken into the scenario.
 struct DataFile {
     FileUse use{};
-    std::filesystem::path file; ///< absolute
+    std::filesystem::path file;           ///< absolute
+    std::shared_ptr<const State> state{}; ///< of a state: what is in it
+};
+
+/// What is exported of a run, and where to.
+struct ExportOrder {
+    std::string formats;            ///< as in output.formats
+    std::filesystem::path folder{}; ///< empty: one with the scenario's name in the output folder
+    bool replace = false;           ///< files that are in `folder`
 };
 
 class FileTasks {
@@ -47,14 +56,16 @@ class FileTasks {
     void open(const std::filesystem::path& file);
     /// The data files found since the last call, in order.
     std::vector<DataFile> take_data();
-    /// Reads the names in a folder; take_listing() gives them. A folder that cannot be read is empty.
-    void list(const std::filesystem::path& folder, std::vector<std::string_view> endings);
+    /// Reads the names in a folder, which may have to be made; take_listing() gives them.
+    void list(FolderWish wish);
     std::optional<FolderListing> take_listing();
     /// The scenario read last, once.
     std::optional<ScenarioOnDisk> take_opened();
-    /// Writes the files of a live run in its scenario's formats, on the solver's thread, to a folder of its
-    /// own: "plane-ring", or "plane-ring-2" if that has such files already.
-    void export_run(DocumentRun& run);
+    /// Writes the files of a live run, on the solver's thread; to "plane-ring-2" if "plane-ring" has such
+    /// files already.
+    void export_run(DocumentRun& run, ExportOrder order);
+    /// The folder that export_run() uses for a scenario if no other is chosen.
+    std::filesystem::path export_folder(const Scenario& scenario) const;
     /// "NAME.toml" or the next free name; take_saved() gives the scenario once it is written.
     void save_scenario(const Scenario& scenario);
     /// `packed`: with the content of its data files, so that it needs no other file.
@@ -63,6 +74,11 @@ class FileTasks {
     std::vector<ScenarioOnDisk> take_saved();
     /// "NAME.png" or the next free name.
     void save_image(const Scenario& scenario, const std::string& name, Image image);
+    /// A figure of a snapshot as vectors, to a file that the user has chosen.
+    void save_figure(const FigureDialog::Choice& figure, const std::string& subject,
+                     std::shared_ptr<const Snapshot> snapshot);
+    /// A figure that has been drawn, to a file that the user has chosen.
+    void save_figure(const FigureDialog::Choice& figure, Image image);
     /// "NAME.svg" or the next free name.
     void save_svg(const Scenario& scenario, const std::string& name, Plot plot);
 

@@ -26,11 +26,19 @@ Choice draw_recent(const MenuContext& context) {
     return chosen;
 }
 
+bool has_splines(const MenuContext& context) {
+    return context.catalogue.domain(context.run.scenario.domain.type).spline_patch;
+}
+
+/// Selecting one exports the run in this format alone.
 Choice draw_formats(const MenuContext& context) {
-    if (!ImGui::BeginMenu("Export as", context.run.live())) return {};
+    const bool open = ImGui::BeginMenu("Export as", context.run.live());
+    remember_item(context.frame.items, "menu.export-as");
+    if (!open) return {};
     Choice chosen;
     for (const Format& format : formats()) {
-        if (ImGui::MenuItem(format.name.c_str(), nullptr, exports(context.run.scenario, format.name)))
+        const bool possible = !format.splines_only || has_splines(context);
+        if (ImGui::MenuItem(format.name.c_str(), nullptr, false, possible))
             chosen = {Kind::format, format.name};
         remember_item(context.frame.items, "format." + format.name);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", format.help.c_str());
@@ -51,7 +59,7 @@ Choice draw_menu(const MenuContext& context, std::string_view menu) {
             chosen = {Kind::action, std::string(row.name)};
         remember_item(context.frame.items, "menu." + std::string(row.name));
         if (row.name == "open") take(draw_recent(context));
-        if (row.name == "export") take(draw_formats(context));
+        if (row.name == "export-to") take(draw_formats(context));
     }
     return chosen;
 }

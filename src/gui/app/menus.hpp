@@ -18,7 +18,7 @@ namespace gaspard {
 struct MenuChoice {
     enum class Kind { action, file, scenario, format };
     Kind kind = Kind::action;
-    std::string name; ///< of an action, a file to open, a built-in scenario, an export format to switch
+    std::string name; ///< of an action, a file to open, a built-in scenario, a format to export in
 };
 
 struct MenuContext {
@@ -31,8 +31,8 @@ struct MenuContext {
 
 class Menus {
   public:
-    /// Keys "menu.File" and, in an open menu, "menu.NAME" of an action, "recent.0", "format.NAME"; "scenario"
-    /// and, in the open list, "scenario=NAME"; "action.NAME" of the buttons.
+    /// Keys "menu.File" and, in an open menu, "menu.NAME" of an action, "recent.0", "menu.export-as" and in
+    /// that "format.NAME"; "scenario" and, in the open list, "scenario=NAME"; "action.NAME" of the buttons.
     std::optional<MenuChoice> draw_bar(const MenuContext& context);
     /// Of the bar, as last drawn.
     float height() const { return height_; }

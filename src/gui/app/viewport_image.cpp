@@ -66,15 +66,15 @@ class Canvas {
   public:
     /// `text`: what will be written that is not the program's own, such as titles.
     Canvas(int width, int height, float scale, const ImageOptions& options, std::string_view text)
-        : theme_(theme_of(options)), scale_(scale), context_(make_offscreen_context(options.backend)),
-          width_(width), height_(height), stop_(options.stop),
-          target_(context_->gl(), width, strip_height(width, height, options.most_pixels)),
-          mesh_renderer_(context_->gl()) {
+        : theme_(theme_of(options)), scale_(scale),
+          context_(options.gl ? nullptr : make_offscreen_context(options.backend)),
+          gl_(options.gl ? *options.gl : context_->gl()), width_(width), height_(height), stop_(options.stop),
+          target_(gl_, width, strip_height(width, height, options.most_pixels)), mesh_renderer_(gl_) {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
         load_font(*io.Fonts, theme_, scale, text);
         apply_theme(theme_, scale);
-        text_renderer_.emplace(context_->gl());
+        text_renderer_.emplace(gl_);
         ImGui::NewFrame();
     }
 
@@ -117,7 +117,7 @@ class Canvas {
 
     Image draw(Strip strip) {
         target_.bind();
-        const Gl& gl = context_->gl();
+        const Gl& gl = gl_;
         const Colour ground = theme_.background;
         gl.Disable(GL_SCISSOR_TEST);
         gl.ClearColor(ground.r * ground.a, ground.g * ground.a, ground.b * ground.a, ground.a);
@@ -144,7 +144,8 @@ class Canvas {
 
     Theme theme_;
     float scale_;
-    std::unique_ptr<OffscreenContext> context_;
+    std::unique_ptr<OffscreenContext> context_; ///< null: the caller's
+    const Gl& gl_;
     int width_, height_; ///< of the image
     std::stop_token stop_;
     RenderTarget target_; ///< one strip of it
@@ -161,8 +162,14 @@ Image render_view(const Snapshot& snapshot, const Values& view, int width, int h
     ImageOptions themed = options;
     themed.light = options.light || view.text("theme") == "light";
     themed.background = parse_background(view.text("background"));
-    Canvas canvas(width, height, image_scale(width, height), themed, subject);
-    canvas.mesh(snapshot, view, {.subject = subject, .report = snapshot.report}, {0, 0, width, height});
+    const float scale = image_scale(width, height) * static_cast<float>(view.real("text_size"));
+    Canvas canvas(width, height, scale, themed, subject);
+    const ViewportText text{.subject = subject,
+                            .report = snapshot.report,
+                            .caption = view.boolean("caption"),
+                            .with_legend = view.boolean("legend"),
+                            .notes = view.boolean("note")};
+    canvas.mesh(snapshot, view, text, {0, 0, width, height});
     return canvas.finish();
 }
 

@@ -1,6 +1,7 @@
 // Images without a window: a viewport, a plot, or several of them side by side, drawn offscreen.
 //
-// Each call creates and releases an OpenGL context. Throws MachineError if there is no OpenGL.
+// Each call creates and releases an OpenGL context, unless it is given one. Throws MachineError
+// if there is no OpenGL.
 #pragma once
 
 #include "core/base/parameter.hpp"
@@ -26,6 +27,7 @@ struct ImageOptions {
     OffscreenBackend backend = OffscreenBackend::any;
     Background background{}; ///< so is view.background
     int most_pixels = strip_pixels;
+    const Gl* gl = nullptr; ///< of a context that is current, to draw with; null: one is made and released
     std::stop_token stop{}; ///< asked to stop between meshes, drawing throws Interrupted
 };
 

@@ -25,9 +25,10 @@ PixelRect pixels_of(const ItemRectangle& part, float density) {
     return {x, y, pixels(part.right) - x, pixels(part.bottom) - y};
 }
 
-void WindowImage::draw_meshes(const Application& application, const WindowPixels& pixels, float zoom) {
+void WindowImage::draw_meshes(const Application& application, const WindowPixels& pixels, float zoom,
+                              RenderTarget& target) {
     const Theme& theme = application.window_state().theme;
-    below_->bind();
+    target.bind();
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.ClearColor(theme.background.r, theme.background.g, theme.background.b, 1);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -47,24 +48,40 @@ void WindowImage::draw_meshes(const Application& application, const WindowPixels
     }
 }
 
-bool WindowImage::draw(const Application& application, const WindowPixels& pixels, float zoom) {
+/// Whether both have the same views, which show other iterates.
+bool WindowImage::only_moved(const Below& drawn, const Below& wanted) {
+    return drawn.theme == wanted.theme && drawn.density == wanted.density && drawn.zoom == wanted.zoom &&
+           drawn.top == wanted.top &&
+           std::equal(drawn.views.begin(), drawn.views.end(), wanted.views.begin(), wanted.views.end(),
+                      [](const ShownView& a, const ShownView& b) {
+                          return a.camera == b.camera && a.rectangle == b.rectangle &&
+                                 a.scene.mesh == b.scene.mesh && a.scene.blend == b.scene.blend;
+                      });
+}
+
+WindowImage::Outcome WindowImage::draw(const Application& application, const WindowPixels& pixels, float zoom,
+                                       const Drawing& drawing) {
     if (!whole_ || whole_->width() != pixels.width || whole_->height() != pixels.height) {
-        below_.reset(), whole_.reset(), drawn_.reset();
+        below_.reset(), draft_.reset(), whole_.reset(), drawn_.reset();
         below_.emplace(gl_, pixels.width, pixels.height);
         whole_.emplace(gl_, pixels.width, pixels.height, 0); // text and panels need no multisampling
     }
     Below wanted{application.views(), application.window_state().theme_name, pixels.density, zoom,
                  pixels.top};
-    const bool anew = drawn_ != wanted;
+    const bool changed = drawn_ != wanted;
+    const bool kept = changed && drawing.keep && drawn_ && only_moved(*drawn_, wanted);
+    const bool anew = (changed && !kept) || (!changed && !full_ && drawing.finish);
     if (anew) {
-        draw_meshes(application, pixels, zoom);
+        full_ = !drawing.quickly || !changed;
+        if (!full_ && !draft_) draft_.emplace(gl_, pixels.width, pixels.height, 0);
+        draw_meshes(application, pixels, zoom, full_ ? *below_ : *draft_);
         drawn_ = std::move(wanted);
     }
-    whole_->copy(*below_);
+    whole_->copy(full_ ? *below_ : *draft_);
     whole_->bind();
     const ImDrawData& data = *ImGui::GetDrawData();
     interface_.draw(pixels.top ? in_strip(data, {*pixels.top, pixels.height}) : data);
-    return anew;
+    return {anew, full_ && !kept};
 }
 
 Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const FinishedRun& run, int width,

@@ -1,6 +1,7 @@
 #include "gui/app/window.hpp"
 
 #include "core/base/error.hpp"
+#include "gui/app/viewport_image.hpp"
 #include "gui/app/whole_window.hpp"
 #include "gui/app/window_icon.hpp"
 #include "gui/base/font_finder.hpp"
@@ -35,7 +36,8 @@ namespace gaspard {
 namespace {
 
 constexpr double frame_seconds = 1.0 / 60;
-constexpr int longest_wait = 30;   // frames; then typed letters go to the focused item
+constexpr int longest_wait = 30; // frames; then typed letters go to the focused item
+constexpr double slow_drawing = 0.05, rest_before_full = 0.3; // seconds
 constexpr int settling_frames = 3; // ImGui reacts to an input one or two frames later
 
 std::string last_glfw_error() {
@@ -370,8 +372,12 @@ class Window {
     /// graphics card) takes at most half of the time while the solver, which needs the cores too, is running;
     /// reactions to input are drawn at once.
     void wait() {
-        if (frames_due_ == 0 && !happenings_.news && !application_->window_state().animating)
-            glfwWaitEvents();
+        if (frames_due_ == 0 && !happenings_.news && !application_->window_state().animating) {
+            if (complete_)
+                glfwWaitEvents();
+            else
+                glfwWaitEventsTimeout(std::min(rest_before_full + 0.01, 2 * drawing_seconds_));
+        }
         const auto rest = [this] {
             const bool at_once = happenings_.input || (frames_due_ > 0 && !happenings_.news);
             const double pause = at_once ? frame_seconds : std::max(frame_seconds, 2 * drawing_seconds_);
@@ -379,7 +385,8 @@ class Window {
         };
         for (double left = 0; (left = rest()) > 0;) glfwWaitEventsTimeout(left);
         glfwPollEvents();
-        if (std::exchange(happenings_.input, false) || happenings_.news) frames_due_ = settling_frames;
+        reacting_ = std::exchange(happenings_.input, false);
+        if (reacting_ || happenings_.news) frames_due_ = settling_frames;
         frames_due_ = std::max(0, frames_due_ - 1);
         begun_ = glfwGetTime();
     }
@@ -507,7 +514,8 @@ class Window {
         ImGui::NewFrame();
         application_->frame();
         ImGui::Render();
-        const bool drawn_anew = scene_->draw(*application_, {width, height, look_.scales.density}, zoom());
+        const auto drawn =
+            scene_->draw(*application_, {width, height, look_.scales.density}, zoom(), how_to_draw());
         if (application_->take_screenshot_request())
             application_->save_image(
                 part_of(scene_->read(), pixels_of(application_->viewport_rectangle(), look_.scales.density)));
@@ -516,9 +524,29 @@ class Window {
             return draw_plot_image(gl_, scene_->interface(), plot, application_->window_state().theme, zoom(),
                                    look_.scales.density);
         });
+        application_->save_figure([this](const FigureToDraw& figure) {
+            const Values& view = figure.choice.view;
+            return render_view(*figure.snapshot, view, static_cast<int>(view.integer("width")),
+                               static_cast<int>(view.integer("height")), figure.subject, {.gl = &gl_});
+        });
         gl_.Finish();
-        if (drawn_anew) drawing_seconds_ = glfwGetTime() - begun_; // without waiting for the screen
+        complete_ = drawn.complete;
+        if (drawn.anew) note_drawing(glfwGetTime() - begun_); // without waiting for the screen
         glfwSwapBuffers(window_.get());
+    }
+
+    /// Without a graphics card a large mesh takes long. Then it is drawn quickly while it changes, and in
+    /// full once it rests; and what only reacts to the pointer, such as a button, does not wait for it.
+    Drawing how_to_draw() const {
+        const double since = begun_ - meshes_at_;
+        const bool slow = full_seconds_ > slow_drawing;
+        return {.quickly = slow,
+                .keep = slow && reacting_ && since<2 * drawing_seconds_, .finish = since> rest_before_full};
+    }
+    void note_drawing(double seconds) {
+        drawing_seconds_ = seconds;
+        if (complete_) full_seconds_ = seconds;
+        meshes_at_ = begun_;
     }
 
     // Destroyed in the opposite order: the solver first, the display last.
@@ -539,6 +567,10 @@ class Window {
     int frames_due_ = settling_frames;
     double begun_ = 0;           ///< of the last frame
     double drawing_seconds_ = 0; ///< of the last one that redrew meshes
+    double full_seconds_ = 0;    ///< of the last one that redrew them in full
+    double meshes_at_ = 0;       ///< when that was
+    bool complete_ = true;       ///< the meshes are drawn as they should be
+    bool reacting_ = false;      ///< this frame is due to an input
     FontFinder fonts_{[this] { wake(); }};
     std::optional<Application> application_;
     std::stop_token stop_;

@@ -43,7 +43,7 @@ std::span<const MouseHelp> mouse_help() {
          "Change a value; Shift: finely; double-click: type it; wheel and arrow keys after a click: step."},
         {"Drop a file",
          "Open a scenario; use an image or a field as the monitor, a spline patch or solid or the mesh of a "
-         "convex domain as the domain."},
+         "convex domain as the domain; start from a state."},
     };
     return rows;
 }

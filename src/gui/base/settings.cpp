@@ -56,6 +56,19 @@ void read_window(Values& window, const toml::table& table, const std::string& or
     }
 }
 
+void read_paths(toml::node_view<const toml::node> list, std::vector<std::string>& paths) {
+    if (const auto* entries = list.as_array())
+        for (const auto& entry : *entries)
+            if (const auto* path = entry.as_string(); path && paths.size() < recent_limit)
+                paths.push_back(path->get());
+}
+
+toml::array path_list(const std::vector<std::string>& paths) {
+    toml::array list;
+    for (const std::string& path : paths) list.push_back(path);
+    return list;
+}
+
 } // namespace
 
 std::vector<ParameterRow> settings_rows() {
@@ -92,6 +105,13 @@ void remember_recent(Settings& settings, const std::filesystem::path& file) {
     if (settings.recent.size() > recent_limit) settings.recent.resize(recent_limit);
 }
 
+void remember_folder(Settings& settings, const std::filesystem::path& folder) {
+    const std::string path = std::filesystem::absolute(folder).lexically_normal().string();
+    std::erase(settings.folders, path);
+    settings.folders.insert(settings.folders.begin(), path);
+    if (settings.folders.size() > recent_limit) settings.folders.resize(recent_limit);
+}
+
 void forget_recent(Settings& settings, const std::filesystem::path& file) {
     std::erase(settings.recent, std::filesystem::absolute(file).string());
 }
@@ -121,10 +141,8 @@ Settings read_settings(const std::filesystem::path& file, std::vector<std::strin
         const toml::table document = toml::parse(read_file(file), file.string());
         if (const auto* window = document["window"].as_table())
             read_window(settings.window, *window, file.string(), complaints);
-        if (const auto* recent = document["recent"].as_array())
-            for (const auto& entry : *recent)
-                if (const auto* path = entry.as_string(); path && settings.recent.size() < recent_limit)
-                    settings.recent.push_back(path->get());
+        read_paths(document["recent"], settings.recent);
+        read_paths(document["folders"], settings.folders);
     } catch (const toml::parse_error& error) {
         complaints.push_back(file.string() + ": " + std::string(error.description()));
     } catch (const std::exception& error) {
@@ -137,12 +155,13 @@ std::string settings_toml(const Settings& settings) {
     toml::table window;
     for (const ParameterRow& row : settings.window.rows())
         std::visit([&](const auto& value) { window.insert(row.key, value); }, settings.window.at(row.key));
-    toml::array recent;
-    for (const std::string& file : settings.recent) recent.push_back(file);
     std::ostringstream out;
     out.imbue(std::locale::classic());
     out << "# What Gaspard's window remembers; written whenever it closes.\n"
-        << toml::table{{"recent", recent}, {"window", window}} << "\n";
+        << toml::table{{"recent", path_list(settings.recent)},
+                       {"folders", path_list(settings.folders)},
+                       {"window", window}}
+        << "\n";
     return out.str();
 }
 

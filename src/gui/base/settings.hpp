@@ -1,7 +1,7 @@
 // The window's settings, which are kept between sessions: place, size, appearance, and recent files.
 //
-// A TOML file with the rows below as keys of [window], and the recent scenario files. A missing file gives
-// the defaults; invalid entries are ignored and reported, so that the window always opens.
+// A TOML file with the rows below as keys of [window], and the recent scenario files and folders. A
+// missing file gives the defaults; invalid entries are ignored and reported, so that the window always opens.
 #pragma once
 
 #include "core/base/parameter.hpp"
@@ -17,14 +17,16 @@ std::vector<ParameterRow> settings_rows();
 
 struct Settings {
     Values window{"window", settings_rows()};
-    std::vector<std::string> recent; ///< absolute paths of scenario files, the newest first
+    std::vector<std::string> recent;  ///< absolute paths of scenario files, the newest first
+    std::vector<std::string> folders; ///< that files were chosen in, the newest first
 
     friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-/// Puts a file first among the recent ones; at most `recent_limit` are kept.
+/// Puts a file, or a folder, first among the recent ones; at most `recent_limit` are kept.
 inline constexpr std::size_t recent_limit = 8;
 void remember_recent(Settings& settings, const std::filesystem::path& file);
+void remember_folder(Settings& settings, const std::filesystem::path& folder);
 void forget_recent(Settings& settings, const std::filesystem::path& file);
 
 /// The nearest value that the row allows.

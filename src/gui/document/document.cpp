@@ -201,6 +201,15 @@ void Document::reread(RunId run) {
     entry.solver->post(ChangeCommand{entry.scenario, entry.changes.asked, false, true});
 }
 
+void Document::start_from(RunId run, std::shared_ptr<const State> state) {
+    DocumentRun& entry = live(run);
+    if (entry.opening) return; // the state is of other values
+    entry.changes.asked_for_good = ++entry.changes.asked;
+    entry.wants_to_run = true;
+    entry.solver->post(ChangeCommand{
+        .scenario = entry.scenario, .number = entry.changes.asked, .anew = true, .start = std::move(state)});
+}
+
 void Document::replace(RunId run, const Scenario& scenario) {
     post_opening(live(run), {.opened = scenario, .scenario = scenario});
 }

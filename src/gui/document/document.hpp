@@ -76,6 +76,8 @@ class Document {
     void pause(RunId run);
     void step(RunId run);  ///< one iteration, then pause
     void reset(RunId run); ///< to the start, paused
+    /// Runs from a state, such as that of a file, without an edit. If it does not fit, the mesh stays.
+    void start_from(RunId run, std::shared_ptr<const State> state);
 
     /// Adds a copy of a run as it is now, with a name of its own. Nothing before the first report.
     std::optional<RunId> keep(RunId run);

@@ -168,24 +168,6 @@ void draw_complaint(ImDrawList& list, const std::string& text, ScreenRect availa
 
 } // namespace
 
-std::vector<std::string> caption_parts(const ViewportText& text) {
-    std::vector<std::string> parts;
-    const StepReport& report = text.report;
-    if (!text.subject.empty()) parts.push_back(text.subject);
-    parts.push_back("iteration " + std::to_string(report.iteration));
-    parts.push_back("residual " + short_number(report.residual, 3));
-    if (const SeriesInfo* criterion = other_criterion(report))
-        if (const auto value = report.value(criterion->name))
-            parts.push_back(criterion->name + " " + short_number(*value, 3));
-    if (const auto value = report.value("equidistribution"))
-        parts.push_back("equidistribution " + short_number(*value, 4));
-    if (report.tangled_cells.value_or(0) > 0)
-        parts.push_back(std::to_string(*report.tangled_cells) +
-                        (*report.tangled_cells == 1 ? " tangled cell" : " tangled cells"));
-    parts.emplace_back(status_name(report.status));
-    return parts;
-}
-
 /// How many of the tangled cells of a ball all turn away from the viewer.
 static std::size_t hidden_tangled(const PlannedView& shown) {
     const MeshScene& scene = shown.scene;
@@ -339,7 +321,7 @@ void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const The
         if (plan.colouring)
             draw_legend(list, *plan.colouring, plan.histogram, plan.counts, beside_legend(plan, scale), theme,
                         scale);
-        draw_notes(list, plan, available, theme, scale);
+        if (plan.text.notes) draw_notes(list, plan, available, theme, scale);
     }
     if (plan.text.caption) draw_caption(list, plan, theme, scale);
     if (!plan.facts.empty()) {

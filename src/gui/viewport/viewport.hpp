@@ -31,11 +31,9 @@ struct ViewportText {
     StepReport report{};
     bool caption = true; ///< whether the line at the bottom is drawn
     float legend = 0;    ///< least width of the legend in pixels: meshes beside each other are of one size
+    bool with_legend = true; ///< whether the legend of the colours is drawn
+    bool notes = true;       ///< whether notes are: tangled cells, the exact mesh
 };
-
-/// "plane, ring", "iteration 52", "residual 9.8×10⁻⁹", "equidistribution 0.0367", "converged": what the
-/// caption says.
-std::vector<std::string> caption_parts(const ViewportText& text);
 
 /// A mesh to be drawn: what, from where, and where it belongs.
 struct PlannedView {

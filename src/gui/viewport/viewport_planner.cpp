@@ -1,6 +1,7 @@
 #include "core/base/error.hpp"
 #include "core/scenario/view_rows.hpp"
 #include "core/tessellate/blend.hpp"
+#include "core/tessellate/caption.hpp"
 #include "core/tessellate/snapshot_section.hpp"
 #include "core/tessellate/ticks.hpp"
 #include "gui/scene/arrows.hpp"
@@ -24,9 +25,9 @@ Insets insets_of(const ViewportPlan& plan, const MeshScene& scene, float scale) 
     const ScreenRect rect = plan.rect;
     insets.top = static_cast<double>(title_height(plan.text.title, scale));
     insets.bottom = static_cast<double>(caption_height(plan.text, rect.width(), scale));
-    if (scene.colouring != nullptr)
+    if (plan.colouring != nullptr)
         insets.right = static_cast<double>(
-            std::max(plan.text.legend, legend_width(*scene.colouring, plan.histogram, scale)));
+            std::max(plan.text.legend, legend_width(*plan.colouring, plan.histogram, scale)));
     if (scene.projection)
         insets.left = static_cast<double>(ImGui::CalcTextSize("30° N").x + 2 * viewport_margin * scale);
     // Where the legend's strip is free anyway beside a centred mesh, the mesh stays centred.
@@ -68,7 +69,7 @@ std::string layout_of(const MeshScene& scene, const Values& view) {
 std::vector<std::vector<std::string>> caption_lines(const ViewportText& text, float width, float scale) {
     std::vector<std::vector<std::string>> lines;
     float used = width + 1;
-    for (auto& part : caption_parts(text)) {
+    for (auto& part : caption_parts(text.subject, text.report)) {
         const float need = ImGui::CalcTextSize(part.c_str()).x + 4 * viewport_gap * scale;
         if (used + need > width) {
             lines.emplace_back();
@@ -179,8 +180,8 @@ void ViewportPlanner::place_views(const MeshScene& scene, const Snapshot& snapsh
     }
     // Two of the same size; the legend has a strip of its own.
     ScreenRect available = above_caption(plan, scale);
-    if (scene.colouring != nullptr)
-        available.max.x -= std::round(legend_width(*scene.colouring, plan.histogram, scale));
+    if (plan.colouring != nullptr)
+        available.max.x -= std::round(legend_width(*plan.colouring, plan.histogram, scale));
     const auto [first, second] = halves(available);
     const bool around = layout == "front-and-rear";
     PlannedView left{
@@ -223,8 +224,8 @@ Values in_colours_of(const MeshScene& scene, Values view) {
 void ViewportPlanner::place_runs(const MeshScene& scene, const Values& view, ViewportPlan& plan,
                                  std::span<const NamedSnapshot> others, float scale) {
     ScreenRect available = above_caption(plan, scale);
-    if (scene.colouring != nullptr)
-        available.max.x -= std::round(legend_width(*scene.colouring, plan.histogram, scale));
+    if (plan.colouring != nullptr)
+        available.max.x -= std::round(legend_width(*plan.colouring, plan.histogram, scale));
     const int columns = columns_for(others.size() + 1, available);
     const int rows = (static_cast<int>(others.size()) + columns) / columns;
     const ImVec2 part{std::floor(available.width() / static_cast<float>(columns)),
@@ -341,7 +342,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
     }
     const MeshScene scene = maker_.make(snapshot, view);
     if (scene.cell_dimension == 3) plan.complaint = complaint_about_inside(view);
-    plan.colouring = scene.colouring;
+    if (text.with_legend) plan.colouring = scene.colouring;
     plan.histogram = view.boolean("histogram");
     plan.counts = histogram_counts(view.text("histogram_counts"));
     if (!in_space(scene)) plan.unavailable.emplace_back("layout=front-and-rear");

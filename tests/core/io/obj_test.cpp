@@ -236,7 +236,7 @@ TEST(Formats, TheTableListsTheFilesOfEachFormat) {
                             "adapted-curved.glb", "adapted-curved.obj", "adapted.csv", "adapted.glb",
                             "adapted.msh", "adapted.obj", "adapted.ply", "adapted.svg", "adapted.ugrid.nc",
                             "adapted.vtu", "computational-curved.obj", "computational.obj",
-                            "computational.ugrid.nc", "equidistribution.svg", "residual.svg"}));
+                            "computational.ugrid.nc", "equidistribution.svg", "figure.pdf", "residual.svg"}));
     expect_positions(read_obj(folder / "computational.obj"), mesh->nodes);
     expect_positions(read_obj(folder / "adapted.obj"), snapshot.x);
 }
@@ -248,7 +248,7 @@ TEST(Formats, ListsAreParsedAndUnknownNamesReportedWithTheNearest) {
     EXPECT_EQ(both[1]->name, "obj");
     EXPECT_EQ(message_of<InputError>([] { parse_formats("obj,glbb"); }),
               "unknown format 'glbb' (did you mean 'glb'?); allowed: obj, glb, obj-curved, glb-curved, "
-              "vtu, msh, ply, csv, ugrid, patch, svg");
+              "vtu, msh, ply, csv, ugrid, patch, svg, pdf");
     for (const char* wrong : {"", "obj,", ",obj", "obj glb", "OBJ"})
         EXPECT_THROW(parse_formats(wrong), InputError) << wrong;
 }

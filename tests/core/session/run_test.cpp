@@ -25,6 +25,22 @@ class RunTest : public testing::Test {
     std::shared_ptr<const Catalogue> catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
 };
 
+TEST_F(RunTest, StartsFromAStateOrStaysAsItIs) {
+    gaspard::Run solved = make();
+    finish(solved);
+    gaspard::Run run = make();
+    run.step();
+    run.start_from(solved.state());
+    EXPECT_EQ(run.history().size(), 1u);
+    EXPECT_EQ(run.status(), RunStatus::converged) << "the solution is one";
+    EXPECT_EQ(run.snapshot()->x, solved.snapshot()->x);
+    State other = solved.state();
+    other.layout = "of something else";
+    EXPECT_THROW(run.start_from(other), InputError);
+    EXPECT_EQ(run.snapshot()->x, solved.snapshot()->x);
+    EXPECT_EQ(run.status(), RunStatus::converged);
+}
+
 TEST_F(RunTest, HistoryHasOneRowPerIterationFromTheStart) {
     gaspard::Run run = make({"method.diagnostics_every=1"});
     EXPECT_EQ(run.history().size(), 1u);

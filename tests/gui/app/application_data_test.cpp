@@ -280,7 +280,7 @@ TEST_F(DataTest, TheButtonOfAFileOpensAChooser) {
     EXPECT_TRUE(application.items().count("open.entry.inside"));
     EXPECT_FALSE(application.items().count("open.entry.notes.md"));
     const std::size_t before = application.document().edits().undo_count();
-    ui.click(item("open.entry.second.png"), drawing());
+    ui.double_click(item("open.entry.second.png"), drawing());
     frames(2);
     EXPECT_EQ(run().scenario.monitor.values.text("file"), second.string());
     EXPECT_EQ(application.document().edits().undo_count(), before + 1);

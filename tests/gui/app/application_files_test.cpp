@@ -198,6 +198,12 @@ TEST_F(ApplicationTest, TheOpenDialogTakesAPath) {
     EXPECT_TRUE(application.press_key("Ctrl+O"));
     for (int i = 0; i < 3; ++i) frame();
     ui.click(application.items().find("open.path")->second, drawing());
+    ui.control(true);
+    ui.key(ImGuiKey_A, true);
+    frame();
+    ui.key(ImGuiKey_A, false);
+    ui.control(false);
+    frame();
     ui.type((folder / "typed.toml").string(), drawing());
     ui.click(application.items().find("open.ok")->second, drawing());
     EXPECT_TRUE(wait_until([&] { return application.title() == "Typed"; }))
@@ -274,7 +280,9 @@ TEST_F(SaveAsTest, AsksForFileAndTitleAndGivesTheirName) {
 
     std::ofstream(file) << "something else";
     save();
-    EXPECT_EQ(text_of(file), "something else") << "to replace it has to be confirmed";
+    frame();
+    EXPECT_EQ(application.items().count("save.ok"), 1U) << "to replace it has to be confirmed";
+    EXPECT_EQ(text_of(file), "something else");
     ui.click(application.items().find("save.ok")->second, drawing());
     ASSERT_TRUE(wait_until([&] { return application.messages().last().text == "Saved " + file.string(); }));
     EXPECT_EQ(load_scenario(*catalogue, file).monitor.values.real("amplitude"), 3);

@@ -76,6 +76,9 @@ TEST_F(SpringsApplicationTest, ColoursAreThoseOfTheMethodAsLongAsItIsChosen) {
     apply_settings(*catalogue, other, {"method.type=relaxation", "monitor.type=bell"});
     application.document().change(run().id, other);
     ASSERT_TRUE(wait_until([&] { return look().text("color") == "monitor"; }));
+    // What the panel says of the mesh moves the rows below it.
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    frame();
     click("view.color");
     EXPECT_TRUE(there("view.color=area"));
     EXPECT_FALSE(there("view.color=strain"));

@@ -16,9 +16,9 @@ TEST_F(ApplicationTest, EveryPartHasItsPlaceInTheWindow) {
         frame();
         frame();
         for (const char* key :
-             {"action.run", "action.step", "action.reset", "action.home", "action.screenshot",
-              "action.export", "scenario", "monitor.type", "monitor.amplitude", "viewport", "plot.first",
-              "plot.second", "status.0", "playback.scrubber", "playback.position"}) {
+             {"action.run", "action.step", "action.reset", "action.home", "action.figure", "action.export-to",
+              "scenario", "monitor.type", "monitor.amplitude", "viewport", "plot.first", "plot.second",
+              "status.0", "playback.scrubber", "playback.position"}) {
             ASSERT_TRUE(application.items().count(key)) << key;
             const ItemRectangle& item = application.items().find(key)->second;
             EXPECT_GT(item.width(), 10) << key << " at " << width;
@@ -76,7 +76,7 @@ TEST_F(ApplicationTest, ButtonsDoWhatKeysDo) {
     ASSERT_TRUE(wait_until([&] { return run().status.paused; }));
     ui.click(application.items().find("action.reset")->second, drawing());
     ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
-    ui.click(application.items().find("action.screenshot")->second, drawing());
+    application.perform("screenshot");
     bool taken = application.take_screenshot_request();
     for (int frame = 0; frame < 3 && !taken; ++frame) {
         ui.frame(drawing());
@@ -298,7 +298,7 @@ TEST_F(ApplicationTest, EverythingHasRoomAtTheSizeForProjectors) {
     for (const ImVec2 size : {ImVec2{1920, 1080}, {1400, 900}}) {
         ImGui::GetIO().DisplaySize = size;
         for (int i = 0; i < 3; ++i) frame();
-        for (const char* key : {"action.run", "action.export", "scenario", "monitor.amplitude", "viewport",
+        for (const char* key : {"action.run", "action.export-to", "scenario", "monitor.amplitude", "viewport",
                                 "plot.first", "plot.second", "plot.first.menu", "plot.second.menu",
                                 "status.0", "playback.scrubber", "action.step"}) {
             ASSERT_TRUE(application.items().count(key)) << key;
@@ -369,7 +369,7 @@ TEST_P(RandomInput, BreaksNothing) {
     const auto draw_int = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
     std::vector<std::string_view> keys;
     for (const Action& row : application.actions())
-        if (row.name != "export" && row.name != "screenshot")
+        if (row.name != "export" && row.name != "export-to" && row.name != "screenshot")
             keys.insert(keys.end(), row.keys.begin(), row.keys.end());
     int changes = 0;
     Scenario before = run().scenario;

@@ -22,6 +22,7 @@ TEST(Settings, ComeBackAsTheyWereWritten) {
     settings.window.set("left", std::int64_t{-40});
     settings.window.set("camera", std::string("centre 0.5 'quoted' \"twice\""));
     remember_recent(settings, "/home/me/a file.toml");
+    remember_folder(settings, "/home/me");
     write_settings(file, settings);
     std::vector<std::string> complaints;
     EXPECT_EQ(read_settings(file, complaints), settings);

@@ -1,0 +1,25 @@
+#include "core/tessellate/caption.hpp"
+
+#include "core/session/report_columns.hpp"
+#include "core/tessellate/ticks.hpp"
+
+namespace gaspard {
+
+std::vector<std::string> caption_parts(const std::string& subject, const StepReport& report) {
+    std::vector<std::string> parts;
+    if (!subject.empty()) parts.push_back(subject);
+    parts.push_back("iteration " + std::to_string(report.iteration));
+    parts.push_back("residual " + short_number(report.residual, 3));
+    if (const SeriesInfo* criterion = other_criterion(report))
+        if (const auto value = report.value(criterion->name))
+            parts.push_back(criterion->name + " " + short_number(*value, 3));
+    if (const auto value = report.value("equidistribution"))
+        parts.push_back("equidistribution " + short_number(*value, 4));
+    if (report.tangled_cells.value_or(0) > 0)
+        parts.push_back(std::to_string(*report.tangled_cells) +
+                        (*report.tangled_cells == 1 ? " tangled cell" : " tangled cells"));
+    parts.emplace_back(status_name(report.status));
+    return parts;
+}
+
+} // namespace gaspard

@@ -1,0 +1,277 @@
+// Opening, saving and exporting with the dialogs of the window.
+#include "core/base/read_file.hpp"
+#include "core/io/figure.hpp"
+#include "core/io/pdf.hpp"
+#include "core/io/state_file.hpp"
+#include "gui/application_fixture.hpp"
+
+#include <fstream>
+#include <imgui.h>
+#include <iterator>
+
+namespace gaspard {
+namespace {
+
+class FileDialogsTest : public ApplicationTest {
+  protected:
+    void frames(int count) {
+        for (int i = 0; i < count; ++i) frame();
+    }
+    bool shows(const std::string& key) { return application.items().count(key) == 1; }
+    ItemRectangle item(const std::string& key) {
+        EXPECT_TRUE(wait_until([&] { return shows(key); })) << key;
+        return shows(key) ? application.items().find(key)->second : ItemRectangle{};
+    }
+    void click(const std::string& key) {
+        ui.click(item(key), drawing());
+        frames(2);
+    }
+    void press(ImGuiKey key) {
+        ui.key(key, true);
+        frame();
+        ui.key(key, false);
+        frames(3);
+    }
+    void replace_text(const std::string& field, const std::string& text) {
+        click(field);
+        ui.control(true);
+        ui.key(ImGuiKey_A, true);
+        frame();
+        ui.key(ImGuiKey_A, false);
+        ui.control(false);
+        frame();
+        ui.type(text, drawing());
+    }
+    bool says(const std::string& text) {
+        return wait_until([&] { return application.messages().last().text == text; });
+    }
+    std::string said() { return application.messages().last().text; }
+    bool exists(const std::string& path) { return std::filesystem::exists(folder / path); }
+    Scenario titled(const std::string& title) {
+        Scenario scenario = small_ring();
+        scenario.title = title;
+        return scenario;
+    }
+};
+
+TEST_F(FileDialogsTest, ExportAsExportsOneFormatAtOnceAndKeepsTheChoice) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const std::string before = run().scenario.output.text("formats");
+    click("menu.File");
+    click("menu.export-as");
+    click("format.ply");
+    ASSERT_TRUE(says("Exported to " + (folder / "plane-ring").string())) << said();
+    EXPECT_TRUE(exists("plane-ring/adapted.ply"));
+    EXPECT_FALSE(exists("plane-ring/adapted.obj"));
+    EXPECT_EQ(run().scenario.output.text("formats"), before);
+    EXPECT_FALSE(application.document().edits().can_undo());
+}
+
+TEST_F(FileDialogsTest, TheExportDialogChoosesFormatsAndFolder) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    click("action.export-to");
+    click("export.obj");
+    click("export.glb");
+    click("export.csv");
+    click("export.browse");
+    EXPECT_FALSE(shows("export.obj")) << "the browser comes first";
+    click("folder.new-folder");
+    click("folder.new-name");
+    ui.type("results", drawing());
+    click("folder.new-ok");
+    EXPECT_TRUE(wait_until([&] { return exists("plane-ring/results"); }));
+    click("folder.cancel");
+    replace_text("export.folder", (folder / "mine").string());
+    click("export.ok");
+    ASSERT_TRUE(says("Exported to " + (folder / "mine").string())) << said();
+    EXPECT_TRUE(exists("mine/adapted.csv"));
+    EXPECT_TRUE(exists("mine/state.bin"));
+    EXPECT_FALSE(exists("mine/adapted.obj"));
+    EXPECT_EQ(run().scenario.output.text("formats"), "csv") << "E exports the same";
+}
+
+TEST_F(FileDialogsTest, AnExportReplacesNothingUnlessAsked) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const auto export_to = [&](bool replace) {
+        click("action.export-to");
+        replace_text("export.folder", (folder / "mine").string());
+        if (replace) click("export.replace");
+        click("export.ok");
+    };
+    export_to(false);
+    ASSERT_TRUE(says("Exported to " + (folder / "mine").string())) << said();
+    std::ofstream(folder / "mine" / "adapted.obj") << "mine";
+    export_to(false);
+    ASSERT_TRUE(says("Exported to " + (folder / "mine-2").string())) << said();
+    EXPECT_EQ(std::filesystem::file_size(folder / "mine" / "adapted.obj"), 4U);
+    export_to(true);
+    ASSERT_TRUE(says("Exported to " + (folder / "mine").string())) << said();
+    EXPECT_GT(std::filesystem::file_size(folder / "mine" / "adapted.obj"), 4U);
+}
+
+TEST_F(FileDialogsTest, AFigureHasTheChosenSizeAndParts) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    click("action.figure");
+    click("figure.pdf");
+    replace_text("figure.width", "800");
+    replace_text("figure.height", "600");
+    replace_text("figure.dpi", "200");
+    click("figure.legend");
+    replace_text("figure.file", (folder / "paper").string());
+    click("figure.ok");
+    ASSERT_TRUE(says("Saved " + (folder / "paper.pdf").string())) << said();
+    const std::string pdf = read_file(folder / "paper.pdf");
+    EXPECT_TRUE(pdf.starts_with("%PDF"));
+    EXPECT_EQ(pdf, pdf_of_svg(svg_of_figure(*run().snapshot, look(), small_ring().title)));
+    EXPECT_EQ(look().integer("width"), 800);
+    EXPECT_EQ(look().real("dpi"), 200);
+    EXPECT_FALSE(look().boolean("legend")) << "a script draws the same";
+    EXPECT_TRUE(look().boolean("caption"));
+}
+
+TEST_F(FileDialogsTest, AFigureInMillimetresIsDrawnInPixels) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    click("action.figure");
+    click("figure.unit");
+    ui.move(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y + 2.6F * ImGui::GetFontSize());
+    frame(); // "mm" is the second in the list
+    ui.button(true);
+    frame();
+    ui.button(false);
+    frames(2);
+    replace_text("figure.width", "80");
+    replace_text("figure.height", "60");
+    replace_text("figure.dpi", "300");
+    frames(2);
+    replace_text("figure.file", (folder / "talk").string());
+    click("figure.ok");
+    int width = 0, height = 0;
+    application.save_figure([&](const FigureToDraw& figure) {
+        width = static_cast<int>(figure.choice.view.integer("width"));
+        height = static_cast<int>(figure.choice.view.integer("height"));
+        EXPECT_EQ(figure.snapshot, run().snapshot);
+        return Image{2, 2, std::vector<std::uint8_t>(16, 200)};
+    });
+    EXPECT_EQ(width, 945) << "80 mm";
+    EXPECT_EQ(height, 709) << "60 mm";
+    ASSERT_TRUE(says("Saved " + (folder / "talk.png").string())) << said();
+    EXPECT_NE(read_file(folder / "talk.png").find("pHYs"), std::string::npos);
+}
+
+TEST_F(FileDialogsTest, AFigureReplacesNothingUnlessAsked) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    std::ofstream(folder / "mine.svg") << "mine";
+    click("action.figure");
+    click("figure.svg");
+    replace_text("figure.width", "10");
+    replace_text("figure.file", (folder / "mine").string());
+    click("figure.ok");
+    EXPECT_TRUE(shows("figure.ok")) << "10 pixels are too few";
+    replace_text("figure.width", "400");
+    click("figure.ok");
+    EXPECT_TRUE(shows("figure.ok")) << "to replace a file has to be confirmed";
+    EXPECT_EQ(read_file(folder / "mine.svg"), "mine");
+    click("figure.ok");
+    ASSERT_TRUE(says("Saved " + (folder / "mine.svg").string())) << said();
+    EXPECT_TRUE(read_file(folder / "mine.svg").starts_with("<svg"));
+}
+
+TEST_F(FileDialogsTest, FoldersAreBrowsedWithKeys) {
+    std::filesystem::create_directories(folder / "one" / "inner");
+    std::filesystem::create_directories(folder / "two");
+    std::ofstream(folder / "one" / "inner" / "deep.toml") << to_toml(titled("Deep"));
+    std::ofstream(folder / "one" / "notes.md") << "does not fit";
+    std::ofstream(folder / "one" / ".hidden.toml") << "";
+    application.perform("open");
+    frames(4);
+    replace_text("open.path", (folder / "").string() + "O");
+    ASSERT_TRUE(wait_until([&] { return shows("open.entry.one"); }));
+    EXPECT_FALSE(shows("open.entry.two")) << "only what begins as typed";
+    press(ImGuiKey_Tab); // completes the name
+    ASSERT_TRUE(wait_until([&] { return shows("open.entry.inner"); })) << "and enters the only folder";
+    EXPECT_FALSE(shows("open.entry.notes.md"));
+    EXPECT_FALSE(shows("open.entry..hidden.toml"));
+    click("open.all");
+    EXPECT_TRUE(wait_until([&] { return shows("open.entry.notes.md"); }));
+    click("open.hidden");
+    EXPECT_TRUE(wait_until([&] { return shows("open.entry..hidden.toml"); }));
+    click("open.path");
+    press(ImGuiKey_Backspace);
+    ASSERT_TRUE(wait_until([&] { return shows("open.entry.two"); })) << "the folder above";
+    press(ImGuiKey_DownArrow); // one
+    press(ImGuiKey_Enter);
+    ASSERT_TRUE(wait_until([&] { return shows("open.entry.inner"); }));
+    frames(4);
+    press(ImGuiKey_DownArrow);
+    press(ImGuiKey_Enter);
+    ASSERT_TRUE(wait_until([&] { return shows("open.entry.deep.toml"); }));
+    frames(4);
+    press(ImGuiKey_DownArrow);
+    press(ImGuiKey_Enter);
+    ASSERT_TRUE(wait_until([&] { return application.title() == "Deep"; })) << said();
+    ASSERT_FALSE(application.settings().folders.empty());
+    EXPECT_EQ(application.settings().folders.front(), (folder / "one" / "inner").string());
+    EXPECT_FALSE(shows("open.path"));
+    application.perform("open");
+    EXPECT_TRUE(wait_until([&] { return shows("open.entry.deep.toml"); })) << "where the last file was";
+}
+
+TEST_F(FileDialogsTest, AFolderThatCannotBeReadSaysWhy) {
+    const FolderListing none = list_folder({.folder = folder / "none"});
+    EXPECT_EQ(none.problem, "No such file or directory");
+    EXPECT_TRUE(list_folder({.folder = folder}).problem.empty());
+}
+
+TEST_F(FileDialogsTest, ListingsHaveFoldersFirstWithSizesAndTimes) {
+    std::filesystem::create_directories(folder / "zoo");
+    std::ofstream(folder / "a.toml") << "12345";
+    std::ofstream(folder / "b.txt") << "";
+    const FolderListing fits = list_folder({.folder = folder, .endings = {".toml"}});
+    ASSERT_EQ(fits.entries.size(), 2U);
+    EXPECT_EQ(fits.entries[0].name, "zoo");
+    EXPECT_EQ(fits.entries[1].size, 5U);
+    EXPECT_GT(fits.entries[1].time, 1'600'000'000);
+    EXPECT_EQ(list_folder({.folder = folder}).entries.size(), 3U);
+    EXPECT_EQ(list_folder({.folder = folder, .files = false}).entries.size(), 1U);
+    EXPECT_EQ(list_folder({.folder = folder / "new", .create = true}).entries.size(), 0U);
+    EXPECT_TRUE(exists("new"));
+    EXPECT_THROW(list_folder({.folder = folder / "a.toml" / "new", .create = true}), InputError);
+    EXPECT_EQ(size_text(5), "5 B");
+    EXPECT_EQ(size_text(12345), "12 kB");
+    EXPECT_EQ(size_text(999'999), "1.0 MB");
+    EXPECT_EQ(time_text(0), "");
+}
+
+TEST_F(FileDialogsTest, AStateIsOpenedAndTheRunStartsFromIt) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const double solved = run().history.back().residual;
+    application.perform("export");
+    ASSERT_TRUE(says("Exported to " + (folder / "plane-ring").string())) << said();
+    application.perform("reset");
+    ASSERT_TRUE(wait_until([&] { return run().history.size() == 1 && run().history[0].residual > solved; }));
+    application.open_file(folder / "plane-ring" / "state.bin");
+    ASSERT_TRUE(wait_until([&] { return run().ended() && run().history[0].residual <= solved * 1.0001; }))
+        << said() << " " << run().history[0].residual;
+    EXPECT_EQ(run().history.back().status, RunStatus::converged);
+    EXPECT_FALSE(application.document().edits().can_undo());
+}
+
+TEST_F(FileDialogsTest, AStateThatDoesNotFitIsASentenceAndChangesNothing) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    State other;
+    other.layout = "of something else";
+    write_state(folder / "other.bin", other);
+    const std::size_t rows = run().history.size();
+    application.open_file(folder / "other.bin");
+    ASSERT_TRUE(wait_until([&] { return application.messages().error().open(); }));
+    EXPECT_NE(application.messages().error().sentence().find("of something else"), std::string::npos)
+        << application.messages().error().sentence();
+    EXPECT_EQ(run().history.size(), rows);
+    std::ofstream(folder / "broken.bin") << "GASPARD STATE\n" << '\0' << '\0' << "no more";
+    application.open_file(folder / "broken.bin");
+    ASSERT_TRUE(wait_until(
+        [&] { return application.messages().error().sentence().find("broken.bin") != std::string::npos; }));
+}
+
+} // namespace
+} // namespace gaspard
