@@ -112,11 +112,11 @@ def main():
         window.move(600, 400), window.button(True)
         measure("pan, n = 60", window, options.repeat, mesh, lambda i: window.move(600 + 12 * (i % 2 + 1), 400 + i))
         window.button(False), window.key("h"), window.until_still(mesh)
-        window.move(150, 310), window.button(True)  # the first number of the monitor
-        measure("drag a value, n = 60, until it shows", window, options.repeat, (15, 300, 220, 22),
-                lambda i: window.move(152 + 3 * i, 310))
+        window.move(150, 323), window.button(True)  # the first number of the monitor
+        measure("drag a value, n = 60, until it shows", window, options.repeat, (15, 313, 220, 22),
+                lambda i: window.move(152 + 3 * i, 323))
         measure("drag a value, n = 60, until the mesh moves", window, options.repeat, mesh,
-                lambda i: window.move(152 + 3 * (options.repeat - i), 310))
+                lambda i: window.move(152 + 3 * (options.repeat - i), 323))
         window.button(False), window.until_still(mesh)
         window.move(800, 849), window.button(True)  # the knob of the playback bar
         measure("scrub, n = 60", window, options.repeat, mesh, lambda i: window.move(560 + 20 * (i % 8), 849))

@@ -1,5 +1,6 @@
 #include "core/io/svg_document.hpp"
 
+#include "core/base/superscript.hpp"
 #include "core/base/version.hpp"
 #include "core/io/xml.hpp"
 
@@ -12,24 +13,6 @@ namespace gaspard {
 namespace {
 
 constexpr double raised_size = 0.7, rise = 0.38; // of the font's size
-
-/// A superscript character at the front of `text`: its bytes and what it raises; nothing for others.
-std::pair<std::size_t, std::string_view> superscript(std::string_view text) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> table = {{{"⁰", "0"},
-                                                                                             {"¹", "1"},
-                                                                                             {"²", "2"},
-                                                                                             {"³", "3"},
-                                                                                             {"⁴", "4"},
-                                                                                             {"⁵", "5"},
-                                                                                             {"⁶", "6"},
-                                                                                             {"⁷", "7"},
-                                                                                             {"⁸", "8"},
-                                                                                             {"⁹", "9"},
-                                                                                             {"⁻", "−"}}};
-    for (const auto& [character, raised] : table)
-        if (text.starts_with(character)) return {character.size(), raised};
-    return {0, {}};
-}
 
 struct Piece {
     std::string text;

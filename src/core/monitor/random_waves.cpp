@@ -99,7 +99,7 @@ MonitorType random_waves_monitor() {
     return {.name = "random-waves",
             .label = "Random waves",
             .help = "a random smooth field, determined by a seed",
-            .equation = "m(x) = C^g, g = Σᵢ aᵢ cos( kᵢ . x + pᵢ ) scaled to [0, 1]",
+            .equation = "m(x) = C^g, g = Σᵢ aᵢ cos( kᵢ · x + pᵢ ), 0 ≤ g ≤ 1",
             .figure = MonitorFigure::unit_square,
             .rows =
                 [](const Space& space) {

@@ -168,10 +168,22 @@ const FieldInfo& mesh_colour(std::string_view name) {
 }
 
 std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further, std::string_view usual_colour) {
-    constexpr std::array<std::string_view, 15> details{
-        "histogram", "contours", "elevation", "peel",      "layers",
-        "only",      "explode",  "arrows",    "cut_cells", "projection_longitude",
-        "direction", "camera",   "spin",      "overlay",   "projection_camera"};
+    constexpr std::array<std::string_view, 16> details{"histogram_counts",
+                                                       "histogram",
+                                                       "contours",
+                                                       "elevation",
+                                                       "peel",
+                                                       "layers",
+                                                       "only",
+                                                       "explode",
+                                                       "arrows",
+                                                       "cut_cells",
+                                                       "projection_longitude",
+                                                       "direction",
+                                                       "camera",
+                                                       "spin",
+                                                       "overlay",
+                                                       "projection_camera"};
     std::vector<ParameterRow> rows = {
         colour_row(further, usual_colour),
         {.key = "blend",

@@ -125,6 +125,13 @@ std::shared_ptr<const RecordedIterate> Recording::at(int iteration) const {
     return after == kept_.begin() ? kept_.front() : *std::prev(after);
 }
 
+std::optional<int> Recording::first_tangled() const {
+    std::lock_guard lock(mutex_);
+    for (const auto& one : kept_)
+        if (one->report().tangled_cells.value_or(0) > 0) return one->iteration();
+    return std::nullopt;
+}
+
 std::size_t Recording::bytes() const {
     std::lock_guard lock(mutex_);
     return bytes_;

@@ -20,6 +20,7 @@ class RecordedIterate {
   public:
     explicit RecordedIterate(const Snapshot& snapshot);
     int iteration() const { return rest_.report.iteration; }
+    const StepReport& report() const { return rest_.report; }
     std::uint64_t version() const { return rest_.version; } ///< of the snapshot
     std::size_t bytes() const { return bytes_; }
     /// Positions and values rounded to single precision, all else as it was.
@@ -50,6 +51,8 @@ class Recording {
     std::vector<int> iterations() const;
     /// The newest iterate that is kept of those up to `iteration`, or the first one; null if there are none.
     std::shared_ptr<const RecordedIterate> at(int iteration) const;
+    /// The first of them whose mesh has tangled cells.
+    std::optional<int> first_tangled() const;
     std::size_t bytes() const;
     /// How many iterations lie between two that are kept.
     int stride() const;

@@ -322,6 +322,7 @@ void SolverThread::inspect(const InspectCommand& command) {
 
 void SolverThread::change(ChangeCommand command, std::stop_token stop) {
     bool refused = false;
+    if (!command.same_gesture) gesture_begun_ = false;
     if (run_ && !send_reports(stop)) return; // the rest of the old history
     changing_ = true;
     try {
@@ -343,7 +344,8 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
             else {
                 begin_to_follow(solved && command.same_gesture);
                 if (epoch_ != run_->epoch())
-                    begins_ = command.same_gesture ? SolverEventKind::same_gesture : SolverEventKind::change;
+                    begins_ = std::exchange(gesture_begun_, true) ? SolverEventKind::same_gesture
+                                                                  : SolverEventKind::change;
             }
         }
         if (!refused && command.anew) begin_anew(command.start.get(), stop);

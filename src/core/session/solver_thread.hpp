@@ -158,11 +158,12 @@ class SolverThread {
     std::shared_ptr<const Catalogue> catalogue_;
     Scenario scenario_;
     Options options_;
-    std::unique_ptr<Run> run_;  ///< used only by the solver thread
-    std::size_t published_ = 0; ///< number of rows of the history already in the queue
-    long measured_ = 0;         ///< how much of the last of them was measured when it was sent
-    int epoch_ = 0;             ///< epoch of that history
-    int recorded_epoch_ = 0;    ///< epoch of the history that is recorded
+    std::unique_ptr<Run> run_;   ///< used only by the solver thread
+    std::size_t published_ = 0;  ///< number of rows of the history already in the queue
+    long measured_ = 0;          ///< how much of the last of them was measured when it was sent
+    int epoch_ = 0;              ///< epoch of that history
+    int recorded_epoch_ = 0;     ///< epoch of the history that is recorded
+    bool gesture_begun_ = false; ///< the present history began with a change of the last gesture
     SolverEventKind begins_ = SolverEventKind::restart; ///< how the present history began
     bool shown_ = false;        ///< the current iterate has been published as snapshot
     bool partly_shown_ = false; ///< with fewer diagnostics than the run has

@@ -101,7 +101,9 @@ std::optional<SectionLine> parse_section_line(std::string_view text) {
         if (number) numbers.push_back(*number);
     }
     if (numbers.empty()) return std::nullopt;
-    if (numbers.size() != 4 || (numbers[0] == numbers[2] && numbers[1] == numbers[3]))
+    const bool overflows =
+        numbers.size() == 4 && !std::isfinite(std::hypot(numbers[2] - numbers[0], numbers[3] - numbers[1]));
+    if (numbers.size() != 4 || overflows || (numbers[0] == numbers[2] && numbers[1] == numbers[3]))
         throw InputError(
             "view.section = '" + std::string(text) +
             "' is not a line between two different points: 'x0 y0 x1 y1', such as '0 0.5 1 0.5'");

@@ -31,8 +31,12 @@ Application::Application(std::shared_ptr<const Catalogue> catalogue, Application
                     cache->get(snapshot);
                     if (cell_dimension(snapshot.mesh->kind) == 3) cache->faces(snapshot);
                 }) {
-    if (const auto choice = parse_choice(settings_.window.text("first_plot"))) plot_pane_.choose(0, *choice);
-    if (const auto choice = parse_choice(settings_.window.text("second_plot"))) plot_pane_.choose(1, *choice);
+    std::size_t place = 0;
+    for (const char* key : {"first_plot", "second_plot"}) {
+        const auto choice = parse_choice(settings_.window.text(key));
+        if (choice && choice->plot != section_plot) plot_pane_.choose(place, *choice); // there is no line yet
+        ++place;
+    }
     plot_pane_.show_earlier(settings_.window.boolean("earlier_solves"));
     if (options.in_background) viewport_pane_.work_in_background();
     for (std::string& complaint : options.complaints) messages_.note({std::move(complaint), true});
@@ -305,8 +309,7 @@ void Application::set_text_size(double size) {
 bool Application::can_cancel() {
     return ImGui::IsPopupOpen("", any_popup) || messages_.error().open() || file_dialogs_.open() ||
            help_.open() || about_.open() || working() || document_.comparison().running() ||
-           comparison_panel_.open() ||
-           !viewport().view.text("pick").empty();
+           comparison_panel_.open() || !viewport().view.text("pick").empty();
 }
 
 /// Closes or cancels the topmost thing only.
@@ -344,7 +347,9 @@ void Application::export_files(const std::string& formats, const ExportDialog::C
     if (order.folder.lexically_normal() == files_.export_folder(run().scenario) && !order.replace)
         order.folder.clear(); // the usual one, or another where that cannot be written
     files_.export_run(run(), std::move(order));
-    messages_.show({"Exporting ...", false});
+    messages_.show(
+        {playback_.live() ? "Exporting ..." : "Exporting the newest iterate, not the one that is shown ...",
+         false});
 }
 
 void Application::ask_what_to_export() {
@@ -378,11 +383,17 @@ void Application::move_in_history(bool forward) {
     messages_.show({(forward ? "Redone: " : "Undone: ") + label, false});
 }
 
+/// Keys that step a field, as the wheel does.
+static bool steps_by_key() {
+    return ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_UpArrow)) ||
+           ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_DownArrow));
+}
+
 /// Makes an edit of what this frame has changed in the view. One drag is one edit, and so is one burst of the
 /// wheel.
 void Application::record_edits() {
     constexpr double longest_pause = 0.5; // seconds between two steps of a burst
-    const bool wheel = ImGui::GetIO().MouseWheel != 0, active = ImGui::IsAnyItemActive();
+    const bool wheel = ImGui::GetIO().MouseWheel != 0 || steps_by_key(), active = ImGui::IsAnyItemActive();
     const double now = ImGui::GetTime();
     wheel_burst_ = wheel_burst_ && !active && now - wheeled_ < longest_pause;
     if (wheel && !wheel_burst_) document_.end_gesture();

@@ -168,6 +168,7 @@ class Application {
     void run_or_pause();
     void step_forward();
     Plot section_of(const PlotChoice& choice);
+    void offer_section_line(const std::array<PlotChoice, 2>& before);
     void draw_log();
     void draw_comparison();
     void draw_dialogs();
@@ -227,6 +228,8 @@ class Application {
     RunList run_list_;
     ToastPanel toast_;
     Playback playback_;
+    std::optional<int> before_click_; ///< in a plot: the iteration that was shown; empty: the newest
+    bool sidebar_before_ = true;      ///< before the size for projectors
     NarrowFeature narrow_feature_;
     std::optional<Plot> plot_to_save_;
     std::optional<FigureToDraw> figure_to_save_;

@@ -428,7 +428,8 @@ std::vector<Action> Application::window_actions() {
          .help = "Switch between a size for projectors, without the parameter panel, and the normal size.",
          .run =
              [this, large] {
-                 settings_.window.set("sidebar", large());
+                 if (!large()) sidebar_before_ = settings_.window.boolean("sidebar");
+                 settings_.window.set("sidebar", large() && sidebar_before_);
                  set_text_size(large() ? 1 : projector_size);
              },
          .checked = large},

@@ -96,10 +96,9 @@ Toast Application::toast() {
     return {closing_note(run(), action("reset")), Tone::warning, tangled};
 }
 
-/// The first iteration with tangled cells.
+/// The first recorded iteration with tangled cells.
 std::optional<int> Application::first_tangled() {
-    const auto ranges = tangled_ranges(run().history);
-    return ranges.empty() ? std::nullopt : std::optional(ranges.front().first);
+    return run().recording ? run().recording->first_tangled() : std::nullopt;
 }
 
 std::vector<const DocumentRun*> Application::runs_beside() {
@@ -293,10 +292,17 @@ void Application::draw_plots(const FrameContext& context) {
     auto studies = error_plots_.plots(run(), plot_pane_.choices());
     for (std::size_t i = 0; i < studies.size(); ++i)
         if (plot_pane_.choices()[i].plot == section_plot) studies[i] = section_of(plot_pane_.choices()[i]);
+    const auto before = plot_pane_.choices();
     const auto wish = plot_pane_.frame(document_, layout_.first_plot, layout_.second_plot, context, studies,
                                        playback_.live() ? nullptr : shown_report());
+    offer_section_line(before);
     if (wish) fulfil(*wish);
-    if (const auto iteration = plot_pane_.take_pointed()) playback_.go_to(run(), *iteration);
+    if (const auto iteration = plot_pane_.take_pointed()) {
+        before_click_ = playback_.live() ? std::nullopt : std::optional(playback_.iteration(run()));
+        playback_.go_to(run(), *iteration);
+    }
+    if (plot_pane_.take_double_click()) // its first click has gone to another iterate
+        before_click_ ? playback_.go_to(run(), *before_click_) : playback_.go_to_end();
     settings_.window.set("earlier_solves", plot_pane_.shows_earlier());
     if (const auto wanted = plot_pane_.take_sweep()) sweep(*wanted);
     const auto choices = plot_pane_.choices();
@@ -304,11 +310,17 @@ void Application::draw_plots(const FrameContext& context) {
     settings_.window.set("second_plot", format_choice(choices[1]));
 }
 
-/// Without a line, one through the middle of the mesh is drawn.
-Plot Application::section_of(const PlotChoice& choice) {
+/// A plot that is chosen without a line gets one through the middle of the mesh.
+void Application::offer_section_line(const std::array<PlotChoice, 2>& before) {
     Values& view = viewport().view;
-    if (view.text("section").empty() && !views().empty() && has_section_line(*views().front().scene.mesh))
-        view.set("section", format_section_line(usual_section_line(views().front().scene)));
+    const auto now = plot_pane_.choices();
+    for (std::size_t i = 0; i < now.size(); ++i)
+        if (now[i].plot == section_plot && before[i].plot != section_plot && view.text("section").empty() &&
+            !views().empty() && has_section_line(*views().front().scene.mesh))
+            view.set("section", format_section_line(usual_section_line(views().front().scene)));
+}
+
+Plot Application::section_of(const PlotChoice& choice) {
     Plot plot = viewport_pane_.section_plot();
     plot.x.logarithmic = choice.log_x, plot.y.logarithmic = choice.log_y;
     return plot;
@@ -318,7 +330,7 @@ void Application::draw_status(const FrameContext& context) {
     begin_part("##status", layout_.status);
     const bool in_space = !views().empty() && !views().front().scene.planar();
     const bool elevated = in_space && views().front().scene.elevation > 0;
-    draw_status_bar(status(), method_note(run(), *catalogue_),
+    draw_status_bar(status(), method_note(run(), *catalogue_, playback_.iteration(run())),
                     on_interval() ? hint_of_plots
                     : elevated    ? hint_of_heights
                     : in_space    ? hint_in_space

@@ -142,7 +142,7 @@ std::optional<MenuChoice> Menus::draw_buttons(const MenuContext& context) {
     float at = right - all(labels);
     int group = 0;
     for (const Action& row : context.actions) {
-        if (row.toolbar == 0) continue;
+        if (row.toolbar == 0 || at + button_width(row, labels) < left + list) continue; // no space
         at += row.toolbar == group ? gap : 1.6F * em;
         group = row.toolbar;
         ImGui::SetCursorPos({at, top});

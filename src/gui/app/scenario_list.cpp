@@ -28,8 +28,11 @@ std::size_t place_of(std::string_view name) {
     return groups.size();
 }
 
+/// For a search: without capitals, and without dots on letters.
 std::string lower(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (const auto& [letter, plain] : {std::pair{"ö", "o"}, {"ä", "a"}, {"ü", "u"}})
+        for (std::size_t at = 0; (at = text.find(letter)) != std::string::npos;) text.replace(at, 2, plain);
     return text;
 }
 
@@ -73,6 +76,7 @@ std::optional<ScenarioChoice> ScenarioList::draw_rows(const DocumentRun& run, co
         ImGui::TextDisabled("%s",
                             shortened(short_description(one.description), whole - column - 2 * em).c_str());
     }
+    if (group.empty()) ImGui::TextDisabled("No scenario matches.");
     return chosen;
 }
 
@@ -94,6 +98,7 @@ std::optional<ScenarioChoice> ScenarioList::draw(const Catalogue& catalogue, con
         });
     }
     if (ImGui::IsWindowAppearing()) search_.clear(), ImGui::SetKeyboardFocusHere();
+    ImGui::Spacing();
     ImGui::SetNextItemWidth(-FLT_MIN);
     ImGui::InputTextWithHint("##search", "Search", &search_);
     remember_item(context.items, "scenario.search");

@@ -4,6 +4,7 @@
 #include "gui/document/value_changes.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace gaspard {
@@ -70,8 +71,11 @@ void Document::record_views(std::string_view gesture) {
         auto& old = std::get<ViewportState>(edit.before.front()).view;
         old = before;
         set_pick(old, {});
+        std::set<std::string> changed; // low and high belong to the range
         for (const ValueChange& one : section_changes("view", before, recorded_[i]))
-            if (one.key != "view.pick") edit.key += " " + one.key;
+            if (one.key != "view.pick")
+                changed.insert(one.key == "view.low" || one.key == "view.high" ? "view.range" : one.key);
+        for (const std::string& key : changed) edit.key += " " + key;
         edit.key += gesture;
         record(std::move(edit));
     }
@@ -269,6 +273,8 @@ void Document::apply(const RunPresence& presence) {
         removed_.splice(removed_.end(), runs_.take(presence.run));
         for (DocumentViewport& viewport : viewports_)
             if (viewport.run == presence.run) viewport.run = active_;
+        removed_.back().recording.reset(); // what can be brought back is its curves and its last mesh
+        share_memory();
         return;
     }
     const auto found = std::find_if(removed_.begin(), removed_.end(),

@@ -93,13 +93,6 @@ std::string name_changes(const std::vector<ValueChange>& changes) {
     return join(names, ", ");
 }
 
-std::string describe_changes(const std::vector<ValueChange>& changes) {
-    std::vector<std::string> texts;
-    for (const ValueChange& change : changes)
-        texts.push_back(change.label + " " + change.before + " to " + change.after);
-    return join(texts, ", ");
-}
-
 std::string describe_scenario(const Catalogue& catalogue, const Scenario& opened, const Scenario& scenario) {
     std::vector<std::string> texts = {monitor_label(catalogue, scenario)};
     const Values& monitor = scenario.monitor.values;

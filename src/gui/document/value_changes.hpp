@@ -1,5 +1,5 @@
-// Differences between scenarios as text, such as "amplitude 20": for names of runs, marks in plots and labels
-// of edits.
+// Differences between scenarios as text, such as "amplitude 20": for names of runs and of earlier solves, and
+// labels of edits.
 #pragma once
 
 #include "core/scenario/catalogue.hpp"
@@ -23,9 +23,6 @@ std::vector<ValueChange> scenario_changes(const Scenario& before, const Scenario
 /// Changes of one section without a type, such as view.
 std::vector<ValueChange> section_changes(const std::string& section, const Values& before,
                                          const Values& after);
-
-/// "amplitude 10 to 20, cells per side 60 to 120"
-std::string describe_changes(const std::vector<ValueChange>& changes);
 
 /// What has changed, without the values: "amplitude, cells per side", "monitor type"; "5 values" if there are
 /// more than three.

@@ -66,6 +66,10 @@ std::string values_by_symbol(const Values& values) {
         }
         const bool begun = i > 0 && rows[i - 1].point == rows[i].point;
         if (begun) continue;
+        if (i + 1 == rows.size() || rows[i + 1].point != rows[i].point) {
+            add(rows[i].symbol, number_of(values, rows[i])); // one coordinate
+            continue;
+        }
         std::string point = "(" + number_of(values, rows[i]);
         for (std::size_t k = i + 1; k < rows.size() && rows[k].point == rows[i].point; ++k)
             point += ", " + number_of(values, rows[k]);

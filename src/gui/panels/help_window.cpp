@@ -99,6 +99,7 @@ void HelpWindow::draw(std::span<const Action> actions, const Theme& theme, ItemR
             ImGui::Spacing();
             ImGui::TextColored(to_imgui(theme.faint_text), "%s",
                                group.title.empty() ? "Others" : std::string(group.title).c_str());
+            remember_item(items, "help." + std::string(group.title));
             ImGui::Separator();
             ImGui::PushID(std::string(group.title).c_str());
             draw_rows(group.rows, theme.accent, width);

@@ -1,5 +1,7 @@
 #include "gui/panels/math_text.hpp"
 
+#include "core/base/superscript.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -12,20 +14,6 @@ namespace {
 using Kind = MathNode::Kind;
 using Pair = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Pair, 14> superscripts{{{"⁰", "0"},
-                                             {"¹", "1"},
-                                             {"²", "2"},
-                                             {"³", "3"},
-                                             {"⁴", "4"},
-                                             {"⁵", "5"},
-                                             {"⁶", "6"},
-                                             {"⁷", "7"},
-                                             {"⁸", "8"},
-                                             {"⁹", "9"},
-                                             {"⁻", "−"},
-                                             {"ᵞ", "γ"},
-                                             {"ⁿ", "n"},
-                                             {"ᵖ", "p"}}};
 constexpr std::array<Pair, 14> greek{{{"alpha", "α"},
                                       {"beta", "β"},
                                       {"gamma", "γ"},
@@ -47,11 +35,8 @@ std::size_t length_of(std::string_view text) {
     return std::min<std::size_t>(first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4, text.size());
 }
 
-std::string_view superscript(std::string_view character) {
-    for (const auto& [from, to] : superscripts)
-        if (character == from) return to;
-    return {};
-}
+/// Letters that fonts lack.
+constexpr std::array<Pair, 3> subscripts{{{"ᵢ", "i"}, {"ₖ", "k"}, {"ₘ", "m"}}};
 
 std::string greek_name(std::string_view name) {
     for (const auto& [from, to] : greek)
@@ -98,6 +83,8 @@ class MathParser {
         for (;;) {
             if (take("="))
                 parts.push_back(text_node(" = "));
+            else if (take("≤"))
+                parts.push_back(text_node(" ≤ "));
             else if (take(","))
                 parts.push_back(text_node(", "));
             else
@@ -110,6 +97,7 @@ class MathParser {
     MathNode sum() {
         std::vector<MathNode> parts;
         if (take("-") || take("−")) parts.push_back(text_node("−"));
+        if (take("±")) parts.push_back(text_node("±"));
         parts.push_back(product());
         for (;;) {
             skip();
@@ -128,7 +116,7 @@ class MathParser {
         if (rest_.empty()) return false;
         const auto c = static_cast<unsigned char>(rest_.front());
         if (std::isalnum(c) || c == '(' || (c == '|' && bars_ == 0)) return true;
-        return c >= 0x80 && superscript(rest_.substr(0, length_of(rest_))).empty() && !at("−") && !at("·");
+        return c >= 0x80 && superscript(rest_).first == 0 && !at("−") && !at("·") && !at("≤") && !at("±");
     }
 
     MathNode product() {
@@ -168,18 +156,19 @@ class MathParser {
             if (failed_ || rest_.empty()) return base;
             std::string exponent;
             while (!rest_.empty()) {
-                const std::string_view one = superscript(rest_.substr(0, length_of(rest_)));
-                if (one.empty()) break;
-                exponent += one;
-                rest_.remove_prefix(length_of(rest_));
+                const auto [length, raised] = superscript(rest_);
+                if (length == 0) break;
+                exponent += raised;
+                rest_.remove_prefix(length);
             }
             const bool adjacent = at("("); // else a product: "B (x)"
             if (!exponent.empty()) {
                 base = {Kind::power, {}, {std::move(base), text_node(exponent)}};
             } else if (take("^")) {
-                const bool minus = take("-");
-                bool unused = false;
-                MathNode raised = without_brackets(primary(unused));
+                const bool minus = take("-") || take("−");
+                if (++depth_ > deepest) return fail();
+                MathNode raised = without_brackets(power()); // of the right: x^y^z is x^(y^z)
+                --depth_;
                 if (minus) raised = row_of({text_node("−"), std::move(raised)});
                 base = {Kind::power, {}, {std::move(base), std::move(raised)}};
                 name = false;
@@ -201,7 +190,7 @@ class MathParser {
 
     MathNode primary(bool& name) {
         skip();
-        if (rest_.empty() || ++depth_ > 200) return fail();
+        if (rest_.empty() || ++depth_ > deepest) return fail();
         struct Leave {
             int& depth;
             ~Leave() { --depth; }
@@ -246,7 +235,10 @@ class MathParser {
         while (digit(m)) power += rest_[m++];
         rest_.remove_prefix(m);
         MathNode ten{Kind::power, {}, {text_node("10"), text_node(std::move(power))}};
-        return mantissa == "1" ? ten : row_of({text_node(mantissa + " · "), std::move(ten)});
+        MathNode whole = mantissa == "1" ? ten : row_of({text_node(mantissa + " · "), std::move(ten)});
+        skip();
+        if (!at("^")) return whole;
+        return {Kind::group, "()", {std::move(whole)}}; // 2e3^2 is (2 · 10³)²
     }
 
     MathNode identifier(bool& name) {
@@ -254,7 +246,8 @@ class MathParser {
         while (n < rest_.size()) {
             const std::string_view one = rest_.substr(n, length_of(rest_.substr(n)));
             const auto c = static_cast<unsigned char>(one.front());
-            const bool letter = c >= 0x80 ? superscript(one).empty() && one != "−" && one != "·"
+            const bool letter = c >= 0x80 ? superscript(one).first == 0 && one != "−" && one != "·" &&
+                                                one != "≤" && one != "±"
                                           : std::isalnum(c) || c == '_' || c == '\'';
             if (!letter) break;
             n += one.size();
@@ -268,6 +261,12 @@ class MathParser {
             return {Kind::root, {}, {std::move(inside)}};
         }
         name = true;
+        for (const auto& [letter, index] : subscripts)
+            if (whole.size() > letter.size() && whole.ends_with(letter))
+                return {Kind::index,
+                        {},
+                        {text_node(whole.substr(0, whole.size() - letter.size())),
+                         text_node(std::string(index))}};
         const std::size_t mark = whole.find('_');
         if (mark == std::string::npos || mark == 0 || mark + 1 == whole.size())
             return text_node(greek_name(whole));
@@ -277,6 +276,7 @@ class MathParser {
             {text_node(greek_name(whole.substr(0, mark))), text_node(greek_name(whole.substr(mark + 1)))}};
     }
 
+    static constexpr int deepest = 60;
     std::string_view rest_;
     int bars_ = 0, depth_ = 0;
     bool failed_ = false;
@@ -305,7 +305,10 @@ float raise_of(const MathSize& base, const MathSize& exponent, float size) {
 
 } // namespace
 
-std::optional<MathNode> parse_math(std::string_view text) { return MathParser(text).parse(); }
+std::optional<MathNode> parse_math(std::string_view text) {
+    constexpr std::size_t longest = 400; // bytes; a longer one fits nowhere
+    return text.size() > longest ? std::nullopt : MathParser(text).parse();
+}
 
 MathSize math_size(const MathNode& node, float size) {
     MathSize whole;

@@ -186,8 +186,9 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
     draw_label("Type", "", c.control - c.field);
     ImGui::SameLine(c.control);
     ImGui::SetNextItemWidth(c.wide());
-    const bool open =
-        ImGui::BeginCombo("##type", shown == entries.end() ? current.c_str() : shown->label->c_str());
+    const float free = c.wide() - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+    const bool open = ImGui::BeginCombo(
+        "##type", shortened(shown == entries.end() ? current : *shown->label, free).c_str());
     remember_item(context.items, key);
     if (shown != entries.end() && row_hovered(corner, c))
         show_tooltip(*shown->label, *shown->help, key, corner.y);

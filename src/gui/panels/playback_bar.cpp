@@ -90,8 +90,7 @@ void draw_scrubber(const DocumentRun& run, Playback& playback, float width, cons
     if (possible && hovered && ImGui::GetIO().MouseWheel != 0)
         ImGui::GetIO().MouseWheel > 0 ? playback.go_back(run) : playback.go_forward(run);
     if (possible && hovered && !ImGui::IsItemActive())
-        ImGui::SetTooltip("Iteration %ld: drag to look at it again; the wheel steps",
-                          std::lround(track.under(ImGui::GetIO().MousePos.x)));
+        ImGui::SetTooltip("Iteration %ld", std::lround(track.under(ImGui::GetIO().MousePos.x)));
     draw_track(track, playback.iteration(run), tangled_ranges(run.history), hovered || ImGui::IsItemActive(),
                context);
 }
@@ -141,7 +140,7 @@ std::optional<std::string_view> draw_playback_bar(const DocumentRun& run, Playba
         ImGui::SameLine(0, gap);
     };
     const float available = ImGui::GetContentRegionAvail().x;
-    const bool wide = available > 40 * em, medium = available > 26 * em;
+    const bool wide = available > 33 * em, medium = available > 26 * em;
     button("reset", Icon::reset);
     if (medium) button("to-start", Icon::to_start);
     button("step-back", Icon::back);

@@ -181,6 +181,7 @@ bool PlotPane::draw_curves(const Document& document, Shown& plot, const Plot& st
     PlotPointing pointing{sweeps ? PlotPointing::Use::sweep : PlotPointing::Use::point};
     const bool menu = plot_widget("##curves", view, ImGui::GetContentRegionAvail(), plot.zoom, context.theme,
                                   context.scale, sweeps || !of_study ? &pointing : nullptr);
+    double_clicked_ = double_clicked_ || pointing.double_clicked;
     if (!pointing.x) return menu;
     if (sweeps)
         sweep_ = PlotSweep{plot.choice.abscissa, *pointing.x};

@@ -41,6 +41,8 @@ class PlotPane {
                                   const StepReport* cursor = nullptr);
     /// The iteration of the active run that was pointed at in this frame, with a fraction.
     std::optional<double> take_pointed() { return std::exchange(pointed_, std::nullopt); }
+    /// Whether a plot was double-clicked in this frame.
+    bool take_double_click() { return std::exchange(double_clicked_, false); }
     /// Whether curves of earlier solves are shown.
     bool shows_earlier() const { return earlier_; }
     void show_earlier(bool shown) { earlier_ = shown; }
@@ -68,6 +70,7 @@ class PlotPane {
     std::array<Shown, 2> plots_{Shown{}, Shown{{.plot = "equidistribution"}, {}}};
     std::optional<PlotSweep> sweep_;
     std::optional<double> pointed_;
+    bool double_clicked_ = false;
     bool earlier_ = true;
 };
 

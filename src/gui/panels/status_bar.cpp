@@ -117,9 +117,10 @@ std::vector<StatusCell> status_cells(const DocumentRun& run, int iteration) {
     return cells;
 }
 
-std::string method_note(const DocumentRun& run, const Catalogue& catalogue) {
-    for (std::size_t i = run.history.size(); i-- > 1;) {
-        const StepReport& report = run.history[i];
+std::string method_note(const DocumentRun& run, const Catalogue& catalogue, int iteration) {
+    const std::span<const StepReport> rows = up_to(run.history, iteration);
+    for (std::size_t i = rows.size(); i-- > 1;) {
+        const StepReport& report = rows[i];
         if (report.note.empty()) continue;
         return catalogue.method(run.scenario.method.type).label + ", from iteration " +
                std::to_string(report.iteration) + ": " + report.note;

@@ -28,9 +28,10 @@ StatusCell describe_state(const SolverStatus& status, bool wants_to_run);
 /// in this order, as they were at this iteration. Numbers that a report leaves out are taken from the last
 /// report before it that has them.
 std::vector<StatusCell> status_cells(const DocumentRun& run, int iteration = std::numeric_limits<int>::max());
-/// The last note of the method, such as "Automatic, from iteration 9: Newton's method takes over"; empty if
-/// there is none.
-std::string method_note(const DocumentRun& run, const Catalogue& catalogue);
+/// The last note of the method up to an iteration, such as "Automatic, from iteration 9: Newton's method
+/// takes over"; empty if there is none.
+std::string method_note(const DocumentRun& run, const Catalogue& catalogue,
+                        int iteration = std::numeric_limits<int>::max());
 /// Why the run did not converge, if its last report says so; else empty.
 std::string closing_note(const DocumentRun& run, const Action& reset);
 

@@ -14,8 +14,6 @@ namespace gaspard {
 struct ValueField {
     std::string label, symbol, value;
     std::optional<double> position{}; ///< within the range, 0 to 1; empty: it cannot be dragged
-    bool is_integer = false;          ///< a step is one at least
-    double step = 0.01;               ///< of wheel and keys, in positions
     bool focused = false;             ///< it was clicked last
 };
 

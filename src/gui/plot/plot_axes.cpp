@@ -143,6 +143,7 @@ AxisRange home_range(const PlotView& plot, bool vertical) {
     }
     for (const LevelView& level : plot.levels)
         if (vertical) hull.add(to_axis(axis, level.y));
+    if (!vertical && axis.whole && !axis.logarithmic && hull.low < hull.high) hull.add(0); // iterations
     const AxisRange all = range_around(hull.low, hull.high, axis.logarithmic, vertical || markers);
     return asked_range(axis, range_of_counts(axis, all));
 }

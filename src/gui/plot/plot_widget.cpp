@@ -192,8 +192,8 @@ std::optional<double> pointed_value(const PlotFrame& frame, float scale, bool ho
     if (!ImGui::IsMousePosValid()) return std::nullopt;
     if (holds && (io.MouseDelta.x != 0 || ImGui::IsMouseDragging(0, 0))) return value_at_pointer(frame);
     const ImVec2 from = io.MouseClickedPos[0];
-    const bool clicked = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(0) &&
-                         frame.area.contains(from) &&
+    const bool clicked = ImGui::IsItemDeactivated() && io.MouseClickedLastCount[0] == 1 &&
+                         ImGui::IsMouseReleased(0) && frame.area.contains(from) &&
                          std::hypot(io.MousePos.x - from.x, io.MousePos.y - from.y) < click_slack * scale;
     return clicked ? std::optional(value_at_pointer(frame)) : std::nullopt;
 }
@@ -269,6 +269,7 @@ bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zo
     } else if (pointing) {
         takes_drags = holds_handle(plot, frame, scale);
         pointing->x = pointed_value(frame, scale, takes_drags);
+        pointing->double_clicked = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
         if (takes_drags || (ImGui::IsItemHovered() && on_handle(plot, frame, ImGui::GetIO().MousePos, scale)))
             ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     }

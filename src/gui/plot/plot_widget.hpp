@@ -18,7 +18,8 @@ struct PlotPointing {
         point, ///< a click gives the value of x, and so does a drag of a mark with a handle
     };
     Use use = Use::sweep;
-    std::optional<double> x{}; ///< what was pointed at in this frame
+    std::optional<double> x{};   ///< what was pointed at in this frame
+    bool double_clicked = false; ///< in this frame, after a first click
 };
 
 /// Without a pointer and without zoom, as for a file.

@@ -70,9 +70,11 @@ void LegendControl::drag(Values& view, const LegendPlaces& places) {
     double low = before_.low, high = before_.high;
     constexpr double least = 0.01; // of the range is left
     if (held_ == Part::high)
-        high = few_digits(value_on_bar(before_, std::max(1 + moved, least)), high - low);
+        high = value_on_bar(before_, std::max(1 + moved, least));
     else
-        low = few_digits(value_on_bar(before_, std::min(moved, 1 - least)), high - low);
+        low = value_on_bar(before_, std::min(moved, 1 - least));
+    double& dragged = held_ == Part::high ? high : low;
+    dragged = few_digits(dragged, before_.logarithmic ? dragged : before_.high - before_.low);
     if (before_.logarithmic && !(low > 0)) return;
     set_range(view, low, high);
 }

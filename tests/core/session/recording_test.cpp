@@ -102,6 +102,11 @@ TEST(Recording, FindsTheNewestIterateUpToAnIteration) {
     EXPECT_EQ(recording.at(100)->iteration(), 9);
     add_as(recording, *snapshot, 6); // the same iterate with more diagnostics
     EXPECT_EQ(recording.iterations(), (std::vector<int>{4, 6}));
+    EXPECT_FALSE(recording.first_tangled());
+    Snapshot tangled = *snapshot;
+    tangled.report.iteration = 7, tangled.report.tangled_cells = 3;
+    recording.add(tangled);
+    EXPECT_EQ(recording.first_tangled(), 7);
     recording.begin();
     EXPECT_EQ(recording.at(6), nullptr);
     EXPECT_EQ(recording.bytes(), 0U);

@@ -110,6 +110,9 @@ TEST_F(FileDialogsTest, AnExportReplacesNothingUnlessAsked) {
 }
 
 TEST_F(FileDialogsTest, AFigureHasTheChosenSizeAndParts) {
+#ifdef __SANITIZE_THREAD__
+    GTEST_SKIP() << "the libraries that make PDF are not instrumented, so that their locks are not seen";
+#endif
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     click("action.figure");
     click("figure.pdf");

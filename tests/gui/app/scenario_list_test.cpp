@@ -28,10 +28,10 @@ TEST_F(ScenarioListTest, WhatIsTypedNarrowsItDown) {
     EXPECT_TRUE(application.items().count("scenario=plane-bell"));
     EXPECT_TRUE(application.items().count("scenario=sphere-x4"));
     ASSERT_TRUE(ImGui::GetIO().WantTextInput) << "one can type at once";
-    ui.type("möbius", drawing());
+    ui.type("mobius", drawing());
     frame();
+    EXPECT_TRUE(application.items().count("scenario=spline-moebius")) << "without the dots, too";
     EXPECT_FALSE(application.items().count("scenario=plane-bell"));
-    ui.type("\b", drawing());
 }
 
 TEST_F(ScenarioListTest, AScenarioIsFoundByItsNameAndOpened) {

@@ -41,8 +41,13 @@ TEST(HelpWindow, FindsWhatIsTyped) {
     window.toggle();
     ui.frame(draw);
     ASSERT_TRUE(items.contains("help.search"));
+    for (int i = 0; i < 3; ++i) ui.frame(draw);
+    ASSERT_TRUE(items.contains("help.Edit"));
     ui.type("save", draw);
-    EXPECT_TRUE(window.open());
+    items.clear();
+    ui.frame(draw);
+    EXPECT_TRUE(items.contains("help.File"));
+    EXPECT_FALSE(items.contains("help.Edit")) << "it does not match";
     window.toggle();
     EXPECT_FALSE(window.open());
 }

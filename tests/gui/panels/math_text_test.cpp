@@ -48,6 +48,8 @@ TEST(MathText, ReadsEquationsAsTheyAreWritten) {
     EXPECT_EQ(parsed("sqrt( (1 - γ)/2 (tanh((β - d)/α) + 1) + γ ), γ = 1/N⁴"),
               "root(frac(1 − γ; 2) (tanh(frac(β − d; α)) + 1) + γ), γ = frac(1; pow(N; 4))");
     EXPECT_EQ(parsed("-ε² u'' + r u = f"), "−pow(ε; 2) u'' + r u = f");
+    EXPECT_EQ(parsed("Σᵢ aᵢ cos( kᵢ · x ), 0 ≤ g"), "sub(Σ; i) sub(a; i) cos(sub(k; i) x), 0 ≤ g");
+    EXPECT_EQ(parsed("(±sqrt(3)/2, 0)"), "(±frac(root(3); 2), 0)");
 }
 
 TEST(MathText, ReadsTypedFormulas) {
@@ -56,6 +58,9 @@ TEST(MathText, ReadsTypedFormulas) {
     EXPECT_EQ(parsed("x^-2/alpha_1"), "frac(pow(x; −2); sub(α; 1))");
     EXPECT_EQ(parsed("a/b/c"), "frac(frac(a; b); c)");
     EXPECT_EQ(parsed("e*x"), "e x");
+    EXPECT_EQ(parsed("2^x^y + x^sin(y)"), "pow(2; pow(x; y)) + pow(x; sin(y))");
+    EXPECT_EQ(parsed("(1+x)^-cos(y)^2"), "pow((1 + x); −pow(cos(y); 2))");
+    EXPECT_EQ(parsed("2e3^2"), "pow((2 · pow(10; 3)); 2)");
 }
 
 TEST(MathText, LeavesSentencesAndMistakesAlone) {
@@ -63,6 +68,9 @@ TEST(MathText, LeavesSentencesAndMistakesAlone) {
                              "2 ^", "f(x", "sqrt(", "x ? 1 : 2"})
         EXPECT_FALSE(parse_math(text)) << text;
     EXPECT_FALSE(parse_math(std::string(100000, '('))) << "it does not take the stack";
+    std::string slow = "2+x";
+    for (int i = 0; i < 1900; ++i) slow += "/1";
+    EXPECT_FALSE(parse_math(slow)) << "it takes no time either";
 }
 
 TEST(MathText, IsAsLargeAsWhatItShows) {
