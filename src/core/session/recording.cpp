@@ -111,6 +111,11 @@ void Recording::set_budget(std::size_t budget) {
     thin_out();
 }
 
+std::size_t Recording::budget() const {
+    std::lock_guard lock(mutex_);
+    return budget_;
+}
+
 std::vector<int> Recording::iterations() const {
     std::lock_guard lock(mutex_);
     std::vector<int> all;

@@ -46,6 +46,7 @@ class Recording {
     void add(const Snapshot& snapshot);
     /// A larger one brings nothing back.
     void set_budget(std::size_t budget);
+    std::size_t budget() const;
 
     /// The iterations that are kept, ascending.
     std::vector<int> iterations() const;

@@ -389,17 +389,21 @@ static bool steps_by_key() {
            ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_DownArrow));
 }
 
-/// Makes an edit of what this frame has changed in the view. One drag is one edit, and so is one burst of the
-/// wheel.
-void Application::record_edits() {
+/// One burst of the wheel or of keys is one edit, other than what was done before it.
+void Application::begin_burst() {
     constexpr double longest_pause = 0.5; // seconds between two steps of a burst
-    const bool wheel = ImGui::GetIO().MouseWheel != 0 || steps_by_key(), active = ImGui::IsAnyItemActive();
+    const bool steps = ImGui::GetIO().MouseWheel != 0 || steps_by_key();
     const double now = ImGui::GetTime();
-    wheel_burst_ = wheel_burst_ && !active && now - wheeled_ < longest_pause;
-    if (wheel && !wheel_burst_) document_.end_gesture();
-    if (wheel) wheel_burst_ = true, wheeled_ = now;
-    document_.record_views(wheel ? " wheel" : "");
-    if (!active && !wheel_burst_) document_.end_gesture();
+    wheel_burst_ = wheel_burst_ && !ImGui::IsAnyItemActive() && now - wheeled_ < longest_pause;
+    if (!steps) return;
+    if (!wheel_burst_) document_.end_gesture();
+    wheel_burst_ = true, wheeled_ = now;
+}
+
+/// Makes an edit of what this frame has changed in the view. One drag is one edit, too.
+void Application::record_edits() {
+    document_.record_views(ImGui::GetIO().MouseWheel != 0 ? " wheel" : "");
+    if (!ImGui::IsAnyItemActive() && !wheel_burst_) document_.end_gesture();
 }
 
 void Application::fulfil(const PlotWish& wish) {

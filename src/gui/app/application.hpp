@@ -182,6 +182,7 @@ class Application {
     void cancel();
     void keep();
     void move_in_history(bool forward);
+    void begin_burst();
     void record_edits();
     void fulfil(const PlotWish& wish);
     Plot plot_for_file(const PlotWish& wish);

@@ -35,6 +35,7 @@ bool look_alike(const DocumentRun& one, const DocumentRun& other) {
 
 void Application::frame() {
     items_.clear();
+    begin_burst();
     // The frame of a screenshot ignores the mouse, so that no tooltip is in the image; but a slider that is
     // being dragged would jump.
     taking_screenshot_ = std::exchange(screenshot_, false);

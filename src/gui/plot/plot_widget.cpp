@@ -190,7 +190,7 @@ bool holds_handle(const PlotView& plot, const PlotFrame& frame, float scale) {
 std::optional<double> pointed_value(const PlotFrame& frame, float scale, bool holds) {
     const ImGuiIO& io = ImGui::GetIO();
     if (!ImGui::IsMousePosValid()) return std::nullopt;
-    if (holds && (io.MouseDelta.x != 0 || ImGui::IsMouseDragging(0, 0))) return value_at_pointer(frame);
+    if (holds && io.MouseDelta.x != 0) return value_at_pointer(frame);
     const ImVec2 from = io.MouseClickedPos[0];
     const bool clicked = ImGui::IsItemDeactivated() && io.MouseClickedLastCount[0] == 1 &&
                          ImGui::IsMouseReleased(0) && frame.area.contains(from) &&

@@ -49,6 +49,26 @@ TEST_F(LegendTest, TheEndsOfTheBarAreDragged) {
     EXPECT_EQ(look().real("high"), high);
 }
 
+TEST_F(LegendTest, OneDragIsOneEdit) {
+    const std::size_t before = application.document().edits().undo_count();
+    drag_by(item("legend.high"), bar_height() / 2);
+    EXPECT_EQ(application.document().edits().undo_count(), before + 1);
+    application.press_key("Ctrl+Z");
+    EXPECT_EQ(look().text("range"), "automatic");
+}
+
+TEST_F(LegendTest, OnALogarithmicScaleSmallValuesAreReached) {
+    look().set("range", std::string("fixed"));
+    look().set("low", 1e-3), look().set("high", 1e3);
+    look().set("log", true);
+    frame(), frame();
+    drag_by(item("legend.low"), -bar_height() / 6); // by one decade
+    EXPECT_NEAR(look().real("low"), 1e-2, 2e-3);
+    rest();
+    drag_by(item("legend.low"), bar_height() / 5 * 2); // by two decades of the shorter range
+    EXPECT_NEAR(std::log10(look().real("low")), -4, 0.15);
+}
+
 TEST_F(LegendTest, ADoubleClickShowsAllValues) {
     drag_by(item("legend.high"), bar_height() / 2);
     rest();

@@ -7,6 +7,23 @@
 namespace gaspard {
 namespace {
 
+TEST_F(ApplicationTest, AClickInAPlotShowsThatIterateAndADoubleClickDoesNot) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && application.items().count("plot.first.curves"); }));
+    const ItemRectangle curves = application.items().find("plot.first.curves")->second;
+    ui.click(curves, drawing());
+    frame();
+    const int last = run().history.back().iteration, shown = std::stoi(application.status()[1].value);
+    EXPECT_GT(shown, 0.3 * last);
+    EXPECT_LT(shown, 0.7 * last);
+    for (int i = 0; i < 40; ++i) frame();
+    application.press_key("End");
+    frame();
+    ui.click(curves, drawing());
+    ui.click(curves, drawing());
+    frame();
+    EXPECT_EQ(application.status()[1].value, std::to_string(last)) << "it shows the whole plot, no more";
+}
+
 TEST_F(ApplicationTest, AKeptRunStaysInThePlotsWhenTheLiveOneStartsOver) {
     EXPECT_FALSE(application.press_key("K")) << "there is nothing to keep yet";
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));

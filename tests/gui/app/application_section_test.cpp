@@ -35,5 +35,20 @@ TEST_F(ApplicationTest, ALineAcrossTheMeshIsDraggedAndPlotted) {
     for (int i = 0; i < 3; ++i) frame(); // a line that cannot be read is a complaint, no end
 }
 
+TEST_F(ApplicationTest, AShownSectionLeavesUndoAlone) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
+    Scenario changed = run().scenario;
+    set_value(*catalogue, changed, "monitor.amplitude", 15.0);
+    application.document().change(run().id, changed);
+    ui.click(application.items().find("plot.second.quantity")->second, drawing());
+    frame();
+    ui.click(application.items().find("plot.second.quantity=section")->second, drawing());
+    for (int i = 0; i < 3; ++i) frame();
+    for (int i = 0; i < 2; ++i) application.press_key("Ctrl+Z"), frame(), frame();
+    EXPECT_EQ(look().text("section"), "") << "it is not drawn again";
+    EXPECT_EQ(run().scenario.monitor.values.real("amplitude"), 10);
+    EXPECT_TRUE(application.document().edits().can_redo());
+}
+
 } // namespace
 } // namespace gaspard

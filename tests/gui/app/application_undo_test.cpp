@@ -150,6 +150,24 @@ TEST_F(UndoTest, InATextFieldCtrlZBelongsToTheField) {
     EXPECT_EQ(undo_count(), 1U);
 }
 
+TEST_F(UndoTest, StepsByKeysInOneBurstAreOneEdit) {
+    wait_for_mesh();
+    ui.click(item("monitor.amplitude"), drawing());
+    for (int i = 0; i < 40; ++i) frame();
+    const double before = amplitude();
+    for (int i = 0; i < 5; ++i) {
+        ui.key(ImGuiKey_UpArrow, true);
+        frame();
+        ui.key(ImGuiKey_UpArrow, false);
+        for (int k = 0; k < 3; ++k) frame();
+    }
+    EXPECT_GT(amplitude(), before);
+    EXPECT_EQ(undo_count(), 1U);
+    for (int i = 0; i < 60; ++i) frame();
+    application.press_key("Ctrl+Z");
+    EXPECT_EQ(amplitude(), before);
+}
+
 TEST_F(UndoTest, TheMenuNamesTheEdit) {
     wait_for_mesh();
     const Action& undo = find_action(application.actions(), "undo");

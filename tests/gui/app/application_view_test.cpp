@@ -3,6 +3,19 @@
 namespace gaspard {
 namespace {
 
+TEST_F(ApplicationTest, TheSizeForProjectorsHidesThePanelAndRestoresIt) {
+    const auto panel = [&] { return find_action(application.actions(), "sidebar").is_checked(); };
+    ASSERT_TRUE(panel());
+    application.press_key("F10");
+    EXPECT_FALSE(panel());
+    application.press_key("F10");
+    EXPECT_TRUE(panel());
+    application.press_key("F2");
+    application.press_key("F10");
+    application.press_key("F10");
+    EXPECT_FALSE(panel()) << "it was hidden before";
+}
+
 TEST_F(ApplicationTest, TheMouseSteersTheCamera) {
     ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
     application.press_key("H"); // for the mesh as it now stands

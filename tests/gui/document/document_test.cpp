@@ -161,6 +161,21 @@ TEST_F(DocumentTest, AChangeOfValuesBeginsAHistoryAndKeepsTheCurvesBeforeIt) {
     EXPECT_TRUE(run().earlier.empty());
 }
 
+TEST_F(DocumentTest, RecordingsShareTheirMemoryAndRemovedRunsHaveNone) {
+    document.open(small_ring());
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const RunId kept = *document.keep(run().id);
+    ASSERT_NE(document.runs().find(kept)->recording, nullptr);
+    EXPECT_EQ(document.runs().find(kept)->recording->iterations(), run().recording->iterations());
+    EXPECT_EQ(run().recording->budget(), recording_memory / 2);
+    document.remove(kept);
+    EXPECT_EQ(run().recording->budget(), recording_memory) << "it has all of it again";
+    document.undo();
+    ASSERT_NE(document.runs().find(kept), nullptr);
+    EXPECT_EQ(document.runs().find(kept)->recording, nullptr) << "its memory was given back";
+    EXPECT_FALSE(document.runs().find(kept)->history.empty());
+}
+
 TEST_F(DocumentTest, OnlyTheLastEarlierSolvesAreKept) {
     document.open(small_ring());
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
