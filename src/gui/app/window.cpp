@@ -514,9 +514,10 @@ class Window {
         ImGui::NewFrame();
         application_->frame();
         ImGui::Render();
-        const auto drawn =
-            scene_->draw(*application_, {width, height, look_.scales.density}, zoom(), how_to_draw());
-        if (application_->take_screenshot_request())
+        const bool screenshot = application_->take_screenshot_request();
+        const auto drawn = scene_->draw(*application_, {width, height, look_.scales.density}, zoom(),
+                                        screenshot ? Drawing{} : how_to_draw());
+        if (screenshot)
             application_->save_image(
                 part_of(scene_->read(), pixels_of(application_->viewport_rectangle(), look_.scales.density)));
         scene_->show();
