@@ -214,6 +214,8 @@ void SolverThread::publish(std::stop_token stop) {
         if (options_.before_publishing) options_.before_publishing(*snapshot);
         record(*snapshot);
         latest_.put(std::move(snapshot));
+    } else if (!shown_) {
+        record_hidden();
     }
     if (!send_reports(stop)) return;
     const bool paused = !running_;
@@ -223,6 +225,11 @@ void SolverThread::publish(std::stop_token stop) {
         status.progress = 1;
         status.activity.clear();
     });
+}
+
+/// An iterate that is not shown, but may be looked at again.
+void SolverThread::record_hidden() {
+    if (options_.recording) record(*run_->snapshot(needed_));
 }
 
 void SolverThread::record(const Snapshot& snapshot) {
@@ -360,7 +367,11 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
     }
     if (!refused) scenario_ = std::move(command.scenario);
     answer(command.number, refused);
-    if (run_ && !refused && !following_) publish(stop); // before the next step
+    if (!run_ || refused) return;
+    if (!following_)
+        publish(stop); // before the next step
+    else
+        record_hidden();
 }
 
 void SolverThread::begin_anew(const State* start, std::stop_token stop) {

@@ -105,8 +105,7 @@ class SolverThread {
         /// The share of the time that interpolation errors may take while the run is running; those of a
         /// final mesh are always measured. 0: none are measured.
         double interpolation_share = 0;
-        /// Gets every iterate of the present history, but not those that are not shown while values are
-        /// dragged; null: nothing is recorded.
+        /// Gets every iterate of the present history; null: nothing is recorded.
         std::shared_ptr<Recording> recording{};
     };
 
@@ -152,6 +151,7 @@ class SolverThread {
     bool dragged() const;
     void begin_to_follow(bool was_solved);
     void record(const Snapshot& snapshot);
+    void record_hidden();
     std::deque<Command> take_commands();
     std::deque<Command> wait_for_commands(std::stop_token stop);
 

@@ -134,7 +134,7 @@ std::vector<Action> Application::solve_actions() {
          .label = "To the start",
          .menu = "Solve",
          .keys = {"Home"},
-         .help = "Show the start of the solve, or the first iterate of it that was recorded.",
+         .help = "Show the start of the solve.",
          .run = [this] { playback_.go_to_start(run()); },
          .enabled = [this] { return playback_.iteration(run()) > 0; },
          .reason = [] { return "This is the start."; }},

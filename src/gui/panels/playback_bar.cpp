@@ -38,7 +38,7 @@ bool draw_button(const Action& row, Icon icon, float width, bool main, const Fra
 /// Where the iterations lie along the track.
 struct Track {
     float left = 0, right = 0, middle = 0;
-    int last = 0, first = 0; ///< the first one was recorded; those before it were not
+    int last = 0;
 
     float at(double iteration) const {
         return last > 0 ? left + (right - left) * static_cast<float>(iteration / last) : right;
@@ -57,10 +57,8 @@ void draw_track(const Track& track, double position, const std::vector<std::pair
     const float here = track.at(position);
     list.AddRectFilled({track.left, track.middle - half}, {track.right, track.middle + half},
                        packed(theme.frame), half);
-    const float begin = track.at(track.first);
-    list.AddRectFilled({track.left, track.middle - half}, {begin, track.middle + half},
-                       packed(theme.accent, 0.25F), half);
-    list.AddRectFilled({begin, track.middle - half}, {here, track.middle + half}, packed(theme.accent), half);
+    list.AddRectFilled({track.left, track.middle - half}, {here, track.middle + half}, packed(theme.accent),
+                       half);
     const float least = std::max(2.0F, 2 * context.scale);
     for (const auto& [first, last] : tangled) {
         const float left = track.at(first), right = std::max(track.at(last), left + least);
@@ -85,7 +83,6 @@ void draw_scrubber(const DocumentRun& run, Playback& playback, float width, cons
     const bool possible = run.recording && run.history.size() > 1;
     Track track{corner.x + knob, corner.x + width - knob, corner.y + height / 2,
                 run.history.empty() ? 0 : run.history.back().iteration};
-    if (const auto first = possible ? run.recording->at(0) : nullptr) track.first = first->iteration();
     ImGui::InvisibleButton("##scrubber", {width, height});
     remember_item(context.items, "playback.scrubber");
     const bool hovered = ImGui::IsItemHovered();

@@ -48,6 +48,7 @@ Drag drag(const std::string& scenario_name, const std::string& method, const Mot
         result.longest = std::max(result.longest, since_last.seconds());
         since_last = {};
     };
+    options.recording = std::make_shared<Recording>(std::size_t{256} << 20U); // as in the window
     SolverThread solver(catalogue, scenario, std::move(options));
     const auto converges_within = [&](double seconds_at_most) {
         for (const Stopwatch watch; watch.seconds() < seconds_at_most;

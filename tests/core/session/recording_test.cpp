@@ -149,6 +149,16 @@ TEST(Recording, ASolverThreadRecordsEveryIterateOfASolve) {
         ASSERT_LT(norm(recorded->x[i] - run.snapshot()->x[i]), 1e-7) << "of iteration 12 itself";
 }
 
+TEST(Recording, WhatIsHiddenDuringADragIsRecordedToo) {
+    const auto recording = std::make_shared<Recording>(1U << 30U);
+    const std::vector<int> all = recorded_by_thread(recorded_ring(), recording, [](SolverThread& solver) {
+        solver.post(ChangeCommand{
+            .scenario = recorded_ring({"monitor.amplitude=10.5"}), .number = 1, .same_gesture = true});
+    });
+    ASSERT_GT(all.size(), 3U);
+    for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(all[i], static_cast<int>(i));
+}
+
 TEST(Recording, AChangeOfValuesBeginsANewOne) {
     const auto recording = std::make_shared<Recording>(1U << 30U);
     const Scenario changed = recorded_ring({"monitor.amplitude=11"});
