@@ -213,9 +213,10 @@ PlotFrame make_frame(const PlotView& plot, ScreenRect rect, const PlotZoom& zoom
         return static_cast<double>(ImGui::CalcTextSize(label.c_str()).x + gap);
     };
     const auto fit = [&] {
-        frame.x_ticks =
-            fitting_ticks(plot.x, frame.x_range, static_cast<int>(frame.area.width() / (5 * line)),
-                          static_cast<double>(frame.area.width()), width);
+        constexpr int fewest = 3; // else a narrow axis has one tick, which is no scale
+        frame.x_ticks = fitting_ticks(plot.x, frame.x_range,
+                                      std::max(fewest, static_cast<int>(frame.area.width() / (5 * line))),
+                                      static_cast<double>(frame.area.width()), width);
     };
     fit();
     const std::vector<Tick>& ticks = frame.x_ticks;

@@ -360,5 +360,19 @@ TEST(Shortened, KeepsBothEndsAndWholeLetters) {
     });
 }
 
+TEST(PlotFrame, ANarrowAxisOfIterationsHasAScale) {
+    const Theme theme = dark_theme();
+    HeadlessUi ui(800, 600, &theme);
+    ui.scale(1.7F); // as for a projector
+    ui.frame([] {
+        Plot plot{.title = "", .x = {.label = "iteration", .whole = true}, .y = {"", true}, .curves = {}};
+        plot.curves.push_back({"", {0, 20, 45}, {1, 1e-3, 1e-9}});
+        const PlotFrame frame = make_frame(view_of(plot), {{0, 0}, {240, 200}}, {}, 1.7F);
+        std::size_t labels = 0;
+        for (const Tick& tick : frame.x_ticks) labels += tick.label.empty() ? 0 : 1;
+        EXPECT_GE(labels, 2U);
+    });
+}
+
 } // namespace
 } // namespace gaspard
