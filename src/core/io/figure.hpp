@@ -5,7 +5,6 @@
 // side and no map.
 #pragma once
 
-#include "core/base/export.hpp"
 #include "core/base/parameter.hpp"
 #include "core/io/svg.hpp"
 #include "core/session/snapshot.hpp"
@@ -13,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace gaspard GASPARD_API {
+namespace gaspard {
 
 /// `view`: values of view_rows(). `subject` names the problem in the caption. Throws InputError if the camera
 /// cannot be read.
@@ -26,4 +25,4 @@ MeshSvgOptions mesh_svg_options(const Values& view);
 /// Millimetres of so many pixels of the view.
 double millimetres(const Values& view, double pixels);
 
-} // namespace GASPARD_API
+} // namespace gaspard

@@ -438,15 +438,20 @@ TEST_F(WindowTest, ADragAcrossAnErrorStudySetsItsParameter) {
     std::ofstream(folder / "config" / "gaspard" / "window.toml")
         << "[window]\nfirst_plot = 'error-study,K,log,log'\n";
     start("layer-1d", 1400, 900);
-    const auto summary = out("layer-1d-modified") / "summary.json";
-    ASSERT_TRUE(eventually([&] { // until the study has begun, a drag moves the axes
+    nlohmann::json values;
+    int exports = 0;
+    // Until the study has begun, a drag moves the axes; and the axis reaches as far as has been solved.
+    ASSERT_TRUE(eventually([&] {
         drag(items.find("plot.first.curves")->second, 0.5F, 0.9F);
         press("e");
-        return eventually([&] { return std::filesystem::exists(summary); }, 3s);
-    })) << text_of(folder / "log");
-    const auto values = nlohmann::json::parse(text_of(summary));
-    ASSERT_TRUE(values["monitor"]["K"].is_number()) << values["monitor"]["K"];
-    EXPECT_GT(values["monitor"]["K"].get<double>(), 1) << "0.4 before";
+        const std::string number = exports > 0 ? "-" + std::to_string(exports + 1) : "";
+        const auto summary = out("layer-1d-modified" + number) / "summary.json";
+        if (!eventually([&] { return std::filesystem::exists(summary); }, 3s)) return false;
+        ++exports;
+        values = nlohmann::json::parse(text_of(summary));
+        return values["monitor"]["K"].is_number() && values["monitor"]["K"].get<double>() > 1; // 0.4 before
+    })) << text_of(folder / "log")
+        << values;
     EXPECT_EQ(values["modified"], nlohmann::json({"monitor.K"}));
 }
 
