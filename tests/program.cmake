@@ -9,7 +9,7 @@ target_link_libraries(gaspard_scenes PUBLIC gaspard_fixtures gaspard_gui PRIVATE
 set(timing_tests core/session/drag_test.cpp gui/app/frame_cost_test.cpp gui/scene/picking_time_test.cpp
   gui/plot/plot_time_test.cpp)
 gaspard_test(timing_tests LABELS timing LIBRARIES gaspard_scenes SOURCES ${timing_tests})
-set(picture_tests gui/app/viewport_image_test.cpp gui/app/globe_image_test.cpp gui/app/fixture_image_test.cpp
+set(picture_tests gui/app/pdf_figure_test.cpp gui/app/viewport_image_test.cpp gui/app/globe_image_test.cpp gui/app/fixture_image_test.cpp
   gui/gl/imgui_renderer_test.cpp gui/plot/plot_image_test.cpp gui/render/mesh_renderer_test.cpp)
 
 # The window's panels, with no graphics backend: all other tests of the window.
@@ -18,7 +18,7 @@ list(REMOVE_ITEM gui_tests ${timing_tests} ${picture_tests} gui/app/window_test.
 gaspard_test(gui_tests LABELS threads LIBRARIES gaspard_scenes PkgConfig::IMGUI SOURCES ${gui_tests})
 
 # Pictures drawn offscreen, compared with those in tests/goldens, which make_goldens draws anew.
-gaspard_test(picture_tests LABELS graphics LIBRARIES gaspard_scenes SOURCES ${picture_tests})
+gaspard_test(picture_tests LABELS graphics LIBRARIES gaspard_scenes PkgConfig::IMGUI SOURCES ${picture_tests})
 # Images are drawn by OSMesa where it is installed. Golden.LooksTheSameThroughEgl compares those of EGL with the
 # stored ones, too; this repeats the negative controls through EGL.
 add_test(NAME pictures_through_egl COMMAND picture_tests --gtest_brief=1 --gtest_filter=Wrong*:Offscreen.*:Fixture*)

@@ -1,6 +1,7 @@
 #include "core/io/pdf.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/release.hpp"
 #include "core/io/atomic_file.hpp"
 
 #include <cairo-pdf.h>
@@ -11,17 +12,9 @@ namespace gaspard {
 
 namespace {
 
-template <auto release>
-struct Releaser {
-    template <class T>
-    void operator()(T* object) const {
-        release(object);
-    }
-};
-
-using Handle = std::unique_ptr<RsvgHandle, Releaser<g_object_unref>>;
-using Surface = std::unique_ptr<cairo_surface_t, Releaser<cairo_surface_destroy>>;
-using Context = std::unique_ptr<cairo_t, Releaser<cairo_destroy>>;
+using Handle = std::unique_ptr<RsvgHandle, Release<g_object_unref>>;
+using Surface = std::unique_ptr<cairo_surface_t, Release<cairo_surface_destroy>>;
+using Context = std::unique_ptr<cairo_t, Release<cairo_destroy>>;
 
 /// Throws with the sentence of an error, if there is one.
 void check_no_error(GError* error) {

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
+#include "core/base/release.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,17 +16,10 @@ namespace {
 
 constexpr std::uintmax_t largest_font = std::uintmax_t{1} << 26; // 64 MiB: of collections for East Asia, too
 
-template <auto destroy>
-struct Destroy {
-    template <class T>
-    void operator()(T* pointer) const {
-        destroy(pointer);
-    }
-};
-using Config = std::unique_ptr<FcConfig, Destroy<FcConfigDestroy>>;
-using CharSet = std::unique_ptr<FcCharSet, Destroy<FcCharSetDestroy>>;
-using Pattern = std::unique_ptr<FcPattern, Destroy<FcPatternDestroy>>;
-using FontSet = std::unique_ptr<FcFontSet, Destroy<FcFontSetDestroy>>;
+using Config = std::unique_ptr<FcConfig, Release<FcConfigDestroy>>;
+using CharSet = std::unique_ptr<FcCharSet, Release<FcCharSetDestroy>>;
+using Pattern = std::unique_ptr<FcPattern, Release<FcPatternDestroy>>;
+using FontSet = std::unique_ptr<FcFontSet, Release<FcFontSetDestroy>>;
 
 /// All fonts, the nearest to "sans" with these characters first.
 FontSet sorted_fonts(FcConfig* config, const std::vector<char32_t>& characters) {

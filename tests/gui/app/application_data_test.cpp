@@ -49,14 +49,7 @@ class DataTest : public ApplicationTest {
     }
     /// Into the formula's field, instead of what it holds.
     void type_formula(const std::string& text) {
-        ui.click(item("monitor.expression"), drawing());
-        ui.control(true);
-        ui.key(ImGuiKey_A, true);
-        frame();
-        ui.key(ImGuiKey_A, false);
-        ui.control(false);
-        frame();
-        ui.type(text, drawing());
+        replace_text(item("monitor.expression"), text);
         frames(45); // longer than a pause
     }
     std::string formula() { return run().scenario.monitor.values.text("expression"); }

@@ -197,14 +197,7 @@ TEST_F(ApplicationTest, TheOpenDialogTakesAPath) {
     std::ofstream(folder / "typed.toml") << to_toml(other);
     EXPECT_TRUE(application.press_key("Ctrl+O"));
     for (int i = 0; i < 3; ++i) frame();
-    ui.click(application.items().find("open.path")->second, drawing());
-    ui.control(true);
-    ui.key(ImGuiKey_A, true);
-    frame();
-    ui.key(ImGuiKey_A, false);
-    ui.control(false);
-    frame();
-    ui.type((folder / "typed.toml").string(), drawing());
+    replace_text(application.items().find("open.path")->second, (folder / "typed.toml").string());
     ui.click(application.items().find("open.ok")->second, drawing());
     EXPECT_TRUE(wait_until([&] { return application.title() == "Typed"; }))
         << application.messages().last().text;
@@ -236,14 +229,7 @@ TEST_F(ApplicationTest, AChangedScenarioIsCalledModifiedAndUndoGivesItsNameBack)
 class SaveAsTest : public ApplicationTest {
   protected:
     void fill(const std::string& field, const std::string& text) {
-        ui.click(application.items().find(field)->second, drawing());
-        ui.control(true);
-        ui.key(ImGuiKey_A, true);
-        frame();
-        ui.key(ImGuiKey_A, false);
-        ui.control(false);
-        frame();
-        ui.type(text, drawing());
+        replace_text(application.items().find(field)->second, text);
     }
     void save_as(const std::string& file, const std::string& title = {}) {
         EXPECT_TRUE(application.press_key("Ctrl+Shift+S"));
