@@ -27,7 +27,16 @@ TEST_F(NarrowFeatureTest, ANarrowerOneIsSaidAndWhatHelps) {
     EXPECT_NE(warning.find("smaller \"Sharpness\""), std::string::npos) << warning;
 }
 
-TEST_F(NarrowFeatureTest, NothingIsSaidOfDataOrOfAMeshThatHasNotAdapted) {
+TEST_F(NarrowFeatureTest, NothingIsSaidOfAMeshThatHasNotAdapted) {
+    ASSERT_NE(warning_at(1900), "");
+    auto early = std::make_shared<Snapshot>(*run().snapshot);
+    early->report.residual = 0.5;
+    DocumentRun one;
+    one.scenario = run().scenario, one.history = run().history, one.snapshot = early;
+    EXPECT_EQ(NarrowFeature().warning(*catalogue, one), "");
+}
+
+TEST_F(NarrowFeatureTest, NothingIsSaidOfData) {
     Scenario portrait = find_scenario(*catalogue, "plane-portrait");
     set_value(*catalogue, portrait, "method.max_iterations", std::int64_t{5});
     document.open(portrait);
