@@ -107,7 +107,7 @@ def main():
     parser.add_argument("--program", default="build/gaspard")
     parser.add_argument("--repeat", type=int, default=15)
     options = parser.parse_args()
-    mesh = (330, 150, 560, 560)  # the middle of the view
+    mesh = (330, 420, 560, 40)  # across the ring; small, as reading it takes time, too
     with Window(options.program) as window:
         window.move(600, 400), window.button(True)
         measure("pan, n = 60", window, options.repeat, mesh, lambda i: window.move(600 + 12 * (i % 2 + 1), 400 + i))
@@ -119,7 +119,7 @@ def main():
                 lambda i: window.move(152 + 3 * (options.repeat - i), 323))
         window.button(False), window.until_still(mesh)
         window.move(800, 849), window.button(True)  # the knob of the playback bar
-        measure("scrub, n = 60", window, options.repeat, mesh, lambda i: window.move(560 + 20 * (i % 8), 849))
+        measure("scrub, n = 60", window, options.repeat, mesh, lambda i: window.move(560 + 50 * (i % 8), 849))
         window.button(False), window.key("End")
     with Window(options.program, "--set", "domain.cells=240", "--set", "method.type=relaxation", "--set",
                 "method.tolerance=1e-14", "--set", "method.max_iterations=1000000", "--set",

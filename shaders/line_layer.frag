@@ -14,6 +14,7 @@ out vec4 colour;
 
 void main() {
     vec2 covered = texelFetch(ink, ivec2(gl_FragCoord.xy - corner), 0).rg;
+    if (covered.r + covered.g == 0.0) discard;
     vec2 amount = pow(covered, evening) * vec2(light_ink.a, dark_ink.a);
     float alpha = amount.r + amount.g * (1.0 - amount.r);
     if (alpha <= 0.0) discard;

@@ -4,6 +4,7 @@
 #include "colour_map.glsl"
 uniform vec4 surface;             // used where its alpha is above zero; then it is as opaque as that
 uniform bool flat_cells;          // each cell has a value of its own
+uniform bool nodal;               // as in mesh_fill.vert
 uniform usampler2D shown_cells;   // which cell a triangle belongs to
 uniform int first_triangle;       // of those that are drawn
 uniform sampler2D cell_values;    // where a cell's value lies in the range
@@ -35,12 +36,27 @@ float nodal_value() {
     return value + bend.z * clamp(2.0 * product / max(b + root, 1e-3), 0.0, 1.0);
 }
 
-void main() {
-    vec3 base = surface.a > 0.0 ? surface.rgb : colour_of(flat_cells ? own_value() : nodal_value());
+/// How much of its colour what is seen there keeps.
+float light() {
+    if (dusk == 0.0) return 1.0;
     vec3 normal = cross(dFdx(pixel), dFdy(pixel));
     float facing = round_cells ? dot(normalize(outward), viewer) : abs(normal.z) / max(length(normal), 1e-20);
-    vec3 grey = vec3(dot(base, vec3(0.299, 0.587, 0.114)));
-    base = mix(base, 0.78 * mix(base, grey, 0.55), pallor);
-    colour = vec4(base * (1.0 - dusk * pow(1.0 - clamp(facing, 0.0, 1.0), 1.6)),
-                  surface.a > 0.0 ? surface.a : 1.0);
+    return 1.0 - dusk * pow(1.0 - clamp(facing, 0.0, 1.0), 1.6);
+}
+
+void main() {
+    vec3 base = surface.rgb;
+    if (surface.a == 0.0) {
+        float place = value;
+        if (flat_cells)
+            place = own_value();
+        else if (nodal)
+            place = nodal_value();
+        base = colour_of(place);
+    }
+    if (pallor > 0.0) {
+        vec3 grey = vec3(dot(base, vec3(0.299, 0.587, 0.114)));
+        base = mix(base, 0.78 * mix(base, grey, 0.55), pallor);
+    }
+    colour = vec4(base * light(), surface.a > 0.0 ? surface.a : 1.0);
 }

@@ -19,69 +19,62 @@ float window_zoom(int width, int height) {
 
 } // namespace
 
-PixelRect pixels_of(const ItemRectangle& part, float density) {
-    const auto pixels = [density](float units) { return static_cast<int>(std::lround(units * density)); };
-    const int x = pixels(part.left), y = pixels(part.top);
-    return {x, y, pixels(part.right) - x, pixels(part.bottom) - y};
-}
-
-void WindowImage::draw_meshes(const Application& application, const WindowPixels& pixels, float zoom,
-                              RenderTarget& target) {
-    const Theme& theme = application.window_state().theme;
-    target.bind();
-    gl_.Disable(GL_SCISSOR_TEST);
-    gl_.ClearColor(theme.background.r, theme.background.g, theme.background.b, 1);
-    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+MeshesToDraw meshes_to_draw(const Application& application, const WindowPixels& pixels, float zoom) {
     const auto& views = application.views();
-    for (const ShownView& shown : views) {
-        // A mesh that several views show, as from front and rear, is uploaded once.
-        const auto first = std::find_if(views.begin(), views.end(), [&](const ShownView& one) {
-            return one.scene.physical == shown.scene.physical;
-        });
-        Camera camera = shown.camera;
-        camera.scale /= static_cast<double>(pixels.density);
-        std::optional<StripView> part{{camera, pixels_of(shown.rectangle, pixels.density)}};
-        if (pixels.top) part = in_strip(part->camera, part->area, {*pixels.top, pixels.height});
-        if (part)
-            meshes_.at(static_cast<std::size_t>(first - views.begin()))
-                .draw(shown.scene, part->camera, part->area, pixels.height, theme, zoom * pixels.density);
-    }
+    return {views, application.window_state().theme, pixels, zoom, area_of_views(views, pixels)};
 }
 
-/// Whether both have the same views, which show other iterates.
-bool WindowImage::only_moved(const Below& drawn, const Below& wanted) {
-    return drawn.theme == wanted.theme && drawn.density == wanted.density && drawn.zoom == wanted.zoom &&
-           drawn.top == wanted.top &&
-           std::equal(drawn.views.begin(), drawn.views.end(), wanted.views.begin(), wanted.views.end(),
-                      [](const ShownView& a, const ShownView& b) {
-                          return a.camera == b.camera && a.rectangle == b.rectangle &&
-                                 a.scene.mesh == b.scene.mesh && a.scene.blend == b.scene.blend;
-                      });
+void WindowImage::resize(int width, int height, Colour ground) {
+    if (below_ && below_->width() == width && below_->height() == height && ground == ground_) return;
+    std::optional<Image> before;
+    if (below_ && ground == ground_) before = below_->read(); // until there are meshes of the new size
+    ground_ = ground;
+    below_.emplace(gl_, width, height, 0); // text and panels need no multisampling
+    whole_.emplace(gl_, width, height, 0);
+    meshes_ = {};
+    clear_below();
+    if (before) below_->put(*before, 0, 0);
 }
 
-WindowImage::Outcome WindowImage::draw(const Application& application, const WindowPixels& pixels, float zoom,
-                                       const Drawing& drawing) {
-    if (!whole_ || whole_->width() != pixels.width || whole_->height() != pixels.height) {
-        below_.reset(), draft_.reset(), whole_.reset(), drawn_.reset();
-        below_.emplace(gl_, pixels.width, pixels.height);
-        whole_.emplace(gl_, pixels.width, pixels.height, 0); // text and panels need no multisampling
-    }
-    Below wanted{application.views(), application.window_state().theme_name, pixels.density, zoom,
-                 pixels.top};
-    const bool changed = drawn_ != wanted;
-    const bool kept = changed && drawing.keep && drawn_ && only_moved(*drawn_, wanted);
-    const bool anew = (changed && !kept) || (!changed && !full_ && drawing.finish);
-    if (anew) {
-        full_ = !drawing.quickly || !changed;
-        if (!full_ && !draft_) draft_.emplace(gl_, pixels.width, pixels.height, 0);
-        draw_meshes(application, pixels, zoom, full_ ? *below_ : *draft_);
-        drawn_ = std::move(wanted);
-    }
-    whole_->copy(full_ ? *below_ : *draft_);
-    whole_->bind();
+void WindowImage::clear_below() {
+    below_->bind();
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl_.ClearColor(ground_.r, ground_.g, ground_.b, 1);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    draw_all_anew();
+}
+
+void WindowImage::draw_all_anew() {
+    if (whole_) changed_ = {0, 0, whole_->width(), whole_->height()};
+}
+
+void WindowImage::make_place_for(PixelRect meshes) {
+    if (meshes != meshes_) clear_below();
+    meshes_ = meshes;
+    changed_ = around(changed_, meshes);
+}
+
+void WindowImage::take(const MeshImage& meshes, PixelRect area) {
+    make_place_for(area);
+    below_->put(meshes.image(), area.x, area.y);
+}
+
+void WindowImage::take(const PaintedMeshes& meshes) {
+    make_place_for(meshes.area);
+    below_->put(meshes.image, meshes.area.x, meshes.area.y);
+}
+
+bool WindowImage::draw(const WindowPixels& pixels) {
     const ImDrawData& data = *ImGui::GetDrawData();
-    interface_.draw(pixels.top ? in_strip(data, {*pixels.top, pixels.height}) : data);
-    return {anew, full_ && !kept};
+    const PixelRect part = around(changes_.follow(data), std::exchange(changed_, {}));
+    if (part.empty()) return false;
+    whole_->copy(*below_, part);
+    whole_->bind();
+    if (pixels.top)
+        interface_.draw(in_strip(data, {*pixels.top, pixels.height}));
+    else
+        interface_.draw(data, part);
+    return true;
 }
 
 Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const FinishedRun& run, int width,
@@ -97,6 +90,7 @@ Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const Fini
     load_font(*io.Fonts, application.window_state().theme, zoom, application.title());
     apply_theme(application.window_state().theme, zoom);
     application.set_scale(zoom);
+    MeshImage meshes(gl);
     WindowImage image(gl);
     for (int frame = 0; frame < 3; ++frame) { // some sizes are known only in the frame after
         ImGui::NewFrame();
@@ -105,7 +99,14 @@ Image render_whole_window(std::shared_ptr<const Catalogue> catalogue, const Fini
     }
     const int rows = strip_height(width, height);
     return draw_in_strips(width, height, rows, [&](Strip strip) {
-        image.draw(application, {width, rows, 1, strip.top}, zoom);
+        WindowPixels pixels{width, rows, 1};
+        if (rows < height) pixels.top = strip.top;
+        MeshesToDraw what = meshes_to_draw(application, pixels, zoom);
+        if (pixels.top) what.area = {0, 0, width, rows};
+        meshes.draw(what);
+        image.resize(width, rows, what.theme.background);
+        image.take(meshes, what.area);
+        image.draw(pixels);
         return image.read();
     });
 }

@@ -4,73 +4,50 @@
 
 #include "core/io/image.hpp"
 #include "gui/app/application.hpp"
+#include "gui/app/mesh_painter.hpp"
+#include "gui/gl/draw_changes.hpp"
 #include "gui/gl/imgui_renderer.hpp"
 #include "gui/gl/offscreen.hpp"
-#include "gui/render/mesh_renderer.hpp"
 
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace gaspard {
 
-/// Of a framebuffer: its size in pixels, and how many of them a unit of the window has.
-struct WindowPixels {
-    int width = 0, height = 0;
-    float density = 1;
-    std::optional<int> top{}; ///< of a strip of an image: how many rows of the window are above it
-};
+/// The meshes that the application shows.
+MeshesToDraw meshes_to_draw(const Application& application, const WindowPixels& pixels, float zoom);
 
-/// A part of the window in pixels of the framebuffer.
-PixelRect pixels_of(const ItemRectangle& part, float density);
-
-/// How the meshes of a frame are drawn.
-struct Drawing {
-    bool quickly = false; ///< with one sample a pixel
-    bool keep = false;    ///< meshes that only moved, seen from the same places, stay as they were drawn
-    bool finish = true;   ///< what was drawn quickly and has not changed is drawn in full
-};
-
-/// The image of the window, drawn in memory first. So it is equal with and without a screen (a window's own
-/// framebuffer may have the opposite order of rows, which rounds positions between pixels differently), and
-/// unchanged meshes are not drawn again below an open menu.
+/// The image of the window, drawn in memory first. So it is equal with and without a screen: a window's own
+/// framebuffer may have the opposite order of rows, which rounds positions between pixels differently.
 class WindowImage {
   public:
     /// `gl` must outlive it and be current whenever it is used and when it dies.
-    explicit WindowImage(const Gl& gl) : gl_(gl), meshes_(gl), interface_(gl) {}
+    explicit WindowImage(const Gl& gl) : gl_(gl), interface_(gl) {}
 
-    struct Outcome {
-        bool anew = false;     ///< the meshes were redrawn
-        bool complete = false; ///< they are as they should be, in full
-    };
-    /// Draws the frame that ImGui has just rendered, and the meshes below it. `zoom`: units of the window per
-    /// unit of the theme.
-    Outcome draw(const Application& application, const WindowPixels& pixels, float zoom,
-                 const Drawing& drawing = {});
+    /// The size of the window, and the colour where there are no meshes.
+    void resize(int width, int height, Colour ground);
+    /// Meshes that were drawn in this context, of this area; or elsewhere.
+    void take(const MeshImage& meshes, PixelRect area);
+    void take(const PaintedMeshes& meshes);
+    /// Draws the frame that ImGui has just rendered over the meshes; only what has changed is drawn. False if
+    /// nothing has.
+    bool draw(const WindowPixels& pixels);
+    /// Everything has changed, as with another font.
+    void draw_all_anew();
     void show() const { whole_->show(); } ///< in the window, after draw()
     Image read() const { return whole_->read(); }
     ImGuiRenderer& interface() { return interface_; }
 
   private:
-    /// What the image of the meshes depends on.
-    struct Below {
-        std::vector<ShownView> views;
-        std::string theme;
-        float density = 1, zoom = 1;
-        std::optional<int> top{};
-        friend bool operator==(const Below&, const Below&) = default;
-    };
-    static bool only_moved(const Below& drawn, const Below& wanted);
-    void draw_meshes(const Application& application, const WindowPixels& pixels, float zoom,
-                     RenderTarget& target);
-
+    void clear_below();
+    void make_place_for(PixelRect meshes);
     const Gl& gl_;
-    MeshRenderers meshes_;
     ImGuiRenderer interface_;
-    std::optional<RenderTarget> below_, draft_, whole_; ///< the meshes, in full or quickly; all
-    std::optional<Below> drawn_;                        ///< what below_ or draft_ shows
-    bool full_ = true;                                  ///< below_ does
+    std::optional<RenderTarget> below_, whole_; ///< the meshes; all
+    Colour ground_;
+    DrawChanges changes_;
+    PixelRect meshes_;  ///< where below_ shows some
+    PixelRect changed_; ///< of below_, since the last frame
 };
 
 /// The window showing a finished run, drawn offscreen. Throws MachineError if there is no OpenGL.

@@ -1,8 +1,10 @@
 #include "gui/app/window.hpp"
 
 #include "core/base/error.hpp"
+#include "gui/app/mesh_painter.hpp"
 #include "gui/app/viewport_image.hpp"
 #include "gui/app/whole_window.hpp"
+#include "gui/app/window_events.hpp"
 #include "gui/app/window_icon.hpp"
 #include "gui/base/font_finder.hpp"
 #include "gui/gl/gl.hpp"
@@ -10,23 +12,19 @@
 #include "gui/gl/imgui_input.hpp"
 #include "gui/plot/plot_image.hpp"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <backends/imgui_impl_glfw.h>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <deque>
 #include <functional>
 #include <imgui.h>
-#include <limits>
 #include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -36,9 +34,9 @@ namespace gaspard {
 namespace {
 
 constexpr double frame_seconds = 1.0 / 60;
-constexpr int longest_wait = 30; // frames; then typed letters go to the focused item
-constexpr double slow_drawing = 0.05, rest_before_full = 0.3; // seconds
-constexpr int settling_frames = 3; // ImGui reacts to an input one or two frames later
+constexpr int longest_wait = 30;        // frames; then typed letters go to the focused item
+constexpr double gesture_seconds = 0.5; // after an input, in which what it changes is drawn at once
+constexpr int settling_frames = 3;      // ImGui reacts to an input one or two frames later
 
 std::string last_glfw_error() {
     const char* text = nullptr;
@@ -140,116 +138,6 @@ GlfwWindow open_window(const std::string& title, const Values& remembered) {
     return window;
 }
 
-/// The name of a key in the table of actions: "Space", "Ctrl+Shift+Z". Letters are those printed on the key.
-std::string key_name(int key, int scancode, int modifiers) {
-    if (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) return {}; // reserved for the desktop
-    const std::string prefix = (modifiers & GLFW_MOD_CONTROL) ? "Ctrl+" : "";
-    if (key == GLFW_KEY_SPACE) return prefix + "Space";
-    if (key == GLFW_KEY_RIGHT) return prefix + "Right";
-    if (key == GLFW_KEY_LEFT) return prefix + "Left";
-    if (key == GLFW_KEY_HOME) return prefix + "Home";
-    if (key == GLFW_KEY_END) return prefix + "End";
-    if (key == GLFW_KEY_ESCAPE) return prefix + "Escape";
-    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25)
-        return prefix + "F" + std::to_string(key - GLFW_KEY_F1 + 1);
-    const char* printed = glfwGetKeyName(key, scancode);
-    if (!printed || printed[1] != '\0') return {};
-    const bool shifted = !prefix.empty() && (modifiers & GLFW_MOD_SHIFT) != 0;
-    return prefix + (shifted ? "Shift+" : "") +
-           static_cast<char>(std::toupper(static_cast<unsigned char>(printed[0])));
-}
-
-/// A button of the mouse that went down or up.
-struct ButtonChange {
-    int button = 0;
-    bool down = false;
-    ImVec2 at;
-};
-
-/// A key that went down or up, in GLFW's terms. `name` is empty if the table of actions cannot contain the
-/// key.
-struct KeyChange {
-    int key = 0, scancode = 0, event = 0, modifiers = 0;
-    std::string name;
-
-    bool down() const { return event == GLFW_PRESS; }
-    /// The key only types a letter. That arrives as a Letter, so ImGui does not need the key.
-    bool only_types() const { return key < GLFW_KEY_ESCAPE && (modifiers & GLFW_MOD_CONTROL) == 0; }
-    bool modifies() const { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
-};
-
-struct Letter {
-    unsigned code = 0;
-};
-
-constexpr float nowhere = -std::numeric_limits<float>::max(); // ImGui's value for no position
-const ImVec2 no_pointer{nowhere, nowhere};
-
-/// What has happened since the last iteration of the loop.
-struct Happenings {
-    std::atomic<bool> news = false; ///< set on any thread
-    bool input = false;
-    ImVec2 pointer = no_pointer;
-    std::deque<std::variant<KeyChange, Letter, ButtonChange>> inputs; ///< in their order
-    std::vector<std::string> dropped;                                 ///< files
-};
-
-Happenings& happenings_of(GLFWwindow* window) {
-    return *static_cast<Happenings*>(glfwGetWindowUserPointer(window));
-}
-
-// Callbacks only record events: no exception may pass through C code.
-void install_callbacks(GLFWwindow* window, Happenings& happenings) {
-    glfwSetWindowUserPointer(window, &happenings);
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int event, int modifiers) {
-        happenings_of(w).input = true;
-        if (event != GLFW_REPEAT) // ImGui repeats by itself
-            happenings_of(w).inputs.emplace_back(
-                KeyChange{key, scancode, event, modifiers, key_name(key, scancode, modifiers)});
-    });
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned letter) {
-        happenings_of(w).input = true;
-        happenings_of(w).inputs.emplace_back(Letter{letter});
-    });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
-        happenings_of(w).input = true;
-        happenings_of(w).pointer = {static_cast<float>(x), static_cast<float>(y)};
-    });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int event, int) {
-        happenings_of(w).input = true;
-        if (button >= 0 && button < ImGuiMouseButton_COUNT)
-            happenings_of(w).inputs.emplace_back(
-                ButtonChange{button, event == GLFW_PRESS, happenings_of(w).pointer});
-    });
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
-        happenings_of(w).input = true;
-        ImGui_ImplGlfw_ScrollCallback(w, x, y);
-    });
-    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
-        happenings_of(w).input = true;
-        ImGui_ImplGlfw_WindowFocusCallback(w, focused);
-    });
-    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
-        happenings_of(w).input = true;
-        double x = 0, y = 0;
-        glfwGetCursorPos(w, &x, &y);
-        bool dragging = false; // continues outside the window
-        for (int button = 0; button < ImGuiMouseButton_COUNT; ++button)
-            dragging = dragging || glfwGetMouseButton(w, button) == GLFW_PRESS;
-        happenings_of(w).pointer = entered != GLFW_FALSE || dragging
-                                       ? ImVec2(static_cast<float>(x), static_cast<float>(y))
-                                       : no_pointer;
-    });
-    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { happenings_of(w).input = true; });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { happenings_of(w).input = true; });
-    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** files) {
-        happenings_of(w).input = true;
-        happenings_of(w).dropped.assign(files, files + count);
-    });
-    glfwSetWindowContentScaleCallback(window,
-                                      [](GLFWwindow* w, float, float) { happenings_of(w).input = true; });
-}
-
 /// ImGui's GLFW backend, with an owner. Its callbacks are called by ours.
 class ImGuiInput {
   public:
@@ -307,18 +195,19 @@ class Window {
         : window_(open_window("Gaspard", options.settings.window)),
           gl_(load_gl([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); })) {
         input_.emplace(window_.get());
-        install_callbacks(window_.get(), happenings_);
+        note_events(window_.get(), happenings_);
         application_.emplace(std::move(catalogue), scenario,
-                             ApplicationOptions{.wake = [this] { wake(); },
+                             ApplicationOptions{.wake = [this] { wake(happenings_.news); },
                                                 .output = options.output,
                                                 .named = options.named,
                                                 .settings = options.settings,
                                                 .complaints = options.complaints,
                                                 .in_background = true});
         style();
-        scene_.emplace(gl_);
+        image_.emplace(gl_);
+        start_drawing();
         stop_ = options.stop;
-        wake_to_stop_.emplace(stop_, [this] { wake(); });
+        wake_to_stop_.emplace(stop_, [this] { wake(happenings_.news); });
     }
 
     void loop() {
@@ -364,32 +253,67 @@ class Window {
     float zoom() const { return look_.scales.zoom * look_.text_size; }
 
     /// Called on other threads; once per frame is enough.
-    void wake() {
-        if (!happenings_.news.exchange(true)) glfwPostEmptyEvent();
+    static void wake(std::atomic<bool>& flag) {
+        if (!flag.exchange(true)) glfwPostEmptyEvent();
+    }
+
+    /// The window's own context draws the meshes too, unless that would take its thread long.
+    void start_drawing() {
+        try {
+            if (draws_in_software(gl_)) painter_.emplace([this] { wake(happenings_.image); });
+        } catch (const MachineError&) { // then the window waits for its meshes
+        }
+        if (!painter_) meshes_.emplace(gl_);
+    }
+
+    /// Draws the meshes, or asks for them; and takes what is there. Returns the seconds spent waiting.
+    double draw_meshes(const WindowPixels& pixels, bool in_full) {
+        MeshesToDraw wanted = meshes_to_draw(*application_, pixels, zoom());
+        image_->resize(pixels.width, pixels.height, wanted.theme.background);
+        if (!painter_) {
+            if (wanted == drawn_) return 0;
+            meshes_->draw(wanted);
+            image_->take(*meshes_, wanted.area);
+            drawn_ = std::move(wanted);
+            return 0;
+        }
+        const bool at_once = in_gesture() || application_->window_state().animating;
+        painter_->want(wanted, in_full ? Hurry::in_full : at_once ? Hurry::at_once : Hurry::none);
+        const double begun = glfwGetTime();
+        painter_->wait();
+        const double waited = glfwGetTime() - begun;
+        if (const auto painted = painter_->take()) image_->take(*painted);
+        return waited;
     }
 
     /// Sleeps until there is something to draw, and draws at most 60 times a second. Slow drawing (without a
     /// graphics card) takes at most half of the time while the solver, which needs the cores too, is running;
     /// reactions to input are drawn at once.
     void wait() {
-        if (frames_due_ == 0 && !happenings_.news && !application_->window_state().animating) {
-            if (complete_)
-                glfwWaitEvents();
-            else
-                glfwWaitEventsTimeout(std::min(rest_before_full + 0.01, 2 * drawing_seconds_));
-        }
+        if (frames_due_ == 0 && !happenings_.news && !happenings_.image &&
+            !application_->window_state().animating)
+            glfwWaitEvents();
         const auto rest = [this] {
-            const bool at_once = happenings_.input || (frames_due_ > 0 && !happenings_.news);
-            const double pause = at_once ? frame_seconds : std::max(frame_seconds, 2 * drawing_seconds_);
+            const bool at_once = happenings_.input || in_gesture() || happenings_.image ||
+                                 (frames_due_ > 0 && !happenings_.news);
+            const double pause = settles() ? 0.0
+                                 : at_once ? frame_seconds
+                                           : std::max(frame_seconds, 2 * drawing_seconds_);
             return begun_ + pause - glfwGetTime();
         };
         for (double left = 0; (left = rest()) > 0;) glfwWaitEventsTimeout(left);
         glfwPollEvents();
-        reacting_ = std::exchange(happenings_.input, false);
-        if (reacting_ || happenings_.news) frames_due_ = settling_frames;
+        happenings_.image = false;
+        const bool reacting = std::exchange(happenings_.input, false);
+        if (reacting || happenings_.news) frames_due_ = settling_frames;
         frames_due_ = std::max(0, frames_due_ - 1);
         begun_ = glfwGetTime();
+        if (reacting) input_at_ = begun_;
     }
+    /// The last frame, which took an input, has changed nothing yet.
+    bool settles() const { return frames_due_ > 0 && !changed_ && in_gesture(); }
+    /// What changes now was probably caused by the hand, which goes on.
+    bool in_gesture() const { return glfwGetTime() - input_at_ < gesture_seconds; }
 
     void style() {
         look_ = wanted_look();
@@ -408,7 +332,8 @@ class Window {
 
     void restyle() {
         style();
-        scene_->interface().update_font();
+        image_->interface().update_font();
+        image_->draw_all_anew();
     }
 
     /// ImGui reads the state of keys and buttons once per frame. If frames are slow, there are more events
@@ -515,14 +440,16 @@ class Window {
         application_->frame();
         ImGui::Render();
         const bool screenshot = application_->take_screenshot_request();
-        const auto drawn = scene_->draw(*application_, {width, height, look_.scales.density}, zoom(),
-                                        screenshot ? Drawing{} : how_to_draw());
+        const WindowPixels pixels{width, height, look_.scales.density};
+        const double waited = draw_meshes(pixels, screenshot);
+        const bool exposed = std::exchange(happenings_.exposed, false);
+        changed_ = image_->draw(pixels);
         if (screenshot)
             application_->save_image(
-                part_of(scene_->read(), pixels_of(application_->viewport_rectangle(), look_.scales.density)));
-        scene_->show();
+                part_of(image_->read(), pixels_of(application_->viewport_rectangle(), look_.scales.density)));
+        if (changed_ || exposed) image_->show();
         application_->save_plot([this](const Plot& plot) {
-            return draw_plot_image(gl_, scene_->interface(), plot, application_->window_state().theme, zoom(),
+            return draw_plot_image(gl_, image_->interface(), plot, application_->window_state().theme, zoom(),
                                    look_.scales.density);
         });
         application_->save_figure([this](const FigureToDraw& figure) {
@@ -531,23 +458,8 @@ class Window {
                                static_cast<int>(view.integer("height")), figure.subject, {.gl = &gl_});
         });
         gl_.Finish();
-        complete_ = drawn.complete;
-        if (drawn.anew) note_drawing(glfwGetTime() - begun_); // without waiting for the screen
-        glfwSwapBuffers(window_.get());
-    }
-
-    /// Without a graphics card a large mesh takes long. Then it is drawn quickly while it changes, and in
-    /// full once it rests; and what only reacts to the pointer, such as a button, does not wait for it.
-    Drawing how_to_draw() const {
-        const double since = begun_ - meshes_at_;
-        const bool slow = full_seconds_ > slow_drawing;
-        return {.quickly = slow,
-                .keep = slow && reacting_ && since<2 * drawing_seconds_, .finish = since> rest_before_full};
-    }
-    void note_drawing(double seconds) {
-        drawing_seconds_ = seconds;
-        if (complete_) full_seconds_ = seconds;
-        meshes_at_ = begun_;
+        drawing_seconds_ = glfwGetTime() - begun_ - waited; // without waiting for the screen
+        if (changed_ || exposed) glfwSwapBuffers(window_.get());
     }
 
     // Destroyed in the opposite order: the solver first, the display last.
@@ -557,7 +469,10 @@ class Window {
     Gl gl_;
     ImGuiSession imgui_;
     std::optional<ImGuiInput> input_;
-    std::optional<WindowImage> scene_;
+    std::optional<WindowImage> image_;
+    std::optional<MeshPainter> painter_; ///< or, with a graphics card:
+    std::optional<MeshImage> meshes_;
+    std::optional<MeshesToDraw> drawn_; ///< by meshes_
     Look look_;
     Place before_;                       ///< the window filled the screen
     std::map<std::string, Value> place_; ///< where it stood when it was closed, as in the settings
@@ -567,12 +482,10 @@ class Window {
     std::array<bool, ImGuiMouseButton_COUNT> buttons_{};
     int frames_due_ = settling_frames;
     double begun_ = 0;           ///< of the last frame
-    double drawing_seconds_ = 0; ///< of the last one that redrew meshes
-    double full_seconds_ = 0;    ///< of the last one that redrew them in full
-    double meshes_at_ = 0;       ///< when that was
-    bool complete_ = true;       ///< the meshes are drawn as they should be
-    bool reacting_ = false;      ///< this frame is due to an input
-    FontFinder fonts_{[this] { wake(); }};
+    double drawing_seconds_ = 0; ///< of the last frame
+    double input_at_ = 0;        ///< when the last input came
+    bool changed_ = false;       ///< the last frame differed from the one before
+    FontFinder fonts_{[this] { wake(happenings_.news); }};
     std::optional<Application> application_;
     std::stop_token stop_;
     std::optional<std::stop_callback<std::function<void()>>> wake_to_stop_; ///< on the thread that stops

@@ -15,11 +15,11 @@
 namespace gaspard {
 
 struct WindowOptions {
-    OutputFolders output{"gaspard-out"};          ///< as in ApplicationOptions
-    std::optional<Scenario> named{};              ///< see Document::open
-    std::stop_token stop{};                       ///< closes the window, as the user does
-    Settings settings;                            ///< of the last time; the size is limited to the screen
-    std::vector<std::string> complaints;          ///< about invalid settings
+    OutputFolders output{"gaspard-out"}; ///< as in ApplicationOptions
+    std::optional<Scenario> named{};     ///< see Document::open
+    std::stop_token stop{};              ///< closes the window, as the user does
+    Settings settings;                   ///< of the last time; the size is limited to the screen
+    std::vector<std::string> complaints; ///< about invalid settings
 };
 
 /// Shows the scenario until the user closes the window; returns the settings to be saved. Call it on the main

@@ -38,6 +38,7 @@ struct Theme {
     std::array<Colour, 8> curves;
     float font_size = 15;
     float line_width = 1.0F; ///< of cell edges
+    friend bool operator==(const Theme&, const Theme&) = default;
 };
 
 Theme dark_theme();

@@ -4,6 +4,7 @@
 #include "gui/gl/gl_functions.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace gaspard {
 
@@ -34,6 +35,13 @@ Gl load_gl(const GlLookup& lookup) {
     visit_gl_functions(gl, [&](auto& function, const char* name) { load(lookup, function, name); });
     require_version(gl);
     return gl;
+}
+
+bool draws_in_software(const Gl& gl) {
+    const auto* text = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+    const std::string_view renderer = text ? text : "";
+    return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos ||
+           renderer.find("Software Rasterizer") != renderer.npos;
 }
 
 } // namespace gaspard

@@ -57,6 +57,7 @@ struct Gl {
     PFNGLGETINTEGERVPROC GetIntegerv = nullptr;
     PFNGLGETPROGRAMINFOLOGPROC GetProgramInfoLog = nullptr;
     PFNGLGETPROGRAMIVPROC GetProgramiv = nullptr;
+    PFNGLGETSTRINGPROC GetString = nullptr;
     PFNGLGETSHADERINFOLOGPROC GetShaderInfoLog = nullptr;
     PFNGLGETSHADERIVPROC GetShaderiv = nullptr;
     PFNGLGETUNIFORMLOCATIONPROC GetUniformLocation = nullptr;
@@ -87,5 +88,8 @@ using GlLookup = std::function<void*(const char*)>;
 
 /// Throws MachineError, naming the first function that is missing, or the version if it is below 3.3.
 Gl load_gl(const GlLookup& lookup);
+
+/// Whether the current context draws without a graphics card.
+bool draws_in_software(const Gl& gl);
 
 } // namespace gaspard

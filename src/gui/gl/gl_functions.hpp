@@ -54,6 +54,7 @@ void visit_gl_functions(Gl& gl, Visit visit) {
     visit(gl.GetIntegerv, "glGetIntegerv");
     visit(gl.GetProgramInfoLog, "glGetProgramInfoLog");
     visit(gl.GetProgramiv, "glGetProgramiv");
+    visit(gl.GetString, "glGetString");
     visit(gl.GetShaderInfoLog, "glGetShaderInfoLog");
     visit(gl.GetShaderiv, "glGetShaderiv");
     visit(gl.GetUniformLocation, "glGetUniformLocation");

@@ -1,5 +1,7 @@
 #include "gui/gl/imgui_renderer.hpp"
 
+#include "gui/gl/draw_changes.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <glm/gtc/matrix_transform.hpp>
@@ -69,7 +71,7 @@ void ImGuiRenderer::set_state(const ImDrawData& data, int width, int height) {
     gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_.name()); // not part of the vertex array's state
 }
 
-void ImGuiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data, int height) {
+void ImGuiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data, PixelRect part, int height) {
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(list.VtxBuffer.size_in_bytes()),
                    list.VtxBuffer.Data, GL_STREAM_DRAW);
     gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(list.IdxBuffer.size_in_bytes()),
@@ -89,10 +91,11 @@ void ImGuiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data, in
         const auto y = [&](float value) {
             return static_cast<int>((value - data.DisplayPos.y) * data.FramebufferScale.y);
         };
-        const int left = x(command.ClipRect.x), right = x(command.ClipRect.z);
-        const int top = y(command.ClipRect.y), bottom = y(command.ClipRect.w);
-        if (right <= left || bottom <= top) continue;
-        gl_.Scissor(left, height - bottom, right - left, bottom - top);
+        const int left = x(command.ClipRect.x), top = y(command.ClipRect.y);
+        const PixelRect seen =
+            intersection(part, {left, top, x(command.ClipRect.z) - left, y(command.ClipRect.w) - top});
+        if (seen.empty()) continue;
+        gl_.Scissor(seen.x, height - seen.y - seen.height, seen.width, seen.height);
         gl_.BindTexture(GL_TEXTURE_2D,
                         static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
         gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
@@ -102,12 +105,15 @@ void ImGuiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data, in
     }
 }
 
-void ImGuiRenderer::draw(const ImDrawData& data) {
+void ImGuiRenderer::draw(const ImDrawData& data, PixelRect part) {
     const int width = static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x);
     const int height = static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y);
     if (width <= 0 || height <= 0) return; // minimised
     set_state(data, width, height);
-    for (int i = 0; i < data.CmdListsCount; ++i) draw_list(*data.CmdLists[i], data, height);
+    part = intersection(part, {0, 0, width, height});
+    for (int i = 0; i < data.CmdListsCount; ++i)
+        if (!intersection(part, area_of(*data.CmdLists[i], data)).empty())
+            draw_list(*data.CmdLists[i], data, part, height);
     gl_.Disable(GL_SCISSOR_TEST);
 }
 

@@ -5,7 +5,9 @@
 #pragma once
 
 #include "gui/gl/gl_objects.hpp"
+#include "gui/gl/pixel_rect.hpp"
 
+#include <climits>
 #include <imgui.h>
 
 namespace gaspard {
@@ -18,11 +20,13 @@ class ImGuiRenderer {
 
     /// Again after the font atlas has changed.
     void update_font();
-    void draw(const ImDrawData& data);
+    void draw(const ImDrawData& data) { draw(data, {0, 0, INT_MAX, INT_MAX}); }
+    /// What lies in this part of the framebuffer.
+    void draw(const ImDrawData& data, PixelRect part);
 
   private:
     void set_state(const ImDrawData& data, int width, int height);
-    void draw_list(const ImDrawList& list, const ImDrawData& data, int height);
+    void draw_list(const ImDrawList& list, const ImDrawData& data, PixelRect part, int height);
 
     const Gl& gl_;
     GlProgram program_;

@@ -249,26 +249,61 @@ void RenderTarget::bind() const {
     gl_->Viewport(0, 0, width_, height_);
 }
 
-void RenderTarget::blit(const GlFramebuffer& from, GLuint to) const {
+void RenderTarget::blit(const GlFramebuffer& from, GLuint to, PixelRect part) const {
     gl_->Disable(GL_SCISSOR_TEST); // it would clip the copy
     gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
     gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
-    gl_->BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    const int right = part.x + part.width, top = height_ - part.y, bottom = top - part.height;
+    gl_->BlitFramebuffer(part.x, bottom, right, top, part.x, bottom, right, top, GL_COLOR_BUFFER_BIT,
+                         GL_NEAREST);
 }
 
-void RenderTarget::copy(const RenderTarget& from) const {
+void RenderTarget::copy(const RenderTarget& from, PixelRect part) const {
     GASPARD_CHECK(from.width_ == width_ && from.height_ == height_);
-    blit(from.drawn_, drawn_.name());
+    blit(from.drawn_, drawn_.name(), part);
+}
+
+void RenderTarget::put(const Image& image, int x, int y) const {
+    const GlTexture texture(*gl_);
+    const GlFramebuffer from(*gl_);
+    gl_->ActiveTexture(GL_TEXTURE0);
+    gl_->BindTexture(GL_TEXTURE_2D, texture.name());
+    gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                    image.rgba.data());
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, from.name());
+    gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.name(), 0);
+    gl_->Disable(GL_SCISSOR_TEST);
+    gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
+    gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, drawn_.name());
+    const int width = std::min(width_ - x, image.width), height = std::min(height_ - y, image.height);
+    if (width <= 0 || height <= 0) return;
+    const int top = height_ - y; // OpenGL's rows run from bottom to top
+    gl_->BlitFramebuffer(0, height, width, 0, x, top - height, x + width, top, GL_COLOR_BUFFER_BIT,
+                         GL_NEAREST);
+}
+
+void RenderTarget::put(const RenderTarget& from, int x, int y) const {
+    GASPARD_CHECK(samples_ == 0 && from.samples_ == 0);
+    const int width = std::min(width_ - x, from.width_), height = std::min(height_ - y, from.height_);
+    if (width <= 0 || height <= 0) return;
+    gl_->Disable(GL_SCISSOR_TEST);
+    gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, from.drawn_.name());
+    gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, drawn_.name());
+    const int top = height_ - y, from_top = from.height_;
+    gl_->BlitFramebuffer(0, from_top - height, width, from_top, x, top - height, x + width, top,
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void RenderTarget::show() const {
-    if (samples_ > 0) blit(drawn_, resolved_.name()); // formats must agree to resolve samples
-    blit(samples_ > 0 ? resolved_ : drawn_, 0);
+    if (samples_ > 0)
+        blit(drawn_, resolved_.name(), {0, 0, width_, height_}); // formats must agree to resolve samples
+    blit(samples_ > 0 ? resolved_ : drawn_, 0, {0, 0, width_, height_});
     gl_->BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 Image RenderTarget::read() const {
-    blit(drawn_, resolved_.name());
+    blit(drawn_, resolved_.name(), {0, 0, width_, height_});
     gl_->BindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
     const auto row = static_cast<std::size_t>(width_) * 4;
     Image image{width_, height_, std::vector<std::uint8_t>(row * static_cast<std::size_t>(height_))};

@@ -6,6 +6,7 @@
 
 #include "core/io/image.hpp"
 #include "gui/gl/gl_objects.hpp"
+#include "gui/gl/pixel_rect.hpp"
 
 #include <memory>
 #include <string_view>
@@ -39,7 +40,12 @@ class RenderTarget {
     RenderTarget(const Gl& gl, int width, int height, int samples = image_samples);
     void bind() const; ///< drawing goes here; sets the viewport to all of it
     /// Takes over what was drawn into another of the same size, with as many samples or into one.
-    void copy(const RenderTarget& from) const;
+    void copy(const RenderTarget& from) const { copy(from, {0, 0, width_, height_}); }
+    void copy(const RenderTarget& from, PixelRect part) const; ///< with as many samples
+    /// Puts what was drawn in another one, or an image, with its upper left corner there; what does not fit
+    /// is cut off. Both have one sample a pixel.
+    void put(const RenderTarget& from, int x, int y) const;
+    void put(const Image& image, int x, int y) const;
     /// Puts the image into the window's own framebuffer, which is bound afterwards.
     void show() const;
     Image read() const;
@@ -47,7 +53,7 @@ class RenderTarget {
     int height() const { return height_; }
 
   private:
-    void blit(const GlFramebuffer& from, GLuint to) const;
+    void blit(const GlFramebuffer& from, GLuint to, PixelRect part) const;
     const Gl* gl_;
     int width_, height_, samples_;
     GlFramebuffer drawn_, resolved_;

@@ -407,9 +407,9 @@ void MeshRenderer::end_layer(const Frame& frame, PixelRect area, int bottom, Col
     set_depth_test(!frame.planar);
 }
 
-void MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect area, int framebuffer_height,
-                        const Theme& theme, float scale) {
-    if (area.width <= 0 || area.height <= 0) return;
+bool MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect area, int framebuffer_height,
+                        const Theme& theme, float scale, const std::function<bool()>& give_up) {
+    if (area.width <= 0 || area.height <= 0) return true;
     GASPARD_CHECK(scene.tessellation != nullptr);
     upload(scene);
     const int bottom = framebuffer_height - area.y - area.height;
@@ -426,11 +426,27 @@ void MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect 
                       logarithm_of(scene),
                       {single(Vec3{} - centre_), static_cast<float>(scene.ball)},
                       single(towards_viewer(camera))};
+    const bool complete = draw_layers(frame, area, bottom, theme, scale, [&] {
+        if (!give_up) return false;
+        gl_.Finish(); // what was asked for so far is drawn
+        return give_up();
+    });
+    gl_.DepthMask(GL_TRUE);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.Disable(GL_SCISSOR_TEST);
+    return complete;
+}
+
+/// Of what is on the card, from the cells up. False if given up.
+bool MeshRenderer::draw_layers(const Frame& frame, PixelRect area, int bottom, const Theme& theme,
+                               float scale, const std::function<bool()>& give_up) {
+    const MeshScene& scene = shown_;
     const Colour nothing{0, 0, 0, 0};
     const bool plain = scene.colouring == nullptr;
     const Colour surface = plain ? theme.surface : nothing;
     set_depth_test(!frame.planar);
     draw_cells(frame, surface);
+    if (give_up()) return false;
 
     // On denser displays lines become finer relative to the image.
     const float fineness = std::max(1.0F, 0.7F * scale);
@@ -447,7 +463,9 @@ void MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect 
     if (scene.cell_dimension > 1 && scene.lines) {
         begin_layer(frame, area);
         draw_lines(frame, edges_, style);
+        const bool complete = !give_up();
         end_layer(frame, area, bottom, theme.line_on_dark, theme.line_on_light);
+        if (!complete) return false;
     }
     if (scene.contours != nullptr) {
         begin_layer(frame, area);
@@ -459,14 +477,13 @@ void MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect 
         draw_overlay(frame, style, scale);
         end_layer(frame, area, bottom, theme.overlay, theme.overlay);
     }
+    if (give_up()) return false;
     style.limb_begin = style.limb_end = 0;
     gl_.DepthMask(GL_FALSE);
     if (scene.cell_dimension == 1) draw_line_cells(frame, style, theme, scale);
     draw_tangled(frame, style, theme, scale);
     if (scene.arrows != nullptr) draw_arrows(frame, theme, scale);
-    gl_.DepthMask(GL_TRUE);
-    gl_.Disable(GL_DEPTH_TEST);
-    gl_.Disable(GL_SCISSOR_TEST);
+    return true;
 }
 
 /// Cells that are lines: wide ones in the colours of their values, with their ends marked.

@@ -6,22 +6,18 @@
 
 #include "gui/base/theme.hpp"
 #include "gui/gl/gl_objects.hpp"
+#include "gui/gl/pixel_rect.hpp"
 #include "gui/render/facets.hpp"
 #include "gui/render/line_layer.hpp"
 #include "gui/scene/mesh_scene.hpp"
 
 #include <array>
+#include <functional>
 #include <glm/mat4x4.hpp>
 #include <memory>
 #include <vector>
 
 namespace gaspard {
-
-/// A part of the framebuffer in its own pixels, from the upper left corner.
-struct PixelRect {
-    int x = 0, y = 0, width = 0, height = 0;
-    Size size() const { return {static_cast<double>(width), static_cast<double>(height)}; }
-};
 
 class MeshRenderer {
   public:
@@ -30,9 +26,9 @@ class MeshRenderer {
 
     /// Fills `area` of the bound framebuffer, which is `framebuffer_height` high, with the theme's background
     /// and the scene. `camera` is one of an image of area.size(); `scale` widens lines on high-density
-    /// displays.
-    void draw(const MeshScene& scene, const Camera& camera, PixelRect area, int framebuffer_height,
-              const Theme& theme, float scale);
+    /// displays. False if `give_up`, asked before each layer, said so; then the image is not complete.
+    bool draw(const MeshScene& scene, const Camera& camera, PixelRect area, int framebuffer_height,
+              const Theme& theme, float scale, const std::function<bool()>& give_up = {});
 
     /// Bytes sent to the graphics card so far: unchanged arrays send none.
     std::size_t uploaded_bytes() const { return uploaded_bytes_; }
@@ -112,6 +108,8 @@ class MeshRenderer {
         Colour surface{};
         float dusk = 0, pallor = 0; ///< as in mesh_fill.frag
     };
+    bool draw_layers(const Frame& frame, PixelRect area, int bottom, const Theme& theme, float scale,
+                     const std::function<bool()>& give_up);
     void draw_fill(const Frame& frame, const FillPart& part);
     void draw_cells(const Frame& frame, Colour surface);
     void draw_line_cells(const Frame& frame, LineStyle style, const Theme& theme, float scale);

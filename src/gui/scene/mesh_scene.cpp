@@ -97,7 +97,10 @@ std::shared_ptr<const Tessellation> SceneBuilder::finished_section(const std::sh
 
 std::shared_ptr<Points> SceneBuilder::available() {
     for (const auto& available : workspaces_)
-        if (available.use_count() == 1) return available;
+        if (available.use_count() == 1) {
+            std::shared_ptr<Points> own = available; // counts, which orders its last use on another thread
+            return own;                              // before what is written now
+        }
     return workspaces_.emplace_back(std::make_shared<Points>());
 }
 
