@@ -34,7 +34,7 @@ target_compile_definitions(window_tests PRIVATE GASPARD_PROGRAM="$<TARGET_FILE:g
 add_dependencies(window_tests gaspard)
 
 # The command line, as a user's script sees it.
-foreach(group Runs BadInput Files Machine Information)
+foreach(group Runs BadInput Files Machine Information Films)
   add_test(NAME cli_${group} COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/contract_test.py
     $<TARGET_FILE:gaspard> ${group})
   set_tests_properties(cli_${group} PROPERTIES TIMEOUT 300 LABELS "graphics" COST 7)

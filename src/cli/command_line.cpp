@@ -101,6 +101,38 @@ void add_study(CLI::App& app, StudyArguments& study) {
     command->add_flag("--overwrite", study.overwrite, "Replace files about another scenario as well");
 }
 
+void add_record(CLI::App& app, RecordArguments& record) {
+    CLI::App* command = app.add_subcommand("record", "Make a film of a solve, or of its mesh");
+    command->add_option("SCENARIO", record.scenario, scenario_help)->required();
+    add_settings(*command, record.settings);
+    command
+        ->add_option("--motion", record.motion,
+                     "What moves: iterations, turn, blend, camera, or several (default: iterations)")
+        ->type_name("LIST");
+    command
+        ->add_option("--formats", record.formats,
+                     "Comma-separated list: png, apng, gif, mp4, webm, pvd, "
+                     "glb, csv (default: apng)")
+        ->type_name("LIST");
+    command
+        ->add_option("--frames", record.frames,
+                     "Number of frames (default: one per iterate; 6 seconds of another motion)")
+        ->type_name("N");
+    command->add_option("--rate", record.rate, "Frames per second (default: 25; of iterates alone 10)")
+        ->type_name("N");
+    command->add_option("--size", record.size, "Size of the frames in pixels")->type_name("WxH");
+    command->add_option("--from", record.from, "First view of the motion camera, as view.camera")
+        ->type_name("CAMERA");
+    command->add_option("--to", record.to, "Its last view")->type_name("CAMERA");
+    command->add_option("--nodes", record.nodes, "Most nodes in trajectories.csv (default: 400)")
+        ->type_name("N");
+    command->add_option("--out", record.out, "Output folder (default: ./gaspard-out/SCENARIO-film)")
+        ->type_name("DIR");
+    command->add_flag("--resume", record.resume, "Go on with a film that was interrupted");
+    command->add_flag("--overwrite", record.overwrite, "Replace files of a film of another scenario as well");
+    command->add_flag("--quiet", record.quiet, "Print only errors");
+}
+
 /// Values that are missing are mistakes, such as those of an unset variable in a script: an empty one, or the
 /// next option in its place.
 void refuse_missing_values(const CLI::App& app) {
@@ -159,6 +191,8 @@ int dispatch(int argc, char** argv) {
     add_why(app, why);
     StudyArguments study;
     add_study(app, study);
+    RecordArguments record;
+    add_record(app, record);
     CLI::App* list = app.add_subcommand("list", "List what is available, with parameters and ranges");
     list->add_option("WHAT", what,
                      "scenarios, domains, monitors, methods, formats, view or output (default: all)");
@@ -201,6 +235,7 @@ int dispatch(int argc, char** argv) {
     if (app.got_subcommand("compare")) return compare_command(catalogue, compare);
     if (app.got_subcommand("why")) return why_command(catalogue, why);
     if (app.got_subcommand("study")) return study_command(catalogue, study);
+    if (app.got_subcommand("record")) return record_command(catalogue, record);
     if (app.got_subcommand(list)) return list_command(*catalogue, what);
     if (app.got_subcommand(show)) return show_command(*catalogue, show_scenario, show_settings, show_options);
     if (app.got_subcommand(reproduce))

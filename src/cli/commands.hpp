@@ -50,6 +50,17 @@ struct StudyArguments {
     bool overwrite = false; ///< also files about another scenario
 };
 
+/// The options of `record`, not yet checked.
+struct RecordArguments {
+    std::string scenario;
+    std::vector<std::string> settings;
+    std::optional<std::string> motion, frames, rate, from, to, formats, size, nodes;
+    std::string out; ///< empty: ./gaspard-out/SCENARIO-film
+    bool resume = false, quiet = false;
+    bool overwrite = false; ///< also files of another scenario
+};
+
+int record_command(std::shared_ptr<const Catalogue> catalogue, const RecordArguments& arguments);
 int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& arguments);
 int compare_command(std::shared_ptr<const Catalogue> catalogue, const CompareArguments& arguments);
 int why_command(std::shared_ptr<const Catalogue> catalogue, const WhyArguments& arguments);

@@ -900,7 +900,7 @@ class Information(Contract):
     def test_every_option_is_documented(self):
         with open(os.path.join(DOCS, "command-line.md")) as file:
             page = file.read()
-        for command in ([], ["run"], ["compare"], ["why"], ["study"], ["list"], ["show"], ["reproduce"]):
+        for command in ([], ["run"], ["compare"], ["why"], ["study"], ["record"], ["list"], ["show"], ["reproduce"]):
             for option in re.findall(r"--[a-z-]+", gaspard(*command, "--help").stdout):
                 self.assertIn(option, page, "of gaspard " + " ".join(command))
 
@@ -1048,6 +1048,122 @@ class Files(Contract):
         scenario = self.file("mine.toml", self.SCENARIO % "/dev/urandom")
         self.refused(self.quick(scenario), "/dev/urandom", "larger than 32 MiB")
         self.refused(self.quick("plane-ring", "--start", "/dev/zero"), "/dev/zero", "larger than 256 MiB")
+
+
+class Films(Contract):
+    def record(self, *arguments, name="plane-ring", size="160x120", **options):
+        return gaspard("record", name, "--out", self.out, "--size", size, *QUICK, "--set", "method.type=auto",
+                       *arguments, **options)
+
+    def frames(self):
+        return sorted(os.listdir(self.path("frames")))
+
+    def test_every_iterate_is_a_frame_of_each_format(self):
+        result = self.record("--formats", "png,apng,pvd,glb,csv", "--nodes", "5")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        count = int(re.search(r"after (\d+) iterations; (\d+) frames", result.stdout).group(2))
+        self.assertEqual(self.frames(), ["%05d.png" % k for k in range(count)])
+        self.assertEqual(self.bytes("film.apng").count(b"fcTL"), count)
+        series = xml.etree.ElementTree.parse(self.path("mesh.pvd")).findall(".//DataSet")
+        self.assertEqual([float(one.get("timestep")) for one in series], list(range(count)))
+        for one in series:
+            self.assertTrue(os.path.exists(self.path(one.get("file"))))
+        with open(self.path("trajectories.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 5 * count)
+        self.assertEqual([rows[0][key] for key in ("frame", "iteration", "node")], ["0", "0", "0"])
+        self.assertNotEqual(rows[-1]["x"], rows[4]["x"])
+        size, = struct.unpack_from("<I", self.bytes("mesh.glb"), 12)
+        model = json.loads(self.bytes("mesh.glb")[20:20 + size])
+        self.assertEqual(len(model["meshes"][0]["primitives"][0]["targets"]), count - 1)
+
+    def test_the_same_input_gives_the_same_bytes(self):
+        self.record("--frames", "4")
+        first = self.bytes("film.apng")
+        shutil.rmtree(self.out)
+        self.record("--frames", "4")
+        self.assertEqual(self.bytes("film.apng"), first)
+
+    def test_a_film_that_was_killed_goes_on(self):
+        arguments = ["record", "sphere-x2", "--motion", "turn", "--frames", "40", "--size", "400x400", "--out", self.out]
+        with subprocess.Popen([PROGRAM, *arguments]) as process:
+            deadline = time.time() + 60
+            while time.time() < deadline and not os.path.exists(self.path("frames/00004.png")):
+                time.sleep(0.01)
+            process.kill()
+        done = [name for name in self.frames() if not name.startswith(".")]
+        self.assertGreaterEqual(len(done), 5)
+        self.assertLess(len(done), 40)
+        self.assertFalse(os.path.exists(self.path("film.apng")))
+        for name in done:
+            self.assertTrue(self.bytes("frames/" + name).endswith(b"IEND\xaeB`\x82"), name)
+        times = {name: os.stat(self.path("frames/" + name)).st_mtime_ns for name in done}
+        result = gaspard(*arguments, "--resume")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        for name, time_ns in times.items():
+            self.assertEqual(os.stat(self.path("frames/" + name)).st_mtime_ns, time_ns)
+        self.assertEqual(self.bytes("film.apng").count(b"fcTL"), 40)
+        self.assertEqual(len(self.frames()), 40, "what the kill left unfinished is gone")
+
+        refused = gaspard(*arguments[:-2], "--out", self.out, "--set", "monitor.ratio=3", "--resume")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("leave out --resume", refused.stderr)
+        self.assertEqual(self.bytes("film.apng").count(b"fcTL"), 40)
+
+    def test_a_shorter_film_leaves_no_frames_of_a_longer_one(self):
+        self.record("--frames", "6", "--formats", "png")
+        self.record("--frames", "3", "--formats", "png")
+        self.assertEqual(len(self.frames()), 3)
+
+    def test_frames_of_others_are_not_replaced(self):
+        os.makedirs(self.path("frames"))
+        with open(self.path("frames/00000.png"), "w") as file:
+            file.write("mine")
+        result = self.record()
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("would be replaced", result.stderr)
+        self.assertEqual(self.bytes("frames/00000.png"), b"mine")
+        self.assertEqual(os.listdir(self.out), ["frames"])
+
+    def test_what_makes_no_sense_is_one_sentence(self):
+        for arguments, part in ((["--motion", "turns"], "did you mean 'turn'?"),
+                                (["--motion", "turn"], "lies in the plane"),
+                                (["--motion", "camera"], "two cameras"),
+                                (["--motion", "camera", "--from", "centre 0 0 height 1", "--to", "nowhere"], "nowhere"),
+                                (["--from", "centre 0 0 height 1"], "not asked for"),
+                                (["--motion", "turn,camera"], "choose one"),
+                                (["--motion", "blend", "--formats", "csv"], "iterations"),
+                                (["--formats", "avi"], "unknown format 'avi'"),
+                                (["--frames", "0"], "--frames"), (["--rate", "nan"], "--rate"),
+                                (["--resume"], "no film was begun")):
+            self.refused(self.record(*arguments), part)
+            self.assertFalse(os.path.exists(self.out), arguments)
+
+    def test_without_ffmpeg_it_says_how_to_get_it(self):
+        nothing = dict(os.environ, PATH=self.folder.name)
+        self.refused(self.record("--formats", "mp4", environment=nothing), "apt install ffmpeg")
+        self.assertFalse(os.path.exists(self.out))
+
+    def test_ffmpeg_is_asked_for_the_whole_film(self):
+        # A program of that name which notes what it is asked for.
+        tool = os.path.join(self.folder.name, "ffmpeg")
+        with open(tool, "w") as file:
+            file.write("#!/bin/sh\nfor last; do :; done\necho \"$@\" > \"${last#file:}\"\n")
+        os.chmod(tool, 0o755)
+        path = dict(os.environ, PATH=self.folder.name + ":" + os.environ["PATH"])
+        result = self.record("--formats", "mp4,webm,gif", "--frames", "4", "--rate", "5", environment=path)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        for name, codec in (("film.mp4", "libx264"), ("film.webm", "libvpx-vp9"), ("film.gif", "palettegen")):
+            words = self.bytes(name).decode()
+            self.assertIn(codec, words)
+            self.assertIn("-framerate 5 ", words)
+            self.assertIn("-frames:v 9 ", words)  # the last one stays for a second
+        with open(tool, "w") as file:
+            file.write("#!/bin/sh\necho first; echo 'no such codec' >&2; exit 1\n")
+        failed = self.record("--formats", "mp4", "--frames", "4", environment=path)
+        self.assertEqual(failed.returncode, 1)
+        self.assertIn("no such codec", failed.stderr)
+        self.assertEqual([name for name in os.listdir(self.out) if "part" in name or "log" in name], [])
 
 
 if __name__ == "__main__":

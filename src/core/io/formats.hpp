@@ -10,6 +10,7 @@
 #include "core/session/snapshot.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,11 @@ void write_obj(const std::filesystem::path& file, const Tessellation& shape, con
 void write_glb(const std::filesystem::path& file, const Snapshot& snapshot);
 /// The same with another tessellation.
 void write_glb(const std::filesystem::path& file, const Snapshot& snapshot, const Tessellation& shape);
+
+/// The frames of a film of one mesh as binary glTF 2.0: POSITION is the last one, each of the others is a
+/// morph target, and the animation shows `rate` of them per second. Colours are those of the last one.
+void write_animated_glb(const std::filesystem::path& file,
+                        const std::vector<std::shared_ptr<const Snapshot>>& frames, double rate);
 
 /// VTK XML unstructured grid at x, exact doubles, with cells of their own kind and order. Point data: nodal
 /// fields, displacement (x - xi) and xi. Cell data: cell fields. Field data: the numbers of the report.

@@ -166,17 +166,27 @@ int add_material(tinygltf::Model& model, const std::string& name, std::vector<do
     return static_cast<int>(model.materials.size()) - 1;
 }
 
-/// Stays at xi, moves to x and stays there, so that a looping viewer shows both ends.
-void add_animation(tinygltf::Model& model, Packer& packer) {
+/// What a shape looks like and how it moves: base + sum of weights times targets.
+struct MovingShape {
+    const Tessellation& shape;
+    const Snapshot& snapshot; ///< whose colours it has
+    Points base;
+    std::vector<Points> targets; ///< displacements
+    std::string motion;          ///< the name of the animation
+    std::vector<float> times;    ///< seconds
+    std::vector<float> weights;  ///< at each of them one per target
+};
+
+void add_animation(tinygltf::Model& model, Packer& packer, const MovingShape& moving) {
     tinygltf::AnimationSampler sampler;
-    sampler.input = packer.times({0.0f, 0.5f, 3.5f, 4.5f});
-    sampler.output = packer.weights({1.0f, 1.0f, 0.0f, 0.0f});
+    sampler.input = packer.times(moving.times);
+    sampler.output = packer.weights(moving.weights);
     tinygltf::AnimationChannel channel;
     channel.sampler = 0;
     channel.target_node = 0;
     channel.target_path = "weights";
     tinygltf::Animation animation;
-    animation.name = "from computational to adapted";
+    animation.name = moving.motion;
     animation.samplers.push_back(sampler);
     animation.channels.push_back(channel);
     model.animations.push_back(animation);
@@ -186,7 +196,7 @@ void add_scene(tinygltf::Model& model, tinygltf::Mesh mesh, Vec3 origin) {
     model.asset.version = "2.0";
     model.asset.generator = "Gaspard " + std::string(version());
     mesh.name = "adapted";
-    mesh.weights = {0};
+    mesh.weights.assign(mesh.primitives.front().targets.size(), 0.0);
     model.meshes.push_back(std::move(mesh));
     tinygltf::Node node;
     node.name = "adapted";
@@ -199,42 +209,48 @@ void add_scene(tinygltf::Model& model, tinygltf::Mesh mesh, Vec3 origin) {
     model.defaultScene = 0;
 }
 
-tinygltf::Primitive primitive(int mode, int indices, int material, int position, int displacement) {
+tinygltf::Primitive primitive(int mode, int indices, int material, int position,
+                              const std::vector<int>& displacements) {
     tinygltf::Primitive result;
     result.mode = mode;
     result.indices = indices;
     result.material = material;
     result.attributes["POSITION"] = position;
-    result.targets = {{{"POSITION", displacement}}};
+    for (const int displacement : displacements) result.targets.push_back({{"POSITION", displacement}});
     return result;
 }
 
-tinygltf::Model build_model(const Snapshot& snapshot, const Tessellation& shape) {
-    const Points x = shown_points(shape, snapshot.x);
-    const Points xi = shown_points(shape, snapshot.mesh->nodes);
-    const Vec3 origin = local_origin(x, xi);
+tinygltf::Model build_model(const MovingShape& moving) {
+    const Tessellation& shape = moving.shape;
+    const Points& x = moving.base;
+    Points end = x;
+    for (std::size_t i = 0; i < x.size() && !moving.targets.empty(); ++i)
+        end.set(i, x[i] + moving.targets.back()[i]);
+    const Vec3 origin = local_origin(x, end);
 
     tinygltf::Model model;
     Packer packer(model);
     const int position = packer.positions(single_precision(relative_to(origin, x)));
-    const int displacement = packer.positions(single_precision(xi - x));
+    std::vector<int> displacements;
+    for (const Points& target : moving.targets)
+        displacements.push_back(packer.positions(single_precision(target)));
     const std::vector<double> white = {1, 1, 1, 1},
                               ink = {static_cast<double>(dark_grey), static_cast<double>(dark_grey),
                                      static_cast<double>(dark_grey), 1};
-    const Field* monitor = snapshot.field("monitor");
+    const Field* monitor = moving.snapshot.field("monitor");
     const bool has_faces = !shape.triangles.empty();
 
     tinygltf::Mesh mesh;
     if (has_faces) {
         // Lighting shows the shape of curved surfaces; on a flat mesh it would only distort the colours.
-        const int material = add_material(model, "faces", white, snapshot.mesh->space_dimension == 3);
+        const int material = add_material(model, "faces", white, moving.snapshot.mesh->space_dimension == 3);
         mesh.primitives.push_back(primitive(TINYGLTF_MODE_TRIANGLES,
                                             packer.indices(shape.triangles, x.size()), material, position,
-                                            displacement));
+                                            displacements));
     }
     mesh.primitives.push_back(primitive(TINYGLTF_MODE_LINE, packer.indices(shape.segments, x.size()),
                                         add_material(model, "edges", monitor ? white : ink, false), position,
-                                        displacement));
+                                        displacements));
     if (monitor) {
         GASPARD_CHECK(monitor->place == FieldPlace::node);
         // On a mesh of lines, the edges are the cells and carry the colours.
@@ -242,9 +258,17 @@ tinygltf::Model build_model(const Snapshot& snapshot, const Tessellation& shape)
         mesh.primitives.front().attributes["COLOR_0"] = packer.vertices(colours);
         if (has_faces) mesh.primitives.back().attributes["COLOR_0"] = packer.vertices(ink_on(colours));
     }
-    add_animation(model, packer);
+    add_animation(model, packer, moving);
     add_scene(model, std::move(mesh), origin);
     return model;
+}
+
+void write_model(const std::filesystem::path& file, const MovingShape& moving) {
+    const tinygltf::Model model = build_model(moving);
+    write_atomically(file, [&](std::ostream& stream) {
+        const bool done = tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, false, true);
+        GASPARD_CHECK(done);
+    });
 }
 
 } // namespace
@@ -258,11 +282,35 @@ void write_glb(const std::filesystem::path& file, const Snapshot& snapshot) {
 
 void write_glb(const std::filesystem::path& file, const Snapshot& snapshot, const Tessellation& shape) {
     GASPARD_CHECK(snapshot.mesh && snapshot.x.size() == snapshot.mesh->node_count());
-    const tinygltf::Model model = build_model(snapshot, shape);
-    write_atomically(file, [&](std::ostream& stream) {
-        const bool done = tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, false, true);
-        GASPARD_CHECK(done);
-    });
+    const Points x = shown_points(shape, snapshot.x), xi = shown_points(shape, snapshot.mesh->nodes);
+    // It stays at xi, moves to x and stays there, so that a looping viewer shows both ends.
+    write_model(file, {shape,
+                       snapshot,
+                       x,
+                       {xi - x},
+                       "from computational to adapted",
+                       {0.0F, 0.5F, 3.5F, 4.5F},
+                       {1.0F, 1.0F, 0.0F, 0.0F}});
+}
+
+void write_animated_glb(const std::filesystem::path& file,
+                        const std::vector<std::shared_ptr<const Snapshot>>& frames, double rate) {
+    GASPARD_CHECK(!frames.empty() && rate > 0);
+    const Mesh& mesh = *frames.back()->mesh;
+    int cuts = 1;
+    for (const auto& frame : frames) cuts = std::max(cuts, cuts_for(mesh, frame->x));
+    const Tessellation shape = tessellate(mesh, cuts);
+    MovingShape moving{shape, *frames.back(), shown_points(shape, frames.back()->x), {}, "frames", {}, {}};
+    const std::size_t count =
+        frames.size() - 1; // the last one is the base, which viewers without motion show
+    for (std::size_t k = 0; k < count; ++k)
+        moving.targets.push_back(shown_points(shape, frames[k]->x) - moving.base);
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        moving.times.push_back(static_cast<float>(static_cast<double>(k) / rate));
+        for (std::size_t target = 0; target < count; ++target)
+            moving.weights.push_back(target == k ? 1.0F : 0.0F);
+    }
+    write_model(file, moving);
 }
 
 } // namespace gaspard

@@ -2,6 +2,7 @@
 #include "core/base/read_file.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/image.hpp"
+#include "core/io/png_chunks.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -10,29 +11,18 @@
 #include <stb_image.h>
 #include <stb_image_write.h> // Debian's libstb holds the implementations
 #include <string>
-#include <zlib.h>
 
 namespace gaspard {
 
 namespace {
 
-void append_big_endian(std::string& bytes, std::uint32_t value) {
-    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>((value >> shift) & 0xffU);
-}
-
 /// The chunk with the resolution.
 std::string phys_chunk(double dpi) {
     const auto per_metre = static_cast<std::uint32_t>(std::lround(dpi / 0.0254));
-    std::string body = "pHYs";
-    append_big_endian(body, per_metre);
-    append_big_endian(body, per_metre);
-    body += '\1'; // the unit is the metre
-    std::string chunk;
-    append_big_endian(chunk, static_cast<std::uint32_t>(body.size() - 4));
-    chunk += body;
-    append_big_endian(chunk, static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(body.data()),
-                                                              static_cast<uInt>(body.size()))));
-    return chunk;
+    std::string content;
+    append_big_endian(content, per_metre);
+    append_big_endian(content, per_metre);
+    return png_chunk("pHYs", content + '\1'); // the unit is the metre
 }
 
 } // namespace

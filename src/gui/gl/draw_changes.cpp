@@ -1,28 +1,11 @@
 #include "gui/gl/draw_changes.hpp"
 
+#include "core/base/fnv1a.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <string_view>
 
 namespace gaspard {
-
-namespace {
-
-/// FNV-1a, eight bytes at a time.
-void add_to(std::uint64_t& hash, const void* bytes, std::size_t count) {
-    const auto* at = static_cast<const unsigned char*>(bytes);
-    for (; count > 0;) {
-        std::uint64_t word = 0;
-        const std::size_t part = std::min(count, sizeof word);
-        std::memcpy(&word, at, part);
-        hash = (hash ^ word) * 0x100000001B3ULL;
-        hash ^= hash >> 29; // high bits of a word, such as a number's sign, matter as well
-        at += part, count -= part;
-    }
-}
-
-} // namespace
 
 PixelRect area_of(const ImDrawList& list, const ImDrawData& data) {
     if (list.VtxBuffer.empty()) return {};
@@ -50,14 +33,17 @@ PixelRect area_of(const ImDrawList& list, const ImDrawData& data) {
 }
 
 DrawChanges::Print DrawChanges::print_of(const ImDrawList& list, const ImDrawData& data) {
-    Print print{0xCBF29CE484222325ULL, area_of(list, data)};
-    add_to(print.hash, list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
-    add_to(print.hash, list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.size_in_bytes()));
+    Print print{fnv1a_start, area_of(list, data)};
+    const auto add = [&](const void* bytes, std::size_t count) {
+        print.hash = fnv1a({static_cast<const char*>(bytes), count}, print.hash);
+    };
+    add(list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
+    add(list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.size_in_bytes()));
     for (const ImDrawCmd& command : list.CmdBuffer) {
         const ImTextureID texture = command.GetTexID();
-        add_to(print.hash, &command.ClipRect, sizeof command.ClipRect);
-        add_to(print.hash, &texture, sizeof texture);
-        add_to(print.hash, &command.ElemCount, sizeof command.ElemCount);
+        add(&command.ClipRect, sizeof command.ClipRect);
+        add(&texture, sizeof texture);
+        add(&command.ElemCount, sizeof command.ElemCount);
     }
     return print;
 }

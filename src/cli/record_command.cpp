@@ -1,0 +1,246 @@
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/interrupt_watch.hpp"
+#include "cli/scenario_input.hpp"
+#include "core/base/error.hpp"
+#include "core/base/read_file.hpp"
+#include "core/base/stopwatch.hpp"
+#include "core/base/user_path.hpp"
+#include "core/io/apng.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/film_files.hpp"
+#include "core/io/image.hpp"
+#include "core/io/run_folder.hpp"
+#include "core/io/video.hpp"
+#include "core/session/run.hpp"
+#include "core/tessellate/film.hpp"
+#include "gui/app/viewport_image.hpp"
+#include "gui/gl/offscreen.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <iostream>
+#include <thread>
+#include <unistd.h>
+
+namespace gaspard {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t budget = std::size_t{512} << 20; // of the recorded iterates
+constexpr int most_frames = 100000;                    // of five digits
+constexpr double most_per_second = 1000;
+
+template <class Number>
+Number number_of(const std::string& option, const std::string& text, Number least, Number most) {
+    Number value{};
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code != std::errc{} || end != text.data() + text.size() || !(value >= least) || !(value <= most))
+        throw InputError(option + " must be a number from " + std::to_string(static_cast<int>(least)) +
+                         " to " + std::to_string(static_cast<int>(most)) + ", not '" + text + "'");
+    return value;
+}
+
+FilmPlan plan_of(const RecordArguments& arguments) {
+    FilmPlan plan;
+    plan.motions = parse_film_motions(arguments.motion.value_or("iterations"));
+    if (arguments.frames) plan.frames = number_of("--frames", *arguments.frames, 1, most_frames);
+    if (arguments.rate) plan.rate = number_of("--rate", *arguments.rate, 1.0, most_per_second);
+    plan.from = arguments.from.value_or("");
+    plan.to = arguments.to.value_or("");
+    return plan;
+}
+
+/// One line on the terminal about what is done, overwritten at most ten times a second.
+class Counter {
+  public:
+    explicit Counter(bool quiet) : on_(!quiet && isatty(STDERR_FILENO) != 0) {}
+    ~Counter() {
+        if (shown_) std::fputs("\r\033[K", stderr);
+    }
+    void show(const char* what, int done, int all) {
+        if (!on_ || watch_.seconds() < next_) return;
+        next_ = watch_.seconds() + 0.1;
+        shown_ = true;
+        std::fprintf(stderr, all > 0 ? "\r%s %d of %d\033[K" : "\r%s %d\033[K", what, done, all);
+        std::fflush(stderr);
+    }
+
+  private:
+    Stopwatch watch_;
+    bool on_, shown_ = false;
+    double next_ = 0;
+};
+
+/// Solves, and keeps the iterates.
+void solve(Run& run, Recording& recording, Counter& progress, const std::stop_token& stop) {
+    recording.add(*run.snapshot());
+    while (run.status() == RunStatus::running) {
+        progress.show("iteration", run.step(stop).iteration, 0);
+        if (stop.stop_requested()) throw Interrupted();
+        recording.add(*run.snapshot());
+    }
+}
+
+/// Draws and writes what is asked for; files of an earlier part of the same film stay.
+class FilmWriter {
+  public:
+    FilmWriter(const Film& film, const Scenario& scenario, fs::path folder,
+               const std::vector<const FilmFormat*>& formats)
+        : film_(film), scenario_(scenario), folder_(std::move(folder)), formats_(formats) {}
+
+    void write(std::size_t nodes, bool resume, Counter& progress, const std::stop_token& stop) {
+        if (!resume) {
+            remove_frames(folder_ / "frames", ".png");
+            remove_frames(folder_ / "mesh", ".vtu");
+        }
+        for (const fs::path& part : {folder_, folder_ / "frames", folder_ / "mesh"}) remove_unfinished(part);
+        const bool drawn = std::any_of(formats_.begin(), formats_.end(),
+                                       [](const FilmFormat* format) { return format->drawn; });
+        if (drawn) draw(progress, stop);
+        for (const FilmFormat* format : formats_) {
+            if (stop.stop_requested()) throw Interrupted();
+            write(*format, nodes, progress, stop);
+        }
+    }
+
+  private:
+    void draw(Counter& progress, const std::stop_token& stop) {
+        const fs::path images = folder_ / "frames";
+        make_folder(images);
+        const auto context = make_offscreen_context();
+        const auto width = static_cast<int>(scenario_.view.integer("width")),
+                   height = static_cast<int>(scenario_.view.integer("height"));
+        for (int k = 0; k < film_.frames(); ++k) {
+            const fs::path file = frame_file(images, k, ".png");
+            if (fs::exists(file)) continue; // of an earlier part
+            progress.show("frame", k + 1, film_.frames());
+            const FilmFrame frame = film_.frame(k);
+            const ImageOptions options{.gl = &context->gl(), .stop = stop};
+            write_png(file, render_view(*frame.snapshot, frame.view, width, height, scenario_title(scenario_),
+                                        options));
+            if (stop.stop_requested()) throw Interrupted();
+        }
+    }
+
+    void write(const FilmFormat& format, std::size_t nodes, Counter& progress, const std::stop_token& stop) {
+        const fs::path images = folder_ / "frames", file = folder_ / format.file;
+        const auto video = [&](VideoKind kind) {
+            write_video(file, kind, images, film_.frames(), film_.rate(), film_.hold(), stop);
+        };
+        if (format.name == "apng") {
+            std::vector<fs::path> frames;
+            for (int k = 0; k < film_.frames(); ++k) frames.push_back(frame_file(images, k, ".png"));
+            write_apng(file, frames, film_.rate(), film_.hold(), stop);
+        }
+        if (format.name == "gif") video(VideoKind::gif);
+        if (format.name == "mp4") video(VideoKind::mp4);
+        if (format.name == "webm") video(VideoKind::webm);
+        if (format.name == "pvd") write_meshes(progress, stop);
+        if (format.name == "glb") {
+            const MovingMesh moving = moving_mesh(film_, film_.rate());
+            write_animated_glb(file, moving.frames, moving.rate);
+        }
+        if (format.name == "csv") write_atomically(file, trajectories_csv(film_, nodes, stop));
+    }
+
+    void write_meshes(Counter& progress, const std::stop_token& stop) {
+        make_folder(folder_ / "mesh");
+        for (int k = 0; k < film_.frames(); ++k) {
+            const fs::path file = frame_file(folder_ / "mesh", k, ".vtu");
+            if (fs::exists(file)) continue; // of an earlier part
+            progress.show("mesh", k + 1, film_.frames());
+            write_vtu(file, *film_.frame(k).snapshot);
+            if (stop.stop_requested()) throw Interrupted();
+        }
+        write_atomically(folder_ / "mesh.pvd", pvd_of(film_));
+    }
+
+    const Film& film_;
+    const Scenario& scenario_;
+    fs::path folder_;
+    const std::vector<const FilmFormat*>& formats_;
+};
+
+void check_formats(const FilmPlan& plan, const std::vector<const FilmFormat*>& formats) {
+    for (const FilmFormat* format : formats)
+        if (!format->drawn && !plan.motions.iterations)
+            throw InputError("the format " + std::string(format->name) +
+                             " has the iterates of a solve; ask for the motion iterations");
+}
+
+/// That the folder has the beginning of this film.
+void check_resumed(const fs::path& folder, const std::string& record) {
+    std::string present;
+    try {
+        present = read_file(folder / "film.json");
+    } catch (const InputError&) {
+        throw InputError("no film was begun in " + folder.string() + "; leave out --resume");
+    }
+    if (present != record)
+        throw InputError("the film in " + folder.string() +
+                         " has other values, motions or frames; leave out --resume to begin anew");
+}
+
+} // namespace
+
+int record_command(std::shared_ptr<const Catalogue> catalogue, const RecordArguments& arguments) {
+    std::vector<std::string> settings = arguments.settings;
+    if (arguments.size)
+        for (std::string& setting : size_settings(*arguments.size)) settings.push_back(std::move(setting));
+    ScenarioInput input = load_input(*catalogue, arguments.scenario, settings);
+    check_input(*catalogue, input);
+    const Scenario& scenario = input.scenario;
+    const FilmPlan plan = plan_of(arguments);
+    const auto formats = parse_film_formats(arguments.formats.value_or("apng"));
+    check_formats(plan, formats);
+    const std::size_t nodes =
+        arguments.nodes ? static_cast<std::size_t>(number_of("--nodes", *arguments.nodes, 1, 100000000))
+                        : 400;
+    const fs::path folder = arguments.out.empty() ? fs::path("gaspard-out") / (scenario.name + "-film")
+                                                  : user_path(arguments.out);
+    std::vector<std::string> names{"film.json", "frames/00000.png", "mesh/00000.vtu"};
+    for (const FilmFormat& format : film_formats())
+        if (format.name != "png") names.emplace_back(format.file);
+    check_no_folders(folder, names);
+    if (!arguments.overwrite && !arguments.resume && !arguments.out.empty())
+        check_replaceable(folder, names, "film.json", scenario.name);
+    check_offscreen_choice();
+    const InterruptWatch interrupt; // once the input is read: a signal ends a program that waits for it
+    const std::stop_token stop = interrupt.token();
+    bool begun = false;
+    try {
+        Run run(catalogue, scenario,
+                {.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))}, {}, stop);
+        check_with_mesh(input, *run.discretisation().mesh());
+        check_film(plan, *run.discretisation().mesh(), scenario.view);
+        Counter progress(arguments.quiet);
+        Recording recording(budget);
+        solve(run, recording, progress, stop);
+        const Film film(plan, recording, run.snapshot(), scenario.view);
+        if (film.frames() > most_frames)
+            throw InputError("the film would have " + std::to_string(film.frames()) +
+                             " frames; choose fewer with --frames");
+        const std::string record = film_record(scenario, plan, film.frames());
+        if (arguments.resume) check_resumed(folder, record);
+        check_writable(folder); // after all checks of the input
+        write_atomically(folder / "film.json", record);
+        begun = true;
+        FilmWriter(film, scenario, folder, formats).write(nodes, arguments.resume, progress, stop);
+        if (!arguments.quiet)
+            std::printf("%s after %d iterations; %d frames in %s\n",
+                        std::string(status_name(run.status())).c_str(), run.history().back().iteration,
+                        film.frames(), folder.string().c_str());
+        return 0;
+    } catch (const Interrupted&) {
+        std::cerr << "gaspard: interrupted"
+                  << (begun ? "; the files that are there are complete, and --resume goes on\n"
+                            : " before the first frame; nothing was written\n");
+        return exit_code(RunStatus::interrupted);
+    }
+}
+
+} // namespace gaspard

@@ -1,0 +1,142 @@
+#include "core/io/film_files.hpp"
+
+#include "core/base/error.hpp"
+#include "core/io/video.hpp"
+#include "core/scenario/toml.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+namespace gaspard {
+
+namespace fs = std::filesystem;
+
+const std::vector<FilmFormat>& film_formats() {
+    static const std::vector<FilmFormat> formats{
+        {.name = "png", .help = "The frames as numbered images", .file = "frames", .drawn = true},
+        {.name = "apng", .help = "Animated PNG, for browsers and slides", .file = "film.apng", .drawn = true},
+        {.name = "gif",
+         .help = "Animated GIF (needs ffmpeg)",
+         .file = "film.gif",
+         .drawn = true,
+         .ffmpeg = true},
+        {.name = "mp4",
+         .help = "H.264 video (needs ffmpeg)",
+         .file = "film.mp4",
+         .drawn = true,
+         .ffmpeg = true},
+        {.name = "webm",
+         .help = "VP9 video (needs ffmpeg)",
+         .file = "film.webm",
+         .drawn = true,
+         .ffmpeg = true},
+        {.name = "pvd", .help = "Series of VTU files for ParaView", .file = "mesh.pvd"},
+        {.name = "glb", .help = "Animated glTF, one morph target per frame", .file = "mesh.glb"},
+        {.name = "csv", .help = "Trajectories of nodes", .file = "trajectories.csv"},
+    };
+    return formats;
+}
+
+std::vector<const FilmFormat*> parse_film_formats(std::string_view list) {
+    std::vector<const FilmFormat*> chosen;
+    std::vector<std::string> names;
+    for (const FilmFormat& format : film_formats()) names.emplace_back(format.name);
+    while (!list.empty()) {
+        const std::size_t end = std::min(list.find(','), list.size());
+        const std::string_view name = list.substr(0, end);
+        const auto format = std::find_if(film_formats().begin(), film_formats().end(),
+                                         [&](const FilmFormat& one) { return one.name == name; });
+        if (format == film_formats().end())
+            throw InputError("unknown format '" + std::string(name) + "' of films" +
+                             did_you_mean(name, names));
+        if (format->ffmpeg) check_ffmpeg(name);
+        if (std::find(chosen.begin(), chosen.end(), &*format) == chosen.end()) chosen.push_back(&*format);
+        list.remove_prefix(std::min(end + 1, list.size()));
+    }
+    if (chosen.empty()) throw InputError("no format is given, such as apng");
+    return chosen;
+}
+
+std::string film_record(const Scenario& scenario, const FilmPlan& plan, int frames) {
+    std::string motions;
+    for (const FilmMotionRow& row : film_motions())
+        if (plan.motions.*row.member) motions += (motions.empty() ? "" : ",") + std::string(row.name);
+    nlohmann::ordered_json json{{"scenario", scenario.name},
+                                {"modified", scenario.modified},
+                                {"motions", motions},
+                                {"frames", frames}};
+    if (plan.motions.camera) json["from"] = plan.from, json["to"] = plan.to;
+    json["values"] = to_toml(scenario);
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+fs::path frame_file(const fs::path& folder, int frame, std::string_view suffix) {
+    std::array<char, 16> number{};
+    std::snprintf(number.data(), number.size(), "%05d", frame);
+    return folder / (number.data() + std::string(suffix));
+}
+
+void remove_frames(const fs::path& folder, std::string_view suffix) {
+    std::error_code ignored;
+    for (int frame = 0; fs::remove(frame_file(folder, frame, suffix), ignored); ++frame) {
+    }
+}
+
+void remove_unfinished(const fs::path& folder) {
+    std::error_code ignored;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().filename().string().starts_with(".gaspard-") && entry.path().extension() == ".tmp")
+            files.push_back(entry.path());
+    for (const fs::path& file : files) fs::remove(file, ignored);
+}
+
+std::string pvd_of(const Film& film) {
+    std::string text = "<?xml version=\"1.0\"?>\n"
+                       "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+                       "  <Collection>\n";
+    for (int k = 0; k < film.frames(); ++k)
+        text += "    <DataSet timestep=\"" + std::to_string(film.iteration(k)) +
+                "\" group=\"\" part=\"0\" file=\"" + frame_file("mesh", k, ".vtu").string() + "\"/>\n";
+    return text + "  </Collection>\n</VTKFile>\n";
+}
+
+std::string trajectories_csv(const Film& film, std::size_t nodes, const std::stop_token& stop) {
+    std::string text;
+    for (int k = 0; k < film.frames(); ++k) {
+        if (stop.stop_requested()) throw Interrupted();
+        const FilmFrame frame = film.frame(k);
+        const Points& x = frame.snapshot->x;
+        const bool in_space = frame.snapshot->mesh->space_dimension == 3,
+                   on_line = frame.snapshot->mesh->space_dimension == 1;
+        if (k == 0)
+            text =
+                std::string("frame,iteration,node,x") + (on_line ? "" : ",y") + (in_space ? ",z" : "") + "\n";
+        const std::size_t shown = std::min(nodes, x.size());
+        for (std::size_t i = 0; i < shown; ++i) {
+            const std::size_t node = i * x.size() / shown;
+            text += std::to_string(k) + ',' + std::to_string(frame.iteration) + ',' + std::to_string(node) +
+                    ',' + format_number(x.x[node]);
+            if (!on_line) text += ',' + format_number(x.y[node]);
+            if (in_space) text += ',' + format_number(x.z[node]);
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+MovingMesh moving_mesh(const Film& film, double rate) {
+    const int count = std::min(film.frames(), most_morph_targets + 1);
+    MovingMesh moving{{}, rate};
+    for (int i = 0; i < count; ++i) {
+        const int k = count > 1 ? i * (film.frames() - 1) / (count - 1) : 0;
+        moving.frames.push_back(film.frame(k).snapshot);
+    }
+    if (count > 1) moving.rate = rate * (count - 1) / (film.frames() - 1);
+    return moving;
+}
+
+} // namespace gaspard

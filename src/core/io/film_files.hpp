@@ -1,0 +1,55 @@
+// The files of a film (core/tessellate/film.hpp): its frames one by one, and what is made of them.
+//
+//   film.json            what it shows: another command can go on with it
+//   frames/00000.png     ...
+//   film.apng .gif .mp4 .webm
+//   mesh.pvd, mesh/00000.vtu   for ParaView; the time is the iteration
+//   mesh.glb             one morph target per frame
+//   trajectories.csv     where nodes are, in every frame
+#pragma once
+
+#include "core/scenario/scenario.hpp"
+#include "core/tessellate/film.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gaspard {
+
+struct FilmFormat {
+    std::string_view name, help, file;
+    bool drawn = false;  ///< needs the frames as images
+    bool ffmpeg = false; ///< is made by that program
+};
+const std::vector<FilmFormat>& film_formats();
+/// Parses a list such as "apng,mp4". Throws InputError for an unknown name and where ffmpeg is missing.
+std::vector<const FilmFormat*> parse_film_formats(std::string_view list);
+
+/// What film.json says: the scenario and all that decides what the frames show. Equal texts, equal frames.
+std::string film_record(const Scenario& scenario, const FilmPlan& plan, int frames);
+
+/// folder/00012.png
+std::filesystem::path frame_file(const std::filesystem::path& folder, int frame, std::string_view suffix);
+/// Removes the numbered files of another film.
+void remove_frames(const std::filesystem::path& folder, std::string_view suffix);
+/// Removes what a program that was killed has not completed.
+void remove_unfinished(const std::filesystem::path& folder);
+
+/// mesh.pvd, which lists the files mesh/00000.vtu, ... with the iterations as times.
+std::string pvd_of(const Film& film);
+/// The frame, iteration, node and position of at most `nodes` nodes, evenly chosen, in all frames.
+std::string trajectories_csv(const Film& film, std::size_t nodes, const std::stop_token& stop);
+/// At most so many morph targets, evenly chosen from the frames.
+inline constexpr int most_morph_targets = 400;
+/// The frames of mesh.glb, and how many of them a second shows.
+struct MovingMesh {
+    std::vector<std::shared_ptr<const Snapshot>> frames;
+    double rate = 0;
+};
+MovingMesh moving_mesh(const Film& film, double rate);
+
+} // namespace gaspard

@@ -1,0 +1,22 @@
+// Videos and animated GIFs of PNG files, made by the program ffmpeg where it is installed.
+#pragma once
+
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+namespace gaspard {
+
+enum class VideoKind { mp4, webm, gif };
+
+/// Throws InputError, which says how to get it, if there is no ffmpeg in PATH.
+void check_ffmpeg(std::string_view format);
+
+/// Of folder/00000.png, 00001.png, ...: `count` frames, `rate` per second; the last one stays for `hold`
+/// seconds more. MP4 is H.264, which needs even sizes: a row or column of the background is added. Throws
+/// MachineError with the last line of what ffmpeg says; Interrupted.
+void write_video(const std::filesystem::path& file, VideoKind kind, const std::filesystem::path& folder,
+                 int count, double rate, double hold, const std::stop_token& stop = {});
+
+} // namespace gaspard

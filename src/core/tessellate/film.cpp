@@ -1,0 +1,185 @@
+#include "core/tessellate/film.hpp"
+
+#include "core/base/box.hpp"
+#include "core/base/check.hpp"
+#include "core/base/error.hpp"
+#include "core/tessellate/camera.hpp"
+#include "core/tessellate/cell_geometry.hpp"
+#include "core/tessellate/colouring.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double seconds_of_motion = 6;                 // of a turn, or of another motion without iterates
+constexpr double room = 1.05;                           // around a mesh that turns, relative to its size
+constexpr double legend_part = 0.2, caption_part = 0.1; // at most, of the sizes of the image
+
+/// From 0 to 1, at rest at both ends.
+double smooth(double t) { return t * t * (3 - 2 * t); }
+
+Camera camera_of(const std::string& text, Size size) {
+    if (text.empty()) throw InputError("the motion camera needs two cameras, as view.camera has them");
+    if (shows_all(text))
+        throw InputError("the camera '" + text +
+                         "' shows all of a mesh; the motion camera needs two with "
+                         "'centre ... height ...', as copied from the window");
+    return parse_camera(text, size);
+}
+
+/// On the way from one camera to another: magnified evenly, turned by the shorter way.
+Camera between(const Camera& from, const Camera& to, double t) {
+    Camera camera;
+    camera.centre = from.centre + t * (to.centre - from.centre);
+    camera.scale = from.scale * std::pow(to.scale / from.scale, t);
+    camera.right = from.right + t * (to.right - from.right);
+    camera.up = from.up + t * (to.up - from.up);
+    return camera;
+}
+
+Size size_of(const Values& view) {
+    return {static_cast<double>(view.integer("width")), static_cast<double>(view.integer("height"))};
+}
+
+/// What the camera sees at first: the whole mesh, with room to turn, if the view names no other.
+Camera before_turn(const Mesh& mesh, const Values& view) {
+    const std::string& text = view.text("camera");
+    const Size size = size_of(view);
+    if (!text.empty() && !shows_all(text)) return parse_camera(text, size);
+    const Box box = bounding_box(mesh.nodes);
+    Camera camera = spatial_home(box, size, {}, view.text("direction"));
+    if (!text.empty()) {
+        const Camera axes = parse_camera(text, size);
+        camera.right = axes.right, camera.up = axes.up;
+    }
+    camera.centre = box.centre();
+    double radius = 0;
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+        radius = std::max(radius, norm(mesh.nodes[i] - camera.centre));
+    const double right = view.boolean("legend") ? legend_part * size.width : 0,
+                 bottom = view.boolean("caption") ? caption_part * size.height : 0;
+    camera.scale = 2 * room * radius / std::min(size.width - right, size.height - bottom);
+    pan(camera, {-right / 2, -bottom / 2});
+    return camera;
+}
+
+} // namespace
+
+const std::vector<FilmMotionRow>& film_motions() {
+    static const std::vector<FilmMotionRow> rows{
+        {"iterations", "the iterates of the solve", &FilmMotions::iterations},
+        {"turn", "the camera turns once round the mesh", &FilmMotions::turn},
+        {"blend", "from the computational to the adapted mesh and back", &FilmMotions::blend},
+        {"camera", "the camera goes from one view to another", &FilmMotions::camera},
+    };
+    return rows;
+}
+
+FilmMotions parse_film_motions(std::string_view list) {
+    FilmMotions motions;
+    std::vector<std::string> names;
+    for (const FilmMotionRow& row : film_motions()) names.emplace_back(row.name);
+    while (!list.empty()) {
+        const std::size_t end = std::min(list.find(','), list.size());
+        const std::string_view name = list.substr(0, end);
+        const auto row = std::find_if(film_motions().begin(), film_motions().end(),
+                                      [&](const FilmMotionRow& one) { return one.name == name; });
+        if (row == film_motions().end())
+            throw InputError("unknown motion '" + std::string(name) + "'" + did_you_mean(name, names));
+        motions.*row->member = true;
+        list.remove_prefix(std::min(end + 1, list.size()));
+    }
+    if (motions == FilmMotions{}) throw InputError("no motion is given, such as iterations");
+    if (motions.turn && motions.camera)
+        throw InputError("the motions turn and camera both move the camera; choose one of them");
+    return motions;
+}
+
+void check_film(const FilmPlan& plan, const Mesh& mesh, const Values& view) {
+    if (plan.motions.turn && mesh.space_dimension < 3)
+        throw InputError("the motion turn needs a surface or a solid; this mesh lies in the plane");
+    if (!plan.motions.camera) {
+        if (!plan.from.empty() || !plan.to.empty())
+            throw InputError("--from and --to are cameras of the motion camera, which is not asked for");
+        return;
+    }
+    for (const std::string& text : {plan.from, plan.to}) {
+        const Camera camera = camera_of(text, size_of(view));
+        const bool planar = camera.right == Vec3{1, 0, 0} && camera.up == Vec3{0, 1, 0};
+        if (mesh.space_dimension < 3 && !planar)
+            throw InputError("the camera '" + text + "' looks from the side at a mesh in the plane");
+    }
+    const Size size = size_of(view);
+    const Camera half_way = between(camera_of(plan.from, size), camera_of(plan.to, size), 0.5);
+    if (norm(half_way.right) < 0.1 || norm(half_way.up) < 0.1)
+        throw InputError("the two cameras look at the mesh from opposite sides, between which there is no "
+                         "shortest way; choose one that is turned less");
+}
+
+Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view)
+    : plan_(std::move(plan)), recording_(recording), iterations_(recording.iterations()),
+      last_(std::move(last)), view_(std::move(view)), frames_(plan_.frames) {
+    GASPARD_CHECK(last_ && !iterations_.empty());
+    if (plan_.rate == 0) plan_.rate = plan_.motions == FilmMotions{.iterations = true} ? 10 : 25;
+    if (frames_ == 0)
+        frames_ = plan_.motions.iterations && !closes()
+                      ? static_cast<int>(iterations_.size())
+                      : static_cast<int>(std::lround(seconds_of_motion * plan_.rate));
+    frames_ = std::max(frames_, 1);
+    if (!plan_.motions.iterations) return;
+    const ColourChoice choice = colour_choice(view_);
+    const auto first = make_colouring(*iterate(iterations_.front()), choice),
+               end = make_colouring(*last_, choice);
+    if (first && end)
+        view_ = with_range(view_, ColourRange{std::min(first->range.low, end->range.low),
+                                              std::max(first->range.high, end->range.high)});
+}
+
+bool Film::closes() const { return plan_.motions.turn || plan_.motions.blend; }
+
+double Film::hold() const { return plan_.motions.iterations || plan_.motions.camera ? 1 : 0; }
+
+double Film::place(int frame) const {
+    const int steps = closes() && !plan_.motions.iterations && !plan_.motions.camera ? frames_ : frames_ - 1;
+    return steps > 0 ? static_cast<double>(frame) / steps : 1;
+}
+
+int Film::iteration(int frame) const {
+    GASPARD_CHECK(frame >= 0 && frame < frames_);
+    if (!plan_.motions.iterations) return last_->report.iteration;
+    const auto place_in_list =
+        static_cast<std::size_t>(std::lround(place(frame) * static_cast<double>(iterations_.size() - 1)));
+    return iterations_[place_in_list];
+}
+
+std::shared_ptr<const Snapshot> Film::iterate(int iteration) const {
+    if (iteration == last_->report.iteration) return last_;
+    return recording_.at(iteration)->restore();
+}
+
+FilmFrame Film::frame(int frame) const {
+    FilmFrame made{iteration(frame), nullptr, view_};
+    made.snapshot = iterate(made.iteration);
+    const double t = place(frame);
+    const Size size = size_of(view_);
+    if (plan_.motions.blend) made.view.set("blend", (1 - std::cos(2 * std::numbers::pi * t)) / 2);
+    if (plan_.motions.turn) {
+        const Mesh& mesh = *made.snapshot->mesh;
+        Camera camera = before_turn(mesh, view_);
+        spin(camera, 2 * std::numbers::pi * t, bounding_box(mesh.nodes).centre());
+        const bool whole = shows_all(view_.text("camera")) || view_.text("camera").empty();
+        const bool round = radius_of_ball(mesh) > 0; // all views of it are equally large
+        made.view.set("camera", whole && round ? format_axes(camera) : format_camera(camera, size));
+    }
+    if (plan_.motions.camera)
+        made.view.set(
+            "camera",
+            format_camera(between(camera_of(plan_.from, size), camera_of(plan_.to, size), smooth(t)), size));
+    return made;
+}
+
+} // namespace gaspard

@@ -1,0 +1,74 @@
+// Films of a solve: which iterate each frame shows, and how.
+//
+// A film has one motion or several at once: the iterates of the solve, a turn of the camera once round the
+// vertical axis, the way from xi to x and back, the way of the camera from one view to another. Frame k of n
+// is at t = k / (n - 1); of a turn or of the way to x and back, which end where they begin, at t = k / n.
+#pragma once
+
+#include "core/session/recording.hpp"
+#include "core/tessellate/colour_map.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gaspard {
+
+struct FilmMotions {
+    bool iterations = false, turn = false, blend = false, camera = false;
+    friend bool operator==(const FilmMotions&, const FilmMotions&) = default;
+};
+
+/// Their names and what they do, for help and messages.
+struct FilmMotionRow {
+    std::string_view name, help;
+    bool FilmMotions::*member;
+};
+const std::vector<FilmMotionRow>& film_motions();
+/// Of a list such as "iterations,turn". Throws InputError for names that are not known, and for none.
+FilmMotions parse_film_motions(std::string_view list);
+
+struct FilmPlan {
+    FilmMotions motions{.iterations = true};
+    int frames = 0;       ///< 0: one per iterate, or six seconds of another motion
+    double rate = 0;      ///< per second; 0: 25, of iterates alone 10
+    std::string from{}, to{}; ///< of motions.camera, as view.camera
+};
+/// Throws InputError if the plan makes no sense for a mesh of this kind and a view of this size: a turn of
+/// what lies in the plane, a camera that cannot be read.
+void check_film(const FilmPlan& plan, const Mesh& mesh, const Values& view);
+
+struct FilmFrame {
+    int iteration = 0;
+    std::shared_ptr<const Snapshot> snapshot;
+    Values view;
+};
+
+class Film {
+  public:
+    /// Of a run that has ended: its recording and its last iterate. `view` of view_rows(); an automatic range
+    /// of colours is that of the first and the last frame together.
+    Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view);
+    int frames() const { return frames_; }
+    double rate() const { return plan_.rate; }
+    /// The last frame stays for a second if the film does not end where it begins.
+    double hold() const;
+    int iteration(int frame) const;
+    FilmFrame frame(int frame) const;
+
+  private:
+    bool closes() const;
+    double place(int frame) const;
+    std::shared_ptr<const Snapshot> iterate(int iteration) const;
+
+    FilmPlan plan_;
+    Recording recording_;
+    std::vector<int> iterations_;
+    std::shared_ptr<const Snapshot> last_;
+    Values view_;
+    int frames_ = 0;
+};
+
+} // namespace gaspard

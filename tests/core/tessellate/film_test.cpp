@@ -1,0 +1,168 @@
+// What the frames of films show.
+#include "core/base/error.hpp"
+#include "core/scenario/toml.hpp"
+#include "core/scenario/view_rows.hpp"
+#include "core/session/run.hpp"
+#include "core/tessellate/camera.hpp"
+#include "core/tessellate/film.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+struct Solved {
+    Scenario scenario;
+    Recording recording{std::size_t{1} << 30};
+    std::shared_ptr<const Snapshot> last;
+};
+
+Solved solved(const std::string& name, const std::vector<std::string>& settings) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    Solved result;
+    result.scenario = find_scenario(*catalogue, name);
+    apply_settings(*catalogue, result.scenario, settings);
+    Run run(catalogue, result.scenario);
+    result.recording.add(*run.snapshot());
+    while (run.status() == RunStatus::running) {
+        run.step();
+        result.recording.add(*run.snapshot());
+    }
+    result.last = run.snapshot();
+    return result;
+}
+
+Solved ring() { return solved("plane-ring", {"domain.cells=8", "method.type=auto"}); }
+Solved sphere() { return solved("sphere-x2", {"domain.cells=4"}); }
+
+TEST(Film, ShowsEveryIterateOnce) {
+    const Solved run = ring();
+    const Film film({.motions = {.iterations = true}}, run.recording, run.last, run.scenario.view);
+    ASSERT_EQ(film.frames(), run.last->report.iteration + 1);
+    for (int k = 0; k < film.frames(); ++k) EXPECT_EQ(film.iteration(k), k);
+    EXPECT_EQ(film.frame(0).snapshot->x.x, run.last->mesh->nodes.x) << "begins with the uniform mesh";
+    EXPECT_EQ(film.frame(film.frames() - 1).snapshot, run.last) << "in double precision";
+    EXPECT_EQ(film.rate(), 10);
+    EXPECT_EQ(film.hold(), 1);
+}
+
+TEST(Film, SpreadsIteratesOverTheFramesThatAreAskedFor) {
+    const Solved run = ring();
+    const int last = run.last->report.iteration;
+    for (const int frames : {1, 2, 3, 100}) {
+        const Film film({.motions = {.iterations = true}, .frames = frames}, run.recording, run.last,
+                        run.scenario.view);
+        EXPECT_EQ(film.frames(), frames);
+        EXPECT_EQ(film.iteration(frames - 1), last);
+        EXPECT_EQ(film.iteration(0), frames > 1 ? 0 : last);
+        for (int k = 1; k < frames; ++k) EXPECT_GE(film.iteration(k), film.iteration(k - 1));
+    }
+}
+
+TEST(Film, HoldsTheRangeOfTheColours) {
+    const Solved run = ring();
+    const Film film({.motions = {.iterations = true}}, run.recording, run.last, run.scenario.view);
+    const Values first = film.frame(0).view, last = film.frame(film.frames() - 1).view;
+    EXPECT_EQ(first.text("range"), "fixed");
+    EXPECT_EQ(first.real("low"), last.real("low"));
+    EXPECT_EQ(first.real("high"), last.real("high"));
+    EXPECT_LT(first.real("low"), 1.2);
+    EXPECT_GT(first.real("high"), 5);
+}
+
+TEST(Film, GoesToTheAdaptedMeshAndBack) {
+    const Solved run = ring();
+    const Film film({.motions = {.blend = true}, .frames = 8}, run.recording, run.last, run.scenario.view);
+    EXPECT_EQ(film.frame(0).view.real("blend"), 0);
+    EXPECT_EQ(film.frame(4).view.real("blend"), 1);
+    EXPECT_NEAR(film.frame(2).view.real("blend"), film.frame(6).view.real("blend"), 1e-12);
+    EXPECT_GT(film.frame(7).view.real("blend"), 0) << "the next one is the first again";
+    EXPECT_EQ(film.hold(), 0);
+    EXPECT_EQ(Film({.motions = {.blend = true}}, run.recording, run.last, run.scenario.view).frames(), 150);
+}
+
+TEST(Film, TurnsOnceRoundTheVerticalAxis) {
+    const Solved run = sphere();
+    const Film film({.motions = {.turn = true}, .frames = 4}, run.recording, run.last, run.scenario.view);
+    const Size size{static_cast<double>(run.scenario.view.integer("width")),
+                    static_cast<double>(run.scenario.view.integer("height"))};
+    std::vector<Vec3> towards;
+    for (int k = 0; k < 4; ++k) {
+        const std::string text = film.frame(k).view.text("camera");
+        EXPECT_TRUE(shows_all(text)) << "a ball is equally large from all sides";
+        towards.push_back(towards_viewer(parse_camera(text, size)));
+    }
+    for (int k = 0; k < 4; ++k) {
+        EXPECT_NEAR(towards[static_cast<std::size_t>(k)].z, towards[0].z, 1e-9);
+        const Vec3 a = towards[static_cast<std::size_t>(k)],
+                   b = towards[static_cast<std::size_t>((k + 1) % 4)];
+        EXPECT_NEAR(a.x * b.x + a.y * b.y, 0, 1e-9) << "a quarter of a turn";
+    }
+}
+
+TEST(Film, SeesAllOfWhatTurnsInOneSize) {
+    const Solved run = solved("spline-half-torus", {"domain.cells=4", "method.max_iterations=1"});
+    const Film film({.motions = {.turn = true}, .frames = 16}, run.recording, run.last, run.scenario.view);
+    const Size size{static_cast<double>(run.scenario.view.integer("width")),
+                    static_cast<double>(run.scenario.view.integer("height"))};
+    double scale = 0, highest = 0;
+    for (int k = 0; k < 16; ++k) {
+        const Camera camera = parse_camera(film.frame(k).view.text("camera"), size);
+        scale = k == 0 ? camera.scale : scale;
+        EXPECT_NEAR(camera.scale, scale, 1e-9 * scale);
+        const Points& nodes = run.last->mesh->nodes;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const Pixel at = to_pixel(camera, size, nodes[i]);
+            ASSERT_TRUE(at.x > 0 && at.x < 0.85 * size.width && at.y > 0 && at.y < 0.95 * size.height)
+                << "left of the legend, above the caption";
+            highest = std::max(highest, at.y);
+        }
+    }
+    EXPECT_GT(highest, 0.6 * size.height) << "no smaller than it need be";
+}
+
+TEST(Film, GoesFromOneViewToAnother) {
+    const Solved run = sphere();
+    const FilmPlan plan{.motions = {.camera = true},
+                        .frames = 3,
+                        .from = "centre 0 0 0 height 4 right 0 1 0 up 0 0 1",
+                        .to = "centre 0 0 1 height 1 right -1 0 0 up 0 0 1"};
+    check_film(plan, *run.last->mesh, run.scenario.view);
+    const Film film(plan, run.recording, run.last, run.scenario.view);
+    const Size size{static_cast<double>(run.scenario.view.integer("width")),
+                    static_cast<double>(run.scenario.view.integer("height"))};
+    EXPECT_EQ(film.frame(0).view.text("camera"), format_camera(parse_camera(plan.from, size), size));
+    EXPECT_EQ(film.frame(2).view.text("camera"), format_camera(parse_camera(plan.to, size), size));
+    const Camera middle = parse_camera(film.frame(1).view.text("camera"), size);
+    EXPECT_NEAR(middle.scale * size.height, 2, 1e-6) << "the geometric mean";
+    EXPECT_NEAR(middle.centre.z, 0.5, 1e-9);
+    EXPECT_NEAR(middle.right.x, -std::sqrt(0.5), 1e-9);
+}
+
+TEST(Film, RefusesWhatMakesNoSense) {
+    EXPECT_EQ(parse_film_motions("iterations,turn"), (FilmMotions{.iterations = true, .turn = true}));
+    for (const char* list : {"", "spin", "turn,camera", "turn,,blend"})
+        EXPECT_THROW(parse_film_motions(list), InputError) << list;
+    const Solved run = ring();
+    const auto refused = [&](const FilmPlan& plan) {
+        EXPECT_THROW(check_film(plan, *run.last->mesh, run.scenario.view), InputError);
+    };
+    refused({.motions = {.turn = true}});
+    refused({.motions = {.camera = true}});
+    refused({.motions = {.iterations = true}, .from = "centre 0 0 height 1"});
+    refused({.motions = {.camera = true}, .from = "centre 0 0 height 1", .to = "right 1 0 0 up 0 1 0"});
+    refused({.motions = {.camera = true},
+             .from = "centre 0 0 0 height 1",
+             .to = "centre 0 0 0 height 1 right 0 1 0 up 0 0 1"});
+    const Solved ball = sphere();
+    EXPECT_THROW(check_film({.motions = {.camera = true},
+                             .from = "centre 0 0 0 height 1 right 1 0 0 up 0 0 1",
+                             .to = "centre 0 0 0 height 1 right -1 0 0 up 0 0 1"},
+                            *ball.last->mesh, ball.scenario.view),
+                 InputError)
+        << "from opposite sides";
+}
+
+} // namespace
+} // namespace gaspard
