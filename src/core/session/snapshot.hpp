@@ -31,8 +31,8 @@ enum class RunStatus {
     converged,       ///< the residual (MethodType::criterion) is below the tolerance, or all steps are made
     iteration_limit, ///< method.max_iterations was reached
     stalled,         ///< the criterion has not decreased for many iterations
-    diverged,        ///< residual or theta became too large, or not finite
-    tangled,         ///< the final mesh has tangled cells, regardless of the residual
+    diverged,        ///< residual or theta became too large, or not finite; the mesh may be tangled as well
+    tangled,         ///< the final mesh has tangled cells, although the iteration did not diverge
     interrupted,     ///< stopped on request
     failed,          ///< an internal error or a system error
 };

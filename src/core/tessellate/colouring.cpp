@@ -132,6 +132,14 @@ ColourChoice colour_choice(const Values& view) {
             static_cast<int>(view.integer("contours"))};
 }
 
+Values with_range(Values view, const std::optional<ColourRange>& range) {
+    if (!range || !(range->low < range->high) || view.text("range") == "fixed") return view;
+    view.set("range", std::string("fixed"));
+    view.set("low", range->low);
+    view.set("high", range->high);
+    return view;
+}
+
 void ColouringMaker::see(const Snapshot& snapshot) {
     GASPARD_CHECK(snapshot.mesh != nullptr);
     const bool new_mesh = mesh_ != snapshot.mesh;

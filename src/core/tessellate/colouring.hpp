@@ -80,6 +80,9 @@ class ColouringMaker {
     std::uint64_t seen_version_ = 0;
 };
 
+/// The view with this range instead of an automatic one; as it is if its range is fixed or `range` is empty.
+Values with_range(Values view, const std::optional<ColourRange>& range);
+
 /// The colouring of one snapshot alone.
 std::optional<Colouring> make_colouring(const Snapshot& snapshot, const ColourChoice& choice);
 

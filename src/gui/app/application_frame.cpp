@@ -47,7 +47,7 @@ void Application::frame() {
     };
     if (const auto chosen = menus_.draw_bar(menu_context())) follow(*chosen);
     arrange();
-    playback_.update(run(), static_cast<double>(ImGui::GetIO().DeltaTime));
+    playback_.update(run(), longest(), static_cast<double>(ImGui::GetIO().DeltaTime));
     const bool with_handles = run().live() && !taking_screenshot_;
     std::vector<Handle> handles;
     if (with_handles) {
@@ -83,8 +83,15 @@ void Application::draw_viewport(const FrameContext& context) {
     Values& view = viewport().view;
     const double blend = view.real("blend");
     if (playback_.blends()) view.set("blend", playback_.blend());
-    viewport_pane_.frame(shown(run()), viewport(), layout_.viewport, context, others);
+    viewport_pane_.frame({&run(), playback_.snapshot(run()), replay_range()}, viewport(), layout_.viewport,
+                         context, others);
     view.set("blend", blend);
+}
+
+/// The range of the colours while recorded iterates are looked at.
+std::optional<ColourRange> Application::replay_range() {
+    if (!playback_.compares()) return std::nullopt;
+    return replay_range_.of(run(), colour_choice(viewport().view));
 }
 
 /// What helps, what was said, or why the run did not converge.
@@ -100,6 +107,13 @@ Toast Application::toast() {
 /// The first recorded iteration with tangled cells.
 std::optional<int> Application::first_tangled() {
     return run().recording ? run().recording->first_tangled() : std::nullopt;
+}
+
+/// Of the runs whose meshes are shown, the one with the most iterations.
+const DocumentRun& Application::longest() { return longest_run(run(), runs_shown_beside()); }
+
+std::vector<const DocumentRun*> Application::runs_shown_beside() {
+    return viewport().view.text("layout") == "runs" ? runs_beside() : std::vector<const DocumentRun*>();
 }
 
 std::vector<const DocumentRun*> Application::runs_beside() {
@@ -280,10 +294,10 @@ std::vector<std::string> Application::view_keys() {
     return keys;
 }
 
-/// The row of the history that is shown; null before the first.
+/// The row of the longest history that is shown; null before the first.
 const StepReport* Application::shown_report() {
-    const auto& history = run().history;
-    const int iteration = playback_.iteration(run());
+    const auto& history = longest().history;
+    const int iteration = playback_.iteration(longest());
     const auto after = std::upper_bound(history.begin(), history.end(), iteration,
                                         [](int at, const StepReport& row) { return at < row.iteration; });
     return after == history.begin() ? nullptr : &*std::prev(after);
@@ -299,11 +313,11 @@ void Application::draw_plots(const FrameContext& context) {
     offer_section_line(before);
     if (wish) fulfil(*wish);
     if (const auto iteration = plot_pane_.take_pointed()) {
-        before_click_ = playback_.live() ? std::nullopt : std::optional(playback_.iteration(run()));
-        playback_.go_to(run(), *iteration);
+        before_click_ = playback_.live() ? std::nullopt : std::optional(playback_.iteration(longest()));
+        playback_.go_to(longest(), *iteration);
     }
     if (plot_pane_.take_double_click()) // its first click has gone to another iterate
-        before_click_ ? playback_.go_to(run(), *before_click_) : playback_.go_to_end();
+        before_click_ ? playback_.go_to(longest(), *before_click_) : playback_.go_to_end();
     settings_.window.set("earlier_solves", plot_pane_.shows_earlier());
     if (const auto wanted = plot_pane_.take_sweep()) sweep(*wanted);
     const auto choices = plot_pane_.choices();
@@ -345,7 +359,7 @@ void Application::draw_status(const FrameContext& context) {
                    ImGuiWindowFlags_NoScrollWithMouse,
                true);
     ImGui::PopStyleVar();
-    if (const auto pressed = draw_playback_bar(run(), playback_, actions_, context)) perform(*pressed);
+    if (const auto pressed = draw_playback_bar({&run(), &longest(), runs_shown_beside()}, playback_, actions_, context)) perform(*pressed);
     ImGui::End();
 }
 

@@ -26,6 +26,7 @@ std::string values_before(const std::vector<ValueChange>& changes) {
 /// Makes the history that of an earlier solve; nothing if no step was made, or only output was changed.
 void put_aside(DocumentRun& run) {
     if (run.history.size() < 2 || !run.solved || !run.status.scenario) return;
+    if (!alike(*run.solved, *run.status.scenario)) return run.earlier.clear();
     std::string name = values_before(value_changes(*run.solved, *run.status.scenario));
     if (name.empty()) return;
     run.earlier.push_back({std::move(run.curves), std::move(name)});
@@ -41,7 +42,20 @@ void begin_history(DocumentRun& run, SolverEventKind kind) {
     run.solved = kind == SolverEventKind::restart ? nullptr : run.status.scenario;
 }
 
+/// A choice of the domain; empty where it has none.
+std::string choice_of(const Scenario& scenario, std::string_view key) {
+    const Values& domain = scenario.domain.values;
+    return domain.has(key) ? domain.text(key) : std::string();
+}
+
 } // namespace
+
+bool alike(const Scenario& a, const Scenario& b) {
+    const auto of_one_kind = [&](auto key) { return choice_of(a, key) == choice_of(b, key); };
+    return a.domain.type == b.domain.type && of_one_kind("boundary") && of_one_kind("shape") &&
+           of_one_kind("file") && a.monitor.type == b.monitor.type && a.source.type == b.source.type &&
+           a.pde.type == b.pde.type;
+}
 
 std::list<DocumentRun>::iterator DocumentRuns::at(std::size_t place) {
     GASPARD_CHECK(place < runs_.size());

@@ -82,6 +82,7 @@ struct DocumentRun {
     std::vector<RunMessage> messages{};       ///< not yet taken by the panels
     std::size_t colour = 0;                   ///< index of the theme's curve colour
     bool hidden = false;                      ///< its curves are not shown
+    bool set_aside = false; ///< hidden because another problem was opened; shown again with its own
     std::shared_ptr<const Scenario> solved{}; ///< the values of the history's last row
     std::unique_ptr<SolverThread> solver{};   ///< null: the run is kept, not live
 
@@ -120,6 +121,10 @@ class DocumentRuns {
 };
 
 constexpr std::size_t most_earlier = 8;
+
+/// Whether two runs can be compared: domain and monitor, and what else says what is solved, are of one kind,
+/// whatever their numbers.
+bool alike(const Scenario& a, const Scenario& b);
 
 /// Appends a report to the history. If it is the first with other values, the history before it becomes an
 /// earlier solve.

@@ -119,8 +119,9 @@ void ViewportPane::frame(const ShownRun& shown_run, DocumentViewport& viewport, 
             beside.erase(beside.begin());
         }
         const ViewportText text{.subject = first.title, .caption = false};
+        const Values view = with_range(viewport.view, shown_run.range);
         plan_ =
-            planner_.plan(*first.snapshot, viewport.view, text,
+            planner_.plan(*first.snapshot, plots ? viewport.view : view, text,
                           {{area.left, area.top}, {area.right, area.bottom}}, context.scale, beside, zooms_);
         if (plots) draw_plots(context);
         draw_viewport_overlay(*ImGui::GetWindowDrawList(), *plan_, context.theme, context.scale);

@@ -210,13 +210,7 @@ int columns_for(std::size_t count, ScreenRect available) {
 
 /// The view with its range fixed to that of one scene, for the scenes beside it.
 Values in_colours_of(const MeshScene& scene, Values view) {
-    if (scene.colouring == nullptr) return view;
-    const ColourRange& range = scene.colouring->range;
-    if (!(range.low < range.high)) return view;
-    view.set("range", std::string("fixed"));
-    view.set("low", range.low);
-    view.set("high", range.high);
-    return view;
+    return scene.colouring == nullptr ? view : with_range(std::move(view), scene.colouring->range);
 }
 
 } // namespace
