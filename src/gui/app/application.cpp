@@ -446,7 +446,10 @@ void Application::sweep(const PlotSweep& sweep) {
 
 void Application::draw_comparison() {
     using Wish = ComparisonPanel::Wish;
-    switch (comparison_panel_.draw(document_, *catalogue_, theme_, items_)) {
+    const ItemRectangle &plots = layout_.first_plot, &view = layout_.viewport;
+    const bool beside = layout_.plots_beside && plots.width() > 0;
+    const ItemRectangle area = beside ? plots : ItemRectangle{view.right, view.top, view.right, view.bottom};
+    switch (comparison_panel_.draw(document_, *catalogue_, area, theme_, items_)) {
     case Wish::none:
         return;
     case Wish::begin:

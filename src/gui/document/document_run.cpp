@@ -16,25 +16,18 @@ auto with_id(RunId id) {
     return [id](const DocumentRun& run) { return run.id == id; };
 }
 
-/// "amplitude 10, cells per side 60": the values before changes.
-std::string values_before(const std::vector<ValueChange>& changes) {
-    std::vector<std::string> texts;
-    for (const ValueChange& change : changes) texts.push_back(change.label + " " + change.before);
-    return join(texts, ", ");
-}
-
 /// Makes the history that of an earlier solve; nothing if no step was made, or only output was changed.
-void put_aside(DocumentRun& run) {
+void put_aside(DocumentRun& run, const Catalogue& catalogue) {
     if (run.history.size() < 2 || !run.solved || !run.status.scenario) return;
     if (!alike(*run.solved, *run.status.scenario)) return run.earlier.clear();
-    std::string name = values_before(value_changes(*run.solved, *run.status.scenario));
+    std::string name = join(names_before(catalogue, value_changes(*run.solved, *run.status.scenario)), ", ");
     if (name.empty()) return;
     run.earlier.push_back({std::move(run.curves), std::move(name)});
     if (run.earlier.size() > most_earlier) run.earlier.pop_front();
 }
 
-void begin_history(DocumentRun& run, SolverEventKind kind) {
-    if (kind == SolverEventKind::change) put_aside(run);
+void begin_history(DocumentRun& run, const Catalogue& catalogue, SolverEventKind kind) {
+    if (kind == SolverEventKind::change) put_aside(run, catalogue);
     if (kind == SolverEventKind::restart) run.earlier.clear();
     run.history.clear();
     run.curves.clear();
@@ -100,14 +93,14 @@ DocumentRun& DocumentRuns::put_back(std::size_t place, std::list<DocumentRun> ru
     return same;
 }
 
-void append(DocumentRun& run, const SolverEvent& event) {
+void append(DocumentRun& run, const Catalogue& catalogue, const SolverEvent& event) {
     if (event.kind == SolverEventKind::completion) {
         if (run.history.empty()) return;
         run.curves.complete(run.history.back(), event.report);
         run.history.back() = event.report;
         return;
     }
-    if (event.kind != SolverEventKind::step) begin_history(run, event.kind);
+    if (event.kind != SolverEventKind::step) begin_history(run, catalogue, event.kind);
     run.history.push_back(event.report);
     run.curves.append(event.report);
 }

@@ -24,7 +24,7 @@ constexpr RunId no_run{};
 /// the drag of a slider, count as the last of them.
 struct EarlierSolve {
     HistoryCurves curves;
-    std::string name; ///< what its values were where the next ones differ: "amplitude 10"
+    std::string name; ///< its values where the next ones differ: "Amplitude A = 10"
 };
 
 /// A message of a run's solver.
@@ -128,7 +128,7 @@ bool alike(const Scenario& a, const Scenario& b);
 
 /// Appends a report to the history. If it is the first with other values, the history before it becomes an
 /// earlier solve.
-void append(DocumentRun& run, const SolverEvent& event);
+void append(DocumentRun& run, const Catalogue& catalogue, const SolverEvent& event);
 
 /// Iterations per second over the last second of solving; nothing before the first iteration.
 std::optional<double> iteration_rate(const std::vector<StepReport>& history);

@@ -308,7 +308,8 @@ void ViewportPlanner::add_section(const Values& view, ViewportPlan& plan) {
     }
 }
 
-void ViewportPlanner::add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan) {
+void ViewportPlanner::add_pick(const Snapshot& snapshot, const MeshScene& scene, const Values& view,
+                               ViewportPlan& plan) {
     try {
         plan.pick = parse_pick(view.text("pick"));
     } catch (const InputError& error) {
@@ -319,8 +320,10 @@ void ViewportPlanner::add_pick(const Snapshot& snapshot, const Values& view, Vie
         plan.pick.reset();
         return;
     }
-    if (facts_.mesh != snapshot.mesh || facts_.version != snapshot.version || facts_.pick != plan.pick)
-        facts_ = {snapshot.mesh, snapshot.version, plan.pick, facts_of(*plan.pick, snapshot, maker_.cells())};
+    if (facts_.mesh != snapshot.mesh || facts_.version != snapshot.version || facts_.pick != plan.pick ||
+        facts_.colouring != scene.colouring)
+        facts_ = {snapshot.mesh, snapshot.version, plan.pick, scene.colouring,
+                  facts_of(*plan.pick, snapshot, maker_.cells(), scene.colouring.get())};
     plan.facts = facts_.facts;
 }
 
@@ -350,7 +353,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
         plan.complaint = nothing_left(view);
     if (view.boolean("arrows")) add_arrows(plan, scale);
     add_section(view, plan);
-    add_pick(snapshot, view, plan);
+    add_pick(snapshot, scene, view, plan);
     return plan;
 }
 

@@ -40,7 +40,7 @@ TEST_F(DocumentEditsTest, AChangeOfValuesIsUndoneAndRedoneByTheSolver) {
     EXPECT_EQ(solved_amplitude(), 10);
     EXPECT_FALSE(document.undo());
     EXPECT_TRUE(document.redo());
-    EXPECT_EQ(run().name, "Ring, amplitude 20");
+    EXPECT_EQ(run().name, "Ring, Amplitude A = 20");
     EXPECT_EQ(solved_amplitude(), 20);
     EXPECT_FALSE(document.redo());
     ASSERT_TRUE(wait_until([&] { return run().ended(); })) << "a change continues a run that had ended";
