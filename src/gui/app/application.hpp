@@ -163,6 +163,7 @@ class Application {
     std::vector<std::string> view_keys();
     void draw_view(const PanelContext& context);
     void draw_plots(const FrameContext& context);
+    void draw_plots_left_out(const FrameContext& context);
     void draw_status(const FrameContext& context);
     void draw_viewport(const FrameContext& context);
     std::optional<ColourRange> replay_range();

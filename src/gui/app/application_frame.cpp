@@ -64,7 +64,8 @@ void Application::frame() {
         document_.change(run().id, with_handle_at(run().scenario, move->handle, move->place), true);
     }
     if (action("sidebar").is_checked()) draw_sidebar();
-    if (action("plots").is_checked()) draw_plots(context);
+    if (layout_.plots > 0) draw_plots(context);
+    if (layout_.plots == 0 && action("plots").is_checked()) draw_plots_left_out(context);
     draw_edges(layout_, settings_.window, context);
     if (action("log").is_checked()) draw_log();
     const Toast message = toast();
@@ -325,6 +326,21 @@ void Application::draw_plots(const FrameContext& context) {
     settings_.window.set("second_plot", format_choice(choices[1]));
 }
 
+/// In the corner of the view.
+void Application::draw_plots_left_out(const FrameContext& context) {
+    const std::string text = "Too small for the plots: enlarge the window, or " +
+                             describe_keys(action("smaller")) + " for smaller text";
+    const ItemRectangle& view = layout_.viewport;
+    const float em = ImGui::GetFontSize(), size = 0.82F * em, width = view.width() - em;
+    const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, width, text.c_str());
+    const ImVec2 at{view.left + 0.5F * em, view.bottom - extent.y - 0.3F * em};
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    list.AddRectFilled({view.left, at.y - 0.2F * em}, {view.right, view.bottom},
+                       packed(context.theme.background, 0.85F));
+    list.AddText(ImGui::GetFont(), size, at, packed(context.theme.faint_text), text.c_str(), nullptr, width);
+    context.items["plots.left-out"] = {at.x, at.y, at.x + extent.x, at.y + extent.y};
+}
+
 /// A plot that is chosen without a line gets one through the middle of the mesh.
 void Application::offer_section_line(const std::array<PlotChoice, 2>& before) {
     Values& view = viewport().view;
@@ -359,7 +375,9 @@ void Application::draw_status(const FrameContext& context) {
                    ImGuiWindowFlags_NoScrollWithMouse,
                true);
     ImGui::PopStyleVar();
-    if (const auto pressed = draw_playback_bar({&run(), &longest(), runs_shown_beside()}, playback_, actions_, context)) perform(*pressed);
+    if (const auto pressed =
+            draw_playback_bar({&run(), &longest(), runs_shown_beside()}, playback_, actions_, context))
+        perform(*pressed);
     ImGui::End();
 }
 

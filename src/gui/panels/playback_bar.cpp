@@ -7,6 +7,7 @@
 #include "gui/plot/plot_curves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <imgui.h>
 #include <string>
@@ -79,7 +80,8 @@ std::vector<Tangles> tangles_of(const std::vector<const DocumentRun*>& shown) {
 }
 
 /// Below the track, from the first of them on where there is enough space.
-void draw_tangled_text(const Track& track, const std::vector<Tangles>& tangles, float top, const Theme& theme) {
+void draw_tangled_text(const Track& track, const std::vector<Tangles>& tangles, float top,
+                       const Theme& theme) {
     constexpr float small = 0.82F;
     std::vector<std::string> texts;
     int first = track.last;
@@ -113,7 +115,8 @@ void draw_tangles(const Track& track, const std::vector<Tangles>& tangles, bool 
                                    packed(curve_colour(context.theme, tangles[i].run->colour)));
         }
         const auto [first, last] = tangles[i].ranges.front();
-        context.items["playback.tangled." + std::to_string(i)] = {track.at(first), top, track.at(last), bottom};
+        context.items["playback.tangled." + std::to_string(i)] = {track.at(first), top, track.at(last),
+                                                                  bottom};
     }
     draw_tangled_text(track, tangles, track.middle + 8.5F * context.scale, context.theme);
 }
@@ -202,6 +205,25 @@ void draw_position(const DocumentRun& run, const Playback& playback, const Frame
     remember_item(context.items, "playback.position");
 }
 
+/// What a narrow bar has no space for. The name of an action that was chosen.
+std::optional<std::string_view> draw_more(Playback& playback, std::span<const std::string_view> names,
+                                          std::span<const Action> actions, const FrameContext& context) {
+    std::optional<std::string_view> pressed;
+    if (ImGui::Button("...", {1.15F * ImGui::GetFrameHeight(), 0})) ImGui::OpenPopup("##more");
+    remember_item(context.items, "playback.more");
+    if (!ImGui::BeginPopup("##more")) return pressed;
+    for (const std::string_view name : names) {
+        const Action& row = find_action(actions, name);
+        if (ImGui::MenuItem(row.current_label().c_str(), describe_keys(row).c_str(), row.is_checked(),
+                            row.is_enabled()))
+            pressed = row.name;
+        remember_item(context.items, "action." + std::string(name));
+    }
+    draw_rates(playback, 7 * ImGui::GetFontSize(), context);
+    ImGui::EndPopup();
+    return pressed;
+}
+
 } // namespace
 
 std::optional<std::string_view> draw_playback_bar(const PlaybackRuns& runs, Playback& playback,
@@ -216,25 +238,31 @@ std::optional<std::string_view> draw_playback_bar(const PlaybackRuns& runs, Play
         ImGui::SameLine(0, gap);
     };
     const float available = ImGui::GetContentRegionAvail().x;
-    const bool wide = available > 33 * em, medium = available > 26 * em;
+    const bool wide = available > 33 * em, medium = available > 26 * em, narrow = available < 20 * em;
     button("reset", Icon::reset);
     if (medium) button("to-start", Icon::to_start);
-    button("step-back", Icon::back);
+    if (!narrow) button("step-back", Icon::back);
     button("run", moves ? Icon::pause : Icon::run, 1.9F, true);
-    button("step", Icon::step);
+    if (!narrow) button("step", Icon::step);
     if (medium) button("to-end", Icon::to_end);
     ImGui::SameLine(0, 0.8F * em);
     const int last = last_iteration(*runs.longest);
     const float numbers =
         ImGui::CalcTextSize((std::to_string(last) + " / " + std::to_string(last)).c_str()).x;
-    const float rates = 5.6F * em, toggles = 2 * (1.15F * height + gap);
+    const float rates = 5.6F * em, square = 1.15F * height, toggles = 2 * (square + gap);
     float rest = ImGui::GetContentRegionAvail().x - numbers - 0.8F * em;
-    if (wide) rest -= rates + toggles + 2 * 0.8F * em;
+    rest -= wide ? rates + toggles + 2 * 0.8F * em : square + 0.8F * em;
     draw_scrubber(runs, playback, std::max(3 * em, rest), context);
     ImGui::SameLine(0, 0.8F * em);
     draw_position(*runs.longest, playback, context);
-    if (!wide) return pressed;
     ImGui::SameLine(0, 0.8F * em);
+    if (!wide) {
+        constexpr std::array<std::string_view, 6> more{"step-back", "step", "to-start",
+                                                       "to-end",    "loop", "blend-loop"};
+        const std::size_t first = medium ? 4 : narrow ? 0 : 2;
+        const auto chosen = draw_more(playback, std::span(more).subspan(first), actions, context);
+        return chosen ? chosen : pressed;
+    }
     draw_rates(playback, rates, context);
     ImGui::SameLine(0, 0.8F * em);
     button("loop", Icon::loop);

@@ -141,7 +141,8 @@ void ViewportPane::frame(const ShownRun& shown_run, DocumentViewport& viewport, 
 void ViewportPane::offer_handles(std::vector<Handle> handles) {
     std::optional<Box> box;
     for (const Handle& handle : handles)
-        if (handle.control) box = box ? merge(*box, bounding_box(*handle.control)) : bounding_box(*handle.control);
+        if (handle.control)
+            box = box ? merge(*box, bounding_box(*handle.control)) : bounding_box(*handle.control);
     planner_.show_also(box);
     handles_ = std::move(handles);
 }
@@ -255,6 +256,8 @@ void ViewportPane::draw_handles(const FrameContext& context) {
         list.PopClipRect();
     }
     if (lit < none) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    if (lit < none && hovered)
+        ImGui::SetTooltip("%s", handles_[lit].control ? "Drag this control point." : "Drag this centre.");
 }
 
 std::vector<CutHandle> ViewportPane::cut_handles_in(const PlannedView& shown, float scale) const {
@@ -318,6 +321,8 @@ void ViewportPane::draw_cut(const FrameContext& context) {
         list.PopClipRect();
     }
     if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    if (lit && !held_cut_)
+        ImGui::SetTooltip("%s", lit->turns ? "Drag to turn the plane." : "Drag to move the plane.");
 }
 
 void ViewportPane::go_home(DocumentViewport& viewport) {
