@@ -2,6 +2,7 @@
 #include "gui/app/application.hpp"
 #include "gui/app/edges.hpp"
 #include "gui/base/part_window.hpp"
+#include "gui/base/plot_text.hpp"
 #include "gui/panels/error_table.hpp"
 #include "gui/panels/playback_bar.hpp"
 #include "gui/panels/status_bar.hpp"
@@ -326,19 +327,16 @@ void Application::draw_plots(const FrameContext& context) {
     settings_.window.set("second_plot", format_choice(choices[1]));
 }
 
-/// In the corner of the view.
 void Application::draw_plots_left_out(const FrameContext& context) {
-    const std::string text = "Too small for the plots: enlarge the window, or " +
-                             describe_keys(action("smaller")) + " for smaller text";
-    const ItemRectangle& view = layout_.viewport;
-    const float em = ImGui::GetFontSize(), size = 0.82F * em, width = view.width() - em;
-    const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, width, text.c_str());
-    const ImVec2 at{view.left + 0.5F * em, view.bottom - extent.y - 0.3F * em};
-    ImDrawList& list = *ImGui::GetForegroundDrawList();
-    list.AddRectFilled({view.left, at.y - 0.2F * em}, {view.right, view.bottom},
-                       packed(context.theme.background, 0.85F));
-    list.AddText(ImGui::GetFont(), size, at, packed(context.theme.faint_text), text.c_str(), nullptr, width);
-    context.items["plots.left-out"] = {at.x, at.y, at.x + extent.x, at.y + extent.y};
+    const ItemRectangle& place = layout_.plots_note;
+    const float em = ImGui::GetFontSize();
+    const std::string text =
+        "No space for the plots: enlarge the window, or " + describe_keys(action("smaller"));
+    begin_part("##plots-note", place, ImGuiWindowFlags_NoInputs);
+    write_text(*ImGui::GetWindowDrawList(), {place.left + em, place.top + 0.2F * em},
+               context.theme.faint_text, shortened(text, place.width() - 2 * em));
+    ImGui::End();
+    context.items["plots.note"] = place;
 }
 
 /// A plot that is chosen without a line gets one through the middle of the mesh.

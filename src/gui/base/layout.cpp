@@ -12,7 +12,8 @@ constexpr float least_plot_width = 12, least_plot_height = 9.5F;
 constexpr float legend_width = 6; // always beside the mesh
 constexpr float least_mesh = 8;
 
-/// So many plots fit into a part of this size, side by side or one above the other, and leave `mesh` for the mesh.
+/// So many plots fit into a part of this size, side by side or one above the other, and leave `mesh` for the
+/// mesh.
 int plots_that_fit(float width, float height, bool above_each_other, float mesh, float em) {
     if (mesh < least_mesh * em || width < least_plot_width * em || height < least_plot_height * em) return 0;
     const bool two =
@@ -79,6 +80,10 @@ Layout compute_layout(float width, float height, float em, float top, const Layo
     layout.viewport = rest;
     layout.plots = 0;
     if (choice.plots) place_plots(layout, rest, em, choice.plots_share);
+    if (choice.plots && layout.plots == 0) {
+        layout.viewport.bottom = std::max(top, bottom - std::round(1.4F * em));
+        layout.plots_note = {side, layout.viewport.bottom, width, bottom};
+    }
     return layout;
 }
 

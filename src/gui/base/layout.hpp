@@ -21,6 +21,7 @@ struct Layout {
     bool plots_beside = true; ///< to the right of the viewport, or else below it
     /// Where the window is too small for two plots, the second has no area; for one beside the mesh, neither.
     int plots = 2;
+    ItemRectangle plots_note; ///< below the viewport, to say so; else without area
 };
 
 /// `em`: the font's size. `top`: how much of the window's height the menu bar takes.

@@ -78,10 +78,10 @@ struct DocumentRun {
     RunChanges changes;
     bool wants_to_run = true; ///< what the user last asked for; the status follows within a step
     std::optional<RunOpening> opening{};
-    std::uint64_t openings = 0;               ///< how many scenarios have replaced the first one
-    std::vector<RunMessage> messages{};       ///< not yet taken by the panels
-    std::size_t colour = 0;                   ///< index of the theme's curve colour
-    bool hidden = false;                      ///< its curves are not shown
+    std::uint64_t openings = 0;         ///< how many scenarios have replaced the first one
+    std::vector<RunMessage> messages{}; ///< not yet taken by the panels
+    std::size_t colour = 0;             ///< index of the theme's curve colour
+    bool hidden = false;                ///< its curves are not shown
     bool set_aside = false; ///< hidden because another problem was opened; shown again with its own
     std::shared_ptr<const Scenario> solved{}; ///< the values of the history's last row
     std::unique_ptr<SolverThread> solver{};   ///< null: the run is kept, not live

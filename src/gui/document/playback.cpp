@@ -9,8 +9,8 @@ namespace gaspard {
 
 namespace {
 
-constexpr double rest_at_end = 0.8; // seconds
-constexpr double blend_period = 4;  // seconds there and back
+constexpr double rest_at_end = 0.8;    // seconds
+constexpr double blend_period = 4;     // seconds there and back
 constexpr double longest_frame = 0.25; // seconds; a frame that took longer does not make the replay jump
 
 /// Null if nothing was recorded.

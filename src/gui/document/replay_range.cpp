@@ -23,7 +23,8 @@ std::optional<ColourRange> range_of(const RecordedIterate& iterate, const Docume
     return colouring ? std::optional(colouring->range) : std::nullopt;
 }
 
-std::optional<ColourRange> covering(const std::optional<ColourRange>& a, const std::optional<ColourRange>& b) {
+std::optional<ColourRange> covering(const std::optional<ColourRange>& a,
+                                    const std::optional<ColourRange>& b) {
     if (!a || !b) return a ? a : b;
     return ColourRange{std::min(a->low, b->low), std::max(a->high, b->high)};
 }

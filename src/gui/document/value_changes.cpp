@@ -21,7 +21,8 @@ std::string uncapitalised(std::string text) {
     return text;
 }
 
-/// "Amplitude A = 20", "Boundary: walls"; of long texts, such as lists of points, only that they have changed.
+/// "Amplitude A = 20", "Boundary: walls"; of long texts, such as lists of points, only that they have
+/// changed.
 std::string name_of(const ParameterRow& row, const Value& value) {
     const std::string text = value_text(row, value);
     const bool number = std::holds_alternative<double>(value) || std::holds_alternative<std::int64_t>(value);

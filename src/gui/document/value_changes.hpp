@@ -29,12 +29,13 @@ std::vector<ValueChange> section_changes(const std::string& section, const Value
 /// more than three.
 std::string name_changes(const std::vector<ValueChange>& changes);
 
-/// Changes with their values as they are after them, or before: "Amplitude A = 20", "Boundary: walls", "Newton".
+/// Changes with their values as they are after them, or before: "Amplitude A = 20", "Boundary: walls",
+/// "Newton".
 std::vector<std::string> names_after(const Catalogue& catalogue, const std::vector<ValueChange>& changes);
 std::vector<std::string> names_before(const Catalogue& catalogue, const std::vector<ValueChange>& changes);
 
-/// "Ring, Amplitude A = 20", "Image photo.jpg": the monitor, and the values that differ from the scenario as it
-/// was opened.
+/// "Ring, Amplitude A = 20", "Image photo.jpg": the monitor, and the values that differ from the scenario as
+/// it was opened.
 std::string describe_scenario(const Catalogue& catalogue, const Scenario& opened, const Scenario& scenario);
 
 /// Shortens such texts by the parts that all of them share: "Ring, Amplitude A = 20, Radius r = 0.3"

@@ -30,7 +30,8 @@ bool draw_eye(const char* id, const DocumentRun& run, const Theme& theme) {
     const bool pressed =
         eye_button(id, run.hidden, packed(run.hidden ? theme.faint_text : theme.text), packed(theme.accent));
     if (ImGui::IsItemHovered()) {
-        const std::string why = run.set_aside ? "Hidden, as it solves another problem: " + run.title + ".\n" : "";
+        const std::string why =
+            run.set_aside ? "Hidden, as it solves another problem: " + run.title + ".\n" : "";
         ImGui::SetTooltip("%s", (why + (run.hidden ? "Show in the plots" : "Hide in the plots")).c_str());
     }
     return pressed;

@@ -26,7 +26,8 @@ TEST_F(ReplayTest, OneRangeOfColoursHoldsOverTheWholeSolve) {
         EXPECT_LE(held.low, newest.low) << name;
         EXPECT_GE(held.high, newest.high) << name;
         const auto& values = shown().scene.colouring->values;
-        EXPECT_GE(*std::min_element(values.begin(), values.end()), held.low) << name << ", of the start as well";
+        EXPECT_GE(*std::min_element(values.begin(), values.end()), held.low)
+            << name << ", of the start as well";
         EXPECT_LE(*std::max_element(values.begin(), values.end()), held.high) << name;
         while (application.status()[1].value != std::to_string(run().history.back().iteration)) {
             application.perform("step");

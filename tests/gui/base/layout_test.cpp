@@ -26,6 +26,9 @@ TEST(Layout, ATooSmallWindowHasOnePlotOrNone) {
     EXPECT_EQ(one.second_plot.width(), 0);
     const Layout none = large(640, 480);
     EXPECT_EQ(none.plots, 0);
+    EXPECT_GT(none.plots_note.height(), 0);
+    EXPECT_EQ(none.viewport.bottom, none.plots_note.top);
+    EXPECT_EQ(one.plots_note.height(), 0);
     EXPECT_EQ(none.viewport.right, 640) << "the mesh has all the space";
     EXPECT_EQ(compute_layout(1400, 900, em, 25, {.plots = false}).plots, 0);
 }
