@@ -60,5 +60,48 @@ TEST_F(ReplayTest, AnotherSolveFitsTheColoursAgain) {
     EXPECT_EQ(range(), newest);
 }
 
+TEST_F(ReplayTest, TheBarSpansTheLongestOfTheRunsThatAreShown) {
+    const int longest = run().history.back().iteration;
+    application.perform("keep");
+    Scenario shorter = run().scenario;
+    set_value(*catalogue, shorter, "method.max_iterations", std::int64_t{3});
+    application.document().change(run().id, shorter);
+    application.perform("run-again");
+    ASSERT_TRUE(wait_until(
+        [&] { return run().changes.settled() && run().ended() && run().history.back().iteration == 3; }));
+    const auto middle_of_bar = [&] {
+        frame();
+        const ItemRectangle bar = application.items().find("playback.scrubber")->second;
+        ui.click({bar.center_x(), bar.top, bar.center_x(), bar.bottom}, drawing());
+        frame();
+        return shown(application.views().size() - 1).scene;
+    };
+    middle_of_bar();
+    EXPECT_LE(std::stoi(application.status()[1].value), 2) << "alone, its own iterations";
+    application.perform("runs");
+    frame();
+    ASSERT_EQ(application.views().size(), 2U);
+    middle_of_bar();
+    EXPECT_EQ(application.status()[1].value, "3") << "the shorter one stays at its end";
+    application.perform("step-back");
+    frame();
+    EXPECT_GT(longest, 6);
+    EXPECT_EQ(application.status()[1].value, "3");
+}
+
+TEST_F(ReplayTest, ANarrowBarHasTheRestOfItsButtonsInAMenu) {
+    ImGui::GetIO().DisplaySize = {25 * ImGui::GetFontSize(), 19 * ImGui::GetFontSize()};
+    application.perform("sidebar");
+    frame(), frame();
+    ASSERT_TRUE(application.items().contains("playback.more"));
+    EXPECT_FALSE(application.items().contains("action.loop"));
+    EXPECT_TRUE(application.items().contains("plots.note")) << "and says why there are no plots";
+    EXPECT_FALSE(application.items().contains("plot.first"));
+    ui.click(application.items().find("playback.more")->second, drawing());
+    frame();
+    for (const char* name : {"action.step-back", "action.to-start", "action.loop", "action.blend-loop"})
+        EXPECT_TRUE(application.items().contains(name)) << name;
+}
+
 } // namespace
 } // namespace gaspard

@@ -150,5 +150,14 @@ TEST(PlotOfRuns, SaysWhatIsToBeSeen) {
     EXPECT_FALSE(plot_of_runs(two_runs(), {}).x.low.has_value());
 }
 
+TEST(PlotOfRuns, EveryVerticalAxisHasAName) {
+    DocumentRuns runs;
+    runs.push_back(made_up_run("a run", 5));
+    for (const RunPlot& plot : plots_of(runs)) {
+        const PlotView view = view_of_runs(runs, with_plot(runs, {}, plot));
+        EXPECT_EQ(view.y.label.empty(), view.curves.empty()) << plot.name;
+    }
+}
+
 } // namespace
 } // namespace gaspard
