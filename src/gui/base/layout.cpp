@@ -8,7 +8,7 @@ namespace gaspard {
 namespace {
 
 // Smaller ones say nothing, in widths of the font: header, labels of the axes, and some curve between.
-constexpr float least_plot_width = 12, least_plot_height = 9.5F;
+constexpr float least_plot_width = 12, least_plot_height = 10.5F;
 constexpr float legend_width = 6; // always beside the mesh
 constexpr float least_mesh = 8;
 
@@ -28,7 +28,7 @@ void place_plots(Layout& layout, const ItemRectangle& rest, float em, float shar
     };
     const bool one_only = rest.height() < 2 * least_plot_height * em; // beside the mesh
     const float column = part(rest.width(), (one_only ? least_plot_width : 14) * em, 0.7F * rest.width());
-    const float row = part(rest.height(), 10 * em, 0.7F * rest.height());
+    const float row = part(rest.height(), 13 * em, 0.7F * rest.height());
     const float legend = legend_width * em;
     const float beside = std::min(rest.width() - column - legend, rest.height());
     const float above = std::min(rest.width() - legend, rest.height() - row);

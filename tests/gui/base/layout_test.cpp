@@ -15,6 +15,7 @@ Layout at(float width, float height, float size) {
 TEST(Layout, ATooSmallWindowHasOnePlotOrNone) {
     EXPECT_EQ(at(1400, 900, 1).plots, 2);
     EXPECT_EQ(at(1000, 700, 1).plots, 2);
+    EXPECT_TRUE(at(1000, 700, 1).plots_beside) << "where curves are high enough to be read";
     const LayoutChoice projector{.sidebar = false};
     const auto large = [&](float width, float height) {
         return compute_layout(width, height, 1.7F * em, 1.7F * 1.7F * em, projector);
@@ -22,7 +23,7 @@ TEST(Layout, ATooSmallWindowHasOnePlotOrNone) {
     EXPECT_EQ(large(1280, 720).plots, 2);
     const Layout one = large(800, 600);
     EXPECT_EQ(one.plots, 1);
-    EXPECT_GE(one.first_plot.height(), 9.5F * 1.7F * em) << "it can be read";
+    EXPECT_GE(one.first_plot.height(), 10.5F * 1.7F * em) << "it can be read";
     EXPECT_EQ(one.second_plot.width(), 0);
     const Layout none = large(640, 480);
     EXPECT_EQ(none.plots, 0);
@@ -42,7 +43,7 @@ TEST(Layout, PlotsThatAreShownAreLargeEnoughAndLeaveTheMeshInSight) {
                 if (layout.plots == 0) continue;
                 EXPECT_GE(layout.first_plot.width(), 12 * unit - 1)
                     << width << " x " << height << ", " << size;
-                EXPECT_GE(layout.first_plot.height(), 9.5F * unit - 1)
+                EXPECT_GE(layout.first_plot.height(), 10.5F * unit - 1)
                     << width << " x " << height << ", " << size;
                 EXPECT_GE(std::min(layout.viewport.width() - 6 * unit, layout.viewport.height()),
                           8 * unit - 1)
