@@ -67,6 +67,7 @@ TEST(PlotsOfRuns, AreThoseOfTheSeriesThatTheRunsReport) {
     const PlotView view = view_of_runs(runs, {.plot = "drag-force"});
     ASSERT_EQ(view.curves.size(), 1U) << "the first run has none";
     EXPECT_EQ(view.curves[0].label, "second");
+    EXPECT_EQ(view.y.label, "Drag") << "it has no symbol";
     ASSERT_EQ(view.curves[0].y.size(), 1U);
     EXPECT_EQ(view.curves[0].y[0], 2.5);
     EXPECT_EQ(view_of_runs(runs, {.plot = "residual"}).curves[1].y.size(), 12U) << "the curve goes on";
@@ -148,15 +149,6 @@ TEST(PlotOfRuns, SaysWhatIsToBeSeen) {
     EXPECT_NEAR(*plot.y.low, 1e-3, 1e-12);
     EXPECT_NEAR(*plot.y.high, 1e-1, 1e-12);
     EXPECT_FALSE(plot_of_runs(two_runs(), {}).x.low.has_value());
-}
-
-TEST(PlotOfRuns, EveryVerticalAxisHasAName) {
-    DocumentRuns runs;
-    runs.push_back(made_up_run("a run", 5));
-    for (const RunPlot& plot : plots_of(runs)) {
-        const PlotView view = view_of_runs(runs, with_plot(runs, {}, plot));
-        EXPECT_EQ(view.y.label.empty(), view.curves.empty()) << plot.name;
-    }
 }
 
 } // namespace
