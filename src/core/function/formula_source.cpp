@@ -132,10 +132,10 @@ void guess_place(ParameterRow& row, const Space& space) {
 void guess_range(ParameterRow& row, const Space& space) {
     switch (row.role) {
     case ParameterRole::latitude:
-        row.unit = "degrees", row.minimum = -90, row.maximum = 90, row.default_value = 30.0;
+        row.unit = "°", row.minimum = -90, row.maximum = 90, row.default_value = 30.0;
         return;
     case ParameterRole::longitude:
-        row.unit = "degrees", row.minimum = -180, row.maximum = 180, row.default_value = 0.0;
+        row.unit = "°", row.minimum = -180, row.maximum = 180, row.default_value = 0.0;
         row.periodic = true;
         return;
     case ParameterRole::x:
@@ -153,6 +153,7 @@ void guess_range(ParameterRow& row, const Space& space) {
             row.slider = SliderRange{guess.minimum, guess.maximum};
             row.default_value = guess.usual;
             row.scale = guess.scale;
+            if (guess.maximum == std::numbers::pi) row.unit = "radians";
         }
 }
 

@@ -14,6 +14,7 @@
 #include "core/tessellate/fine_tessellation.hpp"
 #include "core/tessellate/interval_plots.hpp"
 #include "core/tessellate/snapshot_section.hpp"
+#include "core/tessellate/ticks.hpp"
 
 #include <algorithm>
 
@@ -95,12 +96,15 @@ Plot against_iteration(std::string title, const std::string& y) {
 }
 
 /// Where the series was not measured the curve goes on to the next report that was.
-Plot history_plot(const std::vector<StepReport>& history, std::string_view name) {
+Plot history_plot(const RunResult& result, std::string_view name) {
+    const std::vector<StepReport>& history = result.history;
     const SeriesTable& table = history.empty() ? *common_series() : *history.back().series;
     const auto place = table.find(name);
     GASPARD_CHECK(place);
     const SeriesInfo& info = table.all()[*place];
     Plot plot = against_iteration(info.label, info.symbol.empty() ? info.help : info.symbol);
+    if (result.tolerance && *place == table.criterion())
+        plot.levels.push_back({*result.tolerance, "tolerance " + short_number(*result.tolerance)});
     for (const auto& report : history)
         if (const auto value = report.value(name)) {
             plot.curves[0].x.push_back(report.iteration);
@@ -121,8 +125,8 @@ void write_svg_files(const std::filesystem::path& folder, const RunResult& resul
         options.width_mm = panels.size() > 1 ? beside : single;
         write_svg(folder / "adapted.svg", result.snapshot, panels, options);
     }
-    write_svg(folder / "residual.svg", history_plot(result.history, "residual"));
-    write_svg(folder / "equidistribution.svg", history_plot(result.history, "equidistribution"));
+    write_svg(folder / "residual.svg", history_plot(result, "residual"));
+    write_svg(folder / "equidistribution.svg", history_plot(result, "equidistribution"));
 }
 
 void write_pdf_file(const std::filesystem::path& folder, const RunResult& result) {

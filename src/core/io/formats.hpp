@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,6 +78,7 @@ struct RunResult {
     double curve_tolerance = default_curve_tolerance; ///< relative to the size of the mesh
     std::shared_ptr<const SplinePatch> patch{}; ///< the mesh as splines; null if it is not a spline mesh
     std::string subject{};                      ///< names the problem in captions; may be empty
+    std::optional<double> tolerance{}; ///< of the series by which the run is judged; plots of it show it
 };
 
 struct Format {

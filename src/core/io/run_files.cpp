@@ -196,6 +196,10 @@ bool holds_other_values(const std::filesystem::path& folder, const Scenario& sce
     return false;
 }
 
+static std::optional<double> tolerance_of(const Values& method) {
+    return method.has("tolerance") ? std::optional(method.real("tolerance")) : std::nullopt;
+}
+
 void write_run_files(const std::filesystem::path& folder, Run& run, const std::vector<const Format*>& formats,
                      const Progress& progress, std::stop_token stop) {
     run.complete();
@@ -229,7 +233,8 @@ void write_run_files(const std::filesystem::path& folder, Run& run, const std::v
                            run.scenario().view,
                            run.scenario().output.real("curve_tolerance"),
                            patch_wanted ? patch_of(run) : nullptr,
-                           scenario_title(run.scenario())};
+                           scenario_title(run.scenario()),
+                           tolerance_of(run.scenario().method.values)};
     if (of_section)
         attempt("section.csv", [&] { write_section_files(folder, *snapshot, run.scenario().view); });
     for (const auto* format : formats) attempt(format->files.front(), [&] { format->write(folder, result); });

@@ -140,6 +140,7 @@ Plot study_plot(const StudyPlan& plan, std::span<const StudyPoint> points) {
         if (!bound.x.empty()) bounds.push_back(std::move(bound));
     }
     plot.y = {measure_label(points, plan.measure), all_positive(plot.curves)};
+    plot.y.whole = plan.measure == "iterations" || plan.measure == "tangled_cells";
     if (!points.empty() && std::all_of(points.begin(), points.end(),
                                        [](const StudyPoint& point) { return !point.absence.empty(); }))
         plot.y.label += ", not measured";

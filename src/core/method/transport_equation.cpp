@@ -178,7 +178,7 @@ std::vector<SeriesInfo> TransportEquation::series() const {
              "cells of a coarse mesh may fold"},
         {.name = "boundary_defect",
          .label = "Boundary defect",
-         .symbol = "|b|/|∇b|",
+         .symbol = "|b|/|grad b|",
          .unit = "length",
          .scale = ParameterScale::logarithmic,
          .help = "the largest distance of the image of a boundary node from the target's boundary"},
@@ -242,7 +242,7 @@ std::vector<FieldInfo> nvfem_fields() {
                      "coarse mesh may fold all the same"},
             {.name = "boundary_defect",
              .label = "Boundary defect",
-             .symbol = "|b|/|∇b|",
+             .symbol = "|b|/|grad b|",
              .unit = "length",
              .help = "of boundary nodes, the distance of their image from the target's boundary; 0 inside"}};
 }

@@ -322,7 +322,8 @@ StepReport Run::report(Course& course, const Evaluation& evaluation, int iterati
     const auto every = course.problem.scenario.method.values.integer("diagnostics_every");
     const bool due = iteration % every == 0 && diagnostics(course) != Diagnostics::none;
     if (is_final(report.status) || due) measure(course, report, at_most);
-    if (is_final(report.status) && *report.tangled_cells > 0) report.status = RunStatus::tangled;
+    const bool diverged = report.status == RunStatus::diverged;
+    if (is_final(report.status) && !diverged && *report.tangled_cells > 0) report.status = RunStatus::tangled;
     if (is_final(report.status)) note_folds(course, report);
     if (is_final(report.status) && report.status != RunStatus::converged) note_advice(course, report);
     return report;

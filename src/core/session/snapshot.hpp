@@ -31,8 +31,8 @@ enum class RunStatus {
     converged,       ///< the residual (MethodType::criterion) is below the tolerance, or all steps are made
     iteration_limit, ///< method.max_iterations was reached
     stalled,         ///< the criterion has not decreased for many iterations
-    diverged,        ///< residual or theta became too large, or not finite
-    tangled,         ///< the final mesh has tangled cells, regardless of the residual
+    diverged,        ///< residual or theta became too large, or not finite; the mesh may be tangled as well
+    tangled,         ///< the final mesh has tangled cells, although the iteration did not diverge
     interrupted,     ///< stopped on request
     failed,          ///< an internal error or a system error
 };
@@ -82,8 +82,8 @@ struct Snapshot {
     /// Cells in which the map folds, ascending; null if only the cells are known.
     std::shared_ptr<const std::vector<std::uint32_t>> tangled{};
     std::shared_ptr<const Points> control{}; ///< control points that may be moved; null where there are none
-    std::shared_ptr<const Points> target{};     ///< Discretisation::target_outline()
-    std::shared_ptr<const PatchList> patches{}; ///< of a file with several; otherwise null
+    std::shared_ptr<const Points> target{};  ///< Discretisation::target_outline()
+    std::shared_ptr<const PatchList> patches{};            ///< of a file with several; otherwise null
     std::shared_ptr<const MonitorReport> monitor_report{}; ///< null: the monitor says nothing
     /// The interpolation errors on the uniform and on an adapted mesh, as last measured (Run::interpolation):
     /// of this mesh if its version is that of the snapshot, else of one before it. Null where they were not

@@ -195,13 +195,13 @@ void Application::run_or_pause() {
     if (playback_.playing()) return playback_.pause();
     if (playback_.live() && one.solving()) return document_.pause(one.id);
     const bool recorded = one.recording && one.history.size() > 1;
-    if (recorded && (!playback_.live() || one.ended())) return playback_.play(one);
+    if (recorded && (!playback_.live() || one.ended())) return playback_.play(longest());
     document_.start(one.id);
 }
 
 /// The next iterate that was recorded, else a new one.
 void Application::step_forward() {
-    if (!playback_.live()) return playback_.go_forward(run());
+    if (!playback_.live()) return playback_.go_forward(longest());
     document_.step(run().id);
 }
 
@@ -446,7 +446,10 @@ void Application::sweep(const PlotSweep& sweep) {
 
 void Application::draw_comparison() {
     using Wish = ComparisonPanel::Wish;
-    switch (comparison_panel_.draw(document_, *catalogue_, theme_, items_)) {
+    const ItemRectangle &plots = layout_.first_plot, &view = layout_.viewport;
+    const bool beside = layout_.plots_beside && plots.width() > 0;
+    const ItemRectangle area = beside ? plots : ItemRectangle{view.right, view.top, view.right, view.bottom};
+    switch (comparison_panel_.draw(document_, *catalogue_, area, theme_, items_)) {
     case Wish::none:
         return;
     case Wish::begin:

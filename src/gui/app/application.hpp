@@ -17,6 +17,7 @@
 #include "gui/document/document.hpp"
 #include "gui/document/narrow_feature.hpp"
 #include "gui/document/playback.hpp"
+#include "gui/document/replay_range.hpp"
 #include "gui/panels/comparison_panel.hpp"
 #include "gui/panels/dialogs.hpp"
 #include "gui/panels/error_plots.hpp"
@@ -141,6 +142,8 @@ class Application {
     void flip_cut();
     /// The other runs whose meshes can be shown beside that of the active run.
     std::vector<const DocumentRun*> runs_beside();
+    std::vector<const DocumentRun*> runs_shown_beside(); ///< those that are shown beside it now
+    const DocumentRun& longest();
     bool working();
     bool text_expected() const;
     void take_messages();
@@ -160,8 +163,10 @@ class Application {
     std::vector<std::string> view_keys();
     void draw_view(const PanelContext& context);
     void draw_plots(const FrameContext& context);
+    void draw_plots_left_out(const FrameContext& context);
     void draw_status(const FrameContext& context);
     void draw_viewport(const FrameContext& context);
+    std::optional<ColourRange> replay_range();
     Toast toast();
     const StepReport* shown_report();
     std::optional<int> first_tangled();
@@ -194,7 +199,7 @@ class Application {
     void ask_where_to_save();
     void take_answer(const FileAnswer& answer);
     void save_as(const ScenarioToSave& choice);
-    void take_figure(const FigureDialog::Choice& choice);
+    void take_figure(FigureDialog::Choice choice);
     void open_scenario(const Scenario& scenario);
     void take_opening();
     void open_builtin(const std::string& name);
@@ -229,6 +234,7 @@ class Application {
     RunList run_list_;
     ToastPanel toast_;
     Playback playback_;
+    ReplayRange replay_range_;
     std::optional<int> before_click_; ///< in a plot: the iteration that was shown; empty: the newest
     bool sidebar_before_ = true;      ///< before the size for projectors
     NarrowFeature narrow_feature_;

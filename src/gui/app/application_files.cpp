@@ -68,11 +68,12 @@ void Application::take_answer(const FileAnswer& answer) {
 
 /// Of the iterate that is shown. The view keeps what does not change the window, for the next figure and for
 /// scripts.
-void Application::take_figure(const FigureDialog::Choice& choice) {
+void Application::take_figure(FigureDialog::Choice choice) {
     const auto snapshot = playback_.snapshot(run());
     if (!snapshot) return messages_.say({"There is no mesh to draw yet.", false});
     for (const char* key : {"width", "height", "dpi", "text_size", "background", "legend", "caption", "note"})
         viewport().view.set(key, choice.view.at(key));
+    if (!on_interval()) choice.view = with_range(choice.view, replay_range());
     const std::string subject = scenario_title(run().scenario);
     if (choice.kind == FigureKind::png)
         figure_to_save_ = {choice, subject, snapshot};

@@ -2,6 +2,7 @@
 #include "gui/app/application.hpp"
 #include "gui/app/edges.hpp"
 #include "gui/base/part_window.hpp"
+#include "gui/base/plot_text.hpp"
 #include "gui/panels/error_table.hpp"
 #include "gui/panels/playback_bar.hpp"
 #include "gui/panels/status_bar.hpp"
@@ -47,7 +48,7 @@ void Application::frame() {
     };
     if (const auto chosen = menus_.draw_bar(menu_context())) follow(*chosen);
     arrange();
-    playback_.update(run(), static_cast<double>(ImGui::GetIO().DeltaTime));
+    playback_.update(run(), longest(), static_cast<double>(ImGui::GetIO().DeltaTime));
     const bool with_handles = run().live() && !taking_screenshot_;
     std::vector<Handle> handles;
     if (with_handles) {
@@ -64,7 +65,8 @@ void Application::frame() {
         document_.change(run().id, with_handle_at(run().scenario, move->handle, move->place), true);
     }
     if (action("sidebar").is_checked()) draw_sidebar();
-    if (action("plots").is_checked()) draw_plots(context);
+    if (layout_.plots > 0) draw_plots(context);
+    if (layout_.plots == 0 && action("plots").is_checked()) draw_plots_left_out(context);
     draw_edges(layout_, settings_.window, context);
     if (action("log").is_checked()) draw_log();
     const Toast message = toast();
@@ -83,8 +85,15 @@ void Application::draw_viewport(const FrameContext& context) {
     Values& view = viewport().view;
     const double blend = view.real("blend");
     if (playback_.blends()) view.set("blend", playback_.blend());
-    viewport_pane_.frame(shown(run()), viewport(), layout_.viewport, context, others);
+    viewport_pane_.frame({&run(), playback_.snapshot(run()), replay_range()}, viewport(), layout_.viewport,
+                         context, others);
     view.set("blend", blend);
+}
+
+/// The range of the colours while recorded iterates are looked at.
+std::optional<ColourRange> Application::replay_range() {
+    if (!playback_.compares()) return std::nullopt;
+    return replay_range_.of(run(), colour_choice(viewport().view));
 }
 
 /// What helps, what was said, or why the run did not converge.
@@ -100,6 +109,13 @@ Toast Application::toast() {
 /// The first recorded iteration with tangled cells.
 std::optional<int> Application::first_tangled() {
     return run().recording ? run().recording->first_tangled() : std::nullopt;
+}
+
+/// Of the runs whose meshes are shown, the one with the most iterations.
+const DocumentRun& Application::longest() { return longest_run(run(), runs_shown_beside()); }
+
+std::vector<const DocumentRun*> Application::runs_shown_beside() {
+    return viewport().view.text("layout") == "runs" ? runs_beside() : std::vector<const DocumentRun*>();
 }
 
 std::vector<const DocumentRun*> Application::runs_beside() {
@@ -280,10 +296,10 @@ std::vector<std::string> Application::view_keys() {
     return keys;
 }
 
-/// The row of the history that is shown; null before the first.
+/// The row of the longest history that is shown; null before the first.
 const StepReport* Application::shown_report() {
-    const auto& history = run().history;
-    const int iteration = playback_.iteration(run());
+    const auto& history = longest().history;
+    const int iteration = playback_.iteration(longest());
     const auto after = std::upper_bound(history.begin(), history.end(), iteration,
                                         [](int at, const StepReport& row) { return at < row.iteration; });
     return after == history.begin() ? nullptr : &*std::prev(after);
@@ -299,16 +315,28 @@ void Application::draw_plots(const FrameContext& context) {
     offer_section_line(before);
     if (wish) fulfil(*wish);
     if (const auto iteration = plot_pane_.take_pointed()) {
-        before_click_ = playback_.live() ? std::nullopt : std::optional(playback_.iteration(run()));
-        playback_.go_to(run(), *iteration);
+        before_click_ = playback_.live() ? std::nullopt : std::optional(playback_.iteration(longest()));
+        playback_.go_to(longest(), *iteration);
     }
     if (plot_pane_.take_double_click()) // its first click has gone to another iterate
-        before_click_ ? playback_.go_to(run(), *before_click_) : playback_.go_to_end();
+        before_click_ ? playback_.go_to(longest(), *before_click_) : playback_.go_to_end();
     settings_.window.set("earlier_solves", plot_pane_.shows_earlier());
     if (const auto wanted = plot_pane_.take_sweep()) sweep(*wanted);
     const auto choices = plot_pane_.choices();
     settings_.window.set("first_plot", format_choice(choices[0]));
     settings_.window.set("second_plot", format_choice(choices[1]));
+}
+
+void Application::draw_plots_left_out(const FrameContext& context) {
+    const ItemRectangle& place = layout_.plots_note;
+    const float em = ImGui::GetFontSize();
+    const std::string text =
+        "No space for the plots: enlarge the window, or " + describe_keys(action("smaller"));
+    begin_part("##plots-note", place, ImGuiWindowFlags_NoInputs);
+    write_text(*ImGui::GetWindowDrawList(), {place.left + em, place.top + 0.2F * em},
+               context.theme.faint_text, shortened(text, place.width() - 2 * em));
+    ImGui::End();
+    context.items["plots.note"] = place;
 }
 
 /// A plot that is chosen without a line gets one through the middle of the mesh.
@@ -345,7 +373,9 @@ void Application::draw_status(const FrameContext& context) {
                    ImGuiWindowFlags_NoScrollWithMouse,
                true);
     ImGui::PopStyleVar();
-    if (const auto pressed = draw_playback_bar(run(), playback_, actions_, context)) perform(*pressed);
+    if (const auto pressed =
+            draw_playback_bar({&run(), &longest(), runs_shown_beside()}, playback_, actions_, context))
+        perform(*pressed);
     ImGui::End();
 }
 

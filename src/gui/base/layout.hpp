@@ -19,6 +19,9 @@ struct Layout {
     /// The strips by which sidebar and plots are made wider, or higher; without area where there is nothing.
     ItemRectangle sidebar_edge, plots_edge;
     bool plots_beside = true; ///< to the right of the viewport, or else below it
+    /// Where the window is too small for two plots, the second has no area; for one beside the mesh, neither.
+    int plots = 2;
+    ItemRectangle plots_note; ///< below the viewport, to say so; else without area
 };
 
 /// `em`: the font's size. `top`: how much of the window's height the menu bar takes.

@@ -190,6 +190,7 @@ void load_font(ImFontAtlas& atlas, const Theme& theme, float scale, std::string_
                const std::vector<SystemFont>& fonts) {
     static constexpr ImWchar always[] = {0x0020, 0x017f,  // Latin
                                          0x0370, 0x04ff,  // Greek, Cyrillic
+                                         0x1d62, 0x1d6a,  // subscripts
                                          0x2010, 0x2027,  // dashes, dots
                                          0x2030, 0x203a,  // per mille, quotation
                                          0x2070, 0x209c,  // superscripts, subscripts

@@ -313,7 +313,7 @@ bool Document::collect(DocumentRun& run) {
     if (answered) take_answer(run);
     for (SolverMessage& message : messages)
         run.messages.push_back({std::move(message.text), message.error, dragging});
-    for (const SolverEvent& event : events) append(run, event);
+    for (const SolverEvent& event : events) append(run, *catalogue_, event);
     if (run.history.size() <= 1 || !run.solved) // nothing has been solved with other values yet
         run.solved = run.status.scenario ? run.status.scenario : std::make_shared<const Scenario>(run.opened);
     return news;

@@ -141,6 +141,7 @@ class Document {
     void apply(const std::vector<EditPart>& parts, bool with_values);
     void apply(const RunValues& values, const std::vector<EditPart>& parts);
     void apply(const ViewportState& state);
+    void set_others_aside(const DocumentRun& run);
     void apply(const RunPresence& presence);
 
     std::shared_ptr<const Catalogue> catalogue_;

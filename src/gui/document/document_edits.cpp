@@ -93,6 +93,9 @@ void Document::finish_opening(DocumentRun& run) {
     name_values(run);
     run.name = describe_scenario(*catalogue_, run.opened, run.scenario);
     run.wants_to_run = true;
+    run.earlier.clear();
+    run.solved.reset(); // so that the solve before the opening does not become an earlier one
+    set_others_aside(run);
     if (run.id == active_) comparison_.leave_active_run();
     ++run.openings;
     for (std::size_t i = 0; i < viewports_.size(); ++i) {
@@ -109,6 +112,15 @@ void Document::finish_opening(DocumentRun& run) {
     for (EditPart& view : views_of(run.id)) edit.after.push_back(std::move(view));
     end_gesture();
     record(std::move(edit));
+}
+
+/// Hides runs of other problems, whose curves say nothing beside those of this one, until theirs is back.
+void Document::set_others_aside(const DocumentRun& run) {
+    for (DocumentRun& other : runs_) {
+        if (other.id == run.id) continue;
+        const bool comparable = alike(other.scenario, run.scenario);
+        if (comparable ? other.set_aside : !other.hidden) other.hidden = other.set_aside = !comparable;
+    }
 }
 
 std::optional<RunId> Document::keep(RunId run) {
@@ -178,6 +190,7 @@ void Document::hide(RunId run, bool hidden) {
     DocumentRun* entry = runs_.find(run);
     GASPARD_CHECK(entry);
     const RunEntry before{run, entry->name, std::exchange(entry->hidden, hidden)};
+    entry->set_aside = false;
     end_gesture();
     record({.key = key_of("hide ", run), .before = {before}, .after = {RunEntry{run, entry->name, hidden}}});
     end_gesture();

@@ -16,24 +16,18 @@ auto with_id(RunId id) {
     return [id](const DocumentRun& run) { return run.id == id; };
 }
 
-/// "amplitude 10, cells per side 60": the values before changes.
-std::string values_before(const std::vector<ValueChange>& changes) {
-    std::vector<std::string> texts;
-    for (const ValueChange& change : changes) texts.push_back(change.label + " " + change.before);
-    return join(texts, ", ");
-}
-
 /// Makes the history that of an earlier solve; nothing if no step was made, or only output was changed.
-void put_aside(DocumentRun& run) {
+void put_aside(DocumentRun& run, const Catalogue& catalogue) {
     if (run.history.size() < 2 || !run.solved || !run.status.scenario) return;
-    std::string name = values_before(value_changes(*run.solved, *run.status.scenario));
+    if (!alike(*run.solved, *run.status.scenario)) return run.earlier.clear();
+    std::string name = join(names_before(catalogue, value_changes(*run.solved, *run.status.scenario)), ", ");
     if (name.empty()) return;
     run.earlier.push_back({std::move(run.curves), std::move(name)});
     if (run.earlier.size() > most_earlier) run.earlier.pop_front();
 }
 
-void begin_history(DocumentRun& run, SolverEventKind kind) {
-    if (kind == SolverEventKind::change) put_aside(run);
+void begin_history(DocumentRun& run, const Catalogue& catalogue, SolverEventKind kind) {
+    if (kind == SolverEventKind::change) put_aside(run, catalogue);
     if (kind == SolverEventKind::restart) run.earlier.clear();
     run.history.clear();
     run.curves.clear();
@@ -41,7 +35,20 @@ void begin_history(DocumentRun& run, SolverEventKind kind) {
     run.solved = kind == SolverEventKind::restart ? nullptr : run.status.scenario;
 }
 
+/// A choice of the domain; empty where it has none.
+std::string choice_of(const Scenario& scenario, std::string_view key) {
+    const Values& domain = scenario.domain.values;
+    return domain.has(key) ? domain.text(key) : std::string();
+}
+
 } // namespace
+
+bool alike(const Scenario& a, const Scenario& b) {
+    const auto of_one_kind = [&](auto key) { return choice_of(a, key) == choice_of(b, key); };
+    return a.domain.type == b.domain.type && of_one_kind("boundary") && of_one_kind("shape") &&
+           of_one_kind("file") && a.monitor.type == b.monitor.type && a.source.type == b.source.type &&
+           a.pde.type == b.pde.type;
+}
 
 std::list<DocumentRun>::iterator DocumentRuns::at(std::size_t place) {
     GASPARD_CHECK(place < runs_.size());
@@ -86,14 +93,14 @@ DocumentRun& DocumentRuns::put_back(std::size_t place, std::list<DocumentRun> ru
     return same;
 }
 
-void append(DocumentRun& run, const SolverEvent& event) {
+void append(DocumentRun& run, const Catalogue& catalogue, const SolverEvent& event) {
     if (event.kind == SolverEventKind::completion) {
         if (run.history.empty()) return;
         run.curves.complete(run.history.back(), event.report);
         run.history.back() = event.report;
         return;
     }
-    if (event.kind != SolverEventKind::step) begin_history(run, event.kind);
+    if (event.kind != SolverEventKind::step) begin_history(run, catalogue, event.kind);
     run.history.push_back(event.report);
     run.curves.append(event.report);
 }

@@ -24,7 +24,7 @@ constexpr RunId no_run{};
 /// the drag of a slider, count as the last of them.
 struct EarlierSolve {
     HistoryCurves curves;
-    std::string name; ///< what its values were where the next ones differ: "amplitude 10"
+    std::string name; ///< its values where the next ones differ: "Amplitude A = 10"
 };
 
 /// A message of a run's solver.
@@ -78,10 +78,11 @@ struct DocumentRun {
     RunChanges changes;
     bool wants_to_run = true; ///< what the user last asked for; the status follows within a step
     std::optional<RunOpening> opening{};
-    std::uint64_t openings = 0;               ///< how many scenarios have replaced the first one
-    std::vector<RunMessage> messages{};       ///< not yet taken by the panels
-    std::size_t colour = 0;                   ///< index of the theme's curve colour
-    bool hidden = false;                      ///< its curves are not shown
+    std::uint64_t openings = 0;         ///< how many scenarios have replaced the first one
+    std::vector<RunMessage> messages{}; ///< not yet taken by the panels
+    std::size_t colour = 0;             ///< index of the theme's curve colour
+    bool hidden = false;                ///< its curves are not shown
+    bool set_aside = false; ///< hidden because another problem was opened; shown again with its own
     std::shared_ptr<const Scenario> solved{}; ///< the values of the history's last row
     std::unique_ptr<SolverThread> solver{};   ///< null: the run is kept, not live
 
@@ -121,9 +122,13 @@ class DocumentRuns {
 
 constexpr std::size_t most_earlier = 8;
 
+/// Whether two runs can be compared: domain and monitor, and what else says what is solved, are of one kind,
+/// whatever their numbers.
+bool alike(const Scenario& a, const Scenario& b);
+
 /// Appends a report to the history. If it is the first with other values, the history before it becomes an
 /// earlier solve.
-void append(DocumentRun& run, const SolverEvent& event);
+void append(DocumentRun& run, const Catalogue& catalogue, const SolverEvent& event);
 
 /// Iterations per second over the last second of solving; nothing before the first iteration.
 std::optional<double> iteration_rate(const std::vector<StepReport>& history);

@@ -25,24 +25,35 @@ std::string label_of(const Values& values, std::string_view ending) {
     return {};
 }
 
+/// The warning: what is too narrow, and what helps.
+std::string narrow_text(const Scenario& scenario, double share) {
+    const std::string cells = label_of(scenario.domain.values, "cells"),
+                      sharpness = label_of(scenario.monitor.values, "sharpness");
+    std::string help = cells.empty() ? "Finer cells help" : "A larger value of \"" + cells + "\" helps";
+    if (!sharpness.empty()) help += ", or a smaller \"" + sharpness + "\"";
+    return "Narrower than the cells: within single cells, m changes by " +
+           std::to_string(std::lround(100 * share)) +
+           " % of its range, and the mesh may depend on where it started. " + help + ".";
+}
+
 } // namespace
 
 std::string NarrowFeature::warning(const Catalogue& catalogue, const DocumentRun& run) {
     if (!run.snapshot || !is_analytic(catalogue, run.scenario)) return {};
+    const Scenario& scenario = run.scenario;
+    const bool adapted = !run.history.empty() && run.snapshot->report.residual <= 0.3;
+    if (!adapted) {
+        const bool known = verdict_ && verdict_->domain == scenario.domain &&
+                           verdict_->monitor == scenario.monitor && verdict_->source == scenario.source;
+        return known && verdict_->share >= most ? narrow_text(scenario, verdict_->share) : std::string();
+    }
     if (mesh_ != run.snapshot->mesh || version_ != run.snapshot->version) {
         mesh_ = run.snapshot->mesh, version_ = run.snapshot->version;
         const Field* monitor = run.snapshot->field("monitor");
         share_ = monitor ? share_within_cell(*mesh_, monitor->values) : 0;
     }
-    // A mesh that has not adapted yet says nothing, nor does one that has failed.
-    if (share_ < most || run.history.empty() || run.snapshot->report.residual > 0.3) return {};
-    const std::string cells = label_of(run.scenario.domain.values, "cells"),
-                      sharpness = label_of(run.scenario.monitor.values, "sharpness");
-    std::string help = cells.empty() ? "Finer cells help" : "A larger value of \"" + cells + "\" helps";
-    if (!sharpness.empty()) help += ", or a smaller \"" + sharpness + "\"";
-    return "Narrower than the cells: within single cells, m changes by " +
-           std::to_string(std::lround(100 * share_)) +
-           " % of its range, and the mesh may depend on where it started. " + help + ".";
+    if (run.changes.settled()) verdict_ = {scenario.domain, scenario.monitor, scenario.source, share_};
+    return share_ < most ? std::string() : narrow_text(scenario, share_);
 }
 
 } // namespace gaspard

@@ -9,11 +9,9 @@ namespace gaspard {
 
 namespace {
 
-constexpr double rest_at_end = 0.8; // seconds
-constexpr double blend_period = 4;  // seconds there and back
-constexpr double longest = 0.25;    // seconds; a frame that took longer does not make the replay jump
-
-int last_iteration(const DocumentRun& run) { return run.history.empty() ? 0 : run.history.back().iteration; }
+constexpr double rest_at_end = 0.8;    // seconds
+constexpr double blend_period = 4;     // seconds there and back
+constexpr double longest_frame = 0.25; // seconds; a frame that took longer does not make the replay jump
 
 /// Null if nothing was recorded.
 std::shared_ptr<const RecordedIterate> first_iterate(const DocumentRun& run) {
@@ -22,18 +20,27 @@ std::shared_ptr<const RecordedIterate> first_iterate(const DocumentRun& run) {
 
 } // namespace
 
-void Playback::update(const DocumentRun& run, double seconds) {
-    if (run.id != run_ || run.histories != histories_) {
-        run_ = run.id, histories_ = run.histories;
-        at_.reset();
-        playing_ = false;
-        restored_.clear();
-    }
-    if (blends_) blended_ += std::min(seconds, longest);
-    if (playing_) advance(run, std::min(seconds, longest));
+int last_iteration(const DocumentRun& run) { return run.history.empty() ? 0 : run.history.back().iteration; }
+
+const DocumentRun& longest_run(const DocumentRun& run, const std::vector<const DocumentRun*>& others) {
+    const DocumentRun* longest = &run;
+    for (const DocumentRun* other : others)
+        if (other->recording && last_iteration(*other) > last_iteration(*longest)) longest = other;
+    return *longest;
 }
 
-void Playback::advance(const DocumentRun& run, double seconds) {
+void Playback::update(const DocumentRun& run, const DocumentRun& longest, double seconds) {
+    if (run.id != run_ || run.histories != histories_) {
+        run_ = run.id, histories_ = run.histories;
+        go_to_end();
+        restored_.clear();
+    }
+    if (live() && run.solving()) compares_ = false;
+    if (blends_) blended_ += std::min(seconds, longest_frame);
+    if (playing_) advance(longest, run.solving(), std::min(seconds, longest_frame));
+}
+
+void Playback::advance(const DocumentRun& run, bool solving, double seconds) {
     const int last = last_iteration(run);
     if (at_ && *at_ < last) {
         if (rate_ > 0)
@@ -46,8 +53,8 @@ void Playback::advance(const DocumentRun& run, double seconds) {
     } else {
         rested_ += seconds;
     }
-    if (run.solving() || !loops_) {
-        go_to_end();
+    if (solving || !loops_) {
+        show_newest();
     } else if (rested_ >= rest_at_end) {
         go_to_start(run);
         playing_ = true;
@@ -69,9 +76,10 @@ std::shared_ptr<const Snapshot> Playback::snapshot(const DocumentRun& run) {
 
 void Playback::go_to(const DocumentRun& run, double iteration) {
     playing_ = false;
+    compares_ = true;
     const auto first = first_iterate(run);
     const int wanted = static_cast<int>(std::lround(std::clamp(iteration, -1e9, 1e9)));
-    if (!first || wanted >= last_iteration(run)) return go_to_end();
+    if (!first || wanted >= last_iteration(run)) return show_newest();
     const auto before = run.recording->at(wanted);
     const std::vector<int> kept = run.recording->iterations();
     const auto after = std::upper_bound(kept.begin(), kept.end(), wanted);
@@ -90,21 +98,27 @@ void Playback::go_forward(const DocumentRun& run) {
     if (!run.recording) return;
     const std::vector<int> kept = run.recording->iterations();
     const auto next = std::upper_bound(kept.begin(), kept.end(), iteration(run));
-    next == kept.end() ? go_to_end() : go_to(run, *next);
+    next == kept.end() ? show_newest() : go_to(run, *next);
 }
 
 void Playback::go_to_start(const DocumentRun& run) {
     if (const auto first = first_iterate(run)) go_to(run, first->iteration());
 }
 
-void Playback::go_to_end() {
+void Playback::show_newest() {
     playing_ = false;
     at_.reset();
+}
+
+void Playback::go_to_end() {
+    show_newest();
+    compares_ = false;
 }
 
 void Playback::play(const DocumentRun& run) {
     if (live()) go_to_start(run);
     playing_ = !live();
+    compares_ = playing_;
     rested_ = 0;
 }
 

@@ -1,6 +1,7 @@
 // Which iterate of the runs is shown: the newest, or one that was recorded; and the replay of a recording.
 //
-// All runs that are shown stand at the same iteration, those that ended earlier at their last one.
+// All runs that are shown stand at the same iteration, those that ended earlier at their last one. Iterations
+// are those of one of them, the longest (longest_run()).
 #pragma once
 
 #include "gui/document/document_run.hpp"
@@ -20,11 +21,16 @@ class Playback {
     static constexpr std::array<double, 7> rates{1, 2, 5, 10, 30, 100, 0};
 
     /// Once per frame, `seconds` after the last one. A new history of the run shows the newest iterate.
-    void update(const DocumentRun& run, double seconds);
+    void update(const DocumentRun& run, double seconds) { update(run, run, seconds); }
+    /// The same, where `longest` may be another run that is shown beside it.
+    void update(const DocumentRun& run, const DocumentRun& longest, double seconds);
 
     /// The newest iterate is shown, also when another one comes.
     bool live() const { return !at_; }
     bool playing() const { return playing_; }
+    /// The recording is looked at: its iterates are compared, those at its end as well. Ends with
+    /// go_to_end() and with another iterate or history.
+    bool compares() const { return compares_; }
     /// The iteration that is shown of the run.
     int iteration(const DocumentRun& run) const;
     /// The iterate of any run to show; null if there is none yet.
@@ -36,6 +42,7 @@ class Playback {
     void go_back(const DocumentRun& run);
     void go_forward(const DocumentRun& run);
     void go_to_start(const DocumentRun& run);
+    /// Fits the colours to the newest iterate again.
     void go_to_end();
     /// From where it stands; from the start if the newest is shown. Nothing if there is only one iterate.
     void play(const DocumentRun& run);
@@ -54,12 +61,13 @@ class Playback {
     double blend() const;
 
   private:
-    void advance(const DocumentRun& run, double seconds);
+    void advance(const DocumentRun& run, bool solving, double seconds);
+    void show_newest();
 
     RunId run_{};
     std::uint64_t histories_ = 0; ///< of the run, as last seen
     std::optional<double> at_;    ///< the iteration; while playing with a part of the way to the next one
-    bool playing_ = false, loops_ = false, blends_ = false;
+    bool playing_ = false, compares_ = false, loops_ = false, blends_ = false;
     double rate_ = 10;
     double rested_ = 0;  ///< seconds at the end, before a replay begins again
     double blended_ = 0; ///< seconds
@@ -69,6 +77,12 @@ class Playback {
     };
     std::map<RunId, Restored> restored_; ///< what was shown last
 };
+
+/// The number of the newest iterate; 0 if there is none.
+int last_iteration(const DocumentRun& run);
+/// The run with the most iterations of those that were recorded, `run` itself if none has more. `others`:
+/// runs that are shown beside it.
+const DocumentRun& longest_run(const DocumentRun& run, const std::vector<const DocumentRun*>& others);
 
 /// The iterations of a history whose meshes have tangled cells, as ranges: "4 to 6" is {4, 6}. What was not
 /// measured belongs to the range of the iterate before it.

@@ -1,12 +1,13 @@
 #include "gui/document/value_changes.hpp"
 
 #include "core/base/join.hpp"
-#include "core/tessellate/ticks.hpp"
+#include "gui/base/value_text.hpp"
 
 #include <cctype>
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 
 namespace gaspard {
 
@@ -20,12 +21,31 @@ std::string uncapitalised(std::string text) {
     return text;
 }
 
-struct ValueText {
-    std::string operator()(double value) const { return short_number(value, 6); }
-    std::string operator()(std::int64_t value) const { return std::to_string(value); }
-    std::string operator()(bool value) const { return value ? "on" : "off"; }
-    std::string operator()(const std::string& value) const { return value; }
-};
+/// "Amplitude A = 20", "Boundary: walls"; of long texts, such as lists of points, only that they have
+/// changed.
+std::string name_of(const ParameterRow& row, const Value& value) {
+    const std::string text = value_text(row, value);
+    const bool number = std::holds_alternative<double>(value) || std::holds_alternative<std::int64_t>(value);
+    if (number) return row.label + (row.symbol.empty() ? "" : " " + row.symbol) + " = " + text;
+    constexpr std::size_t longest = 48;
+    if (text.size() > longest || text.find(", ") != std::string::npos) return row.label + " changed";
+    return row.label + ": " + text;
+}
+
+template <class Types>
+std::string label_among(const Types& types, const std::string& name) {
+    for (const auto& type : types)
+        if (type.name == name) return type.label;
+    return name;
+}
+
+/// Of the type of a section.
+std::string type_label(const Catalogue& catalogue, const std::string& key, const std::string& name) {
+    if (key == "domain.type") return label_among(catalogue.domains, name);
+    if (key == "method.type") return label_among(catalogue.methods, name);
+    if (key == "pde.type") return label_among(catalogue.pdes, name);
+    return label_among(catalogue.monitors, name);
+}
 
 void add_changes(const std::string& section, const Values& before, const Values& after,
                  std::vector<ValueChange>& changes) {
@@ -33,8 +53,8 @@ void add_changes(const std::string& section, const Values& before, const Values&
         if (!before.has(row.key)) continue;
         const Value &old = before.at(row.key), &now = after.at(row.key);
         if (old == now) continue;
-        changes.push_back({section + "." + row.key, uncapitalised(row.label), std::visit(ValueText{}, old),
-                           std::visit(ValueText{}, now)});
+        changes.push_back({section + "." + row.key, uncapitalised(row.label), value_text(row, old),
+                           value_text(row, now), name_of(row, old), name_of(row, now)});
     }
 }
 
@@ -44,12 +64,6 @@ void add_changes(const std::string& section, const Section& before, const Sectio
         changes.push_back({section + ".type", section, before.type, after.type});
     else
         add_changes(section, before.values, after.values, changes);
-}
-
-std::string monitor_label(const Catalogue& catalogue, const Scenario& scenario) {
-    for (const MonitorType& type : catalogue.monitors)
-        if (type.name == scenario.monitor.type) return type.label;
-    return scenario.monitor.type;
 }
 
 /// The data of a monitor by the name of their file, without its folder; empty if they have none.
@@ -93,15 +107,34 @@ std::string name_changes(const std::vector<ValueChange>& changes) {
     return join(names, ", ");
 }
 
+static std::vector<std::string> names_of(const Catalogue& catalogue, const std::vector<ValueChange>& changes,
+                                         std::string ValueChange::*value, std::string ValueChange::*name) {
+    std::vector<std::string> names;
+    for (const ValueChange& change : changes)
+        names.push_back(change.key.ends_with(".type") ? type_label(catalogue, change.key, change.*value)
+                                                      : change.*name);
+    return names;
+}
+
+std::vector<std::string> names_after(const Catalogue& catalogue, const std::vector<ValueChange>& changes) {
+    return names_of(catalogue, changes, &ValueChange::after, &ValueChange::name_after);
+}
+
+std::vector<std::string> names_before(const Catalogue& catalogue, const std::vector<ValueChange>& changes) {
+    return names_of(catalogue, changes, &ValueChange::before, &ValueChange::name_before);
+}
+
 std::string describe_scenario(const Catalogue& catalogue, const Scenario& opened, const Scenario& scenario) {
-    std::vector<std::string> texts = {monitor_label(catalogue, scenario)};
+    std::vector<std::string> texts = {label_among(catalogue.monitors, scenario.monitor.type)};
     const Values& monitor = scenario.monitor.values;
     const ParameterRow* file = find_role(monitor.rows(), ParameterRole::file);
     if (const std::string data = data_name(monitor); data != data_name(opened.monitor.values))
         if (!data.empty()) texts.front() += " " + data;
-    for (const ValueChange& change : value_changes(opened, scenario))
-        if (change.key != "monitor.type" && !(file && change.key == "monitor." + file->key))
-            texts.push_back(change.label + " " + change.after);
+    std::vector<ValueChange> changes = value_changes(opened, scenario);
+    std::erase_if(changes, [&](const ValueChange& change) {
+        return change.key == "monitor.type" || (file && change.key == "monitor." + file->key);
+    });
+    for (std::string& name : names_after(catalogue, changes)) texts.push_back(std::move(name));
     return join(texts, ", ");
 }
 

@@ -1,5 +1,5 @@
-// Differences between scenarios as text, such as "amplitude 20": for names of runs and of earlier solves, and
-// labels of edits.
+// Differences between scenarios as text, such as "Amplitude A = 20": for names of runs and of earlier solves,
+// and labels of edits.
 #pragma once
 
 #include "core/scenario/catalogue.hpp"
@@ -14,6 +14,7 @@ struct ValueChange {
     std::string key;   ///< "monitor.amplitude", "monitor.type"
     std::string label; ///< "amplitude"
     std::string before, after;
+    std::string name_before{}, name_after{}; ///< "Amplitude A = 20"; empty for types
 };
 
 /// In the order of the rows; domain, monitor and method only, as view and output do not affect the solution.
@@ -28,12 +29,17 @@ std::vector<ValueChange> section_changes(const std::string& section, const Value
 /// more than three.
 std::string name_changes(const std::vector<ValueChange>& changes);
 
-/// "Ring, amplitude 20", "Image photo.jpg": the monitor, and the values that differ from the scenario as it
-/// was opened.
+/// Changes with their values as they are after them, or before: "Amplitude A = 20", "Boundary: walls",
+/// "Newton".
+std::vector<std::string> names_after(const Catalogue& catalogue, const std::vector<ValueChange>& changes);
+std::vector<std::string> names_before(const Catalogue& catalogue, const std::vector<ValueChange>& changes);
+
+/// "Ring, Amplitude A = 20", "Image photo.jpg": the monitor, and the values that differ from the scenario as
+/// it was opened.
 std::string describe_scenario(const Catalogue& catalogue, const Scenario& opened, const Scenario& scenario);
 
-/// Shortens such texts by the parts that all of them share: "Ring, amplitude 20, radius 0.3" and
-/// "Ring, radius 0.3" become "amplitude 20" and "Ring".
+/// Shortens such texts by the parts that all of them share: "Ring, Amplitude A = 20, Radius r = 0.3"
+/// and "Ring, Radius r = 0.3" become "Amplitude A = 20" and "Ring".
 std::vector<std::string> what_differs(const std::vector<std::string>& texts);
 
 } // namespace gaspard

@@ -1,5 +1,6 @@
 #include "gui/panels/error_table.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/io/study_files.hpp"
 #include "core/tessellate/ticks.hpp"
 
@@ -38,7 +39,8 @@ void draw_error_table(const ErrorStudy& study, ItemRectangles& items) {
     }
     for (std::size_t place = 0; place < plan->over.values.size(); ++place) {
         ImGui::TableNextColumn();
-        ImGui::TextDisabled("%s", plan->over.values[place].c_str());
+        const auto number = parse_number(plan->over.values[place]);
+        ImGui::TextDisabled("%s", number ? short_number(*number).c_str() : plan->over.values[place].c_str());
         for (std::size_t line = 0; line < plan->line_count(); ++line)
             draw_cell(find_point(result.points, line, place), plan->measure,
                       "errors." + std::to_string(place) + "." + std::to_string(line), items);

@@ -1,6 +1,6 @@
 // The numbers of a parameter panel: fields to drag, and text fields in their place while a number is typed.
-#include "core/tessellate/ticks.hpp"
 #include "gui/base/plot_text.hpp"
+#include "gui/base/value_text.hpp"
 #include "gui/panels/panel_columns.hpp"
 #include "gui/panels/parameter_panel.hpp"
 #include "gui/panels/slider_scale.hpp"
@@ -64,12 +64,9 @@ bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow
     if (typing_ == key || focus_.expects(key)) return draw_typed(context, row, key, value, width);
     const SliderRange ends = ends_of(row, key, value);
     const bool bounded = std::isfinite(ends.minimum) && std::isfinite(ends.maximum);
-    // A length is in the unit of the domain, which has no name.
-    const bool named = !row.unit.empty() && row.unit.find("length") == std::string::npos;
-    const std::string unit = named ? (row.unit.starts_with("°") ? "" : " ") + row.unit : std::string();
     ValueField field{.label = row.label,
                      .symbol = row.symbol,
-                     .value = short_number(value, 6) + unit,
+                     .value = number_text(row, value) + unit_text(row),
                      .focused = focused_ == key};
     if (bounded) field.position = position_of(row, ends, value);
     const ValueFieldAnswer answer = draw_value_field("##field", field, width, context.theme);

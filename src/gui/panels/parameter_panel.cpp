@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "gui/base/icons.hpp"
 #include "gui/base/plot_text.hpp"
+#include "gui/base/value_text.hpp"
 #include "gui/panels/equation_box.hpp"
 #include "gui/panels/formula_rows.hpp"
 #include "gui/panels/panel_columns.hpp"
@@ -36,8 +37,8 @@ void show_tooltip(const std::string& title, const std::string& help, const std::
 }
 
 std::string details_of(const ParameterRow& row, const std::string& key) {
-    const std::string unit = row.unit.empty() ? "" : " " + row.unit;
-    return key + "\n" + describe_range(row) + unit + "; default " + format_value(row.default_value) + unit;
+    return key + "\n" + range_text(row) + "; default " + value_text(row, row.default_value) +
+           (row.unit.empty() || !unit_text(row).empty() ? "" : "; unit: " + row.unit);
 }
 
 /// Whether a row is one wide field.
@@ -388,7 +389,7 @@ bool ParameterPanel::draw_row(const PanelContext& context, const ParameterRow& r
         remember_item(context.items, key + ".reset");
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("%s", draft ? "Back to the formula in use"
-                                          : ("Reset to " + format_value(origin)).c_str());
+                                          : ("Reset to " + value_text(row, origin)).c_str());
         if (formula) ImGui::SetCursorPos(next);
     }
     if (row.role == ParameterRole::file && values.section() == "monitor" && values.text(row.key).empty())

@@ -1,9 +1,13 @@
 #include "gui/panels/playback_bar.hpp"
 
+#include "core/base/join.hpp"
 #include "core/tessellate/ticks.hpp"
 #include "gui/base/plot_text.hpp"
+#include "gui/document/value_changes.hpp"
+#include "gui/plot/plot_curves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <imgui.h>
 #include <string>
@@ -49,8 +53,76 @@ struct Track {
     }
 };
 
-void draw_track(const Track& track, double position, const std::vector<std::pair<int, int>>& tangled,
-                bool lit, const FrameContext& context) {
+/// The iterations of one run whose meshes have tangled cells.
+struct Tangles {
+    const DocumentRun* run;
+    std::string name; ///< "Newton: "; empty if there is only one run
+    std::vector<std::pair<int, int>> ranges;
+
+    std::string text() const { return name + tangled_text(ranges, last_iteration(*run)); }
+};
+
+std::vector<const DocumentRun*> shown_runs(const PlaybackRuns& runs) {
+    std::vector<const DocumentRun*> all = runs.beside;
+    if (all.empty() || !runs.active->hidden) all.insert(all.begin(), runs.active);
+    return all;
+}
+
+std::vector<Tangles> tangles_of(const std::vector<const DocumentRun*>& shown) {
+    std::vector<std::string> names;
+    for (const DocumentRun* run : shown) names.push_back(run->name);
+    names = what_differs(names);
+    std::vector<Tangles> found;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        if (auto ranges = tangled_ranges(shown[i]->history); !ranges.empty())
+            found.push_back({shown[i], shown.size() > 1 ? names[i] + ": " : "", std::move(ranges)});
+    return found;
+}
+
+/// Below the track, from the first of them on where there is enough space.
+void draw_tangled_text(const Track& track, const std::vector<Tangles>& tangles, float top,
+                       const Theme& theme) {
+    constexpr float small = 0.82F;
+    std::vector<std::string> texts;
+    int first = track.last;
+    for (const Tangles& one : tangles) {
+        texts.push_back(one.text());
+        first = std::min(first, one.ranges.front().first);
+    }
+    const std::string text = shortened(join(texts, "; "), (track.right - track.left) / small);
+    const float width = small * text_size(text).x;
+    ImGui::GetWindowDrawList()->AddText(
+        ImGui::GetFont(), small * ImGui::GetFontSize(),
+        {std::clamp(track.at(first), track.left, std::max(track.left, track.right - width)), top},
+        packed(theme.tangled), text.c_str());
+}
+
+/// A lane of marks for each run; among others each mark begins with the run's colour.
+void draw_tangles(const Track& track, const std::vector<Tangles>& tangles, bool several,
+                  const FrameContext& context) {
+    if (tangles.empty()) return;
+    const float half = 6 * context.scale, least = std::max(2.0F, 2 * context.scale);
+    const float lane = 2 * half / static_cast<float>(tangles.size());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    float top = track.middle - half;
+    for (std::size_t i = 0; i < tangles.size(); ++i, top += lane) {
+        const float bottom = top + std::max(lane - context.scale, 1.0F);
+        for (const auto& [first, last] : tangles[i].ranges) {
+            const float left = track.at(first), right = std::max(track.at(last), left + least);
+            list.AddRectFilled({left, top}, {right, bottom}, packed(context.theme.tangled));
+            if (several)
+                list.AddRectFilled({left - 2 * least, top}, {left, bottom},
+                                   packed(curve_colour(context.theme, tangles[i].run->colour)));
+        }
+        const auto [first, last] = tangles[i].ranges.front();
+        context.items["playback.tangled." + std::to_string(i)] = {track.at(first), top, track.at(last),
+                                                                  bottom};
+    }
+    draw_tangled_text(track, tangles, track.middle + 8.5F * context.scale, context.theme);
+}
+
+void draw_track(const Track& track, double position, const std::vector<const DocumentRun*>& shown, bool lit,
+                const FrameContext& context) {
     const Theme& theme = context.theme;
     const float half = 2.5F * context.scale, knob = (lit ? 8.5F : 7.5F) * context.scale;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -59,40 +131,47 @@ void draw_track(const Track& track, double position, const std::vector<std::pair
                        packed(theme.frame), half);
     list.AddRectFilled({track.left, track.middle - half}, {here, track.middle + half}, packed(theme.accent),
                        half);
-    const float least = std::max(2.0F, 2 * context.scale);
-    for (const auto& [first, last] : tangled) {
-        const float left = track.at(first), right = std::max(track.at(last), left + least);
-        list.AddRectFilled({left, track.middle - 2.4F * half}, {right, track.middle + 2.4F * half},
-                           packed(theme.tangled));
-    }
-    const std::string text = tangled_text(tangled, track.last);
-    if (!text.empty()) {
-        const float size = 0.82F * ImGui::GetFontSize(), width = 0.82F * text_size(text).x;
-        const float start = track.at(tangled.front().first);
-        list.AddText(ImGui::GetFont(), size,
-                     {std::clamp(start, track.left, std::max(track.left, track.right - width)),
-                      track.middle + 3.4F * half},
-                     packed(theme.tangled), text.c_str());
-    }
+    for (const DocumentRun* run : shown) // where shorter ones end
+        if (const int last = last_iteration(*run); last < track.last)
+            list.AddRectFilled({track.at(last) - context.scale, track.middle - 2 * half},
+                               {track.at(last) + context.scale, track.middle + 2 * half},
+                               packed(curve_colour(theme, run->colour)));
+    draw_tangles(track, tangles_of(shown), shown.size() > 1, context);
     list.AddCircleFilled({here, track.middle}, knob, packed(theme.text), 32);
 }
 
-void draw_scrubber(const DocumentRun& run, Playback& playback, float width, const FrameContext& context) {
+/// What is at an iteration: "Iteration 12", and of several runs which are tangled there or have ended before.
+std::string text_at(int iteration, const std::vector<const DocumentRun*>& shown) {
+    std::string text = "Iteration " + std::to_string(iteration);
+    for (const Tangles& one : tangles_of(shown))
+        for (const auto& [first, last] : one.ranges)
+            if (first <= iteration && iteration <= last) {
+                text += "\n" + one.text();
+                break;
+            }
+    for (const DocumentRun* run : shown)
+        if (last_iteration(*run) < iteration)
+            text += "\n" + run->name + ": ended at " + std::to_string(last_iteration(*run));
+    return text;
+}
+
+void draw_scrubber(const PlaybackRuns& runs, Playback& playback, float width, const FrameContext& context) {
     const float height = ImGui::GetFrameHeight(), knob = 9 * context.scale;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const DocumentRun& run = *runs.longest;
     const bool possible = run.recording && run.history.size() > 1;
-    Track track{corner.x + knob, corner.x + width - knob, corner.y + height / 2,
-                run.history.empty() ? 0 : run.history.back().iteration};
+    Track track{corner.x + knob, corner.x + width - knob, corner.y + height / 2, last_iteration(run)};
     ImGui::InvisibleButton("##scrubber", {width, height});
     remember_item(context.items, "playback.scrubber");
     const bool hovered = ImGui::IsItemHovered();
-    if (possible && ImGui::IsItemActive()) playback.go_to(run, track.under(ImGui::GetIO().MousePos.x));
+    const double under = track.under(ImGui::GetIO().MousePos.x);
+    if (possible && ImGui::IsItemActive()) playback.go_to(run, under);
     if (possible && hovered && ImGui::GetIO().MouseWheel != 0)
         ImGui::GetIO().MouseWheel > 0 ? playback.go_back(run) : playback.go_forward(run);
+    const std::vector<const DocumentRun*> shown = shown_runs(runs);
     if (possible && hovered && !ImGui::IsItemActive())
-        ImGui::SetTooltip("Iteration %ld", std::lround(track.under(ImGui::GetIO().MousePos.x)));
-    draw_track(track, playback.iteration(run), tangled_ranges(run.history), hovered || ImGui::IsItemActive(),
-               context);
+        ImGui::SetTooltip("%s", text_at(static_cast<int>(std::lround(under)), shown).c_str());
+    draw_track(track, playback.iteration(run), shown, hovered || ImGui::IsItemActive(), context);
 }
 
 void draw_rates(Playback& playback, float width, const FrameContext& context) {
@@ -113,7 +192,7 @@ void draw_rates(Playback& playback, float width, const FrameContext& context) {
 
 /// "14 / 27", as wide whatever the first number is.
 void draw_position(const DocumentRun& run, const Playback& playback, const FrameContext& context) {
-    const int last = run.history.empty() ? 0 : run.history.back().iteration;
+    const int last = last_iteration(run);
     const std::string widest = std::to_string(last) + " / " + std::to_string(last);
     const std::string text = std::to_string(playback.iteration(run)) + " / " + std::to_string(last);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -126,13 +205,32 @@ void draw_position(const DocumentRun& run, const Playback& playback, const Frame
     remember_item(context.items, "playback.position");
 }
 
+/// What a narrow bar has no space for. The name of an action that was chosen.
+std::optional<std::string_view> draw_more(Playback& playback, std::span<const std::string_view> names,
+                                          std::span<const Action> actions, const FrameContext& context) {
+    std::optional<std::string_view> pressed;
+    if (ImGui::Button("...", {1.15F * ImGui::GetFrameHeight(), 0})) ImGui::OpenPopup("##more");
+    remember_item(context.items, "playback.more");
+    if (!ImGui::BeginPopup("##more")) return pressed;
+    for (const std::string_view name : names) {
+        const Action& row = find_action(actions, name);
+        if (ImGui::MenuItem(row.current_label().c_str(), describe_keys(row).c_str(), row.is_checked(),
+                            row.is_enabled()))
+            pressed = row.name;
+        remember_item(context.items, "action." + std::string(name));
+    }
+    draw_rates(playback, 7 * ImGui::GetFontSize(), context);
+    ImGui::EndPopup();
+    return pressed;
+}
+
 } // namespace
 
-std::optional<std::string_view> draw_playback_bar(const DocumentRun& run, Playback& playback,
+std::optional<std::string_view> draw_playback_bar(const PlaybackRuns& runs, Playback& playback,
                                                   std::span<const Action> actions,
                                                   const FrameContext& context) {
     const float em = ImGui::GetFontSize(), height = ImGui::GetFrameHeight(), gap = 0.2F * em;
-    const bool moves = playback.playing() || (run.solving() && playback.live());
+    const bool moves = playback.playing() || (runs.active->solving() && playback.live());
     std::optional<std::string_view> pressed;
     const auto button = [&](std::string_view name, Icon icon, float width = 1.15F, bool main = false) {
         const Action& row = find_action(actions, name);
@@ -140,25 +238,31 @@ std::optional<std::string_view> draw_playback_bar(const DocumentRun& run, Playba
         ImGui::SameLine(0, gap);
     };
     const float available = ImGui::GetContentRegionAvail().x;
-    const bool wide = available > 33 * em, medium = available > 26 * em;
+    const bool wide = available > 33 * em, medium = available > 26 * em, narrow = available < 20 * em;
     button("reset", Icon::reset);
     if (medium) button("to-start", Icon::to_start);
-    button("step-back", Icon::back);
+    if (!narrow) button("step-back", Icon::back);
     button("run", moves ? Icon::pause : Icon::run, 1.9F, true);
-    button("step", Icon::step);
+    if (!narrow) button("step", Icon::step);
     if (medium) button("to-end", Icon::to_end);
     ImGui::SameLine(0, 0.8F * em);
-    const int last = run.history.empty() ? 0 : run.history.back().iteration;
+    const int last = last_iteration(*runs.longest);
     const float numbers =
         ImGui::CalcTextSize((std::to_string(last) + " / " + std::to_string(last)).c_str()).x;
-    const float rates = 5.6F * em, toggles = 2 * (1.15F * height + gap);
+    const float rates = 5.6F * em, square = 1.15F * height, toggles = 2 * (square + gap);
     float rest = ImGui::GetContentRegionAvail().x - numbers - 0.8F * em;
-    if (wide) rest -= rates + toggles + 2 * 0.8F * em;
-    draw_scrubber(run, playback, std::max(3 * em, rest), context);
+    rest -= wide ? rates + toggles + 2 * 0.8F * em : square + 0.8F * em;
+    draw_scrubber(runs, playback, std::max(3 * em, rest), context);
     ImGui::SameLine(0, 0.8F * em);
-    draw_position(run, playback, context);
-    if (!wide) return pressed;
+    draw_position(*runs.longest, playback, context);
     ImGui::SameLine(0, 0.8F * em);
+    if (!wide) {
+        constexpr std::array<std::string_view, 6> more{"step-back", "step", "to-start",
+                                                       "to-end",    "loop", "blend-loop"};
+        const std::size_t first = medium ? 4 : narrow ? 0 : 2;
+        const auto chosen = draw_more(playback, std::span(more).subspan(first), actions, context);
+        return chosen ? chosen : pressed;
+    }
     draw_rates(playback, rates, context);
     ImGui::SameLine(0, 0.8F * em);
     button("loop", Icon::loop);

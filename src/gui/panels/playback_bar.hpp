@@ -8,14 +8,25 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace gaspard {
 
+/// The runs whose iterates the bar goes through.
+struct PlaybackRuns {
+    const DocumentRun* active = nullptr;
+    const DocumentRun* longest = nullptr;        ///< the bar spans its iterations
+    std::vector<const DocumentRun*> beside = {}; ///< shown beside the active one
+};
+
 /// Draws the bar into the current ImGui window. Returns the name of the action whose button was pressed; the
 /// scrubber and the lists change `playback` itself. Notes "action.run" and so on, "playback.scrubber",
-/// "playback.position", "playback.rate", "playback.rate=30".
-std::optional<std::string_view> draw_playback_bar(const DocumentRun& run, Playback& playback,
+/// "playback.position", "playback.rate", "playback.rate=30", and of each
+/// run with tangled iterations the first mark, "playback.tangled.0".
+std::optional<std::string_view> draw_playback_bar(const PlaybackRuns& runs, Playback& playback,
                                                   std::span<const Action> actions,
                                                   const FrameContext& context);
 

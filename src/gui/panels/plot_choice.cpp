@@ -66,10 +66,10 @@ void add_earlier(const DocumentRun& run, const PlotChoice& choice, PlotView& vie
         }
 }
 
-/// "θ", "‖r‖ / ‖θ‖ [m]"
+/// "θ", "‖r‖ / ‖θ‖ [m]", "Inner iterations"
 std::string name_of_values(const SeriesInfo& info) {
-    if (info.unit.empty()) return info.symbol;
-    return (info.symbol.empty() ? info.label : info.symbol) + " [" + info.unit + "]";
+    const std::string& label = info.plot ? info.plot->label : info.label;
+    return (info.symbol.empty() ? label : info.symbol) + (info.unit.empty() ? "" : " [" + info.unit + "]");
 }
 
 /// Where the plot has the series by which the run is judged.

@@ -198,6 +198,7 @@ std::optional<PlotWish> PlotPane::frame(const Document& document, const ItemRect
     pointed_.reset();
     const auto draw = [&](const std::string& name, const ItemRectangle& part, Shown& plot,
                           const Plot& study) {
+        if (!(part.width() > 0)) return; // there is no space for it
         begin_part(name.c_str(), part);
         context.items[name] = part;
         const PlotChoice before = plot.choice;

@@ -26,10 +26,14 @@ void draw_swatch(const DocumentRun& run, const Theme& theme) {
 }
 
 /// An open eye, or one crossed out.
-bool draw_eye(const char* id, bool hidden, const Theme& theme) {
+bool draw_eye(const char* id, const DocumentRun& run, const Theme& theme) {
     const bool pressed =
-        eye_button(id, hidden, packed(hidden ? theme.faint_text : theme.text), packed(theme.accent));
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hidden ? "Show in the plots" : "Hide in the plots");
+        eye_button(id, run.hidden, packed(run.hidden ? theme.faint_text : theme.text), packed(theme.accent));
+    if (ImGui::IsItemHovered()) {
+        const std::string why =
+            run.set_aside ? "Hidden, as it solves another problem: " + run.title + ".\n" : "";
+        ImGui::SetTooltip("%s", (why + (run.hidden ? "Show in the plots" : "Hide in the plots")).c_str());
+    }
     return pressed;
 }
 
@@ -91,7 +95,7 @@ bool RunList::draw(Document& document, const Action& keep, const FrameContext& c
         ImGui::PushID(static_cast<int>(run.id));
         draw_swatch(run, context.theme);
         ImGui::SameLine(0, gap);
-        if (draw_eye("##eye", run.hidden, context.theme)) document.hide(run.id, !run.hidden);
+        if (draw_eye("##eye", run, context.theme)) document.hide(run.id, !run.hidden);
         remember_item(context.items, key + ".eye");
         ImGui::SameLine(0, gap);
         const float available = ImGui::GetContentRegionAvail().x - (removable ? 1.3F * em + gap : 0);

@@ -119,8 +119,9 @@ void ViewportPane::frame(const ShownRun& shown_run, DocumentViewport& viewport, 
             beside.erase(beside.begin());
         }
         const ViewportText text{.subject = first.title, .caption = false};
+        const Values view = with_range(viewport.view, shown_run.range);
         plan_ =
-            planner_.plan(*first.snapshot, viewport.view, text,
+            planner_.plan(*first.snapshot, plots ? viewport.view : view, text,
                           {{area.left, area.top}, {area.right, area.bottom}}, context.scale, beside, zooms_);
         if (plots) draw_plots(context);
         draw_viewport_overlay(*ImGui::GetWindowDrawList(), *plan_, context.theme, context.scale);
@@ -140,7 +141,8 @@ void ViewportPane::frame(const ShownRun& shown_run, DocumentViewport& viewport, 
 void ViewportPane::offer_handles(std::vector<Handle> handles) {
     std::optional<Box> box;
     for (const Handle& handle : handles)
-        if (handle.control) box = box ? merge(*box, bounding_box(*handle.control)) : bounding_box(*handle.control);
+        if (handle.control)
+            box = box ? merge(*box, bounding_box(*handle.control)) : bounding_box(*handle.control);
     planner_.show_also(box);
     handles_ = std::move(handles);
 }
@@ -254,6 +256,8 @@ void ViewportPane::draw_handles(const FrameContext& context) {
         list.PopClipRect();
     }
     if (lit < none) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    if (lit < none && hovered)
+        ImGui::SetTooltip("%s", handles_[lit].control ? "Drag this control point." : "Drag this centre.");
 }
 
 std::vector<CutHandle> ViewportPane::cut_handles_in(const PlannedView& shown, float scale) const {
@@ -317,6 +321,8 @@ void ViewportPane::draw_cut(const FrameContext& context) {
         list.PopClipRect();
     }
     if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    if (lit && !held_cut_)
+        ImGui::SetTooltip("%s", lit->turns ? "Drag to turn the plane." : "Drag to move the plane.");
 }
 
 void ViewportPane::go_home(DocumentViewport& viewport) {

@@ -33,6 +33,7 @@ struct ShownView {
 struct ShownRun {
     const DocumentRun* run;
     std::shared_ptr<const Snapshot> snapshot;
+    std::optional<ColourRange> range{}; ///< of the colours, instead of the automatic one of the iterate
 };
 
 class ViewportPane {

@@ -194,12 +194,12 @@ Vec3 place_of(const Pick& pick, const Mesh& mesh, const Points& points) {
     return (1.0 / static_cast<double>(corners)) * sum;
 }
 
-double node_value(const Pick& pick, const Mesh& mesh, const Field& field) {
-    if (pick.kind == Pick::Kind::node) return field.values[pick.index];
+double node_value(const Pick& pick, const Mesh& mesh, const std::vector<double>& values) {
+    if (pick.kind == Pick::Kind::node) return values[pick.index];
     const auto corners = static_cast<std::size_t>(corners_per_cell(mesh.kind));
     double sum = 0;
     for (std::size_t k = 0; k < corners; ++k)
-        sum += field.values[static_cast<std::size_t>(mesh.cell(pick.index)[k])];
+        sum += values[static_cast<std::size_t>(mesh.cell(pick.index)[k])];
     return sum / static_cast<double>(corners);
 }
 
@@ -318,26 +318,37 @@ bool faces_viewer(const Pick& pick, const MeshScene& scene, const Camera& camera
     return false;
 }
 
-PickFacts facts_of(const Pick& pick, const Snapshot& snapshot, ColouringMaker& cells) {
+PickFacts facts_of(const Pick& pick, const Snapshot& snapshot, ColouringMaker& cells,
+                   const Colouring* colouring) {
     const Mesh& mesh = *snapshot.mesh;
     const double size = bounding_box(mesh.nodes).size();
     const auto place = [&](const Points& nodes) {
         return position(place_of(pick, mesh, nodes), mesh.space_dimension, size);
     };
-    PickFacts facts = {{"", title_of(pick, mesh)}, {"ξ", place(mesh.nodes)}, {"x", place(snapshot.x)}};
+    PickFacts facts = {{"", title_of(pick, mesh)}};
     const auto around = cells_of(pick, mesh);
+    const std::string coloured = colouring ? colouring->name : "";
+    if (colouring) {
+        const std::string name =
+            colouring->label + (colouring->symbol.empty() ? "" : " " + colouring->symbol);
+        facts.emplace_back(name, colouring->place == FieldPlace::node
+                                     ? short_number(node_value(pick, mesh, colouring->values), 5)
+                                     : range_text(colouring->values, around));
+    }
+    facts.emplace_back("ξ", place(mesh.nodes));
+    facts.emplace_back("x", place(snapshot.x));
     const int dimension = cell_dimension(mesh.kind);
     const char* measure = dimension == 1 ? "length" : dimension == 2 ? "area" : "volume";
-    if (const Field* monitor = snapshot.field("monitor"))
-        facts.emplace_back("monitor", short_number(node_value(pick, mesh, *monitor), 5));
-    facts.emplace_back(measure, range_text(cells.measures(snapshot), around));
-    if (!cells.masses().empty()) facts.emplace_back("M_i", range_text(cells.masses(), around));
-    facts.emplace_back("Jacobian", range_text(cells.jacobians(snapshot), around));
+    if (const Field* monitor = snapshot.field("monitor"); monitor && coloured != "monitor")
+        facts.emplace_back("monitor", short_number(node_value(pick, mesh, monitor->values), 5));
+    if (coloured != "area") facts.emplace_back(measure, range_text(cells.measures(snapshot), around));
+    if (!cells.masses().empty()) facts.emplace_back("Mᵢ", range_text(cells.masses(), around));
+    if (coloured != "jacobian") facts.emplace_back("Jacobian", range_text(cells.jacobians(snapshot), around));
     for (const Field& field : snapshot.fields) { // fields of the method
         static constexpr std::array<std::string_view, 3> said = {"monitor", "mass", "jacobian"};
-        if (std::find(said.begin(), said.end(), field.name) != said.end()) continue;
+        if (std::find(said.begin(), said.end(), field.name) != said.end() || field.name == coloured) continue;
         const std::string value = field.place == FieldPlace::node
-                                      ? short_number(node_value(pick, mesh, field), 5)
+                                      ? short_number(node_value(pick, mesh, field.values), 5)
                                       : range_text(field.values, around);
         facts.emplace_back(field.label.empty() ? field.name : field.label,
                            field.unit.empty() ? value : value + " " + field.unit);

@@ -34,7 +34,9 @@ bool faces_viewer(const Pick& pick, const MeshScene& scene, const Camera& camera
 
 /// The rows of a card: names and values; the first is a title without a name.
 using PickFacts = std::vector<std::pair<std::string, std::string>>;
-/// `cells` has seen the snapshot. A node tells the range of what belongs to the cells around it.
-PickFacts facts_of(const Pick& pick, const Snapshot& snapshot, ColouringMaker& cells);
+/// `cells` has seen the snapshot. A node tells the range of what belongs to the cells around it. What the
+/// colours show comes first; null: nothing.
+PickFacts facts_of(const Pick& pick, const Snapshot& snapshot, ColouringMaker& cells,
+                   const Colouring* colouring = nullptr);
 
 } // namespace gaspard

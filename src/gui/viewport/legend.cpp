@@ -183,6 +183,9 @@ void draw_legend(ImDrawList& list, const Colouring& colouring, bool histogram, H
     for (const Tick& tick : legend_ticks(colouring.range)) {
         const float at = static_cast<float>(colouring.range.position(tick.value));
         const float mark = std::round(high.y - at * (high.y - low.y));
+        const float from_end =
+            std::min(high.y - mark, mark - low.y); // on a short bar the ends have their labels
+        if (at > 0 && at < 1 && from_end < ImGui::GetFontSize()) continue;
         list.AddRectFilled({high.x, mark}, {high.x + 3 * scale, mark + std::max(1.0F, std::round(scale))},
                            packed(theme.faint_text));
         list.AddText({high.x + legend_gap * scale, mark - ImGui::GetFontSize() / 2},

@@ -113,6 +113,7 @@ void SectionControl::draw(const ViewportPlan& plan, const FrameContext& context)
         list.PopClipRect();
     }
     if (held_ || under) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    if (under && !held_) ImGui::SetTooltip("Drag this end of the section line.");
 }
 
 /// False if there are no values.

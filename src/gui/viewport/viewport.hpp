@@ -114,7 +114,7 @@ class ViewportPlanner {
                      float scale);
     void add_arrows(ViewportPlan& plan, float scale);
     void add_section(const Values& view, ViewportPlan& plan);
-    void add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan);
+    void add_pick(const Snapshot& snapshot, const MeshScene& scene, const Values& view, ViewportPlan& plan);
 
     SceneBuilder maker_;
     SceneBuilder uniform_maker_{maker_.cache()}; ///< of the uniform mesh, where it has other colours
@@ -144,6 +144,7 @@ class ViewportPlanner {
         std::shared_ptr<const Mesh> mesh;
         std::uint64_t version = 0;
         std::optional<Pick> pick;
+        std::shared_ptr<const Colouring> colouring;
         PickFacts facts;
     } facts_;
 };

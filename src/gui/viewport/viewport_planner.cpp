@@ -210,13 +210,7 @@ int columns_for(std::size_t count, ScreenRect available) {
 
 /// The view with its range fixed to that of one scene, for the scenes beside it.
 Values in_colours_of(const MeshScene& scene, Values view) {
-    if (scene.colouring == nullptr) return view;
-    const ColourRange& range = scene.colouring->range;
-    if (!(range.low < range.high)) return view;
-    view.set("range", std::string("fixed"));
-    view.set("low", range.low);
-    view.set("high", range.high);
-    return view;
+    return scene.colouring == nullptr ? view : with_range(std::move(view), scene.colouring->range);
 }
 
 } // namespace
@@ -314,7 +308,8 @@ void ViewportPlanner::add_section(const Values& view, ViewportPlan& plan) {
     }
 }
 
-void ViewportPlanner::add_pick(const Snapshot& snapshot, const Values& view, ViewportPlan& plan) {
+void ViewportPlanner::add_pick(const Snapshot& snapshot, const MeshScene& scene, const Values& view,
+                               ViewportPlan& plan) {
     try {
         plan.pick = parse_pick(view.text("pick"));
     } catch (const InputError& error) {
@@ -325,8 +320,10 @@ void ViewportPlanner::add_pick(const Snapshot& snapshot, const Values& view, Vie
         plan.pick.reset();
         return;
     }
-    if (facts_.mesh != snapshot.mesh || facts_.version != snapshot.version || facts_.pick != plan.pick)
-        facts_ = {snapshot.mesh, snapshot.version, plan.pick, facts_of(*plan.pick, snapshot, maker_.cells())};
+    if (facts_.mesh != snapshot.mesh || facts_.version != snapshot.version || facts_.pick != plan.pick ||
+        facts_.colouring != scene.colouring)
+        facts_ = {snapshot.mesh, snapshot.version, plan.pick, scene.colouring,
+                  facts_of(*plan.pick, snapshot, maker_.cells(), scene.colouring.get())};
     plan.facts = facts_.facts;
 }
 
@@ -356,7 +353,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
         plan.complaint = nothing_left(view);
     if (view.boolean("arrows")) add_arrows(plan, scale);
     add_section(view, plan);
-    add_pick(snapshot, view, plan);
+    add_pick(snapshot, scene, view, plan);
     return plan;
 }
 

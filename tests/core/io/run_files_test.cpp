@@ -206,6 +206,14 @@ TEST(History, WritesEveryColumnItKnows) {
                                         "17", "\"a \"\"sentence\"\"\""}));
 }
 
+TEST(RunFiles, ThePlotOfTheResidualHasTheTolerance) {
+    gaspard::Run run = finished_run();
+    const TemporaryFolder folder;
+    write_run_files(folder.path(), run, parse_formats("svg"));
+    EXPECT_NE(read_file(folder.path() / "residual.svg").find(">tolerance 10<tspan"), std::string::npos);
+    EXPECT_EQ(read_file(folder.path() / "equidistribution.svg").find("tolerance"), std::string::npos);
+}
+
 TEST(RunFiles, AreThoseOfTheContract) {
     const TemporaryFolder folder;
     gaspard::Run run = finished_run();

@@ -69,11 +69,11 @@ TEST_F(RunTest, TheIterationLimitCountsUpdates) {
     EXPECT_EQ(make({"method.max_iterations=0"}).status(), RunStatus::iteration_limit);
 }
 
-TEST_F(RunTest, ATooLargeStepEndsAsDivergedOrTangledWithFiniteNumbers) {
+TEST_F(RunTest, ATooLargeStepDivergesWithFiniteNumbers) {
     for (const char* step : {"method.step_size=1.5", "method.step_size=10"}) {
         gaspard::Run run = make({step});
         finish(run);
-        EXPECT_TRUE(run.status() == RunStatus::diverged || run.status() == RunStatus::tangled);
+        EXPECT_EQ(run.status(), RunStatus::diverged) << "also if its last mesh is tangled";
         EXPECT_FALSE(run.history().back().note.empty());
         for (const auto& report : run.history()) EXPECT_TRUE(std::isfinite(report.residual));
         for (const double value : run.state().arrays[0].values) ASSERT_TRUE(std::isfinite(value));

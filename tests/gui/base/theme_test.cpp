@@ -1,4 +1,6 @@
 // The glyphs of the font: the embedded one, and fonts of the system for what it lacks.
+#include "core/scenario/catalogue.hpp"
+#include "core/scenario/toml.hpp"
 #include "gui/base/font_finder.hpp"
 #include "gui/base/system_fonts.hpp"
 #include "gui/base/theme.hpp"
@@ -17,6 +19,23 @@ TEST(Font, HasLatinGreekAndCyrillic) {
     load_font(atlas, dark_theme(), 1);
     EXPECT_FALSE(lacks_glyphs(atlas, "Möbius strip, Ångström, Łódź, Ωμέγα, Сетка, Ґ ξ ≤ x²"));
     EXPECT_LE(atlas.TexWidth * atlas.TexHeight, 1 << 19) << "of bytes";
+}
+
+TEST(Font, HasEveryCharacterOfTheParameters) {
+    ImFontAtlas atlas;
+    load_font(atlas, dark_theme(), 1);
+    const Catalogue catalogue = builtin_catalogue();
+    std::string texts = "Mᵢ rad⁻¹ rad⁻² ×10⁻⁹ ‖r‖ … – −";
+    for (const BuiltinScenario& one : builtin_scenarios()) {
+        const Scenario scenario = find_scenario(catalogue, std::string(one.name));
+        texts += scenario.title + scenario.description;
+        for (const Values* values :
+             {&scenario.domain.values, &scenario.monitor.values, &scenario.method.values,
+              &scenario.source.values, &scenario.pde.values, &scenario.view})
+            for (const ParameterRow& row : values->rows())
+                texts += row.label + row.symbol + row.unit + row.help;
+    }
+    EXPECT_EQ(missing_characters(atlas, texts), std::vector<char32_t>{});
 }
 
 TEST(Font, FormulasHaveLettersOfEqualWidth) {

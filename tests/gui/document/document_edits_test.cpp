@@ -40,7 +40,7 @@ TEST_F(DocumentEditsTest, AChangeOfValuesIsUndoneAndRedoneByTheSolver) {
     EXPECT_EQ(solved_amplitude(), 10);
     EXPECT_FALSE(document.undo());
     EXPECT_TRUE(document.redo());
-    EXPECT_EQ(run().name, "Ring, amplitude 20");
+    EXPECT_EQ(run().name, "Ring, Amplitude A = 20");
     EXPECT_EQ(solved_amplitude(), 20);
     EXPECT_FALSE(document.redo());
     ASSERT_TRUE(wait_until([&] { return run().ended(); })) << "a change continues a run that had ended";
@@ -170,6 +170,55 @@ TEST_F(DocumentEditsTest, UndoGoesOnWhileAScenarioIsOnItsWay) {
     ASSERT_TRUE(wait_until([&] { return run().changes.settled(); }));
     EXPECT_EQ(run().opened, bell);
     EXPECT_EQ(run().scenario.monitor, bell.monitor);
+}
+
+TEST_F(DocumentEditsTest, RunsOfAnotherProblemAreHiddenUntilTheirsIsBack) {
+    document.open(small_ring());
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const DocumentRun& kept = *document.runs().find(*document.keep(run().id));
+    const DocumentRun& hidden = *document.runs().find(*document.keep(run().id));
+    document.hide(hidden.id, true);
+    Scenario other = run().scenario;
+    set_value(*catalogue, other, "monitor.amplitude", 12.0);
+    document.change(run().id, other);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    EXPECT_FALSE(run().earlier.empty());
+    EXPECT_FALSE(kept.hidden) << "other values can be compared";
+
+    const Scenario bell = find_scenario(*catalogue, "plane-bell");
+    document.replace(run().id, bell);
+    ASSERT_TRUE(wait_until([&] { return run().openings == 1 && run().history.size() > 1; }));
+    EXPECT_TRUE(kept.hidden);
+    EXPECT_TRUE(kept.set_aside);
+    EXPECT_FALSE(hidden.set_aside) << "it was hidden on purpose";
+    EXPECT_TRUE(run().earlier.empty()) << "so are the solves before";
+
+    document.undo();
+    ASSERT_TRUE(wait_until([&] { return run().openings == 2; }));
+    EXPECT_FALSE(kept.hidden);
+    EXPECT_TRUE(hidden.hidden);
+
+    document.replace(run().id, bell);
+    ASSERT_TRUE(wait_until([&] { return run().openings == 3; }));
+    document.hide(kept.id, false); // on purpose, too
+    EXPECT_FALSE(kept.set_aside);
+    document.undo(), document.undo();
+    ASSERT_TRUE(wait_until([&] { return run().openings == 4; }));
+    EXPECT_FALSE(kept.set_aside);
+}
+
+TEST_F(DocumentEditsTest, EarlierSolvesOfAnotherMonitorGo) {
+    document.open(small_ring());
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    Scenario other = run().scenario;
+    set_value(*catalogue, other, "monitor.amplitude", 12.0);
+    document.change(run().id, other);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    ASSERT_EQ(run().earlier.size(), 1U);
+    apply_settings(*catalogue, other, {"monitor.type=bell"});
+    document.change(run().id, other);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    EXPECT_TRUE(run().earlier.empty());
 }
 
 TEST_F(DocumentEditsTest, ARedoSupersedesTheOpeningThatUndoHasAskedFor) {

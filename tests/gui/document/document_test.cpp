@@ -66,7 +66,7 @@ TEST_F(DocumentTest, AKeptRunStaysWhileTheLiveOneGoesOn) {
     Scenario changed = run().scenario;
     set_value(*catalogue, changed, "monitor.amplitude", 20.0);
     document.change(run().id, changed);
-    EXPECT_EQ(run().name, "Ring, amplitude 20");
+    EXPECT_EQ(run().name, "Ring, Amplitude A = 20");
     document.reset(run().id);
     document.start(run().id);
     ASSERT_TRUE(wait_until([&] {
@@ -81,10 +81,10 @@ TEST_F(DocumentTest, AKeptRunStaysWhileTheLiveOneGoesOn) {
     EXPECT_TRUE(kept.ended());
 
     ASSERT_TRUE(document.keep(run().id));
-    EXPECT_EQ(document.runs()[2].name, "Ring, amplitude 20");
+    EXPECT_EQ(document.runs()[2].name, "Ring, Amplitude A = 20");
     EXPECT_EQ(document.runs()[2].scenario.monitor.values.real("amplitude"), 20);
     ASSERT_TRUE(document.keep(run().id));
-    EXPECT_EQ(document.runs()[3].name, "Ring, amplitude 20 (2)") << "no two have the same name";
+    EXPECT_EQ(document.runs()[3].name, "Ring, Amplitude A = 20 (2)") << "no two have the same name";
 }
 
 TEST_F(DocumentTest, ReferencesToRunsStayValid) {
@@ -143,7 +143,7 @@ TEST_F(DocumentTest, AChangeOfValuesBeginsAHistoryAndKeepsTheCurvesBeforeIt) {
         change("monitor.amplitude", amplitude);
     document.end_gesture();
     ASSERT_EQ(run().earlier.size(), 1U) << "a gesture is one change";
-    EXPECT_EQ(run().earlier[0].name, "amplitude 10");
+    EXPECT_EQ(run().earlier[0].name, "Amplitude A = 10");
     EXPECT_EQ(run().earlier[0].curves.find("residual")->trace.values.size(), first);
     EXPECT_EQ(run().history.front().iteration, 0);
     EXPECT_EQ(run().history.back().iteration + 1, static_cast<int>(run().history.size()));
@@ -152,8 +152,8 @@ TEST_F(DocumentTest, AChangeOfValuesBeginsAHistoryAndKeepsTheCurvesBeforeIt) {
     document.end_gesture();
     change("monitor.radius", 0.2);
     ASSERT_EQ(run().earlier.size(), 3U);
-    EXPECT_EQ(run().earlier[1].name, "amplitude 20");
-    EXPECT_EQ(run().earlier[2].name, "radius 0.25");
+    EXPECT_EQ(run().earlier[1].name, "Amplitude A = 20");
+    EXPECT_EQ(run().earlier[2].name, "Radius r = 0.25");
     document.keep(run().id);
     EXPECT_TRUE(document.runs()[1].earlier.empty()) << "what is kept is this solve";
     document.reset(run().id);
@@ -187,7 +187,7 @@ TEST_F(DocumentTest, OnlyTheLastEarlierSolvesAreKept) {
         ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
     }
     ASSERT_EQ(run().earlier.size(), most_earlier);
-    EXPECT_EQ(run().earlier.back().name, "amplitude 21");
+    EXPECT_EQ(run().earlier.back().name, "Amplitude A = 21");
 }
 
 TEST_F(DocumentTest, WhatIsMeasuredLaterCompletesTheHistory) {

@@ -36,6 +36,23 @@ TEST_F(NarrowFeatureTest, NothingIsSaidOfAMeshThatHasNotAdapted) {
     EXPECT_EQ(NarrowFeature().warning(*catalogue, one), "");
 }
 
+TEST_F(NarrowFeatureTest, AResetDoesNotHideIt) {
+    Scenario scenario = find_scenario(*catalogue, "plane-ring");
+    apply_settings(*catalogue, scenario, {"method.type=auto", "monitor.sharpness=1900"});
+    document.open(scenario);
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    NarrowFeature narrow;
+    const std::string warning = narrow.warning(*catalogue, run());
+    ASSERT_NE(warning, "");
+    document.reset(run().id);
+    ASSERT_TRUE(wait_until([&] { return run().history.size() == 1; }));
+    ASSERT_GT(run().snapshot->report.residual, 0.3) << "the uniform mesh";
+    EXPECT_EQ(narrow.warning(*catalogue, run()), warning);
+    set_value(*catalogue, scenario, "monitor.sharpness", 200.0);
+    document.change(run().id, scenario);
+    EXPECT_EQ(narrow.warning(*catalogue, run()), "") << "not known of other values";
+}
+
 TEST_F(NarrowFeatureTest, NothingIsSaidOfData) {
     Scenario portrait = find_scenario(*catalogue, "plane-portrait");
     set_value(*catalogue, portrait, "method.max_iterations", std::int64_t{5});

@@ -136,6 +136,33 @@ TEST_F(PlaybackTest, KeptRunsStandAtTheSameIterationOrTheirLast) {
     EXPECT_EQ(playback.snapshot(kept), kept.snapshot);
 }
 
+TEST_F(PlaybackTest, TheLongestRunIsReplayedWhileShorterOnesStayAtTheirEnd) {
+    solve();
+    const DocumentRun& kept = *document.runs().find(*document.keep(run().id)); // 40 iterations
+    Scenario shorter = run().scenario;
+    set_value(*catalogue, shorter, "method.max_iterations", std::int64_t{15});
+    document.change(run().id, shorter);
+    document.reset(run().id);
+    document.start(run().id);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    ASSERT_EQ(last_iteration(run()), 15);
+    const DocumentRun& longest = longest_run(run(), {&kept});
+    EXPECT_EQ(&longest, &kept);
+    EXPECT_EQ(&longest_run(run(), {}), &run());
+    playback.update(run(), longest, frame);
+    playback.go_to(longest, 30);
+    EXPECT_EQ(playback.iteration(kept), 30);
+    EXPECT_EQ(playback.iteration(run()), 15);
+    EXPECT_EQ(playback.snapshot(run())->report.iteration, 15);
+    playback.set_rate(10);
+    playback.play(longest);
+    for (int i = 0; i < 30; ++i) playback.update(run(), longest, frame);
+    EXPECT_NEAR(playback.iteration(kept), 35, 1);
+    EXPECT_EQ(playback.iteration(run()), 15);
+    playback.go_to(longest, 40);
+    EXPECT_TRUE(playback.live());
+}
+
 TEST_F(PlaybackTest, AFinishedRunWithoutARecordingStaysAsItIs) {
     solve();
     DocumentRun finished;

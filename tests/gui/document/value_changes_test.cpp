@@ -36,8 +36,12 @@ TEST_F(ValueChangesTest, OfAnotherTypeNameTheTypeOnly) {
 TEST_F(ValueChangesTest, MakeTheNameOfARun) {
     EXPECT_EQ(describe_scenario(catalogue, ring, ring), "Ring");
     EXPECT_EQ(describe_scenario(catalogue, ring, with({"monitor.amplitude=20", "method.step_size=1e-3"})),
-              "Ring, amplitude 20, step size 0.001");
+              "Ring, Amplitude A = 20, Step size Δt = 0.001");
     EXPECT_EQ(describe_scenario(catalogue, ring, with({"monitor.type=bell"})), "Bell");
+    EXPECT_EQ(describe_scenario(catalogue, ring, with({"method.type=newton"})), "Ring, Newton");
+    EXPECT_EQ(describe_scenario(catalogue, ring, with({"domain.boundary=walls", "method.tolerance=5e-9"})),
+              "Ring, Boundary: walls, Tolerance = 5×10⁻⁹");
+    EXPECT_EQ(describe_scenario(catalogue, ring, with({"method.step_size=auto"})), "Ring, Step size: auto");
     const Scenario photo = with({"monitor.type=image", "monitor.file=/far/away/photo.jpg"});
     EXPECT_EQ(describe_scenario(catalogue, ring, photo), "Image photo.jpg");
     EXPECT_EQ(describe_scenario(catalogue, photo, photo), "Image");

@@ -96,6 +96,21 @@ TEST_F(CompareTest, EveryMethodSolvesTheProblemAndAllAreSeenTogether) {
     EXPECT_EQ(application.views().size(), 1U);
 }
 
+TEST_F(CompareTest, ThePanelLeavesTheMeshInSight) {
+    for (const ImVec2 size : {ImVec2(1400, 900), ImVec2(1000, 700)}) {
+        ImGui::GetIO().DisplaySize = size;
+        begin();
+        ASSERT_TRUE(wait_until([&] { return !application.document().comparison().running(); }));
+        frame(), frame();
+        const ItemRectangle panel = item("compare"), view = application.viewport_rectangle();
+        EXPECT_GE(panel.left, view.left + 0.6F * view.width()) << size.x;
+        EXPECT_LE(panel.right, size.x) << size.x;
+        EXPECT_LE(panel.bottom, size.y) << size.x;
+        application.press_key("Escape");
+        frame();
+    }
+}
+
 TEST_F(CompareTest, OnlyTickedMethodsAndOnlyOnce) {
     ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
     application.press_key("C");

@@ -67,6 +67,7 @@ TEST(PlotsOfRuns, AreThoseOfTheSeriesThatTheRunsReport) {
     const PlotView view = view_of_runs(runs, {.plot = "drag-force"});
     ASSERT_EQ(view.curves.size(), 1U) << "the first run has none";
     EXPECT_EQ(view.curves[0].label, "second");
+    EXPECT_EQ(view.y.label, "Drag") << "it has no symbol";
     ASSERT_EQ(view.curves[0].y.size(), 1U);
     EXPECT_EQ(view.curves[0].y[0], 2.5);
     EXPECT_EQ(view_of_runs(runs, {.plot = "residual"}).curves[1].y.size(), 12U) << "the curve goes on";

@@ -175,19 +175,35 @@ TEST(Picking, TheCardSaysWhatTheNumbersAre) {
     EXPECT_EQ(fact(cell, "x"), "0.3875, 0.375");
     EXPECT_EQ(fact(cell, "monitor"), "2");
     EXPECT_EQ(fact(cell, "area"), "0.05625");
-    EXPECT_EQ(fact(cell, "M_i"), "1.5");
+    EXPECT_EQ(fact(cell, "Mᵢ"), "1.5");
     EXPECT_EQ(fact(cell, "Jacobian"), "0.8");
     const PickFacts node = facts_of({Pick::Kind::node, 6}, snapshot, cells);
     EXPECT_EQ(fact(node, ""), "node 6  (1, 1)");
     EXPECT_EQ(fact(node, "x"), "0.3, 0.25");
     EXPECT_EQ(fact(node, "monitor"), "5");
-    EXPECT_EQ(fact(node, "M_i"), "1.25 to 1.5") << "of the cells around";
+    EXPECT_EQ(fact(node, "Mᵢ"), "1.25 to 1.5") << "of the cells around";
     snapshot.fields.pop_back();
     ColouringMaker unmeasured;
-    EXPECT_EQ(fact(facts_of({Pick::Kind::node, 6}, snapshot, unmeasured), "M_i"), "-");
+    EXPECT_EQ(fact(facts_of({Pick::Kind::node, 6}, snapshot, unmeasured), "Mᵢ"), "-");
     EXPECT_EQ(fact(facts_of({Pick::Kind::cell, 2}, snapshot_of(cubed_sphere_mesh(2)), unmeasured), ""),
               "cell 2");
     EXPECT_NE(fact(facts_of({Pick::Kind::cell, 2}, snapshot_of(cube_mesh(2)), unmeasured), "volume"), "-");
+}
+
+TEST(Picking, TheCardBeginsWithWhatTheColoursShow) {
+    Snapshot snapshot = snapshot_of(unit_square_mesh(4));
+    snapshot.x.x[6] = 0.3;
+    ColouringMaker cells;
+    const Pick cell{Pick::Kind::cell, 5};
+    const auto displacement = make_colouring(snapshot, {.colouring = "displacement"});
+    PickFacts facts = facts_of(cell, snapshot, cells, &*displacement);
+    ASSERT_GT(facts.size(), 2U);
+    EXPECT_EQ(facts[1].first, "displacement |x − ξ|");
+    EXPECT_EQ(facts[1].second, "0.0125") << "the mean over the corners";
+    const auto area = make_colouring(snapshot, {.colouring = "area"});
+    facts = facts_of(cell, snapshot, cells, &*area);
+    EXPECT_EQ(facts[1].second, "0.05625");
+    EXPECT_EQ(fact(facts, "area"), "-") << "said once";
 }
 
 TEST(Arrows, KeepTheirDistanceAndFillThePicture) {

@@ -1,0 +1,30 @@
+// The range of the colours while recorded iterates are compared: one for the whole solve, so that a colour
+// means the same value in every iterate.
+#pragma once
+
+#include "core/tessellate/colouring.hpp"
+#include "gui/document/document_run.hpp"
+
+#include <optional>
+
+namespace gaspard {
+
+class ReplayRange {
+  public:
+    /// Covers the automatic ranges of the first iterate and of the newest; instead of the newest, if that has
+    /// tangled cells, the last iterate before the first tangled one. Nothing if neither has such values.
+    /// Computed anew only for another choice or other iterates.
+    std::optional<ColourRange> of(const DocumentRun& run, const ColourChoice& choice);
+
+  private:
+    struct Known {
+        std::uint64_t first = 0, last = 0; ///< versions of the iterates
+        RunId run{};
+        ColourChoice choice{};
+        friend bool operator==(const Known&, const Known&) = default;
+    };
+    std::optional<Known> known_;
+    std::optional<ColourRange> range_;
+};
+
+} // namespace gaspard
