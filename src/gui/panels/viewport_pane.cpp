@@ -69,7 +69,9 @@ std::string title_among_others(const ShownRun& shown) {
     std::string text = run.name + ": " + std::to_string(last.iteration) + " iterations, ";
     if (last.tangled_cells.value_or(0) > 0 && run.status.run != RunStatus::tangled)
         text += std::to_string(*last.tangled_cells) + " tangled cells, ";
-    return text + std::string(status_name(run.status.run));
+    std::string status(status_name(run.status.run));
+    std::replace(status.begin(), status.end(), '-', ' '); // "iteration limit"
+    return text + status;
 }
 
 /// The planes of the view where they cut something.
