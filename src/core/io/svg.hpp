@@ -47,6 +47,7 @@ struct MeshSvgOptions {
     double aspect = 0.75;    ///< height over width of what a camera with a centre and a height shows
     Background background{}; ///< the theme's is white
     bool lines = true;       ///< the edges of cells
+    bool axes = false;       ///< of a flat mesh in the plane
     double elevation = 0;    ///< as view.elevation: above 0, a plane mesh is a surface in space
     std::string elevation_camera{}; ///< of that surface, instead of `camera`
     InsideChoice inside{};          ///< what is hidden of a solid

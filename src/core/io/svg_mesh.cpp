@@ -1,12 +1,14 @@
 #include "core/base/check.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/svg.hpp"
+#include "core/io/svg_axes.hpp"
 #include "core/io/svg_document.hpp"
 #include "core/io/svg_legend.hpp"
 #include "core/io/svg_scene.hpp"
 #include "core/io/svg_section.hpp"
 #include "core/tessellate/blend.hpp"
 #include "core/tessellate/colouring.hpp"
+#include "core/tessellate/plane_axes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -261,7 +263,7 @@ std::pair<std::array<unsigned char, 3>, bool> section_colour(const Drawing& draw
     const auto own = drawing.classes.parts(drawing.classes.of(face));
     const bool skin = scene.caps > 0 && face < scene.size() - scene.caps;
     const auto colour = skin ? pale(own) : own;
-    return {colour, !scene.tangled[face] && luminance(colour) < 0.13};
+    return {colour, !scene.tangled[face] && svg_luminance(colour) < 0.13};
 }
 
 /// The lines of a section, per triangle of `order` those to be drawn after it: once no triangle that touches
@@ -430,6 +432,7 @@ struct SvgPlaces {
     double left = margin, top = margin;     ///< of the first mesh
     double height = 0;                      ///< of meshes and legend
     double legend = 0;                      ///< its left edge
+    SvgAxesRoom axes{};                     ///< of each mesh; 0: none
     SvgView view{};                         ///< of the first mesh
     std::vector<std::string> caption{};     ///< lines
 };
@@ -439,23 +442,26 @@ SvgPlaces places_of(const std::vector<SvgPanel>& panels, const std::vector<SvgSc
     SvgPlaces at;
     const double points = points_per_mm / options.text_size, gaps = panel_gap * (double(panels.size()) - 1);
     const double width = at.page_width = options.width_mm * points;
+    if (options.axes) at.axes = svg_room_for_axes(scenes.back());
     at.page_height = options.height_mm * points;
     at.caption = svg_lines(options.caption, width - 2 * margin);
     const double beside = legend ? legend_gap + svg_legend_width(*legend, highest_bar) : 0;
-    at.part = (width - 2 * margin - beside - gaps) / static_cast<double>(panels.size());
+    const auto count = static_cast<double>(panels.size());
+    at.part = (width - 2 * margin - beside - gaps) / count - at.axes.left;
+    at.left += at.axes.left;
     if (!panels.front().title.empty()) at.top += 2 * svg_font_size;
     at.view = common_view(scenes, options, {at.left, at.top}, at.part);
     const bool tangled = options.note && !tangled_note(scenes.back(), {}).empty();
-    const double room = at.page_height - at.top - margin -
+    const double room = at.page_height - at.top - margin - at.axes.below -
                         note_height * (static_cast<double>(at.caption.size()) + (tangled ? 1 : 0));
     if (at.page_height > 0 && at.view.height > room && room > 0) { // smaller, in the middle
         const double part = at.part * room / at.view.height;
-        at.left += static_cast<double>(panels.size()) * (at.part - part) / 2;
+        at.left += count * (at.part - part) / 2;
         at.part = part;
         at.view = common_view(scenes, options, {at.left, at.top}, at.part);
     }
     at.height = std::max(at.view.height, legend ? 90.0 : 0.0);
-    at.legend = at.left + static_cast<double>(panels.size()) * at.part + gaps + legend_gap;
+    at.legend = at.left + count * at.part + (count - 1) * (panel_gap + at.axes.left) + legend_gap;
     return at;
 }
 
@@ -475,15 +481,19 @@ std::string svg_of_meshes(const Snapshot& snapshot, const std::vector<SvgPanel>&
                              ? svg_section(snapshot, panel.blend, panel.colouring, options.inside)
                              : svg_scene(moved(snapshot, panel.blend), panel.colouring, options.elevation));
     const std::optional<Colouring> legend = options.legend ? panels.back().colouring : std::nullopt;
-    const SvgPlaces at = places_of(panels, scenes, legend, options);
+    MeshSvgOptions drawn = options;
+    drawn.axes = options.axes && has_plane_axes(*snapshot.mesh) && !scenes.back().spatial;
+    const SvgPlaces at = places_of(panels, scenes, legend, drawn);
+    const double step = at.part + panel_gap + at.axes.left;
     SvgView view = at.view;
     std::string content;
     for (std::size_t k = 0; k < panels.size(); ++k) {
-        const bool last = k + 1 == panels.size();
+        const std::string name = k + 1 == panels.size() ? "" : panels[k].title + "-";
         content += panel_title(panels[k].title, {view.corner.x + at.part / 2, at.top - svg_font_size});
         content += panel_content(scenes[k], view, SvgClasses(scenes[k], panels[k].colouring, options.classes),
-                                 last ? "" : panels[k].title + "-", options.lines);
-        view.corner.x += at.part + panel_gap, view.origin.x += at.part + panel_gap;
+                                 name, options.lines);
+        if (drawn.axes) content += svg_axes(scenes[k], view, name, panels[k].blend == 0);
+        view.corner.x += step, view.origin.x += step;
     }
     if (legend) {
         const auto words = static_cast<double>(svg_legend_words(*legend).size());
@@ -491,7 +501,7 @@ std::string svg_of_meshes(const Snapshot& snapshot, const std::vector<SvgPanel>&
             svg_colour_bar(SvgClasses(scenes.back(), legend, options.classes), *legend, {at.legend, at.top},
                            std::min(at.height - 1.5 * svg_font_size * words, highest_bar));
     }
-    double height = at.top + at.height + margin;
+    double height = at.top + std::max(at.height, at.view.height + at.axes.below) + margin;
     const std::string note =
         options.note ? tangled_note(scenes.back(), {at.left, height + 0.75 * svg_font_size}) : "";
     if (!note.empty()) content += note, height += note_height;

@@ -71,7 +71,8 @@ void Application::take_answer(const FileAnswer& answer) {
 void Application::take_figure(const FigureDialog::Choice& choice) {
     const auto snapshot = playback_.snapshot(run());
     if (!snapshot) return messages_.say({"There is no mesh to draw yet.", false});
-    for (const char* key : {"width", "height", "dpi", "text_size", "background", "legend", "caption", "note"})
+    for (const char* key :
+         {"width", "height", "dpi", "text_size", "background", "axes", "legend", "caption", "note"})
         viewport().view.set(key, choice.view.at(key));
     const std::string subject = scenario_title(run().scenario);
     if (choice.kind == FigureKind::png)

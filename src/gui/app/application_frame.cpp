@@ -269,7 +269,7 @@ std::vector<std::string> Application::view_keys() {
         keys.insert(keys.end(), {"cut", "cut_cells", "peel", "only", "explode"});
         if (run().snapshot->mesh->lattice[0] > 0) keys.emplace_back("layers");
     }
-    if (scene != nullptr && has_section_line(*scene->mesh)) keys.emplace_back("section");
+    if (scene != nullptr && has_section_line(*scene->mesh)) keys.insert(keys.end(), {"axes", "section"});
     keys.insert(keys.end(), {"arrows", "layout"});
     const bool projection = view.text("layout") == "projection" && available("layout=projection");
     if (projection) keys.insert(keys.end(), {"projection_longitude", "projection_camera"});

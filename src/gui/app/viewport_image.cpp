@@ -58,6 +58,7 @@ Values view_of(const MeshPanel& panel) {
     view.set("camera", panel.camera);
     view.set("cut", panel.cut);
     view.set("histogram", false);
+    view.set("axes", false);
     return view;
 }
 
