@@ -82,6 +82,7 @@ struct Snapshot {
     /// Cells in which the map folds, ascending; null if only the cells are known.
     std::shared_ptr<const std::vector<std::uint32_t>> tangled{};
     std::shared_ptr<const Points> control{}; ///< control points that may be moved; null where there are none
+    std::size_t control_columns = 0;         ///< Discretisation::control_columns()
     std::shared_ptr<const Points> target{};     ///< Discretisation::target_outline()
     std::shared_ptr<const PatchList> patches{}; ///< of a file with several; otherwise null
     std::shared_ptr<const MonitorReport> monitor_report{}; ///< null: the monitor says nothing
