@@ -172,7 +172,8 @@ WindowState Application::window_state() const {
             fullscreen_,
             quit_,
             (file_dialogs_.opening() || panel_.awaits_text()) && !messages_.error().open(),
-            viewport_pane_.changing() || panel_.waiting() || playback_.playing() || playback_.blends()};
+            viewport_pane_.changing() || panel_.waiting() || playback_.playing() || playback_.blends() ||
+                menus_.waiting()};
 }
 
 void Application::follow(const MenuChoice& choice) {

@@ -1,9 +1,11 @@
 #include "gui/gl/imgui_renderer.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <iterator>
 
 namespace gaspard {
 
@@ -42,13 +44,35 @@ void ImGuiRenderer::update_font() {
     int width = 0, height = 0;
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
+    upload(font_, width, height, pixels);
+    atlas.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(font_.name())));
+}
+
+void ImGuiRenderer::upload(const GlTexture& texture, int width, int height, const unsigned char* rgba) {
     gl_.ActiveTexture(GL_TEXTURE0);
-    gl_.BindTexture(GL_TEXTURE_2D, font_.name());
+    gl_.BindTexture(GL_TEXTURE_2D, texture.name());
     gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    atlas.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(font_.name())));
+}
+
+/// The font's, or that of a sheet, which is made or brought up to date.
+GLuint ImGuiRenderer::texture_of(ImTextureID id) {
+    if (reinterpret_cast<std::uintptr_t>(id) == font_.name()) return font_.name();
+    std::erase_if(sheets_, [](const Sheet& one) { return one.of.expired(); });
+    const auto& sheet = *static_cast<const PictureSheet*>(id);
+    auto found = std::find_if(sheets_.begin(), sheets_.end(),
+                              [&](const Sheet& one) { return one.of.lock().get() == &sheet; });
+    if (found == sheets_.end()) {
+        sheets_.push_back({sheet.weak_from_this(), GlTexture(gl_)});
+        found = std::prev(sheets_.end());
+    }
+    if (found->version != sheet.version()) {
+        upload(found->texture, sheet.image().width, sheet.image().height, sheet.image().rgba.data());
+        found->version = sheet.version();
+    }
+    return found->texture.name();
 }
 
 void ImGuiRenderer::set_state(const ImDrawData& data, int width, int height) {
@@ -93,8 +117,7 @@ void ImGuiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data, in
         const int top = y(command.ClipRect.y), bottom = y(command.ClipRect.w);
         if (right <= left || bottom <= top) continue;
         gl_.Scissor(left, height - bottom, right - left, bottom - top);
-        gl_.BindTexture(GL_TEXTURE_2D,
-                        static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+        gl_.BindTexture(GL_TEXTURE_2D, texture_of(command.GetTexID()));
         gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
                                    sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
                                    offset(command.IdxOffset * sizeof(ImDrawIdx)),

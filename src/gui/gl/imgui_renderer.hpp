@@ -5,8 +5,12 @@
 #pragma once
 
 #include "gui/gl/gl_objects.hpp"
+#include "gui/gl/picture_sheet.hpp"
 
+#include <cstdint>
 #include <imgui.h>
+#include <memory>
+#include <vector>
 
 namespace gaspard {
 
@@ -18,11 +22,14 @@ class ImGuiRenderer {
 
     /// Again after the font atlas has changed.
     void update_font();
+    /// Texture ids are that of the font and those of picture sheets.
     void draw(const ImDrawData& data);
 
   private:
     void set_state(const ImDrawData& data, int width, int height);
     void draw_list(const ImDrawList& list, const ImDrawData& data, int height);
+    GLuint texture_of(ImTextureID id);
+    void upload(const GlTexture& texture, int width, int height, const unsigned char* rgba);
 
     const Gl& gl_;
     GlProgram program_;
@@ -30,6 +37,12 @@ class ImGuiRenderer {
     GlVertexArray array_;
     GlBuffer vertices_, indices_;
     GlTexture font_;
+    struct Sheet {
+        std::weak_ptr<const PictureSheet> of;
+        GlTexture texture;
+        std::uint64_t version = 0; ///< that was uploaded
+    };
+    std::vector<Sheet> sheets_;
 };
 
 } // namespace gaspard

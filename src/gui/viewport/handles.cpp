@@ -168,7 +168,8 @@ void draw_control_net(const std::vector<Handle>& handles, ImDrawList& list, cons
     for (const Handle& handle : handles) {
         if (!handle.control || handle.columns == 0) continue;
         if ((handle.number + 1) % handle.columns != 0) line(handle, handle.number + 1);
-        if (handle.number + handle.columns < handle.control->size()) line(handle, handle.number + handle.columns);
+        if (handle.number + handle.columns < handle.control->size())
+            line(handle, handle.number + handle.columns);
     }
 }
 
