@@ -133,7 +133,9 @@ void Application::draw_sidebar() {
                                patches,
                                snapshot ? snapshot->monitor_report.get() : nullptr,
                                viewport().view.text("color"),
-                               narrow_feature_.warning(*catalogue_, run())};
+                               narrow_feature_.warning(*catalogue_, run()),
+                               snapshot.get(),
+                               viewport().view.text("color_map")};
     bool changed = false;
     for (const auto kind : all_sections) {
         if (!has_section(scenario, kind)) continue;
