@@ -76,19 +76,9 @@ void Application::take_figure(const FigureDialog::Choice& choice) {
         viewport().view.set(key, choice.view.at(key));
     const std::string subject = scenario_title(run().scenario);
     if (choice.kind == FigureKind::png)
-        figure_to_save_ = {choice, subject, snapshot};
+        files_.draw_figure(choice, subject, *snapshot, tessellations_);
     else
         files_.save_figure(choice, subject, snapshot);
-}
-
-void Application::save_figure(const std::function<Image(const FigureToDraw&)>& draw) {
-    const auto figure = std::exchange(figure_to_save_, std::nullopt);
-    if (!figure) return;
-    try {
-        files_.save_figure(figure->choice, draw(*figure));
-    } catch (const MachineError& error) {
-        messages_.say({error.what(), true});
-    }
 }
 
 void Application::take_file(const FileOfValue& chosen) {

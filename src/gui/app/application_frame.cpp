@@ -366,6 +366,8 @@ void Application::draw_dialogs() {
     } else if (document_.comparison().running() && !comparison_panel_.open()) {
         if (draw_progress("comparing methods", document_.comparison().progress(), layout_.viewport, items_))
             document_.cancel_comparison();
+    } else if (const auto drawn = files_.figure_progress()) {
+        if (draw_progress("drawing the figure", *drawn, layout_.viewport, items_)) files_.cancel_figures();
     }
     if (auto wish = file_dialogs_.take_wish()) files_.list(std::move(*wish));
     help_.draw(actions_, theme_, items_);

@@ -17,7 +17,15 @@ const void* offset(std::size_t bytes) {
 
 } // namespace
 
-ImGuiRenderer::ImGuiRenderer(const Gl& gl)
+FontPixels pixels_of(ImFontAtlas& atlas) {
+    unsigned char* pixels = nullptr;
+    FontPixels font;
+    atlas.GetTexDataAsRGBA32(&pixels, &font.width, &font.height);
+    font.rgba = pixels;
+    return font;
+}
+
+ImGuiRenderer::ImGuiRenderer(const Gl& gl, const FontPixels& font)
     : gl_(gl), program_(make_program(gl, "imgui")), clip_(uniform(gl, program_, "clip")), array_(gl),
       vertices_(gl), indices_(gl), font_(gl) {
     gl.UseProgram(program_.name());
@@ -32,19 +40,20 @@ ImGuiRenderer::ImGuiRenderer(const Gl& gl)
     attribute(0, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, pos));
     attribute(1, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, uv));
     attribute(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(ImDrawVert, col));
+    upload(font_, font.width, font.height, font.rgba);
+}
 
+ImGuiRenderer::ImGuiRenderer(const Gl& gl) : ImGuiRenderer(gl, pixels_of(*ImGui::GetIO().Fonts)) {
     ImGuiIO& io = ImGui::GetIO();
     io.BackendRendererName = "gaspard";
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-    update_font();
+    io.Fonts->SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(font_.name())));
 }
 
 void ImGuiRenderer::update_font() {
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-    atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
-    upload(font_, width, height, pixels);
+    const FontPixels font = pixels_of(atlas);
+    upload(font_, font.width, font.height, font.rgba);
     atlas.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(font_.name())));
 }
 
@@ -57,9 +66,12 @@ void ImGuiRenderer::upload(const GlTexture& texture, int width, int height, cons
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
-/// The font's, or that of a sheet, which is made or brought up to date.
+/// Ids are names of textures, such as a font's, none for a font that has no name yet, or addresses of sheets,
+/// whose textures are made and brought up to date here.
 GLuint ImGuiRenderer::texture_of(ImTextureID id) {
-    if (reinterpret_cast<std::uintptr_t>(id) == font_.name()) return font_.name();
+    constexpr std::uintptr_t lowest_address = 1 << 16; // no object is below, and few textures have such names
+    const auto name = reinterpret_cast<std::uintptr_t>(id);
+    if (name < lowest_address) return name == 0 ? font_.name() : static_cast<GLuint>(name);
     std::erase_if(sheets_, [](const Sheet& one) { return one.of.expired(); });
     const auto& sheet = *static_cast<const PictureSheet*>(id);
     auto found = std::find_if(sheets_.begin(), sheets_.end(),

@@ -14,8 +14,18 @@
 
 namespace gaspard {
 
+/// The texture of a font atlas: RGBA, 4 bytes a pixel, which belong to the atlas.
+struct FontPixels {
+    const unsigned char* rgba = nullptr;
+    int width = 0, height = 0;
+};
+FontPixels pixels_of(ImFontAtlas& atlas);
+
 class ImGuiRenderer {
   public:
+    /// For draw data that were made elsewhere, with an atlas that has no texture. Uses no ImGui context, and
+    /// so may be on another thread.
+    ImGuiRenderer(const Gl& gl, const FontPixels& font);
     /// Makes the font texture of the current ImGui context and tells ImGui what the renderer can do. `gl`
     /// must outlive the renderer and be current whenever it is used and when it dies.
     explicit ImGuiRenderer(const Gl& gl);

@@ -17,7 +17,7 @@ class MonitorList {
     void begin_frame() { pictures_.begin_frame(); }
     /// How wide the list is.
     static float width();
-    /// In the open list of a section, of the monitor or of the density of a source: the scenario with the type
+    /// In the open list of a section, of the monitor or of the source density: the scenario with the type
     /// that was chosen. Notes items such as "monitor.type=ring".
     std::optional<Scenario> draw(SectionKind kind, const PanelContext& context, const Scenario& scenario);
     /// Whether pictures are still to come, in the next frames.
