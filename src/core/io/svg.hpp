@@ -65,7 +65,7 @@ struct SvgPanel {
 void check_svg_camera(const Points& nodes, const std::string& camera, double aspect);
 
 /// The mesh at x: cells filled in classes of the colouring (white without one), edges as long lines (curved
-/// ones as exact parabolas), tangled cells in magenta above all others, a legend. Of a mesh in space hidden
+/// ones as exact parabolas), magenta over tangled cells, a legend. Of a mesh in space hidden
 /// faces are left out. Contour lines are those of the colouring, except on the border of a whole solid. A
 /// solid that is looked into is drawn with straight pieces of curves.
 /// A curve is drawn as a line; of an interval, see svg_of_plots(). The camera says from

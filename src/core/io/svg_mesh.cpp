@@ -23,6 +23,7 @@ constexpr const char *dark_ink = svg_dark_ink, *light_ink = svg_light_ink, *tang
 constexpr double margin = 6, legend_gap = 10, panel_gap = 10, highest_bar = 170,
                  note_height = 1.5 * svg_font_size; // points
 constexpr double contour_width = 0.7;
+constexpr double veil_opacity = 0.45;                 // as in MeshRenderer
 constexpr double skin_light = 0.78, skin_grey = 0.55; // as in mesh_fill.frag
 
 /// Everything the drawing functions share.
@@ -119,7 +120,7 @@ std::string contour_look(bool light) {
            svg_number(contour_width) + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"";
 }
 
-/// One path per class around all of its cells.
+/// One path per class around all of its cells, and one for each tangled cell, which would cancel with others.
 std::string flat_fill(const Drawing& drawing) {
     const SvgScene& scene = drawing.scene;
     std::vector<std::vector<std::uint32_t>> members(drawing.classes.count());
@@ -131,6 +132,12 @@ std::string flat_fill(const Drawing& drawing) {
         SvgPath path(drawing.decimals);
         for (const auto& loop : outline(scene.faces, members[k])) drawing.add(path, loop, true);
         text += path_element(path, " fill=\"" + drawing.classes.colour(k) + '"');
+    }
+    for (std::size_t f = 0; f < scene.faces.size(); ++f) {
+        if (!drawing.shown[f] || !scene.tangled[f]) continue;
+        SvgPath path(drawing.decimals);
+        drawing.add(path, sides_of_face(scene.faces, f), true);
+        text += path_element(path, " fill=\"" + drawing.classes.colour(drawing.classes.of(f)) + '"');
     }
     return text + "</g>\n";
 }
@@ -199,20 +206,38 @@ std::string face_contours(const Drawing& drawing, std::uint32_t face, bool light
     return path_element(path, contour_look(light));
 }
 
-/// Cell by cell: in one path, overlapping cells of opposite orientation would cancel.
+/// As the window shows it: outlines on rings that are seen on every colour, and a veil through which the mesh
+/// is seen, once where cells overlap.
 std::string flat_tangled(const Drawing& drawing) {
-    std::string cells;
+    SvgPath outlines(drawing.decimals);
+    std::string veil; // cell by cell: in one path, overlapping cells of opposite orientation would cancel
     for (std::size_t f = 0; f < drawing.scene.faces.size(); ++f) {
         if (!drawing.shown[f] || !drawing.scene.tangled[f]) continue;
         SvgPath path(drawing.decimals);
         drawing.add(path, sides_of_face(drawing.scene.faces, f), true);
-        cells += path_element(path);
+        veil += path_element(path);
+        drawing.add(outlines, sides_of_face(drawing.scene.faces, f), true);
     }
-    if (cells.empty()) return "";
+    if (veil.empty()) return "";
+    const auto stroke = [&](const std::string& ink, double width) {
+        return path_element(outlines, " fill=\"none\" stroke=\"" + ink + "\" stroke-width=\"" +
+                                          svg_number(width) + '"');
+    };
     const std::string colour = tangled_colour;
-    std::string group = drawing.group("tangled") + " fill=\"";
-    group += colour + "\" stroke=\"" + colour + "\" stroke-width=\".8\" stroke-linejoin=\"round\">\n";
-    return group + cells + "</g>\n";
+    return drawing.group("tangled") + " stroke-linejoin=\"round\">\n" + stroke("#fff", 1.9) +
+           stroke(dark_ink, 1.4) + drawing.group("veil") + " fill=\"" + colour + "\" opacity=\"" +
+           svg_number(veil_opacity) + "\">\n" + veil + "</g>\n" + stroke(colour, 0.8) + "</g>\n";
+}
+
+/// Over a face of a tangled cell; nothing over others.
+std::string face_veil(const Drawing& drawing, std::uint32_t face, const SvgPath& path, double outline) {
+    if (!drawing.scene.tangled[face]) return "";
+    const std::string colour = tangled_colour;
+    return path_element(
+        path, " class=\"tangled\" fill=\"" + colour + "\" fill-opacity=\"" + svg_number(veil_opacity) +
+                  "\" stroke=\"" +
+                  (outline > 0 ? colour + "\" stroke-width=\"" + svg_number(outline) : std::string("none")) +
+                  '"');
 }
 
 /// Face by face, the nearer over the farther; neighbours of one class in one group.
@@ -223,8 +248,8 @@ std::string spatial_faces(const Drawing& drawing) {
     for (const auto f : painters_order(scene, drawing.view)) {
         if (!drawing.shown[f]) continue;
         const std::size_t k = drawing.classes.of(f);
-        const bool light = !scene.tangled[f] && drawing.classes.wants_light_ink(k, k);
-        const std::string fill = scene.tangled[f] ? tangled_colour : drawing.classes.colour(k);
+        const bool light = drawing.classes.wants_light_ink(k, k);
+        const std::string fill = drawing.classes.colour(k);
         const std::string ink = !drawing.lines ? fill : light ? light_ink : dark_ink; // or gaps shine through
         const std::string look = "<g fill=\"" + fill + "\" stroke=\"" + ink + "\" stroke-width=\"" +
                                  svg_number(line_widths[width_class(drawing.narrowness(f))]) + "\">\n";
@@ -232,7 +257,7 @@ std::string spatial_faces(const Drawing& drawing) {
         group = look;
         SvgPath path(drawing.decimals);
         drawing.add(path, sides_of_face(scene.faces, f), true);
-        text += path_element(path) + face_contours(drawing, f, light);
+        text += path_element(path) + face_contours(drawing, f, light) + face_veil(drawing, f, path, 0.8);
     }
     return text + (group.empty() ? "" : "</g>\n") + "</g>\n";
 }
@@ -263,7 +288,7 @@ std::pair<std::array<unsigned char, 3>, bool> section_colour(const Drawing& draw
     const auto own = drawing.classes.parts(drawing.classes.of(face));
     const bool skin = scene.caps > 0 && face < scene.size() - scene.caps;
     const auto colour = skin ? pale(own) : own;
-    return {colour, !scene.tangled[face] && svg_luminance(colour) < 0.13};
+    return {colour, svg_luminance(colour) < 0.13};
 }
 
 /// The lines of a section, per triangle of `order` those to be drawn after it: once no triangle that touches
@@ -306,13 +331,14 @@ std::string section_faces(const Drawing& drawing) {
     for (std::size_t i = 0; i < order.size(); ++i) {
         const std::uint32_t f = order[i];
         const auto [colour, light] = section_colour(drawing, f);
-        const std::string fill = scene.tangled[f] ? tangled_colour : svg_colour(colour);
+        const std::string fill = svg_colour(colour);
         const std::string look = "<g fill=\"" + fill + "\" stroke=\"" + fill + "\" stroke-width=\".2\">\n";
         if (group != look) text += (group.empty() ? "" : "</g>\n") + look;
         group = look;
         SvgPath path(drawing.decimals);
         drawing.add(path, sides_of_face(scene.faces, f), true);
-        text += path_element(path) + face_contours(drawing, f, light) + lines[i];
+        text +=
+            path_element(path) + face_contours(drawing, f, light) + lines[i] + face_veil(drawing, f, path, 0);
     }
     return text + (group.empty() ? "" : "</g>\n") + "</g>\n";
 }
