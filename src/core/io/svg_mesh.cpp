@@ -23,8 +23,8 @@ constexpr const char *dark_ink = svg_dark_ink, *light_ink = svg_light_ink, *tang
 constexpr double margin = 6, legend_gap = 10, panel_gap = 10, highest_bar = 170,
                  note_height = 1.5 * svg_font_size; // points
 constexpr double contour_width = 0.7;
-constexpr double veil_opacity = 0.45;                 // as in MeshRenderer
-constexpr double skin_light = 0.78, skin_grey = 0.55; // as in mesh_fill.frag
+constexpr double veil_opacity = 0.45, few_tangled = 20; // as in MeshRenderer
+constexpr double skin_light = 0.78, skin_grey = 0.55;   // as in mesh_fill.frag
 
 /// Everything the drawing functions share.
 struct Drawing {
@@ -210,18 +210,22 @@ std::string face_contours(const Drawing& drawing, std::uint32_t face, bool light
 /// is seen, once where cells overlap.
 std::string flat_tangled(const Drawing& drawing) {
     SvgPath outlines(drawing.decimals);
+    std::size_t count = 0;
     std::string veil; // cell by cell: in one path, overlapping cells of opposite orientation would cancel
     for (std::size_t f = 0; f < drawing.scene.faces.size(); ++f) {
         if (!drawing.shown[f] || !drawing.scene.tangled[f]) continue;
         SvgPath path(drawing.decimals);
         drawing.add(path, sides_of_face(drawing.scene.faces, f), true);
         veil += path_element(path);
+        ++count;
         drawing.add(outlines, sides_of_face(drawing.scene.faces, f), true);
     }
     if (veil.empty()) return "";
+    // If there are many, thin outlines keep them distinct.
+    const double slim = std::max(0.3, 1 / std::sqrt(std::max(1.0, static_cast<double>(count) / few_tangled)));
     const auto stroke = [&](const std::string& ink, double width) {
         return path_element(outlines, " fill=\"none\" stroke=\"" + ink + "\" stroke-width=\"" +
-                                          svg_number(width) + '"');
+                                          svg_number(slim * width) + '"');
     };
     const std::string colour = tangled_colour;
     return drawing.group("tangled") + " stroke-linejoin=\"round\">\n" + stroke("#fff", 1.9) +

@@ -25,10 +25,16 @@ PlaneAxis plane_axis(const std::string& name, AxisRange range, double length, do
     const double slack = 0.5 * range.span() / length;
     range = {range.low - slack, range.high + slack}, length += 1;
     const int count = std::clamp(static_cast<int>(length / spacing), 1, 12);
-    axis.ticks = fitting_ticks({}, range, count, length, extent);
     std::vector<const Tick*> labelled;
-    for (const Tick& tick : axis.ticks)
-        if (!tick.label.empty()) labelled.push_back(&tick);
+    // With round numbers far apart there may be but one in the range.
+    for (int more = count; labelled.size() < 2 && more <= 2 * count + 2; ++more) {
+        std::vector<Tick> ticks = fitting_ticks({}, range, more, length, extent);
+        if (!axis.ticks.empty() && ticks.size() <= axis.ticks.size()) continue;
+        axis.ticks = std::move(ticks);
+        labelled.clear();
+        for (const Tick& tick : axis.ticks)
+            if (!tick.label.empty()) labelled.push_back(&tick);
+    }
     // Between the last two labels, or the two before those, that leave room.
     for (std::size_t i = labelled.size(); i-- > 1;) {
         const Tick &before = *labelled[i - 1], &after = *labelled[i];

@@ -61,6 +61,13 @@ TEST(PlaneAxes, RoundingDoesNotCostTheLabelsOfTheEnds) {
     EXPECT_GT(axis({0.01, 1}, 400).ticks.front().value, 0);
 }
 
+TEST(PlaneAxes, ThereAreTwoLabelsWhereTheyFit) {
+    const PlaneAxis made = axis({0.51, 0.59}, 160);
+    std::size_t labels = 0;
+    for (const Tick& tick : made.ticks) labels += tick.label.empty() ? 0 : 1;
+    EXPECT_GE(labels, 2U);
+}
+
 TEST(PlaneAxes, TheRoomForLabelsSeldomChanges) {
     const auto room = [](double low, double high) { return label_room({{0, low, 0}, {1, high, 0}}, width); };
     EXPECT_EQ(room(0, 1), room(0, 1.07));
