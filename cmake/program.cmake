@@ -7,7 +7,8 @@ pkg_check_modules(FONTCONFIG REQUIRED IMPORTED_TARGET fontconfig)
 
 # The window and the offscreen picture.
 file(GLOB_RECURSE GASPARD_GUI_SOURCES CONFIGURE_DEPENDS src/gui/*.cpp)
-gaspard_embed(GASPARD_GUI_ASSETS gui_assets FILES shaders/*.vert shaders/*.frag shaders/*.glsl assets/fonts/*.ttf)
+gaspard_embed(GASPARD_GUI_ASSETS gui_assets FILES shaders/*.vert shaders/*.frag shaders/*.glsl assets/fonts/*.ttf
+              assets/thumbnails/*.png)
 add_library(gaspard_gui STATIC ${GASPARD_GUI_SOURCES} ${GASPARD_GUI_ASSETS})
 gaspard_unity(gaspard_gui)
 target_include_directories(gaspard_gui PUBLIC src PRIVATE ${PROJECT_BINARY_DIR}/generated)

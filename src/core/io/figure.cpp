@@ -33,6 +33,7 @@ MeshSvgOptions mesh_svg_options(const Values& view) {
             .aspect = pixels("height") / pixels("width"),
             .background = parse_background(view.text("background")),
             .lines = view.boolean("lines"),
+            .axes = view.boolean("axes"),
             .elevation = view.real("elevation"),
             .elevation_camera = view.text("elevation_camera"),
             .inside = inside_choice(view)};

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace gaspard {
@@ -17,5 +19,7 @@ struct Image {
 void write_png(const std::filesystem::path& file, const Image& image, double dpi = 0);
 /// Throws InputError if the file cannot be read or decoded.
 Image read_image(const std::filesystem::path& file);
+/// The same of the bytes of a file; `name` stands in messages.
+Image decode_png(std::string_view bytes, const std::string& name);
 
 } // namespace gaspard

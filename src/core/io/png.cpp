@@ -43,16 +43,17 @@ void write_png(const std::filesystem::path& file, const Image& image, double dpi
     write_atomically(file, bytes);
 }
 
-Image read_image(const std::filesystem::path& file) {
-    const std::string bytes = read_file(file);
+Image read_image(const std::filesystem::path& file) { return decode_png(read_file(file), file.string()); }
+
+Image decode_png(std::string_view bytes, const std::string& name) {
     if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-        throw InputError("cannot read the image " + file.string() + ": it is larger than 2 GiB");
+        throw InputError("cannot read the image " + name + ": it is larger than 2 GiB");
     Image image;
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
                               &image.width, &image.height, nullptr, 4),
         &stbi_image_free);
-    if (!pixels) throw InputError("cannot read the image " + file.string() + ": " + stbi_failure_reason());
+    if (!pixels) throw InputError("cannot read the image " + name + ": " + stbi_failure_reason());
     const auto count = 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     image.rgba.assign(pixels.get(), pixels.get() + count);
     return image;

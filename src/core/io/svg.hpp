@@ -47,6 +47,7 @@ struct MeshSvgOptions {
     double aspect = 0.75;    ///< height over width of what a camera with a centre and a height shows
     Background background{}; ///< the theme's is white
     bool lines = true;       ///< the edges of cells
+    bool axes = false;       ///< of a flat mesh in the plane
     double elevation = 0;    ///< as view.elevation: above 0, a plane mesh is a surface in space
     std::string elevation_camera{}; ///< of that surface, instead of `camera`
     InsideChoice inside{};          ///< what is hidden of a solid
@@ -64,7 +65,7 @@ struct SvgPanel {
 void check_svg_camera(const Points& nodes, const std::string& camera, double aspect);
 
 /// The mesh at x: cells filled in classes of the colouring (white without one), edges as long lines (curved
-/// ones as exact parabolas), tangled cells in magenta above all others, a legend. Of a mesh in space hidden
+/// ones as exact parabolas), magenta over tangled cells, a legend. Of a mesh in space hidden
 /// faces are left out. Contour lines are those of the colouring, except on the border of a whole solid. A
 /// solid that is looked into is drawn with straight pieces of curves.
 /// A curve is drawn as a line; of an interval, see svg_of_plots(). The camera says from

@@ -11,8 +11,15 @@ namespace {
 
 constexpr double bar_width = 10; // points
 
-/// From 0 to 1, of linear light.
-double luminance(std::array<unsigned char, 3> colour) {
+std::vector<Tick> ticks_of(const ColourRange& range, double height) {
+    const int count = static_cast<int>(height / 20);
+    return range.logarithmic ? log_ticks(range.low, range.high, count)
+                             : linear_ticks(range.low, range.high, count);
+}
+
+} // namespace
+
+double svg_luminance(std::array<unsigned char, 3> colour) {
     constexpr std::array weights = {0.2126, 0.7152, 0.0722};
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -21,14 +28,6 @@ double luminance(std::array<unsigned char, 3> colour) {
     }
     return sum;
 }
-
-std::vector<Tick> ticks_of(const ColourRange& range, double height) {
-    const int count = static_cast<int>(height / 20);
-    return range.logarithmic ? log_ticks(range.low, range.high, count)
-                             : linear_ticks(range.low, range.high, count);
-}
-
-} // namespace
 
 SvgClasses::SvgClasses(const SvgScene& scene, const std::optional<Colouring>& colouring, int classes)
     : scene_(scene) {
@@ -43,7 +42,7 @@ SvgClasses::SvgClasses(const SvgScene& scene, const std::optional<Colouring>& co
 
 /// Lines on these classes are seen: against either ink the contrast ratio is at least 3.
 bool SvgClasses::wants_light_ink(std::size_t a, std::size_t b) const {
-    return (luminance(colours_[a]) + luminance(colours_[b])) / 2 < 0.13;
+    return (svg_luminance(colours_[a]) + svg_luminance(colours_[b])) / 2 < 0.13;
 }
 
 std::string svg_block(double x, double y, double width, double height, const std::string& attributes) {

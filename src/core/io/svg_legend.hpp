@@ -45,6 +45,9 @@ class SvgClasses {
     std::vector<std::array<unsigned char, 3>> colours_ = {{255, 255, 255}};
 };
 
+/// From 0 to 1, of linear light.
+double svg_luminance(std::array<unsigned char, 3> colour);
+
 /// A rectangle.
 std::string svg_block(double x, double y, double width, double height, const std::string& attributes);
 

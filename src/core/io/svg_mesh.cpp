@@ -1,12 +1,14 @@
 #include "core/base/check.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/svg.hpp"
+#include "core/io/svg_axes.hpp"
 #include "core/io/svg_document.hpp"
 #include "core/io/svg_legend.hpp"
 #include "core/io/svg_scene.hpp"
 #include "core/io/svg_section.hpp"
 #include "core/tessellate/blend.hpp"
 #include "core/tessellate/colouring.hpp"
+#include "core/tessellate/plane_axes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +23,8 @@ constexpr const char *dark_ink = svg_dark_ink, *light_ink = svg_light_ink, *tang
 constexpr double margin = 6, legend_gap = 10, panel_gap = 10, highest_bar = 170,
                  note_height = 1.5 * svg_font_size; // points
 constexpr double contour_width = 0.7;
-constexpr double skin_light = 0.78, skin_grey = 0.55; // as in mesh_fill.frag
+constexpr double veil_opacity = 0.45, few_tangled = 20; // as in MeshRenderer
+constexpr double skin_light = 0.78, skin_grey = 0.55;   // as in mesh_fill.frag
 
 /// Everything the drawing functions share.
 struct Drawing {
@@ -117,7 +120,7 @@ std::string contour_look(bool light) {
            svg_number(contour_width) + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"";
 }
 
-/// One path per class around all of its cells.
+/// One path per class around all of its cells, and one for each tangled cell, which would cancel with others.
 std::string flat_fill(const Drawing& drawing) {
     const SvgScene& scene = drawing.scene;
     std::vector<std::vector<std::uint32_t>> members(drawing.classes.count());
@@ -129,6 +132,12 @@ std::string flat_fill(const Drawing& drawing) {
         SvgPath path(drawing.decimals);
         for (const auto& loop : outline(scene.faces, members[k])) drawing.add(path, loop, true);
         text += path_element(path, " fill=\"" + drawing.classes.colour(k) + '"');
+    }
+    for (std::size_t f = 0; f < scene.faces.size(); ++f) {
+        if (!drawing.shown[f] || !scene.tangled[f]) continue;
+        SvgPath path(drawing.decimals);
+        drawing.add(path, sides_of_face(scene.faces, f), true);
+        text += path_element(path, " fill=\"" + drawing.classes.colour(drawing.classes.of(f)) + '"');
     }
     return text + "</g>\n";
 }
@@ -197,20 +206,42 @@ std::string face_contours(const Drawing& drawing, std::uint32_t face, bool light
     return path_element(path, contour_look(light));
 }
 
-/// Cell by cell: in one path, overlapping cells of opposite orientation would cancel.
+/// As the window shows it: outlines on rings that are seen on every colour, and a veil through which the mesh
+/// is seen, once where cells overlap.
 std::string flat_tangled(const Drawing& drawing) {
-    std::string cells;
+    SvgPath outlines(drawing.decimals);
+    std::size_t count = 0;
+    std::string veil; // cell by cell: in one path, overlapping cells of opposite orientation would cancel
     for (std::size_t f = 0; f < drawing.scene.faces.size(); ++f) {
         if (!drawing.shown[f] || !drawing.scene.tangled[f]) continue;
         SvgPath path(drawing.decimals);
         drawing.add(path, sides_of_face(drawing.scene.faces, f), true);
-        cells += path_element(path);
+        veil += path_element(path);
+        ++count;
+        drawing.add(outlines, sides_of_face(drawing.scene.faces, f), true);
     }
-    if (cells.empty()) return "";
+    if (veil.empty()) return "";
+    // If there are many, thin outlines keep them distinct.
+    const double slim = std::max(0.3, 1 / std::sqrt(std::max(1.0, static_cast<double>(count) / few_tangled)));
+    const auto stroke = [&](const std::string& ink, double width) {
+        return path_element(outlines, " fill=\"none\" stroke=\"" + ink + "\" stroke-width=\"" +
+                                          svg_number(slim * width) + '"');
+    };
     const std::string colour = tangled_colour;
-    std::string group = drawing.group("tangled") + " fill=\"";
-    group += colour + "\" stroke=\"" + colour + "\" stroke-width=\".8\" stroke-linejoin=\"round\">\n";
-    return group + cells + "</g>\n";
+    return drawing.group("tangled") + " stroke-linejoin=\"round\">\n" + stroke("#fff", 1.9) +
+           stroke(dark_ink, 1.4) + drawing.group("veil") + " fill=\"" + colour + "\" opacity=\"" +
+           svg_number(veil_opacity) + "\">\n" + veil + "</g>\n" + stroke(colour, 0.8) + "</g>\n";
+}
+
+/// Over a face of a tangled cell; nothing over others.
+std::string face_veil(const Drawing& drawing, std::uint32_t face, const SvgPath& path, double outline) {
+    if (!drawing.scene.tangled[face]) return "";
+    const std::string colour = tangled_colour;
+    return path_element(
+        path, " class=\"tangled\" fill=\"" + colour + "\" fill-opacity=\"" + svg_number(veil_opacity) +
+                  "\" stroke=\"" +
+                  (outline > 0 ? colour + "\" stroke-width=\"" + svg_number(outline) : std::string("none")) +
+                  '"');
 }
 
 /// Face by face, the nearer over the farther; neighbours of one class in one group.
@@ -221,8 +252,8 @@ std::string spatial_faces(const Drawing& drawing) {
     for (const auto f : painters_order(scene, drawing.view)) {
         if (!drawing.shown[f]) continue;
         const std::size_t k = drawing.classes.of(f);
-        const bool light = !scene.tangled[f] && drawing.classes.wants_light_ink(k, k);
-        const std::string fill = scene.tangled[f] ? tangled_colour : drawing.classes.colour(k);
+        const bool light = drawing.classes.wants_light_ink(k, k);
+        const std::string fill = drawing.classes.colour(k);
         const std::string ink = !drawing.lines ? fill : light ? light_ink : dark_ink; // or gaps shine through
         const std::string look = "<g fill=\"" + fill + "\" stroke=\"" + ink + "\" stroke-width=\"" +
                                  svg_number(line_widths[width_class(drawing.narrowness(f))]) + "\">\n";
@@ -230,7 +261,7 @@ std::string spatial_faces(const Drawing& drawing) {
         group = look;
         SvgPath path(drawing.decimals);
         drawing.add(path, sides_of_face(scene.faces, f), true);
-        text += path_element(path) + face_contours(drawing, f, light);
+        text += path_element(path) + face_contours(drawing, f, light) + face_veil(drawing, f, path, 0.8);
     }
     return text + (group.empty() ? "" : "</g>\n") + "</g>\n";
 }
@@ -261,7 +292,7 @@ std::pair<std::array<unsigned char, 3>, bool> section_colour(const Drawing& draw
     const auto own = drawing.classes.parts(drawing.classes.of(face));
     const bool skin = scene.caps > 0 && face < scene.size() - scene.caps;
     const auto colour = skin ? pale(own) : own;
-    return {colour, !scene.tangled[face] && luminance(colour) < 0.13};
+    return {colour, svg_luminance(colour) < 0.13};
 }
 
 /// The lines of a section, per triangle of `order` those to be drawn after it: once no triangle that touches
@@ -304,13 +335,14 @@ std::string section_faces(const Drawing& drawing) {
     for (std::size_t i = 0; i < order.size(); ++i) {
         const std::uint32_t f = order[i];
         const auto [colour, light] = section_colour(drawing, f);
-        const std::string fill = scene.tangled[f] ? tangled_colour : svg_colour(colour);
+        const std::string fill = svg_colour(colour);
         const std::string look = "<g fill=\"" + fill + "\" stroke=\"" + fill + "\" stroke-width=\".2\">\n";
         if (group != look) text += (group.empty() ? "" : "</g>\n") + look;
         group = look;
         SvgPath path(drawing.decimals);
         drawing.add(path, sides_of_face(scene.faces, f), true);
-        text += path_element(path) + face_contours(drawing, f, light) + lines[i];
+        text +=
+            path_element(path) + face_contours(drawing, f, light) + lines[i] + face_veil(drawing, f, path, 0);
     }
     return text + (group.empty() ? "" : "</g>\n") + "</g>\n";
 }
@@ -430,6 +462,7 @@ struct SvgPlaces {
     double left = margin, top = margin;     ///< of the first mesh
     double height = 0;                      ///< of meshes and legend
     double legend = 0;                      ///< its left edge
+    SvgAxesRoom axes{};                     ///< of each mesh; 0: none
     SvgView view{};                         ///< of the first mesh
     std::vector<std::string> caption{};     ///< lines
 };
@@ -439,23 +472,26 @@ SvgPlaces places_of(const std::vector<SvgPanel>& panels, const std::vector<SvgSc
     SvgPlaces at;
     const double points = points_per_mm / options.text_size, gaps = panel_gap * (double(panels.size()) - 1);
     const double width = at.page_width = options.width_mm * points;
+    if (options.axes) at.axes = svg_room_for_axes(scenes.back());
     at.page_height = options.height_mm * points;
     at.caption = svg_lines(options.caption, width - 2 * margin);
     const double beside = legend ? legend_gap + svg_legend_width(*legend, highest_bar) : 0;
-    at.part = (width - 2 * margin - beside - gaps) / static_cast<double>(panels.size());
+    const auto count = static_cast<double>(panels.size());
+    at.part = (width - 2 * margin - beside - gaps) / count - at.axes.left;
+    at.left += at.axes.left;
     if (!panels.front().title.empty()) at.top += 2 * svg_font_size;
     at.view = common_view(scenes, options, {at.left, at.top}, at.part);
     const bool tangled = options.note && !tangled_note(scenes.back(), {}).empty();
-    const double room = at.page_height - at.top - margin -
+    const double room = at.page_height - at.top - margin - at.axes.below -
                         note_height * (static_cast<double>(at.caption.size()) + (tangled ? 1 : 0));
     if (at.page_height > 0 && at.view.height > room && room > 0) { // smaller, in the middle
         const double part = at.part * room / at.view.height;
-        at.left += static_cast<double>(panels.size()) * (at.part - part) / 2;
+        at.left += count * (at.part - part) / 2;
         at.part = part;
         at.view = common_view(scenes, options, {at.left, at.top}, at.part);
     }
     at.height = std::max(at.view.height, legend ? 90.0 : 0.0);
-    at.legend = at.left + static_cast<double>(panels.size()) * at.part + gaps + legend_gap;
+    at.legend = at.left + count * at.part + (count - 1) * (panel_gap + at.axes.left) + legend_gap;
     return at;
 }
 
@@ -475,15 +511,19 @@ std::string svg_of_meshes(const Snapshot& snapshot, const std::vector<SvgPanel>&
                              ? svg_section(snapshot, panel.blend, panel.colouring, options.inside)
                              : svg_scene(moved(snapshot, panel.blend), panel.colouring, options.elevation));
     const std::optional<Colouring> legend = options.legend ? panels.back().colouring : std::nullopt;
-    const SvgPlaces at = places_of(panels, scenes, legend, options);
+    MeshSvgOptions drawn = options;
+    drawn.axes = options.axes && has_plane_axes(*snapshot.mesh) && !scenes.back().spatial;
+    const SvgPlaces at = places_of(panels, scenes, legend, drawn);
+    const double step = at.part + panel_gap + at.axes.left;
     SvgView view = at.view;
     std::string content;
     for (std::size_t k = 0; k < panels.size(); ++k) {
-        const bool last = k + 1 == panels.size();
+        const std::string name = k + 1 == panels.size() ? "" : panels[k].title + "-";
         content += panel_title(panels[k].title, {view.corner.x + at.part / 2, at.top - svg_font_size});
         content += panel_content(scenes[k], view, SvgClasses(scenes[k], panels[k].colouring, options.classes),
-                                 last ? "" : panels[k].title + "-", options.lines);
-        view.corner.x += at.part + panel_gap, view.origin.x += at.part + panel_gap;
+                                 name, options.lines);
+        if (drawn.axes) content += svg_axes(scenes[k], view, name, panels[k].blend == 0);
+        view.corner.x += step, view.origin.x += step;
     }
     if (legend) {
         const auto words = static_cast<double>(svg_legend_words(*legend).size());
@@ -491,7 +531,7 @@ std::string svg_of_meshes(const Snapshot& snapshot, const std::vector<SvgPanel>&
             svg_colour_bar(SvgClasses(scenes.back(), legend, options.classes), *legend, {at.legend, at.top},
                            std::min(at.height - 1.5 * svg_font_size * words, highest_bar));
     }
-    double height = at.top + at.height + margin;
+    double height = at.top + std::max(at.height, at.view.height + at.axes.below) + margin;
     const std::string note =
         options.note ? tangled_note(scenes.back(), {at.left, height + 0.75 * svg_font_size}) : "";
     if (!note.empty()) content += note, height += note_height;

@@ -33,6 +33,8 @@ class Discretisation {
     virtual std::shared_ptr<const Mesh> mesh() const = 0;
     /// The control points of a planar patch if the user may move them; otherwise null.
     virtual std::shared_ptr<const Points> control_points() const { return nullptr; }
+    /// How many of these follow each other in the first direction; 0 where they are no net.
+    virtual std::size_t control_columns() const { return 0; }
     /// Of transport to another domain: points of its boundary, in their order; null: the mesh stays in its
     /// own.
     virtual std::shared_ptr<const Points> target_outline() const { return nullptr; }

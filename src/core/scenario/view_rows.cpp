@@ -168,7 +168,8 @@ const FieldInfo& mesh_colour(std::string_view name) {
 }
 
 std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further, std::string_view usual_colour) {
-    constexpr std::array<std::string_view, 16> details{"histogram_counts",
+    constexpr std::array<std::string_view, 17> details{"axes",
+                                                       "histogram_counts",
                                                        "histogram",
                                                        "contours",
                                                        "elevation",
@@ -212,6 +213,8 @@ std::vector<ParameterRow> view_rows(std::span<const FieldInfo> further, std::str
         choice("histogram_counts", "Histogram counts", {"square-root", "linear", "logarithmic"},
                "how long the bars of the histogram are, for the number of values"),
         boolean("lines", "Lines", true, "the cells' edges; of an interval, the nodes below the plot"),
+        boolean("axes", "Axes", true,
+                "ticks and names of the coordinates, left of a flat mesh in the plane and below it"),
         {.key = "contours",
          .label = "Contour lines",
          .kind = ParameterKind::integer,

@@ -26,6 +26,7 @@ RecordedIterate::RecordedIterate(const Snapshot& snapshot) {
              .exact = snapshot.exact,
              .tangled = snapshot.tangled,
              .control = snapshot.control,
+             .control_columns = snapshot.control_columns,
              .target = snapshot.target,
              .patches = snapshot.patches,
              .monitor_report = snapshot.monitor_report,

@@ -525,6 +525,7 @@ std::shared_ptr<const Snapshot> Run::snapshot(Diagnostics at_most) {
     snapshot->tangled = now_.tangled;
     snapshot->exact = now_.exact;
     snapshot->control = now_.discretisation->control_points();
+    snapshot->control_columns = now_.discretisation->control_columns();
     snapshot->target = now_.discretisation->target_outline();
     snapshot->patches = now_.discretisation->patches();
     snapshot->monitor_report = now_.data.report;

@@ -159,9 +159,11 @@ std::shared_ptr<const SplineDomain> make_spline_domain(const std::string& type, 
         found.origin = "domain.control_points";
     }
     auto control = flat ? std::make_shared<const Points>(patch.control) : nullptr;
+    const std::size_t columns = flat ? patch.space.directions[0].size() : 0;
     const auto map = patch_map(std::move(patch));
     check_regular(*map, found.origin);
-    return std::make_shared<SplineDomain>(degree, cells, map, std::move(control), std::move(found.patches));
+    return std::make_shared<SplineDomain>(degree, cells, map, std::move(control), std::move(found.patches),
+                                          columns);
 }
 
 } // namespace gaspard

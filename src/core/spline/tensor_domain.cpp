@@ -137,9 +137,10 @@ Mesh tensor_mesh(std::size_t cells, int order, const std::vector<double>& line, 
 
 template <std::size_t D>
 TensorDomain<D>::TensorDomain(int degree, std::size_t cells, std::shared_ptr<const TensorMap<D>> map,
-                              std::shared_ptr<const Points> control, std::shared_ptr<const PatchList> patches)
+                              std::shared_ptr<const Points> control, std::shared_ptr<const PatchList> patches,
+                              std::size_t control_columns)
     : degree_(degree), cells_(cells), map_(std::move(map)), control_(std::move(control)),
-      patches_(std::move(patches)) {
+      control_columns_(control_columns), patches_(std::move(patches)) {
     GASPARD_CHECK(map_ != nullptr && cells_ >= 1 && degree_ >= 2 && degree_ <= highest_degree);
     if constexpr (D == 2) parameters_ = patch_parameters(map_);
     if constexpr (D == 3) shape_ = gaspard::solid_shape(map_);

@@ -24,13 +24,14 @@ class TensorDomain final : public Discretisation {
   public:
     TensorDomain(int degree, std::size_t cells, std::shared_ptr<const TensorMap<D>> map,
                  std::shared_ptr<const Points> control = nullptr,
-                 std::shared_ptr<const PatchList> patches = nullptr);
+                 std::shared_ptr<const PatchList> patches = nullptr, std::size_t control_columns = 0);
 
     /// Quadrilaterals whose order is the degree p, so that they carry Psi exactly and F(Psi) to order p + 1;
     /// (p n + 1)^2 nodes on the patch, xi1 fastest. Likewise hexahedra, whose order is lower where their
     /// nodes would be too many (mesh_order()).
     std::shared_ptr<const Mesh> mesh() const override { return mesh_; }
     std::shared_ptr<const Points> control_points() const override { return control_; }
+    std::size_t control_columns() const override { return control_columns_; }
     std::shared_ptr<const PatchList> patches() const override { return patches_; }
     std::shared_ptr<const PatchParameters> parameters() const override { return parameters_; }
     std::shared_ptr<const PatchMap> patch_map() const override;
@@ -53,6 +54,7 @@ class TensorDomain final : public Discretisation {
     std::size_t cells_;
     std::shared_ptr<const TensorMap<D>> map_;
     std::shared_ptr<const Points> control_;
+    std::size_t control_columns_;
     std::shared_ptr<const PatchList> patches_;
     std::shared_ptr<const PatchParameters> parameters_;
     std::shared_ptr<const SolidShape> shape_;

@@ -32,7 +32,7 @@ struct ScreenExtent {
 /// Sets the scale so that the extent fills what the insets leave free, and moves the camera, which looks at
 /// the middle of the extent, beside the insets.
 void fit_extent(Camera& camera, const ScreenExtent& extent, Size size, Insets insets) {
-    constexpr double margin = 0.04; // of the free space, at each side
+    constexpr double margin = 0.02; // of the free space, at each side
     const double free_width = std::max(1.0, size.width - insets.left - insets.right) * (1 - 2 * margin);
     const double free_height = std::max(1.0, size.height - insets.top - insets.bottom) * (1 - 2 * margin);
     camera.scale =

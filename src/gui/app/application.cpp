@@ -57,6 +57,7 @@ Application::Application(std::shared_ptr<const Catalogue> catalogue, const Finis
 }
 
 bool Application::collect() {
+    files_.forget_drawn();
     bool news = document_.collect();
     news = messages_.collect() || news;
     take_messages();
@@ -172,7 +173,8 @@ WindowState Application::window_state() const {
             fullscreen_,
             quit_,
             (file_dialogs_.opening() || panel_.awaits_text()) && !messages_.error().open(),
-            viewport_pane_.changing() || panel_.waiting() || playback_.playing() || playback_.blends()};
+            viewport_pane_.changing() || panel_.waiting() || playback_.playing() || playback_.blends() ||
+                menus_.waiting()};
 }
 
 void Application::follow(const MenuChoice& choice) {
@@ -308,8 +310,9 @@ void Application::set_text_size(double size) {
 
 bool Application::can_cancel() {
     return ImGui::IsPopupOpen("", any_popup) || messages_.error().open() || file_dialogs_.open() ||
-           help_.open() || about_.open() || working() || document_.comparison().running() ||
-           comparison_panel_.open() || !viewport().view.text("pick").empty();
+           help_.open() || about_.open() || working() || files_.figure_progress() ||
+           document_.comparison().running() || comparison_panel_.open() ||
+           !viewport().view.text("pick").empty();
 }
 
 /// Closes or cancels the topmost thing only.
@@ -329,6 +332,8 @@ void Application::cancel() {
         document_.cancel_comparison();
     else if (working())
         run().solver->cancel();
+    else if (files_.figure_progress())
+        files_.cancel_figures();
     else if (comparison_panel_.open())
         comparison_panel_.close();
     else

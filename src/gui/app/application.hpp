@@ -61,13 +61,6 @@ struct WindowState {
     bool animating = false;   ///< every frame differs from the last one, even without input or news
 };
 
-/// A figure in pixels that was asked for.
-struct FigureToDraw {
-    FigureDialog::Choice choice;
-    std::string subject;
-    std::shared_ptr<const Snapshot> snapshot;
-};
-
 class Application {
   public:
     Application(std::shared_ptr<const Catalogue> catalogue, const Scenario& scenario,
@@ -97,8 +90,6 @@ class Application {
     void save_image(Image image);
     /// Saves the requested plot, if any, as the image that `draw` returns.
     void save_plot(const std::function<Image(const Plot&)>& draw);
-    /// Saves the requested figure, if any, as the image that `draw` returns.
-    void save_figure(const std::function<Image(const FigureToDraw&)>& draw);
     /// To be written when the window closes.
     Settings settings();
 
@@ -239,7 +230,6 @@ class Application {
     bool sidebar_before_ = true;      ///< before the size for projectors
     NarrowFeature narrow_feature_;
     std::optional<Plot> plot_to_save_;
-    std::optional<FigureToDraw> figure_to_save_;
     std::string plot_name_;    ///< of the file to come
     std::string closed_cut_;   ///< view.cut before it was closed
     Box cut_box_;              ///< around the solid that it belongs to

@@ -304,6 +304,11 @@ std::vector<Action> Application::show_actions() {
     Action arrows = view_toggle("arrows", "Arrows", "A", "Show or hide arrows from ξ to x.");
     arrows.enabled = [this] { return !on_interval(); };
     arrows.reason = [] { return not_for_plots("Arrows"); };
+    Action axes = view_toggle("axes", "Axes", "D", "Show or hide the axes of a mesh in the plane.");
+    axes.enabled = [this] { return !on_interval() && !in_space(); };
+    axes.reason = [this] {
+        return on_interval() ? not_for_plots("Axes") : "Axes: only for meshes in the plane.";
+    };
     return {
         {.name = "spin",
          .label = "Spin",
@@ -357,6 +362,7 @@ std::vector<Action> Application::show_actions() {
                             : only_for_solids("Flip the cut");
              }},
         view_toggle("lines", "Lines", "L", "Show or hide the cell edges, or the nodes of an interval."),
+        std::move(axes),
         std::move(arrows),
         {.name = "copy-camera",
          .label = "Copy camera",

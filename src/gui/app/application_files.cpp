@@ -71,24 +71,15 @@ void Application::take_answer(const FileAnswer& answer) {
 void Application::take_figure(FigureDialog::Choice choice) {
     const auto snapshot = playback_.snapshot(run());
     if (!snapshot) return messages_.say({"There is no mesh to draw yet.", false});
-    for (const char* key : {"width", "height", "dpi", "text_size", "background", "legend", "caption", "note"})
+    for (const char* key :
+         {"width", "height", "dpi", "text_size", "background", "axes", "legend", "caption", "note"})
         viewport().view.set(key, choice.view.at(key));
     if (!on_interval()) choice.view = with_range(choice.view, replay_range());
     const std::string subject = scenario_title(run().scenario);
     if (choice.kind == FigureKind::png)
-        figure_to_save_ = {choice, subject, snapshot};
+        files_.draw_figure(choice, subject, *snapshot, tessellations_);
     else
         files_.save_figure(choice, subject, snapshot);
-}
-
-void Application::save_figure(const std::function<Image(const FigureToDraw&)>& draw) {
-    const auto figure = std::exchange(figure_to_save_, std::nullopt);
-    if (!figure) return;
-    try {
-        files_.save_figure(figure->choice, draw(*figure));
-    } catch (const MachineError& error) {
-        messages_.say({error.what(), true});
-    }
 }
 
 void Application::take_file(const FileOfValue& chosen) {

@@ -149,7 +149,9 @@ void Application::draw_sidebar() {
                                patches,
                                snapshot ? snapshot->monitor_report.get() : nullptr,
                                viewport().view.text("color"),
-                               narrow_feature_.warning(*catalogue_, run())};
+                               narrow_feature_.warning(*catalogue_, run()),
+                               snapshot.get(),
+                               viewport().view.text("color_map")};
     bool changed = false;
     for (const auto kind : all_sections) {
         if (!has_section(scenario, kind)) continue;
@@ -285,7 +287,7 @@ std::vector<std::string> Application::view_keys() {
         keys.insert(keys.end(), {"cut", "cut_cells", "peel", "only", "explode"});
         if (run().snapshot->mesh->lattice[0] > 0) keys.emplace_back("layers");
     }
-    if (scene != nullptr && has_section_line(*scene->mesh)) keys.emplace_back("section");
+    if (scene != nullptr && has_section_line(*scene->mesh)) keys.insert(keys.end(), {"axes", "section"});
     keys.insert(keys.end(), {"arrows", "layout"});
     const bool projection = view.text("layout") == "projection" && available("layout=projection");
     if (projection) keys.insert(keys.end(), {"projection_longitude", "projection_camera"});
@@ -394,6 +396,8 @@ void Application::draw_dialogs() {
     } else if (document_.comparison().running() && !comparison_panel_.open()) {
         if (draw_progress("comparing methods", document_.comparison().progress(), layout_.viewport, items_))
             document_.cancel_comparison();
+    } else if (const auto drawn = files_.figure_progress()) {
+        if (draw_progress("drawing the figure", *drawn, layout_.viewport, items_)) files_.cancel_figures();
     }
     if (auto wish = file_dialogs_.take_wish()) files_.list(std::move(*wish));
     help_.draw(actions_, theme_, items_);

@@ -174,12 +174,42 @@ void FileTasks::save_figure(const FigureDialog::Choice& figure, const std::strin
     });
 }
 
-void FileTasks::save_figure(const FigureDialog::Choice& figure, Image image) {
-    writer_.run([figure, image = std::move(image)] {
+void FileTasks::draw_figure(const FigureDialog::Choice& figure, const std::string& subject,
+                            const Snapshot& snapshot, std::shared_ptr<TessellationCache> cache) {
+    const auto work = std::make_shared<FigureInWork>();
+    const auto pixels = [&](const char* key) { return static_cast<int>(figure.view.integer(key)); };
+    work->image = std::make_unique<PreparedImage>(
+        snapshot, figure.view, pixels("width"), pixels("height"), subject,
+        ImageOptions{.stop = work->stop.get_token(), .cache = std::move(cache)});
+    figures_.push_back(work);
+    drawer_.run([figure, board = board_, task = work]() mutable {
+        const auto own = std::move(task); // released before the outcome is told
+        if (own->stop.stop_requested()) throw Interrupted();
+        figure_file(figure); // before the long work
+        const Image image = own->image->draw([&](double done) {
+            own->done = done;
+            board->wake();
+        });
+        if (own->stop.stop_requested()) throw Interrupted();
         const auto file = figure_file(figure);
         write_png(file, image, figure.view.real("dpi"));
         return "Saved " + file.string();
     });
+}
+
+std::optional<double> FileTasks::figure_progress() const {
+    if (figures_.empty()) return std::nullopt;
+    double done = 0;
+    for (const auto& one : figures_) done += one->done;
+    return done / static_cast<double>(figures_.size());
+}
+
+void FileTasks::cancel_figures() {
+    for (const auto& one : figures_) one->stop.request_stop();
+}
+
+void FileTasks::forget_drawn() {
+    std::erase_if(figures_, [](const auto& one) { return one.use_count() == 1; });
 }
 
 void FileTasks::save_svg(const Scenario& scenario, const std::string& name, Plot plot) {

@@ -6,16 +6,19 @@
 #include "core/scenario/catalogue.hpp"
 #include "core/tessellate/plot.hpp"
 #include "gui/app/file_kinds.hpp"
+#include "gui/app/viewport_image.hpp"
 #include "gui/base/background_writer.hpp"
 #include "gui/base/folder_listing.hpp"
 #include "gui/base/output_folders.hpp"
 #include "gui/document/document.hpp"
 #include "gui/panels/figure_dialog.hpp"
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -48,8 +51,9 @@ class FileTasks {
     /// one that the user has chosen for save_scenario_as().
     FileTasks(std::shared_ptr<const Catalogue> catalogue, std::shared_ptr<NoticeBoard> board,
               OutputFolders output)
-        : catalogue_(std::move(catalogue)), board_(board), output_(std::move(output)),
-          writer_(std::move(board)) {}
+        : catalogue_(std::move(catalogue)), board_(board), output_(std::move(output)), writer_(board),
+          drawer_(std::move(board)) {}
+    ~FileTasks() { cancel_figures(); }
 
     /// Reads a scenario file; take_opened() gives the scenario if it is valid. Of another file of
     /// file_kinds() it looks at the first bytes; take_data() gives what it is.
@@ -77,8 +81,15 @@ class FileTasks {
     /// A figure of a snapshot as vectors, to a file that the user has chosen.
     void save_figure(const FigureDialog::Choice& figure, const std::string& subject,
                      std::shared_ptr<const Snapshot> snapshot);
-    /// A figure that has been drawn, to a file that the user has chosen.
-    void save_figure(const FigureDialog::Choice& figure, Image image);
+    /// Draws a figure in pixels on a thread of its own, to a file that the user has chosen.
+    void draw_figure(const FigureDialog::Choice& figure, const std::string& subject, const Snapshot& snapshot,
+                     std::shared_ptr<TessellationCache> cache);
+    /// The fraction that is drawn of the figures in pixels; nothing if there are none.
+    std::optional<double> figure_progress() const;
+    /// Those that are being drawn, and those that wait for it, are not written.
+    void cancel_figures();
+    /// Releases what figures were drawn from; on the window's thread.
+    void forget_drawn();
     /// "NAME.svg" or the next free name.
     void save_svg(const Scenario& scenario, const std::string& name, Plot plot);
 
@@ -90,6 +101,12 @@ class FileTasks {
         std::vector<DataFile> data;
         std::optional<FolderListing> listing;
     };
+    /// A figure that is being drawn.
+    struct FigureInWork {
+        std::unique_ptr<PreparedImage> image;
+        std::stop_source stop{};
+        std::atomic<double> done = 0;
+    };
     static std::string look_at(Arrivals& arrivals, const std::filesystem::path& file);
     static void save(Arrivals& arrivals, ScenarioOnDisk scenario, bool packed = false);
 
@@ -97,7 +114,11 @@ class FileTasks {
     std::shared_ptr<NoticeBoard> board_;
     OutputFolders output_;
     std::shared_ptr<Arrivals> arrivals_ = std::make_shared<Arrivals>();
-    BackgroundWriter writer_; ///< last, so that its thread ends before what it uses
+    /// Its images belong to the window's thread.
+    std::vector<std::shared_ptr<FigureInWork>> figures_;
+    // Last, so that their threads end before what they use.
+    BackgroundWriter writer_;
+    BackgroundWriter drawer_; ///< of figures, which would keep others waiting
 };
 
 } // namespace gaspard

@@ -36,6 +36,8 @@ class Menus {
     std::optional<MenuChoice> draw_bar(const MenuContext& context);
     /// Of the bar, as last drawn.
     float height() const { return height_; }
+    /// Whether the next frame shows more, as pictures in the list of scenarios.
+    bool waiting() const { return scenarios_.waiting(); }
 
   private:
     std::optional<MenuChoice> draw_buttons(const MenuContext& context);

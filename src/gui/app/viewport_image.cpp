@@ -58,23 +58,24 @@ Values view_of(const MeshPanel& panel) {
     view.set("camera", panel.camera);
     view.set("cut", panel.cut);
     view.set("histogram", false);
+    view.set("axes", false);
     return view;
 }
 
-/// Everything an image needs, in the order of construction.
-class Canvas {
+/// What the program itself draws of a size: layout and texts, in an ImGui context of its own. The meshes, and
+/// everything of OpenGL, come later, perhaps on another thread.
+class Page {
   public:
     /// `text`: what will be written that is not the program's own, such as titles.
-    Canvas(int width, int height, float scale, const ImageOptions& options, std::string_view text)
-        : theme_(theme_of(options)), scale_(scale),
-          context_(options.gl ? nullptr : make_offscreen_context(options.backend)),
-          gl_(options.gl ? *options.gl : context_->gl()), width_(width), height_(height), stop_(options.stop),
-          target_(gl_, width, strip_height(width, height, options.most_pixels)), mesh_renderer_(gl_) {
+    Page(int width, int height, float scale, const ImageOptions& options, std::string_view text)
+        : theme_(theme_of(options)), scale_(scale), width_(width), height_(height),
+          step_(strip_height(width, height, options.most_pixels)), cache_(options.cache) {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+        io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset; // as ImGuiRenderer does
         load_font(*io.Fonts, theme_, scale, text);
         apply_theme(theme_, scale);
-        text_renderer_.emplace(gl_);
+        font_ = pixels_of(*io.Fonts);
         ImGui::NewFrame();
     }
 
@@ -86,8 +87,7 @@ class Canvas {
     }
 
     void mesh(const Snapshot& snapshot, const Values& view, const ViewportText& text, PixelRect area) {
-        go_on();
-        ViewportPlanner planner;
+        ViewportPlanner planner = cache_ ? ViewportPlanner(cache_) : ViewportPlanner();
         ViewportPlan plan = planner.plan(snapshot, view, text, on_screen(area), scale_);
         draw_viewport_plots(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
         draw_viewport_overlay(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
@@ -102,34 +102,43 @@ class Canvas {
         draw_plot(*ImGui::GetBackgroundDrawList(), plot, rect, theme_, scale_);
     }
 
-    Image finish() {
+    /// Ends the layout; what was the current ImGui context before is it again.
+    void close() {
         ImGui::Render();
-        Image image =
-            draw_in_strips(width_, height_, target_.height(), [this](Strip strip) { return draw(strip); });
+        for (int top = 0; top < height_; top += step_)
+            texts_.push_back(in_strip(*ImGui::GetDrawData(), {top, step_}));
+        session_.leave();
+    }
+
+    /// Of a page that was closed. Uses no ImGui context. `drawn`: called with the fraction that is done.
+    Image draw(const Gl& gl, const std::stop_token& stop, const std::function<void(double)>& drawn) const {
+        const RenderTarget target(gl, width_, step_);
+        MeshRenderer meshes(gl);
+        ImGuiRenderer texts(gl, font_);
+        Image image = draw_in_strips(width_, height_, step_, [&](Strip strip) {
+            if (drawn) drawn(static_cast<double>(strip.top) / height_);
+            target.bind();
+            clear(gl);
+            const auto& text = texts_[static_cast<std::size_t>(strip.top / step_)];
+            strip.height = step_; // the last one may be cut off below the image
+            for (const PlannedView& shown : views_)
+                if (const auto part = in_strip(shown.camera, in_pixels(shown.rect), strip)) {
+                    if (stop.stop_requested()) throw Interrupted();
+                    meshes.draw(shown.scene, part->camera, part->area, step_, theme_, scale_);
+                }
+            texts.draw(text);
+            return target.read();
+        });
         if (theme_.background.a < 1) divide_by_alpha(image);
         return image;
     }
 
   private:
-    void go_on() const {
-        if (stop_.stop_requested()) throw Interrupted();
-    }
-
-    Image draw(Strip strip) {
-        target_.bind();
-        const Gl& gl = gl_;
+    void clear(const Gl& gl) const {
         const Colour ground = theme_.background;
         gl.Disable(GL_SCISSOR_TEST);
         gl.ClearColor(ground.r * ground.a, ground.g * ground.a, ground.b * ground.a, ground.a);
         gl.Clear(GL_COLOR_BUFFER_BIT);
-        strip.height = target_.height(); // the last one may be cut off below the image
-        for (const PlannedView& shown : views_)
-            if (const auto part = in_strip(shown.camera, in_pixels(shown.rect), strip)) {
-                go_on();
-                mesh_renderer_.draw(shown.scene, part->camera, part->area, target_.height(), theme_, scale_);
-            }
-        text_renderer_->draw(in_strip(*ImGui::GetDrawData(), strip));
-        return target_.read();
     }
 
     static ScreenRect on_screen(PixelRect area) {
@@ -144,39 +153,68 @@ class Canvas {
 
     Theme theme_;
     float scale_;
-    std::unique_ptr<OffscreenContext> context_; ///< null: the caller's
-    const Gl& gl_;
     int width_, height_; ///< of the image
-    std::stop_token stop_;
-    RenderTarget target_; ///< one strip of it
+    int step_;           ///< height of a strip of it
+    std::shared_ptr<TessellationCache> cache_;
     ImGuiSession session_;
-    std::optional<ImGuiRenderer> text_renderer_; ///< once the font is there
-    MeshRenderer mesh_renderer_;
+    FontPixels font_;
     std::vector<PlannedView> views_;
+    std::vector<ImDrawData> texts_; ///< per strip
 };
 
-} // namespace
+/// With the caller's context, or one that is made for it.
+Image draw_page(const Page& page, const ImageOptions& options,
+                const std::function<void(double)>& drawn = {}) {
+    if (options.gl != nullptr) return page.draw(*options.gl, options.stop, drawn);
+    const auto context = make_offscreen_context(options.backend);
+    return page.draw(context->gl(), options.stop, drawn);
+}
 
-Image render_view(const Snapshot& snapshot, const Values& view, int width, int height,
-                  const std::string& subject, const ImageOptions& options) {
+std::unique_ptr<Page> page_of_view(const Snapshot& snapshot, const Values& view, int width, int height,
+                                   const std::string& subject, const ImageOptions& options) {
     ImageOptions themed = options;
     themed.light = options.light || view.text("theme") == "light";
     themed.background = parse_background(view.text("background"));
     const float scale = image_scale(width, height) * static_cast<float>(view.real("text_size"));
-    Canvas canvas(width, height, scale, themed, subject);
+    auto page = std::make_unique<Page>(width, height, scale, themed, subject);
     const ViewportText text{.subject = subject,
                             .report = snapshot.report,
                             .caption = view.boolean("caption"),
                             .with_legend = view.boolean("legend"),
                             .notes = view.boolean("note")};
-    canvas.mesh(snapshot, view, text, {0, 0, width, height});
-    return canvas.finish();
+    page->mesh(snapshot, view, text, {0, 0, width, height});
+    page->close();
+    return page;
+}
+
+} // namespace
+
+Image render_view(const Snapshot& snapshot, const Values& view, int width, int height,
+                  const std::string& subject, const ImageOptions& options) {
+    return draw_page(*page_of_view(snapshot, view, width, height, subject, options), options);
+}
+
+struct PreparedImage::Parts {
+    std::unique_ptr<Page> page;
+    ImageOptions options;
+};
+
+PreparedImage::PreparedImage(const Snapshot& snapshot, const Values& view, int width, int height,
+                             const std::string& subject, const ImageOptions& options)
+    : parts_(std::make_unique<Parts>(
+          Parts{page_of_view(snapshot, view, width, height, subject, options), options})) {}
+
+PreparedImage::~PreparedImage() = default;
+
+Image PreparedImage::draw(const std::function<void(double)>& drawn) const {
+    return draw_page(*parts_->page, parts_->options, drawn);
 }
 
 Image render_plot(const Plot& plot, int width, int height, const ImageOptions& options) {
-    Canvas canvas(width, height, image_scale(width, height), options, plot.title);
-    canvas.plot(plot, {0, 0, width, height});
-    return canvas.finish();
+    Page page(width, height, image_scale(width, height), options, plot.title);
+    page.plot(plot, {0, 0, width, height});
+    page.close();
+    return draw_page(page, options);
 }
 
 Image render_panels(const std::vector<Panel>& panels, int columns, int width, int height,
@@ -187,24 +225,25 @@ Image render_panels(const std::vector<Panel>& panels, int columns, int width, in
     std::string titles;
     for (const Panel& panel : panels)
         titles += std::visit([](const auto& shown) { return shown.title; }, panel);
-    Canvas canvas(width, height, image_scale(panel_width * 3 / 2, panel_height * 3 / 2), options, titles);
+    Page page(width, height, image_scale(panel_width * 3 / 2, panel_height * 3 / 2), options, titles);
     float legend = 0;
     for (const Panel& panel : panels)
         if (const auto* mesh = std::get_if<MeshPanel>(&panel))
-            legend = std::max(legend, canvas.legend_of(*mesh));
+            legend = std::max(legend, page.legend_of(*mesh));
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const int at = static_cast<int>(i);
         const PixelRect area{at % columns * panel_width, at / columns * panel_height, panel_width,
                              panel_height};
         if (const auto* plot = std::get_if<Plot>(&panels[i])) {
-            canvas.plot(*plot, area);
+            page.plot(*plot, area);
             continue;
         }
         const auto& panel = std::get<MeshPanel>(panels[i]);
-        canvas.mesh(*panel.snapshot, view_of(panel),
-                    {.title = panel.title, .caption = false, .legend = legend}, area);
+        page.mesh(*panel.snapshot, view_of(panel), {.title = panel.title, .caption = false, .legend = legend},
+                  area);
     }
-    return canvas.finish();
+    page.close();
+    return draw_page(page, options);
 }
 
 } // namespace gaspard

@@ -1,6 +1,6 @@
 // Images without a window: a viewport, a plot, or several of them side by side, drawn offscreen.
 //
-// Each call creates and releases an OpenGL context, unless it is given one. Throws MachineError
+// Drawing creates and releases an OpenGL context, unless it is given one. Throws MachineError
 // if there is no OpenGL.
 #pragma once
 
@@ -9,8 +9,10 @@
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/background.hpp"
 #include "core/tessellate/plot.hpp"
+#include "core/tessellate/tessellation_cache.hpp"
 #include "gui/gl/offscreen.hpp"
 
+#include <functional>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -29,12 +31,31 @@ struct ImageOptions {
     int most_pixels = strip_pixels;
     const Gl* gl = nullptr; ///< of a context that is current, to draw with; null: one is made and released
     std::stop_token stop{}; ///< asked to stop between meshes, drawing throws Interrupted
+    std::shared_ptr<TessellationCache> cache{}; ///< of tessellations that may have been made; may be null
 };
 
 /// What a viewport of the window would show of `snapshot`. `view` is the section of view_rows(); `subject`
 /// names the problem in the caption ("plane, ring").
 Image render_view(const Snapshot& snapshot, const Values& view, int width, int height,
                   const std::string& subject = {}, const ImageOptions& options = {});
+
+/// The same in two parts, of which the long one may be on another thread.
+class PreparedImage {
+  public:
+    /// Lays it out, on the thread of the ImGui context that is current, if any, which has to destroy it, too.
+    PreparedImage(const Snapshot& snapshot, const Values& view, int width, int height,
+                  const std::string& subject, const ImageOptions& options = {});
+    ~PreparedImage();
+    PreparedImage(const PreparedImage&) = delete;
+    PreparedImage& operator=(const PreparedImage&) = delete;
+
+    /// Draws it, once, on any thread. `drawn` is called with the fraction that is done.
+    Image draw(const std::function<void(double)>& drawn = {}) const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
 
 Image render_plot(const Plot& plot, int width, int height, const ImageOptions& options = {});
 

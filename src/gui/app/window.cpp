@@ -452,11 +452,6 @@ class Window {
             return draw_plot_image(gl_, image_->interface(), plot, application_->window_state().theme, zoom(),
                                    look_.scales.density);
         });
-        application_->save_figure([this](const FigureToDraw& figure) {
-            const Values& view = figure.choice.view;
-            return render_view(*figure.snapshot, view, static_cast<int>(view.integer("width")),
-                               static_cast<int>(view.integer("height")), figure.subject, {.gl = &gl_});
-        });
         gl_.Finish();
         drawing_seconds_ = glfwGetTime() - begun_ - waited; // without waiting for the screen
         if (changed_ || exposed) glfwSwapBuffers(window_.get());

@@ -1,5 +1,5 @@
-// An ImGui context with an owner. It is current during its lifetime; afterwards the previous one is current
-// again. It reads and writes no files.
+// An ImGui context with an owner. It is current during its lifetime, or until it is left; afterwards the
+// previous one is current again. It reads and writes no files.
 #pragma once
 
 #include "gui/gl/imgui_input.hpp"
@@ -19,9 +19,12 @@ class ImGuiSession {
         io.ConfigInputTextCursorBlink = false; // a window that sleeps would stop it at "hidden"
     }
     ~ImGuiSession() {
+        const bool current = ImGui::GetCurrentContext() == context_;
         ImGui::DestroyContext(context_);
-        ImGui::SetCurrentContext(previous_);
+        if (current) ImGui::SetCurrentContext(previous_);
     }
+    /// Makes the previous context current; what was drawn in this one can still be read.
+    void leave() const { ImGui::SetCurrentContext(previous_); }
     ImGuiSession(const ImGuiSession&) = delete;
     ImGuiSession& operator=(const ImGuiSession&) = delete;
 

@@ -2,10 +2,12 @@
 
 #include "gui/gl/draw_changes.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <iterator>
 
 namespace gaspard {
 
@@ -17,7 +19,15 @@ const void* offset(std::size_t bytes) {
 
 } // namespace
 
-ImGuiRenderer::ImGuiRenderer(const Gl& gl)
+FontPixels pixels_of(ImFontAtlas& atlas) {
+    unsigned char* pixels = nullptr;
+    FontPixels font;
+    atlas.GetTexDataAsRGBA32(&pixels, &font.width, &font.height);
+    font.rgba = pixels;
+    return font;
+}
+
+ImGuiRenderer::ImGuiRenderer(const Gl& gl, const FontPixels& font)
     : gl_(gl), program_(make_program(gl, "imgui")), clip_(uniform(gl, program_, "clip")), array_(gl),
       vertices_(gl), indices_(gl), font_(gl) {
     gl.UseProgram(program_.name());
@@ -32,25 +42,51 @@ ImGuiRenderer::ImGuiRenderer(const Gl& gl)
     attribute(0, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, pos));
     attribute(1, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, uv));
     attribute(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(ImDrawVert, col));
+    upload(font_, font.width, font.height, font.rgba);
+}
 
+ImGuiRenderer::ImGuiRenderer(const Gl& gl) : ImGuiRenderer(gl, pixels_of(*ImGui::GetIO().Fonts)) {
     ImGuiIO& io = ImGui::GetIO();
     io.BackendRendererName = "gaspard";
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-    update_font();
+    io.Fonts->SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(font_.name())));
 }
 
 void ImGuiRenderer::update_font() {
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-    atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
+    const FontPixels font = pixels_of(atlas);
+    upload(font_, font.width, font.height, font.rgba);
+    atlas.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(font_.name())));
+}
+
+void ImGuiRenderer::upload(const GlTexture& texture, int width, int height, const unsigned char* rgba) {
     gl_.ActiveTexture(GL_TEXTURE0);
-    gl_.BindTexture(GL_TEXTURE_2D, font_.name());
+    gl_.BindTexture(GL_TEXTURE_2D, texture.name());
     gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    atlas.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(font_.name())));
+}
+
+/// Ids are names of textures, such as a font's, none for a font that has no name yet, or addresses of sheets,
+/// whose textures are made and brought up to date here.
+GLuint ImGuiRenderer::texture_of(ImTextureID id) {
+    constexpr std::uintptr_t lowest_address = 1 << 16; // no object is below, and few textures have such names
+    const auto name = reinterpret_cast<std::uintptr_t>(id);
+    if (name < lowest_address) return name == 0 ? font_.name() : static_cast<GLuint>(name);
+    std::erase_if(sheets_, [](const Sheet& one) { return one.of.expired(); });
+    const auto& sheet = *static_cast<const PictureSheet*>(id);
+    auto found = std::find_if(sheets_.begin(), sheets_.end(),
+                              [&](const Sheet& one) { return one.of.lock().get() == &sheet; });
+    if (found == sheets_.end()) {
+        sheets_.push_back({sheet.weak_from_this(), GlTexture(gl_)});
+        found = std::prev(sheets_.end());
+    }
+    if (found->version != sheet.version()) {
+        upload(found->texture, sheet.image().width, sheet.image().height, sheet.image().rgba.data());
+        found->version = sheet.version();
+    }
+    return found->texture.name();
 }
 
 void ImGuiRenderer::set_state(const ImDrawData& data, int width, int height) {
@@ -96,8 +132,7 @@ void ImGuiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data, Pi
             intersection(part, {left, top, x(command.ClipRect.z) - left, y(command.ClipRect.w) - top});
         if (seen.empty()) continue;
         gl_.Scissor(seen.x, height - seen.y - seen.height, seen.width, seen.height);
-        gl_.BindTexture(GL_TEXTURE_2D,
-                        static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+        gl_.BindTexture(GL_TEXTURE_2D, texture_of(command.GetTexID()));
         gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
                                    sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
                                    offset(command.IdxOffset * sizeof(ImDrawIdx)),

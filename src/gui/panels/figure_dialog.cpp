@@ -187,8 +187,8 @@ void FigureDialog::draw_parts(ItemRectangles& items) {
         view_->set("text_size", static_cast<double>(size));
     remember_item(items, "figure.text_size");
     label_before("Show");
-    for (const auto& [key, label] :
-         {std::pair("legend", "Legend"), std::pair("caption", "Caption"), std::pair("note", "Notes")}) {
+    for (const auto& [key, label] : {std::pair("axes", "Axes"), std::pair("legend", "Legend"),
+                                     std::pair("caption", "Caption"), std::pair("note", "Notes")}) {
         bool shown = view_->boolean(key);
         if (ImGui::Checkbox(label, &shown)) view_->set(key, shown);
         remember_item(items, std::string("figure.") + key);

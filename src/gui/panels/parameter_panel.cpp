@@ -11,6 +11,7 @@
 #include "gui/panels/value_field.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <functional>
 #include <imgui.h>
@@ -173,6 +174,31 @@ bool choice_fits(const PanelContext& context, const Scenario* scenario, const Va
 
 } // namespace
 
+/// The open list of types.
+bool ParameterPanel::draw_types(SectionKind kind, const PanelContext& context, Scenario& scenario) {
+    if (kind == SectionKind::monitor || kind == SectionKind::source) {
+        auto chosen = monitors_.draw(kind, context, scenario);
+        if (chosen) scenario = std::move(*chosen);
+        return chosen.has_value();
+    }
+    const std::string key = std::string(section_key(kind)) + ".type",
+                      current = section_of(scenario, kind).type;
+    std::optional<Scenario> chosen;
+    for (const auto& entry : type_entries(context.catalogue, kind)) {
+        auto candidate = with_type(context.catalogue, context.opened, scenario, kind, *entry.name);
+        const bool selected = *entry.name == current, possible = candidate || selected;
+        const auto flags = possible ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
+        if (ImGui::Selectable(entry.label->c_str(), selected, flags) && candidate && !selected)
+            chosen = std::move(candidate);
+        remember_item(context.items, key + "=" + *entry.name);
+        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+            ImGui::SetTooltip("%s",
+                              possible ? entry.help->c_str() : "cannot be combined with the other sections");
+    }
+    if (chosen) scenario = std::move(*chosen);
+    return chosen.has_value();
+}
+
 bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context, Scenario& scenario) {
     const std::string key = std::string(section_key(kind)) + ".type";
     const auto entries = type_entries(context.catalogue, kind);
@@ -188,26 +214,18 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
     ImGui::SameLine(c.control);
     ImGui::SetNextItemWidth(c.wide());
     const float free = c.wide() - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+    const bool pictures = kind == SectionKind::monitor || kind == SectionKind::source;
+    if (kind == SectionKind::monitor) monitors_.begin_frame();
+    if (pictures)
+        ImGui::SetNextWindowSizeConstraints({MonitorList::width(), 0},
+                                            {FLT_MAX, 0.8F * ImGui::GetIO().DisplaySize.y});
     const bool open = ImGui::BeginCombo(
         "##type", shortened(shown == entries.end() ? current : *shown->label, free).c_str());
     remember_item(context.items, key);
     if (shown != entries.end() && row_hovered(corner, c))
         show_tooltip(*shown->label, *shown->help, key, corner.y);
     if (open) {
-        for (const auto& entry : entries) {
-            auto candidate = with_type(context.catalogue, context.opened, scenario, kind, *entry.name);
-            const bool selected = *entry.name == current;
-            const auto flags =
-                candidate || selected ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
-            if (ImGui::Selectable(entry.label->c_str(), selected, flags) && candidate && !selected) {
-                scenario = std::move(*candidate);
-                changed = true;
-            }
-            remember_item(context.items, key + "=" + *entry.name);
-            if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-                ImGui::SetTooltip("%s", candidate || selected ? entry.help->c_str()
-                                                              : "cannot be combined with the other sections");
-        }
+        changed = draw_types(kind, context, scenario);
         ImGui::EndCombo();
     }
     const Section& section = section_of(scenario, kind);

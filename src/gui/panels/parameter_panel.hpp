@@ -14,6 +14,7 @@
 #include "gui/panels/awaited_field.hpp"
 #include "gui/panels/file_row.hpp"
 #include "gui/panels/formula_field.hpp"
+#include "gui/panels/monitor_list.hpp"
 #include "gui/panels/sections.hpp"
 
 #include <map>
@@ -24,6 +25,8 @@
 #include <vector>
 
 namespace gaspard {
+
+struct Snapshot;
 
 /// What the panels need besides the values that they edit.
 struct PanelContext {
@@ -40,6 +43,8 @@ struct PanelContext {
     const MonitorReport* report = nullptr; ///< of the monitor as it is solved for; may be null
     std::string shown_field{};             ///< that the cells are coloured by
     std::string warning{};                 ///< about the monitor on this mesh; may be empty
+    const Snapshot* snapshot = nullptr;    ///< that shows where the domain is; may be null
+    std::string colours = "automatic";     ///< view.color_map
 };
 
 class ParameterPanel {
@@ -61,7 +66,7 @@ class ParameterPanel {
     /// A text field is about to get the keyboard.
     bool awaits_text() const { return formulas_.awaits_text() || focus_.pending(); }
     /// Something will happen without input.
-    bool waiting() const { return formulas_.waiting(); }
+    bool waiting() const { return formulas_.waiting() || monitors_.waiting(); }
 
     /// The field that the user wants to see, once.
     std::optional<std::string> take_field_wish() { return std::exchange(field_wish_, std::nullopt); }
@@ -70,6 +75,7 @@ class ParameterPanel {
     enum class Drawn { unchanged, changed, other_rows };
     Drawn draw_scenario_row(SectionKind kind, const PanelContext& context, const ParameterRow& row,
                             Scenario& scenario);
+    bool draw_types(SectionKind kind, const PanelContext& context, Scenario& scenario);
     bool draw_stage(const PanelContext& context, const MonitorStage& stage, const ParameterRow* toggle,
                     Values& values);
     bool draw_section_rows(SectionKind kind, const PanelContext& context, Scenario& scenario);
@@ -104,6 +110,7 @@ class ParameterPanel {
     };
     std::map<std::string, Widened> widened_; ///< sliders whose ends the row says, by key
     FormulaField formulas_;
+    MonitorList monitors_;
     bool formula_applied_ = false;
     std::optional<FileWish> file_wish_;
     std::optional<std::string> field_wish_;

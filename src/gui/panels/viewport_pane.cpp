@@ -247,6 +247,8 @@ void ViewportPane::draw_handles(const FrameContext& context) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (const PlannedView& shown : plan_->views) {
         list.PushClipRect(shown.rect.min, shown.rect.max, true);
+        if (!handles_.empty() && seen(handles_.back(), shown))
+            draw_control_net(handles_, list, shown, context.theme, context.scale);
         for (std::size_t i = 0; i < handles_.size(); ++i) {
             const auto at = seen(handles_[i], shown);
             if (!at) continue;

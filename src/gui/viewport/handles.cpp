@@ -86,7 +86,7 @@ std::vector<Handle> domain_handles(const Scenario& scenario, const Snapshot& sna
         if (row.role != ParameterRole::control_points) continue;
         const auto control = points_of(values.text(row.key), snapshot);
         for (std::size_t i = 0; control && i < control->size(); ++i)
-            handles.push_back({row.key, {}, false, (*control)[i], control, i});
+            handles.push_back({row.key, {}, false, (*control)[i], control, i, snapshot.control_columns});
     }
     for (Handle& handle : handles) {
         handle.of_domain = true;
@@ -148,6 +148,29 @@ std::string item_name(const Handle& handle) {
     std::string name = "handle." + handle.first;
     if (handle.control) name += '.' + std::to_string(handle.number);
     return name;
+}
+
+void draw_control_net(const std::vector<Handle>& handles, ImDrawList& list, const PlannedView& shown,
+                      const Theme& theme, float scale) {
+    const auto line = [&](const Handle& from, std::size_t number) {
+        Handle to = from;
+        to.place = (*from.control)[number];
+        const auto a = pixel_of(from, shown), b = pixel_of(to, shown);
+        if (!a || !b) return;
+        const auto at = [&](Pixel p) {
+            return ImVec2{shown.rect.min.x + static_cast<float>(p.x),
+                          shown.rect.min.y + static_cast<float>(p.y)};
+        };
+        // Seen on every colour.
+        list.AddLine(at(*a), at(*b), packed(theme.background, 0.55F), 3 * scale);
+        list.AddLine(at(*a), at(*b), packed(theme.text, 0.6F), scale);
+    };
+    for (const Handle& handle : handles) {
+        if (!handle.control || handle.columns == 0) continue;
+        if ((handle.number + 1) % handle.columns != 0) line(handle, handle.number + 1);
+        if (handle.number + handle.columns < handle.control->size())
+            line(handle, handle.number + handle.columns);
+    }
 }
 
 /// A monitor's place is a circle with a cross, a control point a square.

@@ -18,6 +18,7 @@ struct Handle {
     Vec3 place;                              ///< in the plane, or of unit length
     std::shared_ptr<const Points> control{}; ///< all of the curve or patch, where this is a control point
     std::size_t number = 0;                  ///< which of them
+    std::size_t columns = 0;                 ///< of the net that they are, in the first direction; 0: none
     bool of_domain = false;                  ///< keys of the domain, not of the monitor
     bool of_source = false;                  ///< of the domain from which a map goes to another one
 };
@@ -37,6 +38,9 @@ std::optional<Pixel> pixel_of(const Handle& handle, const PlannedView& shown);
 /// beside a projection nothing.
 std::optional<Vec3> place_under(const Handle& handle, const PlannedView& shown, Pixel pixel);
 
+/// Thin lines between neighbours of the net that control points of a patch are, below the handles.
+void draw_control_net(const std::vector<Handle>& handles, ImDrawList& list, const PlannedView& shown,
+                      const Theme& theme, float scale);
 void draw_handle(const Handle& handle, ImDrawList& list, ImVec2 at, bool lit, const Theme& theme,
                  float scale);
 /// A dragged coordinate: in steps of about 1e-4 of a length, a power of ten.

@@ -10,7 +10,7 @@ namespace gaspard {
 namespace {
 
 // At scale 1.
-constexpr float legend_margin = 14, legend_gap = 6, bar_width = 14, histogram_width = 34, pad = 8;
+constexpr float legend_margin = 9, legend_gap = 6, bar_width = 14, histogram_width = 30, pad = 8;
 constexpr const char* widest_label = "-1.25×10⁻³"; // the width reserved for labels
 
 float label_width() { return ImGui::CalcTextSize(widest_label).x; }

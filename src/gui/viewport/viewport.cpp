@@ -3,6 +3,7 @@
 #include "core/session/report_columns.hpp"
 #include "core/tessellate/ticks.hpp"
 #include "gui/plot/plot_widget.hpp"
+#include "gui/viewport/axes.hpp"
 #include "gui/viewport/legend.hpp"
 #include "gui/viewport/section_control.hpp"
 #include "gui/viewport/viewport_text.hpp"
@@ -302,7 +303,11 @@ std::optional<LegendPlaces> legend_of(const ViewportPlan& plan, float scale) {
 void draw_viewport_overlay(ImDrawList& list, const ViewportPlan& plan, const Theme& theme, float scale) {
     list.PushClipRect(plan.rect.min, plan.rect.max, true);
     ScreenRect available = above_caption(plan, scale);
+    const auto legend = legend_of(plan, scale);
     for (const PlannedView& shown : plan.views) {
+        ScreenRect pane = shown.rect;
+        pane.max.y = std::min(pane.max.y, available.max.y);
+        draw_axes(list, shown, pane, legend ? std::optional(legend->all) : std::nullopt, theme, scale);
         if (shown.scene.projection) draw_graticule(list, shown, theme, scale);
         if (shown.scene.ball > 0 && shown.scene.mesh->kind.order > 1) // straight cells have none
             draw_rim(list, shown, theme, scale);

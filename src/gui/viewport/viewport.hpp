@@ -40,8 +40,9 @@ struct PlannedView {
     MeshScene scene;
     Camera camera; ///< for the size of `rect`
     ScreenRect rect;
-    std::string title; ///< above it; may be empty
-    bool rear = false; ///< its camera looks from behind the view's
+    std::string title;         ///< above it; may be empty
+    bool rear = false;         ///< its camera looks from behind the view's
+    std::optional<Box> axes{}; ///< of the mesh that is shown, where it has axes
 
     Size size() const { return {static_cast<double>(rect.width()), static_cast<double>(rect.height())}; }
 };
@@ -64,6 +65,7 @@ struct ViewportPlan {
     PickFacts facts;       ///< of the pick
     std::string complaint; ///< what was wrong with the view's texts
     bool histogram = true;
+    bool axes = true; ///< of meshes in the plane
     HistogramCounts counts = HistogramCounts::square_root;
     std::vector<std::string> unavailable; ///< choices of the view that this mesh has not: "layout=projection"
 };
@@ -113,6 +115,7 @@ class ViewportPlanner {
                      std::span<const NamedSnapshot> others, const std::vector<ColumnZoom>& zooms,
                      float scale);
     void add_arrows(ViewportPlan& plan, float scale);
+    void add_axes(ViewportPlan& plan);
     void add_section(const Values& view, ViewportPlan& plan);
     void add_pick(const Snapshot& snapshot, const MeshScene& scene, const Values& view, ViewportPlan& plan);
 
@@ -140,6 +143,13 @@ class ViewportPlanner {
         std::shared_ptr<const std::vector<std::uint32_t>> points;
     };
     std::vector<Arrows> arrows_; ///< of the plan's views
+    /// The box of what was last shown.
+    struct Extent {
+        std::shared_ptr<const Points> computational, physical;
+        double blend = 1;
+        Box box;
+    };
+    std::vector<Extent> extents_; ///< of the plan's views
     struct Facts {
         std::shared_ptr<const Mesh> mesh;
         std::uint64_t version = 0;

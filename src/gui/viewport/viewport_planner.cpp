@@ -5,6 +5,7 @@
 #include "core/tessellate/snapshot_section.hpp"
 #include "core/tessellate/ticks.hpp"
 #include "gui/scene/arrows.hpp"
+#include "gui/viewport/axes.hpp"
 #include "gui/viewport/legend.hpp"
 #include "gui/viewport/viewport.hpp"
 #include "gui/viewport/viewport_text.hpp"
@@ -18,6 +19,13 @@ namespace gaspard {
 namespace {
 
 constexpr double arrow_spacing = 26; // at scale 1
+
+/// The margins for title and axes of one of several views.
+Insets insets_of_part(const ViewportPlan& plan, const PlannedView& shown, float scale) {
+    Insets insets = plan.axes ? room_for_axes(shown.scene, scale) : Insets();
+    insets.top = static_cast<double>(title_height(shown.title, scale));
+    return insets;
+}
 
 /// The margins for legend and texts of a view that fills the viewport.
 Insets insets_of(const ViewportPlan& plan, const MeshScene& scene, float scale) {
@@ -34,6 +42,11 @@ Insets insets_of(const ViewportPlan& plan, const MeshScene& scene, float scale) 
     const double free_side =
         (static_cast<double>(rect.width() - rect.height()) + insets.top + insets.bottom) / 2;
     if (free_side > insets.right && !scene.projection) insets.left = insets.right;
+    if (!plan.axes) return insets;
+    const Insets axes = room_for_axes(scene, scale);
+    insets.left = std::max(insets.left, axes.left);
+    insets.right = std::max(insets.right, axes.right);
+    insets.bottom += axes.bottom;
     return insets;
 }
 
@@ -186,8 +199,7 @@ void ViewportPlanner::place_views(const MeshScene& scene, const Snapshot& snapsh
     const bool around = layout == "front-and-rear";
     PlannedView left{
         around ? scene : computational(scene, snapshot, view), {}, first, around ? "front" : "computational"};
-    const Insets insets{.top = static_cast<double>(title_height(left.title, scale))};
-    left.camera = camera_of(scene, view, size_of(first), insets, plan.complaint);
+    left.camera = camera_of(scene, view, size_of(first), insets_of_part(plan, left, scale), plan.complaint);
     PlannedView right{scene, left.camera, second, around ? "rear" : blend_title(scene.blend)};
     if (around) right.camera = from_behind(left.camera, pivot_of(scene)), right.rear = true;
     plan.views = {std::move(left), std::move(right)};
@@ -236,8 +248,7 @@ void ViewportPlanner::place_runs(const MeshScene& scene, const Values& view, Vie
                               i == 0 ? plan.text.subject : others[i - 1].title});
     }
     PlannedView& first = plan.views.front();
-    const Insets insets{.top = static_cast<double>(title_height(first.title, scale))};
-    first.camera = camera_of(scene, view, first.size(), insets, plan.complaint);
+    first.camera = camera_of(scene, view, first.size(), insets_of_part(plan, first, scale), plan.complaint);
     for (PlannedView& shown : plan.views) shown.camera = first.camera;
 }
 
@@ -286,6 +297,19 @@ void ViewportPlanner::add_arrows(ViewportPlan& plan, float scale) {
                       std::make_shared<const std::vector<std::uint32_t>>(
                           points_with_arrows(shown.scene, shown.camera, size, spacing))};
         shown.scene.arrows = arrows.points;
+    }
+}
+
+void ViewportPlanner::add_axes(ViewportPlan& plan) {
+    extents_.resize(std::max(extents_.size(), plan.views.size()));
+    for (std::size_t i = 0; i < plan.views.size(); ++i) {
+        const MeshScene& scene = plan.views[i].scene;
+        if (!has_axes(scene)) continue;
+        Extent& extent = extents_[i];
+        if (extent.computational != scene.computational || extent.physical != scene.physical ||
+            extent.blend != scene.blend)
+            extent = {scene.computational, scene.physical, scene.blend, shown_box(scene)};
+        plan.views[i].axes = extent.box;
     }
 }
 
@@ -341,6 +365,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
     if (scene.cell_dimension == 3) plan.complaint = complaint_about_inside(view);
     if (text.with_legend) plan.colouring = scene.colouring;
     plan.histogram = view.boolean("histogram");
+    plan.axes = view.boolean("axes");
     plan.counts = histogram_counts(view.text("histogram_counts"));
     if (!in_space(scene)) plan.unavailable.emplace_back("layout=front-and-rear");
     if (scene.ball == 0) plan.unavailable.emplace_back("layout=projection");
@@ -352,6 +377,7 @@ ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view,
     if (scene.cell_dimension == 3 && plan.complaint.empty() && scene.tessellation->triangles.empty())
         plan.complaint = nothing_left(view);
     if (view.boolean("arrows")) add_arrows(plan, scale);
+    if (plan.axes) add_axes(plan);
     add_section(view, plan);
     add_pick(snapshot, scene, view, plan);
     return plan;

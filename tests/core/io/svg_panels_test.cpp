@@ -153,5 +153,22 @@ TEST_F(SvgPanels, HeightsAreTheSameOnBothMeshes) {
     EXPECT_NEAR((right.bottom - right.top) / (right.right - right.left), 0.5, 1e-3) << "half the domain";
 }
 
+TEST_F(SvgPanels, EachMeshHasAxesOfItsOwn) {
+    const SvgReader svg(drawn(both(), {.axes = true}));
+    for (const std::string& name : {std::string("computational-"), std::string()}) {
+        const Frame cells = frame_of(svg, name + "cells"), axes = frame_of(svg, name + "axes");
+        EXPECT_LT(axes.left, cells.left - 2) << name;
+        EXPECT_GT(axes.bottom, cells.bottom + 2) << name;
+        EXPECT_NEAR(axes.right, cells.right, 0.05) << name;
+        EXPECT_NEAR(axes.top, cells.top, 0.05) << name;
+    }
+    const auto texts = svg.texts();
+    for (const char* text : {"0", "1.0", "x", "y", "ξ", "η"})
+        EXPECT_NE(std::find(texts.begin(), texts.end(), text), texts.end()) << text;
+    EXPECT_EQ(SvgReader(drawn(both())).with_id("axes"), nullptr);
+    EXPECT_EQ(SvgReader(drawn(both(), {.axes = true, .elevation = 1})).with_id("axes"), nullptr)
+        << "a surface in space";
+}
+
 } // namespace
 } // namespace gaspard

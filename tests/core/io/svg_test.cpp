@@ -498,8 +498,16 @@ TEST(MeshSvg, TangledCellsStandOut) {
     snapshot.fields[1].values[7] = -0.25;
     snapshot.fields[1].values[8] = 0;
     const SvgReader svg(svg_of(snapshot));
-    EXPECT_EQ(strokes_in(svg, "tangled").size(), 2u);
     EXPECT_EQ(svg.texts().back(), "2 tangled cells");
+    const auto* veil = svg.with_id("veil");
+    ASSERT_NE(veil, nullptr);
+    EXPECT_EQ(strokes_in(svg, "veil").size(), 2u);
+    ASSERT_NE(veil->Attribute("opacity"), nullptr) << "as one: twice covered is no darker";
+    EXPECT_EQ(std::string(veil->Attribute("opacity")), ".45");
+    EXPECT_EQ(strokes_in(svg, "tangled").size(), 2u * 4) << "two rings, the veil, the outline";
+    const Snapshot untangled = sample_snapshot(unit_square_mesh(5));
+    EXPECT_GE(strokes_in(svg, "cells").size(), strokes_in(SvgReader(svg_of(untangled)), "cells").size())
+        << "they have their colours below the veil";
     // Above everything else of the mesh.
     bool edges_seen = false;
     for (auto* e = svg.root().FirstChildElement(); e; e = e->NextSiblingElement()) {

@@ -1,7 +1,9 @@
 // Opening, saving and exporting with the dialogs of the window.
 #include "core/base/read_file.hpp"
 #include "core/io/figure.hpp"
+#include "core/io/image.hpp"
 #include "core/io/state_file.hpp"
+#include "gui/app/viewport_image.hpp"
 #include "gui/file_dialogs_fixture.hpp"
 
 #include <fstream>
@@ -100,17 +102,48 @@ TEST_F(FileDialogsTest, AFigureInMillimetresIsDrawnInPixels) {
     frames(2);
     fill("figure.file", (folder / "talk").string());
     click("figure.ok");
-    int width = 0, height = 0;
-    application.save_figure([&](const FigureToDraw& figure) {
-        width = static_cast<int>(figure.choice.view.integer("width"));
-        height = static_cast<int>(figure.choice.view.integer("height"));
-        EXPECT_EQ(figure.snapshot, run().snapshot);
-        return Image{2, 2, std::vector<std::uint8_t>(16, 200)};
-    });
-    EXPECT_EQ(width, 945) << "80 mm";
-    EXPECT_EQ(height, 709) << "60 mm";
     ASSERT_TRUE(says("Saved " + (folder / "talk.png").string())) << said();
+    const Image image = read_image(folder / "talk.png");
+    EXPECT_EQ(image.width, 945) << "80 mm";
+    EXPECT_EQ(image.height, 709) << "60 mm";
+    EXPECT_EQ(image.rgba, render_view(*run().snapshot, look(), 945, 709, small_ring().title).rgba);
     EXPECT_NE(read_file(folder / "talk.png").find("pHYs"), std::string::npos);
+}
+
+TEST_F(FileDialogsTest, TheWindowGoesOnWhileALargeFigureIsDrawn) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    click("action.figure");
+    fill("figure.width", "6000");
+    fill("figure.height", "6000");
+    fill("figure.file", (folder / "large").string());
+    click("figure.ok");
+    int frames_meanwhile = 0;
+    bool progress = false;
+    ASSERT_TRUE(wait_until([&] {
+        ++frames_meanwhile;
+        progress |= shows("progress");
+        return said() == "Saved " + (folder / "large.png").string();
+    })) << said();
+    EXPECT_TRUE(progress);
+    EXPECT_GT(frames_meanwhile, 20);
+    frames(2);
+    EXPECT_FALSE(shows("progress"));
+    EXPECT_EQ(read_image(folder / "large.png").width, 6000);
+}
+
+TEST_F(FileDialogsTest, ALargeFigureIsCancelled) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    click("action.figure");
+    fill("figure.width", "6000");
+    fill("figure.height", "6000");
+    fill("figure.file", (folder / "large").string());
+    click("figure.ok");
+    ASSERT_TRUE(wait_until([&] { return shows("progress.cancel"); }));
+    click("progress.cancel");
+    ASSERT_TRUE(says("Cancelled.")) << said();
+    EXPECT_FALSE(std::filesystem::exists(folder / "large.png"));
+    frames(2);
+    EXPECT_FALSE(shows("progress"));
 }
 
 TEST_F(FileDialogsTest, AFigureReplacesNothingUnlessAsked) {

@@ -47,5 +47,48 @@ TEST_F(ScenarioListTest, AScenarioIsFoundByItsNameAndOpened) {
     ASSERT_TRUE(wait_until([&] { return run().scenario.name == "sphere-x16"; }));
 }
 
+TEST_F(ScenarioListTest, ArrowKeysAndEnterChoose) {
+    frame();
+    ui.click(application.items().find("scenario")->second, drawing());
+    for (int i = 0; i < 4; ++i) frame();
+    const auto press = [&](ImGuiKey key) {
+        ui.key(key, true);
+        frame();
+        ui.key(key, false);
+        frame();
+    };
+    const auto place = [&](const char* name) { return application.items().find(name)->second; };
+    const ItemRectangle bell = place("scenario=plane-bell"), combine = place("scenario=plane-combine");
+    EXPECT_EQ(bell.top, combine.top) << "cards beside each other";
+    EXPECT_GT(combine.left, bell.center_x());
+    EXPECT_GT(place("scenario=walls-ring").top, bell.center_y());
+    for (const ImGuiKey key :
+         {ImGuiKey_DownArrow, ImGuiKey_RightArrow, ImGuiKey_RightArrow, ImGuiKey_LeftArrow, ImGuiKey_UpArrow})
+        press(key);
+    press(ImGuiKey_Enter);
+    ASSERT_TRUE(wait_until([&] { return run().scenario.name == "plane-combine"; })) << run().scenario.name;
+    EXPECT_FALSE(application.items().count("scenario=plane-bell")) << "the list is closed";
+}
+
+TEST_F(ScenarioListTest, EnterOpensTheFirstThatMatches) {
+    frame();
+    ui.click(application.items().find("scenario")->second, drawing());
+    for (int i = 0; i < 4; ++i) frame();
+    ui.type("x16", drawing());
+    frame();
+    ui.key(ImGuiKey_Enter, true);
+    frame();
+    ui.key(ImGuiKey_Enter, false);
+    ASSERT_TRUE(wait_until([&] { return run().scenario.name == "sphere-x16"; }));
+}
+
+TEST_F(ScenarioListTest, PicturesComeWithinAFewFrames) {
+    frame();
+    ui.click(application.items().find("scenario")->second, drawing());
+    int frames = 0;
+    for (frame(); application.window_state().animating && frames < 30; ++frames) frame();
+    EXPECT_LT(frames, 10);
+}
+
 } // namespace
 } // namespace gaspard

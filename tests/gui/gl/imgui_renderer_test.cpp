@@ -51,5 +51,47 @@ TEST(ImGuiRenderer, DrawsNothingWhereTheClipRectangleIsEmpty) {
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) ASSERT_EQ(image.rgba[i], 0);
 }
 
+TEST(ImGuiRenderer, DrawsPicturesOfSheetsAlsoThoseAddedLater) {
+    const auto context = make_offscreen_context(OffscreenBackend::any);
+    const ImGuiSession session;
+    ImGui::GetIO().DisplaySize = {64, 32};
+    ImGuiRenderer renderer(context->gl());
+    RenderTarget target(context->gl(), 64, 32);
+    auto sheet = std::make_shared<PictureSheet>(4, 4, 2);
+    const auto plain = [](std::uint8_t red, std::uint8_t green) {
+        Image image{4, 4, {}};
+        for (int i = 0; i < 16; ++i)
+            for (const int part : {int{red}, int{green}, 0, 255})
+                image.rgba.push_back(static_cast<std::uint8_t>(part));
+        return image;
+    };
+    std::vector<PicturePlace> places = {sheet->add(plain(200, 0))};
+    const auto draw = [&] {
+        target.bind();
+        context->gl().ClearColor(0, 0, 0, 1);
+        context->gl().Clear(GL_COLOR_BUFFER_BIT);
+        ImGui::NewFrame();
+        float x = 0;
+        for (const PicturePlace& place : places) {
+            ImGui::GetForegroundDrawList()->AddImage(place.texture(), {x, 0}, {x + 32, 32}, place.low,
+                                                     place.high);
+            x += 32;
+        }
+        ImGui::Render();
+        renderer.draw(*ImGui::GetDrawData());
+        return target.read();
+    };
+    const auto at = [](const Image& image, int x) { return image.rgba.data() + 4 * (16 * image.width + x); };
+    EXPECT_EQ(at(draw(), 16)[0], 200);
+    places.push_back(sheet->add(plain(0, 150)));
+    const Image both = draw();
+    EXPECT_EQ(at(both, 16)[0], 200);
+    EXPECT_EQ(at(both, 48)[1], 150);
+    // Another sheet, perhaps at the same address.
+    sheet = std::make_shared<PictureSheet>(4, 4, 2);
+    places = {sheet->add(plain(90, 90))};
+    EXPECT_EQ(at(draw(), 16)[0], 90);
+}
+
 } // namespace
 } // namespace gaspard

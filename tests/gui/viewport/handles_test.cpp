@@ -245,6 +245,14 @@ class PatchApplicationTest : public ApplicationFixture {
     }
 };
 
+TEST_F(PatchApplicationTest, TheControlPointsOfTheDiskAreANetOfThreeByThree) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && run().snapshot; }));
+    EXPECT_EQ(run().snapshot->control_columns, 3U);
+    const auto handles = domain_handles(run().scenario, *run().snapshot);
+    ASSERT_EQ(handles.size(), 9U);
+    EXPECT_EQ(handles[4].columns, 3U);
+}
+
 TEST_F(PatchApplicationTest, AFoldStopsAControlPointButNotTheHand) {
     ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
     frame();
@@ -288,6 +296,36 @@ TEST_F(PatchApplicationTest, AFoldStopsAControlPointButNotTheHand) {
     EXPECT_EQ(application.document().edits().undo_count(), 1U);
     application.document().undo();
     EXPECT_EQ(run().scenario.domain.values.text("control_points"), "") << "as before the drag";
+}
+
+TEST_F(HandleTest, TheNetJoinsNeighbouringControlPoints) {
+    // 3 x 2 points, whose net has 4 lines along the first and 3 along the second direction.
+    Snapshot snapshot = ring_snapshot(4);
+    Points control(6);
+    for (std::size_t i = 0; i < 6; ++i)
+        control.set(i, {0.5 * static_cast<double>(i % 3), static_cast<double>(i / 3), 0});
+    snapshot.control = std::make_shared<const Points>(control);
+    const Scenario patch = with("spline-circle", {"domain.type=spline-patch"});
+    const ViewportPlan made = plan(snapshot);
+    const auto vertices = [&](const std::vector<Handle>& handles, const PlannedView& shown) {
+        int count = 0;
+        ui_.frame([&] {
+            ImDrawList& list = *ImGui::GetForegroundDrawList();
+            draw_control_net(handles, list, shown, theme_, 1);
+            count = list.VtxBuffer.Size;
+        });
+        return count;
+    };
+    EXPECT_EQ(vertices(domain_handles(patch, snapshot), made.views[0]), 0) << "no net";
+    snapshot.control_columns = 1;
+    const int five = vertices(domain_handles(patch, snapshot), made.views[0]);
+    snapshot.control_columns = 3;
+    const int seven = vertices(domain_handles(patch, snapshot), made.views[0]);
+    EXPECT_GT(five, 0);
+    EXPECT_EQ(7 * five, 5 * seven);
+    PlannedView computational = made.views[0];
+    computational.scene.blend = 0;
+    EXPECT_EQ(vertices(domain_handles(patch, snapshot), computational), 0) << "where there are no handles";
 }
 
 TEST_F(HandleApplicationTest, AClickOnAHandlePicksWhatLiesBelow) {
