@@ -775,7 +775,9 @@ class Information(Contract):
             self.assertEqual((result.returncode, result.stderr), (0, ""))
             root = xml.etree.ElementTree.parse(self.path("adapted.svg")).getroot()
             return root.get("width"), [element.get("id") for element in root if element.get("id")]
-        physical = ["cells", "edges", "contours", "legend"]
+        physical = ["cells", "edges", "contours", "axes", "legend"]
+        self.assertEqual(drawn(), ("120mm", physical))
+        self.assertEqual(drawn("view.axes=false"), ("120mm", ["cells", "edges", "contours", "legend"]))
         self.assertEqual(drawn(), ("120mm", physical))
         before = self.bytes("adapted.svg")
         self.assertEqual(drawn("view.layout=computational"), ("120mm", physical))
@@ -783,9 +785,9 @@ class Information(Contract):
         computational = self.bytes("adapted.svg")
         self.assertEqual(drawn("view.blend=0"), ("120mm", physical))
         self.assertEqual(self.bytes("adapted.svg"), computational)
-        both = ["computational-" + one for one in physical[:3]] + physical
+        both = ["computational-" + one for one in physical[:4]] + physical
         self.assertEqual(drawn("view.layout=side-by-side"), ("180mm", both))
-        self.assertEqual(drawn("view.lines=false"), ("120mm", ["cells", "contours", "legend"]))
+        self.assertEqual(drawn("view.lines=false"), ("120mm", ["cells", "contours", "axes", "legend"]))
 
     def test_study_prints_errors_and_orders(self):
         result = self.study("--over", "domain.cells=32,16,64", "--lines", "pde.eps=1,1e-4")
