@@ -133,6 +133,7 @@ class Application {
     void flip_cut();
     /// The other runs whose meshes can be shown beside that of the active run.
     std::vector<const DocumentRun*> runs_beside();
+    std::vector<ShownRun> shown_beside();
     std::vector<const DocumentRun*> runs_shown_beside(); ///< those that are shown beside it now
     const DocumentRun& longest();
     bool working();

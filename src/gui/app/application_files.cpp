@@ -75,11 +75,20 @@ void Application::take_figure(FigureDialog::Choice choice) {
          {"width", "height", "dpi", "text_size", "background", "axes", "legend", "caption", "note"})
         viewport().view.set(key, choice.view.at(key));
     if (!on_interval()) choice.view = with_range(choice.view, replay_range());
-    const std::string subject = scenario_title(run().scenario);
-    if (choice.kind == FigureKind::png)
-        files_.draw_figure(choice, subject, *snapshot, tessellations_);
-    else
-        files_.save_figure(choice, subject, snapshot);
+    const auto others = shown_beside();
+    const bool among_others = !others.empty();
+    if (choice.kind != FigureKind::png) {
+        if (among_others)
+            messages_.say({"Drawings in vectors have the mesh of one run, the active one.", false});
+        return files_.save_figure(choice, scenario_title(run().scenario), snapshot);
+    }
+    if (among_others) choice.view.set("caption", false); // each run has its title
+    std::vector<NamedSnapshot> beside;
+    for (const ShownRun& other : others)
+        if (other.snapshot) beside.push_back({title_among_others(other), other.snapshot.get()});
+    files_.draw_figure(
+        choice, among_others ? title_among_others({&run(), snapshot, {}}) : scenario_title(run().scenario),
+        *snapshot, tessellations_, std::move(beside));
 }
 
 void Application::take_file(const FileOfValue& chosen) {

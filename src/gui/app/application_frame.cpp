@@ -79,9 +79,7 @@ void Application::frame() {
 
 /// The iterates that the playback stands at.
 void Application::draw_viewport(const FrameContext& context) {
-    const auto shown = [this](const DocumentRun& one) { return ShownRun{&one, playback_.snapshot(one)}; };
-    std::vector<ShownRun> others;
-    for (const DocumentRun* other : runs_beside()) others.push_back(shown(*other));
+    const std::vector<ShownRun> others = shown_beside();
     Values& view = viewport().view;
     const double blend = view.real("blend");
     if (playback_.blends()) view.set("blend", playback_.blend());
@@ -116,6 +114,14 @@ const DocumentRun& Application::longest() { return longest_run(run(), runs_shown
 
 std::vector<const DocumentRun*> Application::runs_shown_beside() {
     return viewport().view.text("layout") == "runs" ? runs_beside() : std::vector<const DocumentRun*>();
+}
+
+/// Their iterates that are shown.
+std::vector<ShownRun> Application::shown_beside() {
+    std::vector<ShownRun> shown;
+    for (const DocumentRun* other : runs_shown_beside())
+        shown.push_back({other, playback_.snapshot(*other), {}});
+    return shown;
 }
 
 std::vector<const DocumentRun*> Application::runs_beside() {

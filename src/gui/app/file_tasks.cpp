@@ -175,12 +175,13 @@ void FileTasks::save_figure(const FigureDialog::Choice& figure, const std::strin
 }
 
 void FileTasks::draw_figure(const FigureDialog::Choice& figure, const std::string& subject,
-                            const Snapshot& snapshot, std::shared_ptr<TessellationCache> cache) {
+                            const Snapshot& snapshot, std::shared_ptr<TessellationCache> cache,
+                            std::vector<NamedSnapshot> beside) {
     const auto work = std::make_shared<FigureInWork>();
     const auto pixels = [&](const char* key) { return static_cast<int>(figure.view.integer(key)); };
     work->image = std::make_unique<PreparedImage>(
         snapshot, figure.view, pixels("width"), pixels("height"), subject,
-        ImageOptions{.stop = work->stop.get_token(), .cache = std::move(cache)});
+        ImageOptions{.stop = work->stop.get_token(), .cache = std::move(cache), .beside = std::move(beside)});
     figures_.push_back(work);
     drawer_.run([figure, board = board_, task = work]() mutable {
         const auto own = std::move(task); // released before the outcome is told

@@ -81,9 +81,10 @@ class FileTasks {
     /// A figure of a snapshot as vectors, to a file that the user has chosen.
     void save_figure(const FigureDialog::Choice& figure, const std::string& subject,
                      std::shared_ptr<const Snapshot> snapshot);
-    /// Draws a figure in pixels on a thread of its own, to a file that the user has chosen.
+    /// Draws a figure in pixels on a thread of its own, to a file that the user has chosen. `beside`: other
+    /// runs, if the view shows runs.
     void draw_figure(const FigureDialog::Choice& figure, const std::string& subject, const Snapshot& snapshot,
-                     std::shared_ptr<TessellationCache> cache);
+                     std::shared_ptr<TessellationCache> cache, std::vector<NamedSnapshot> beside = {});
     /// The fraction that is drawn of the figures in pixels; nothing if there are none.
     std::optional<double> figure_progress() const;
     /// Those that are being drawn, and those that wait for it, are not written.

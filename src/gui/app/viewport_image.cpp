@@ -86,9 +86,10 @@ class Page {
         return colouring ? legend_width(*colouring, view.boolean("histogram"), scale_) : 0;
     }
 
-    void mesh(const Snapshot& snapshot, const Values& view, const ViewportText& text, PixelRect area) {
+    void mesh(const Snapshot& snapshot, const Values& view, const ViewportText& text, PixelRect area,
+              const std::vector<NamedSnapshot>& beside = {}) {
         ViewportPlanner planner = cache_ ? ViewportPlanner(cache_) : ViewportPlanner();
-        ViewportPlan plan = planner.plan(snapshot, view, text, on_screen(area), scale_);
+        ViewportPlan plan = planner.plan(snapshot, view, text, on_screen(area), scale_, beside);
         draw_viewport_plots(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
         draw_viewport_overlay(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
         std::move(plan.views.begin(), plan.views.end(), std::back_inserter(views_));
@@ -182,7 +183,7 @@ std::unique_ptr<Page> page_of_view(const Snapshot& snapshot, const Values& view,
                             .caption = view.boolean("caption"),
                             .with_legend = view.boolean("legend"),
                             .notes = view.boolean("note")};
-    page->mesh(snapshot, view, text, {0, 0, width, height});
+    page->mesh(snapshot, view, text, {0, 0, width, height}, options.beside);
     page->close();
     return page;
 }

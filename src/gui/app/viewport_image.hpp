@@ -11,6 +11,7 @@
 #include "core/tessellate/plot.hpp"
 #include "core/tessellate/tessellation_cache.hpp"
 #include "gui/gl/offscreen.hpp"
+#include "gui/viewport/viewport.hpp"
 
 #include <functional>
 #include <memory>
@@ -32,6 +33,7 @@ struct ImageOptions {
     const Gl* gl = nullptr; ///< of a context that is current, to draw with; null: one is made and released
     std::stop_token stop{}; ///< asked to stop between meshes, drawing throws Interrupted
     std::shared_ptr<TessellationCache> cache{}; ///< of tessellations that may have been made; may be null
+    std::vector<NamedSnapshot> beside{};        ///< other runs, shown if view.layout is "runs"
 };
 
 /// What a viewport of the window would show of `snapshot`. `view` is the section of view_rows(); `subject`

@@ -92,6 +92,8 @@ void HelpWindow::draw(std::span<const Action> actions, const Theme& theme, ItemR
         ImGui::SetNextItemWidth(18 * ImGui::GetFontSize());
         ImGui::InputTextWithHint("##search", "Search", &search_);
         remember_item(items, "help.search");
+        // The field takes this key, which is meant for the window.
+        if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) close();
         const std::vector<HelpGroup> all = help_groups(actions, {}), found = help_groups(actions, search_);
         float width = 0; // of the first column of all groups, whatever is searched for
         for (const HelpGroup& group : all) width = std::max(width, widest_first(group.rows));

@@ -54,26 +54,6 @@ bool only_rotated(const PlannedView& shown, const Camera& camera) {
            std::hypot(before.x - now.x, before.y - now.y) < tolerance;
 }
 
-/// "Newton: 11 iterations, converged"
-std::string title_among_others(const ShownRun& shown) {
-    const DocumentRun& run = *shown.run;
-    if (run.history.empty()) return run.name;
-    const StepReport& last = run.history.back();
-    if (shown.snapshot && shown.snapshot->report.iteration < last.iteration) {
-        const StepReport& now = shown.snapshot->report;
-        const std::size_t tangled = now.tangled_cells.value_or(0);
-        return run.name + ": iteration " + std::to_string(now.iteration) + " of " +
-               std::to_string(last.iteration) +
-               (tangled > 0 ? ", " + std::to_string(tangled) + " tangled cells" : std::string());
-    }
-    std::string text = run.name + ": " + std::to_string(last.iteration) + " iterations, ";
-    if (last.tangled_cells.value_or(0) > 0 && run.status.run != RunStatus::tangled)
-        text += std::to_string(*last.tangled_cells) + " tangled cells, ";
-    std::string status(status_name(run.status.run));
-    std::replace(status.begin(), status.end(), '-', ' '); // "iteration limit"
-    return text + status;
-}
-
 /// The planes of the view where they cut something.
 std::vector<CutWedge> cut_of(const ViewportPlan& plan, const Values& view) {
     if (plan.views.empty() || plan.views.front().scene.cell_dimension != 3) return {};
@@ -92,6 +72,25 @@ int held_button() {
 }
 
 } // namespace
+
+std::string title_among_others(const ShownRun& shown) {
+    const DocumentRun& run = *shown.run;
+    if (run.history.empty()) return run.name;
+    const StepReport& last = run.history.back();
+    if (shown.snapshot && shown.snapshot->report.iteration < last.iteration) {
+        const StepReport& now = shown.snapshot->report;
+        const std::size_t tangled = now.tangled_cells.value_or(0);
+        return run.name + ": iteration " + std::to_string(now.iteration) + " of " +
+               std::to_string(last.iteration) +
+               (tangled > 0 ? ", " + std::to_string(tangled) + " tangled cells" : std::string());
+    }
+    std::string text = run.name + ": " + std::to_string(last.iteration) + " iterations, ";
+    if (last.tangled_cells.value_or(0) > 0 && run.status.run != RunStatus::tangled)
+        text += std::to_string(*last.tangled_cells) + " tangled cells, ";
+    std::string status(status_name(run.status.run));
+    std::replace(status.begin(), status.end(), '-', ' '); // "iteration limit"
+    return text + status;
+}
 
 void ViewportPane::frame(const ShownRun& shown_run, DocumentViewport& viewport, const ItemRectangle& area,
                          const FrameContext& context, const std::vector<ShownRun>& others) {

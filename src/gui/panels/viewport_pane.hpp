@@ -36,6 +36,9 @@ struct ShownRun {
     std::optional<ColourRange> range{}; ///< of the colours, instead of the automatic one of the iterate
 };
 
+/// What a run is called beside others, "Newton: 11 iterations, converged".
+std::string title_among_others(const ShownRun& shown);
+
 class ViewportPane {
   public:
     explicit ViewportPane(std::shared_ptr<TessellationCache> cache) : planner_(std::move(cache)) {}

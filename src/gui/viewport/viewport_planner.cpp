@@ -55,9 +55,12 @@ Size size_of(ScreenRect rect) {
             std::max(1.0, static_cast<double>(rect.height()))};
 }
 
-/// Two parts of one size, beside each other, or one above the other in an upright strip.
+/// Whether two parts are beside each other; in an upright strip, one is above the other.
+bool fit_beside(ScreenRect available) { return 2 * available.width() >= available.height(); }
+
+/// Two parts of one size.
 std::pair<ScreenRect, ScreenRect> halves(ScreenRect available) {
-    const bool beside = 2 * available.width() >= available.height();
+    const bool beside = fit_beside(available);
     const float half = std::floor((beside ? available.width() : available.height()) / 2);
     ScreenRect first = available, second = available;
     (beside ? first.max.x : first.max.y) = (beside ? available.min.x : available.min.y) + half;
@@ -232,7 +235,8 @@ void ViewportPlanner::place_runs(const MeshScene& scene, const Values& view, Vie
     ScreenRect available = above_caption(plan, scale);
     if (plan.colouring != nullptr)
         available.max.x -= std::round(legend_width(*plan.colouring, plan.histogram, scale));
-    const int columns = columns_for(others.size() + 1, available);
+    const std::size_t count = others.size() + 1;
+    const int columns = count == 2 ? (fit_beside(available) ? 2 : 1) : columns_for(count, available);
     const int rows = (static_cast<int>(others.size()) + columns) / columns;
     const ImVec2 part{std::floor(available.width() / static_cast<float>(columns)),
                       std::floor(available.height() / static_cast<float>(rows))};

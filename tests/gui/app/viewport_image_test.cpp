@@ -89,6 +89,28 @@ std::array<int, 4> pixel(const Image& image, int x, int y) {
     return {p[0], p[1], p[2], p[3]};
 }
 
+TEST(Picture, OfRunsHasTheOthersBesideTheFirst) {
+    const Snapshot snapshot = ring_snapshot(16);
+    Values view("view", view_rows());
+    view.set("layout", std::string("runs"));
+    view.set("axes", false);
+    const Image alone = render_view(snapshot, view, 400, 300, "first");
+    const Image both = render_view(snapshot, view, 400, 300, "first", {.beside = {{"second", &snapshot}}});
+    const auto coloured = [](const Image& image, int from, int to) {
+        int count = 0;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = from; x < to; ++x) {
+                const auto* pixel = &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)];
+                if (std::abs(pixel[0] - pixel[1]) > 30) ++count;
+            }
+        return count;
+    };
+    const int left = coloured(both, 0, 170), right = coloured(both, 170, 340);
+    EXPECT_GT(left, 3000);
+    EXPECT_GT(right, left / 2) << "the same mesh again";
+    EXPECT_LT(left, coloured(alone, 0, 340) / 2);
+}
+
 TEST(Strips, AnImageDrawnInStripsIsTheSame) {
     const Snapshot snapshot = ring_snapshot(16);
     Values values("view", view_rows());

@@ -48,6 +48,16 @@ TEST(HelpWindow, FindsWhatIsTyped) {
     ui.frame(draw);
     EXPECT_TRUE(items.contains("help.File"));
     EXPECT_FALSE(items.contains("help.Edit")) << "it does not match";
+    const auto escape = [&] {
+        ui.key(ImGuiKey_Escape, true);
+        ui.frame(draw);
+        ui.key(ImGuiKey_Escape, false);
+        ui.frame(draw);
+    };
+    escape();
+    EXPECT_FALSE(window.open()) << "although the field takes the key as well";
+    window.toggle();
+    EXPECT_TRUE(window.open());
     window.toggle();
     EXPECT_FALSE(window.open());
 }
