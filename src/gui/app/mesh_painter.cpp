@@ -115,8 +115,8 @@ void MeshPainter::draw_what_is_wanted(const Gl& gl) {
         const double begun = clock_.seconds();
         const auto give_up = [&] {
             const std::lock_guard lock(mutex_);
-            return stop_ || (wanted_.number != job->wanted.number && job->wanted.hurry != Hurry::in_full &&
-                             clock_.seconds() - begun > slow_drawing);
+            const bool outdated = wanted_.number != job->wanted.number && job->wanted.hurry != Hurry::in_full;
+            return stop_ || (outdated && std::max(full_seconds_, clock_.seconds() - begun) > slow_drawing);
         };
         const bool done =
             image.draw(job->wanted.what, job->quickly, job->quickly ? std::function<bool()>() : give_up);
