@@ -1,6 +1,7 @@
 #include "core/session/solver_thread.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/thread_priority.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -159,6 +160,7 @@ void SolverThread::attempt(const std::function<void()>& work) {
 }
 
 void SolverThread::work(std::stop_token stop) {
+    lower_priority(options_.nicer);
     try {
         attempt([&] { prepare(stop); });
         while (!stop.stop_requested()) {
@@ -242,6 +244,7 @@ void SolverThread::record(const Snapshot& snapshot) {
 /// Before a snapshot, if that is due. The errors of a mesh that changes soon are measured less precisely.
 void SolverThread::measure_interpolation(std::stop_token stop) {
     if (!(options_.interpolation_share > 0)) return;
+    if (dragged()) return; // the hand is followed first
     const bool running = running_ && run_->status() == RunStatus::running;
     if (running && run_->history().size() == 1) return; // the first picture does not wait for them
     if (running && since_errors_.seconds() < errors_rest_) return;

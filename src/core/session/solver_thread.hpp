@@ -103,10 +103,11 @@ class SolverThread {
         /// display.
         std::function<void(const Snapshot&)> before_publishing{};
         /// The share of the time that interpolation errors may take while the run is running; those of a
-        /// final mesh are always measured. 0: none are measured.
+        /// final mesh are always measured, but not while a gesture goes on. 0: none are measured.
         double interpolation_share = 0;
         /// Gets every iterate of the present history; null: nothing is recorded.
         std::shared_ptr<Recording> recording{};
+        int nicer = 0; ///< lower_priority() of the thread: what shows the run goes first
     };
 
     SolverThread(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, Options options);

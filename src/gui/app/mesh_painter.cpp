@@ -1,10 +1,9 @@
 #include "gui/app/mesh_painter.hpp"
 
+#include "core/base/thread_priority.hpp"
+
 #include <algorithm>
 #include <chrono>
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 #include <utility>
 
 namespace gaspard {
@@ -12,15 +11,10 @@ namespace gaspard {
 namespace {
 
 constexpr double slow_drawing = 0.05, rest_before_full = 0.3; // seconds
+constexpr int nicer = 5;                                      // than the window, which answers first
 constexpr double soon = 0.06, longest_wait = 0.08;            // seconds that a frame may wait for its meshes
 
 std::chrono::duration<double> seconds(double count) { return std::chrono::duration<double>(count); }
-
-/// Of this thread and of those that OpenGL starts for it: the window answers first.
-void lower_priority() {
-    constexpr int nicer = 5;
-    setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), nicer); // else it is as it was
-}
 
 } // namespace
 
@@ -137,7 +131,7 @@ void MeshPainter::draw_what_is_wanted(const Gl& gl) {
 }
 
 void MeshPainter::work(OffscreenBackend backend) {
-    lower_priority();
+    lower_priority(nicer); // and the threads that OpenGL starts for it
     try {
         const auto context = make_offscreen_context(backend);
         {
