@@ -15,8 +15,8 @@ struct FlowOptions {
     std::size_t cells = 100;            ///< n squares per side, 3 to 4096
     double froude = 1;                  ///< Fr >= 0; with 0 psi has mean zero, and so must q
     std::array<double, 2> background{}; ///< U
-    /// dt times the largest rate at which a triangle is emptied (outflow / area), in (0, 1]. Up to 0.7 the
-    /// steps are stable in every direction of flow (docs/flow.md).
+    /// dt times the largest rate at which a triangle is emptied (outflow / area), in (0, 0.5]. Steps are
+    /// stable up to 0.54 in every direction of flow (docs/flow.md).
     double courant = 0.4;
     std::size_t most_steps = 10'000'000; ///< of one call of advance
 };

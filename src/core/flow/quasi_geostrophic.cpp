@@ -38,8 +38,8 @@ void check(const FlowOptions& options) {
         throw InputError("a flow has 3 to 4096 cells per side, not " + std::to_string(options.cells));
     if (!(options.froude >= 0 && std::isfinite(options.froude)))
         throw InputError("the Froude number of a flow must be at least 0 and finite");
-    if (!(options.courant > 0 && options.courant <= 1))
-        throw InputError("the Courant number of a flow must be positive and at most 1");
+    if (!(options.courant > 0 && options.courant <= 0.5))
+        throw InputError("the Courant number of a flow must be positive and at most 0.5");
     if (!std::isfinite(options.background[0]) || !std::isfinite(options.background[1]))
         throw InputError("the background velocity of a flow must be finite");
 }
@@ -71,6 +71,13 @@ void QuasiGeostrophicFlow::set_state(std::span<const double> q, double time) {
     if (!std::all_of(q.begin(), q.end(), [](double value) { return std::isfinite(value); }) ||
         !std::isfinite(time))
         throw InputError("the state of a flow has values that are not finite");
+    if (options_.froude == 0) {
+        double sum = 0, size = 0;
+        for (const double value : q) sum += value, size += std::abs(value);
+        if (std::abs(sum) > 1e-10 * size)
+            throw InputError("with the Froude number 0 the mean of q must be 0, but it is " +
+                             format_number(sum / static_cast<double>(q.size())));
+    }
     std::copy(q.begin(), q.end(), q_.begin());
     time_ = time;
     psi_is_current_ = false;
@@ -168,9 +175,9 @@ void QuasiGeostrophicFlow::find_edges_within(const double* q, std::size_t j) {
     }
 }
 
-// next = f + s (q - f), f = now + dt L now: a form that keeps the mean of q without a drift. On a triangle of area A with outward fluxes F_k through the edges
-// opposite to corners k, and q of mean qm, (q, u . grad v_k) = -F_k qm / 2; the inverse of its mass matrix
-// is 12 / A (I - 1 1^T / 4).
+// next = f + s (q - f), f = now + dt L now: in this form the mean of q does not drift. On a triangle of area
+// A, with outward fluxes F_k through the edges opposite to corners k, and q of mean qm,
+// (q, u . grad v_k) = -F_k qm / 2; the inverse of its mass matrix is 12 / A (I - 1 1^T / 4).
 void QuasiGeostrophicFlow::update_row(const double* now, std::size_t j, double dt, double share_of_start,
                                       double* next) const {
     const std::size_t plane = n_ * n_, at = j * n_;

@@ -9,11 +9,11 @@
 //   (grad v, grad psi) + Fr (v, psi) = -(v, q)                                  for all continuous v
 //   (v, q_t) = (q, u . grad v) - sum over edges of < [v], q_upwind u . n >       for all discontinuous v
 //
-// u . n is continuous and div u = 0 on each triangle, both exactly; the flux through an edge is the difference
-// of psi at its ends. So the integral of q is conserved, a constant q stays, the upwind flux dissipates
-// enstrophy, and with U = 0 the energy of the equations that are discrete in space alone is conserved. Steps
-// are those of the third-order SSP Runge-Kutta method of Shu and Osher (1988), and psi follows q in each of
-// their stages. The systems of psi and of the projection are circulant; FFT solves them to rounding.
+// u . n is continuous and div u = 0 on each triangle, both exactly: the flux through an edge is the
+// difference of psi at its ends. Therefore the integral of q is conserved, a constant q stays, the upwind
+// flux dissipates enstrophy, and, with U = 0, discretisation in space conserves energy. Steps are those of
+// the third-order SSP Runge-Kutta method of Shu and Osher (1988); psi is solved for in each stage. The
+// systems of psi and of the projection are circulant; FFT solves them to rounding.
 //
 // One thread; the same bits for the same input. Steps do not allocate.
 #pragma once
@@ -42,16 +42,16 @@ class QuasiGeostrophicFlow {
     std::size_t cells() const { return n_; } ///< n
     double time() const { return time_; }
     const std::vector<double>& q() const { return q_; }
-    /// Throws InputError if the size is not 6 n^2, or if a value is not finite.
+    /// Throws InputError if the size is not 6 n^2, if a value is not finite, or if Fr = 0 but not the mean.
     void set_state(std::span<const double> q, double time = 0);
 
     /// The largest step with the Courant number of the options at the present velocity; infinite at rest.
     double stable_step();
     /// One step of this length, which should not exceed stable_step().
     void step(double dt);
-    /// Goes on by `duration` >= 0 in equal steps, as many as the Courant number asks for now and after each of
-    /// them. Returns how many. Throws InputError if the flow is so fast that it would need more than
-    /// FlowOptions::most_steps.
+    /// Advances by `duration` >= 0. Before each step the rest is divided into equal steps, as few as the
+    /// Courant number allows. Returns the number of steps. Throws InputError if the flow is so fast that more
+    /// than FlowOptions::most_steps would be needed.
     std::size_t advance(double duration);
 
     /// psi at the n x n nodes (i / n, j / n), x fastest, without the part of U.

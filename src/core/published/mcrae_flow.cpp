@@ -65,7 +65,7 @@ Reproduction mcrae_figure4(const Workshop& workshop) {
     std::vector<double> nodal(which.cells * which.cells);
     flow.project(nodal);
     result.figure->panels.push_back(
-        {.title = "q at T = 500", .content = as_snapshot(which.cells, nodal), .colour = "q"});
+        {.title = "q at T = 500", .content = as_snapshot(which.cells, nodal), .colour = "q", .lines = false});
     result.figure->panels.push_back({"Adapted mesh", add_mesh(workshop, "quasi-newton", result.rows)});
     add_mesh(workshop, "auto", result.rows);
     return result;

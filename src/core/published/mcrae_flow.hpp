@@ -1,5 +1,5 @@
-// The flow of McRae, Cotter, Budd, section 5.1.3 and figure 4: Fr = 1, on 100 x 100 squares, each cut into two
-// triangles, from noise on the grid at time 0 to time 500. The state at its end, projected to continuous
+// The flow of McRae, Cotter, Budd, section 5.1.3 and figure 4: Fr = 1, on 100 x 100 squares, each cut into
+// two triangles, from noise on the grid at time 0 to time 500. The state at its end, projected to continuous
 // functions, is assets/fields/flow-vortices.nc, which bench/flow.cpp writes.
 #pragma once
 
