@@ -23,4 +23,8 @@ python3 "$here/bench/layers.py" "$here/build-bench/bench/bench_layers"
 echo
 python3 "$here/bench/transport.py" "$here/build-bench/bench/bench_transport"
 echo
+"$here/build-bench/bench/bench_flow"
+echo
+"$here/build-bench/bench/bench_flow_monitors"
+echo
 "$here/build-bench/bench/measure_orders"

@@ -17,6 +17,9 @@ draw() { # name, then arguments of `gaspard run`
 "$gaspard" compare plane-bell --methods relaxation,auto --out "$drawn/compare" > "$drawn/table"
 mv "$drawn/compare/comparison.png" "$here/docs/compare.png"
 echo docs/compare.png
+"$gaspard" reproduce mcrae-fig4 --out "$drawn/flow" > "$drawn/table"
+mv "$drawn/flow/mcrae-fig4.png" "$here/docs/flow.png"
+echo docs/flow.png
 draw window plane-bell --whole-window --size 1400x900
 draw side-by-side plane-ring --size 1400x640 --set view.layout=side-by-side --set view.color=equidistribution \
   --set view.theme=light --set domain.cells=40

@@ -6,6 +6,8 @@
                  packed, with fill values, latitudes from north to south, longitudes 0 to 355
   stations.csv   a front crossing stations at random places of a quarter annulus; CSV with the columns x, y, rain
 
+flow-vortices.nc is not made here: bench/flow.cpp computes it (docs/flow.md).
+
 Usage: make_fields.py [FOLDER]. Needs numpy and netCDF4; the results are in the repository, so that building the program
 needs neither."""
 import sys

@@ -43,12 +43,12 @@ void print_table(const std::vector<PublishedRow>& rows) {
 // All panels in one row, 800 x 800 pixels each.
 Image draw(const Figure& figure) {
     std::vector<Panel> panels;
-    for (const auto& [title, content, camera, colour, cut] : figure.panels) {
+    for (const auto& [title, content, camera, colour, cut, lines] : figure.panels) {
         if (const auto* plot = std::get_if<Plot>(&content))
             panels.emplace_back(*plot);
         else
-            panels.emplace_back(
-                MeshPanel{title, std::get<std::shared_ptr<const Snapshot>>(content), colour, 1, camera, cut});
+            panels.emplace_back(MeshPanel{title, std::get<std::shared_ptr<const Snapshot>>(content), colour,
+                                          1, camera, cut, lines});
     }
     const auto columns = static_cast<int>(panels.size());
     return render_panels(panels, columns, 800 * columns, 800);

@@ -5,7 +5,7 @@
 
 namespace gaspard GASPARD_API {
 
-enum class FieldTransform { none, absolute, logarithm };
+enum class FieldTransform { none, absolute, logarithm, square };
 enum class FieldPlacement {
     automatic, ///< by coordinates if the data cover at least half of the domain; else fitted
     coordinates,

@@ -76,8 +76,10 @@ std::vector<ParameterRow> field_rows(const Space& space) {
          .label = "Transform",
          .kind = ParameterKind::choice,
          .default_value = std::string("none"),
-         .choices = {"none", "absolute", "logarithm"},
-         .help = "what is done to the values: nothing, the absolute value, or the logarithm (base 10)"},
+         .choices = {"none", "absolute", "square", "logarithm"},
+         .help =
+             "what is done to the values: nothing, the absolute value, the square, or the logarithm (base "
+             "10)"},
         {.key = "missing",
          .label = "Missing values",
          .kind = ParameterKind::choice,
@@ -104,6 +106,7 @@ FieldOptions field_options(const Values& values) {
                       &placement = values.text("placement");
     FieldOptions options;
     options.transform = transform == "absolute"    ? FieldTransform::absolute
+                        : transform == "square"    ? FieldTransform::square
                         : transform == "logarithm" ? FieldTransform::logarithm
                                                    : FieldTransform::none;
     options.missing = missing == "floor"   ? MissingValues::lowest

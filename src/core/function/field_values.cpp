@@ -37,6 +37,8 @@ std::string counted(std::size_t count, std::size_t all) {
 std::size_t transform(std::vector<double>& values, FieldTransform how, std::vector<std::string>& notes) {
     if (how == FieldTransform::absolute)
         for (double& one : values) one = std::abs(one);
+    if (how == FieldTransform::square)
+        for (double& one : values) one = one * one;
     if (how == FieldTransform::logarithm) {
         std::size_t refused = 0;
         for (double& one : values) {

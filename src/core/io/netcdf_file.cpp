@@ -58,9 +58,9 @@ void put(int file, int variable, const NetcdfAttribute& attribute) {
 int define(int file, const NetcdfVariable& variable, const std::map<std::string, int>& dimensions) {
     std::vector<int> of_variable;
     for (const auto& name : variable.dimensions) of_variable.push_back(dimensions.at(name));
-    const bool real = std::holds_alternative<std::vector<double>>(variable.values);
+    const nc_type types[] = {NC_DOUBLE, NC_INT, NC_FLOAT}; // in the order of the variant
     int id = 0;
-    demand(nc_def_var(file, variable.name.c_str(), real ? NC_DOUBLE : NC_INT,
+    demand(nc_def_var(file, variable.name.c_str(), types[variable.values.index()],
                       static_cast<int>(of_variable.size()), of_variable.data(), &id));
     for (const auto& attribute : variable.attributes) put(file, id, attribute);
     return id;
@@ -78,6 +78,8 @@ void put_values(int file, int id, const NetcdfVariable& variable, std::size_t si
     std::visit([&](const auto& values) { GASPARD_CHECK(values.size() == size); }, variable.values);
     if (const auto* reals = std::get_if<std::vector<double>>(&variable.values))
         demand(nc_put_var_double(file, id, reals->data()));
+    else if (const auto* floats = std::get_if<std::vector<float>>(&variable.values))
+        demand(nc_put_var_float(file, id, floats->data()));
     else
         demand(nc_put_var_int(file, id, std::get<std::vector<std::int32_t>>(variable.values).data()));
 }

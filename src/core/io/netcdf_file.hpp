@@ -18,7 +18,7 @@ struct NetcdfAttribute {
 struct NetcdfVariable {
     std::string name;
     std::vector<std::string> dimensions; ///< names, the last runs fastest; none for a scalar
-    std::variant<std::vector<double>, std::vector<std::int32_t>> values;
+    std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<float>> values;
     std::vector<NetcdfAttribute> attributes{};
 };
 

@@ -1,18 +1,14 @@
-// Random numbers that are the same on every platform: the distributions of the standard library differ
-// between implementations, its generators do not.
+// Random directions, and the row of the seed.
 #pragma once
 
 #include "core/base/parameter.hpp"
 #include "core/base/points.hpp"
+#include "core/base/random.hpp"
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
 namespace gaspard {
-
-/// Uniform in [0, 1).
-inline double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
 /// A unit vector, uniformly distributed on the sphere if u and v are uniform in [0, 1).
 inline Vec3 direction_from(double u, double v) {

@@ -18,6 +18,7 @@ struct FigurePanel {
     std::string camera{};        ///< view.camera; empty shows the whole mesh
     std::string colour = "none"; ///< view.color
     std::string cut{};           ///< view.cut
+    bool lines = true;           ///< view.lines
 };
 
 struct Figure {

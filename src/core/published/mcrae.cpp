@@ -114,6 +114,7 @@ std::vector<Recipe> mcrae_recipes() {
         make_recipe("mcrae-fig2", "meshes adapted to the ring and the bell, 30 x 30", figure2),
         make_recipe("mcrae-fig3", "convergence of relaxation and quasi-Newton for ring and bell, n = 60",
                     figure3)};
+    for (auto& one : mcrae_flow_recipes()) all.push_back(std::move(one));
     for (auto& one : mcrae_sphere_recipes()) all.push_back(std::move(one));
     for (auto& one : mcrae_newton_recipes()) all.push_back(std::move(one));
     for (auto& one : mcrae_refinement_recipes()) all.push_back(std::move(one));

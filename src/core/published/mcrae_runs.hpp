@@ -34,7 +34,8 @@ using MakeInWorkshop = std::function<Reproduction(const Workshop&)>;
 Recipe make_recipe(const std::string& id, const std::string& title, MakeInWorkshop make,
                    MakeInWorkshop full = {});
 
-// Recipes for the sphere and for refinement.
+// Recipes for the flow, the sphere and for refinement.
+std::vector<Recipe> mcrae_flow_recipes();
 std::vector<Recipe> mcrae_sphere_recipes();
 std::vector<Recipe> mcrae_newton_recipes();
 std::vector<Recipe> mcrae_refinement_recipes();

@@ -19,8 +19,9 @@ namespace gaspard {
 namespace {
 
 /// The prefix of a name and its group, in the order of the list.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> groups{{{"plane", "Plane"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> groups{{{"plane", "Plane"},
                                                                                {"walls", "Plane"},
+                                                                               {"flow", "Plane"},
                                                                                {"sphere", "Sphere"},
                                                                                {"spline", "Splines"},
                                                                                {"transport", "Transport"},

@@ -57,6 +57,7 @@ Values view_of(const MeshPanel& panel) {
     view.set("blend", panel.blend);
     view.set("camera", panel.camera);
     view.set("cut", panel.cut);
+    view.set("lines", panel.lines);
     view.set("histogram", false);
     view.set("axes", false);
     return view;

@@ -69,6 +69,7 @@ struct MeshPanel {
     double blend = 1;
     std::string camera{}; ///< as view.camera
     std::string cut{};    ///< as view.cut
+    bool lines = true;    ///< as view.lines
 };
 using Panel = std::variant<MeshPanel, Plot>;
 

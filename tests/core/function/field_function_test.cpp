@@ -376,6 +376,9 @@ TEST(FieldFunction, Transforms) {
     EXPECT_NEAR(value_at(*field_function(field, {.transform = FieldTransform::absolute}, walls).function,
                          {0.5, 0.5, 0}),
                 0.5, 0.01);
+    EXPECT_NEAR(value_at(*field_function(field, {.transform = FieldTransform::square}, walls).function,
+                         {0.7, 0.5, 0}),
+                0.49, 0.002);
     EXPECT_EQ(error_of(field, {.transform = FieldTransform::logarithm}, walls),
               "the field has no values that can be used");
     const FieldData powers = grid(steps(0, 0.1, 11), steps(0, 0.1, 11),

@@ -1,4 +1,5 @@
-// That a step of the relaxation asks for no memory.
+// That steps of the relaxation and of a flow ask for no memory.
+#include "core/flow/quasi_geostrophic.hpp"
 #include "core/linear/gmres.hpp"
 #include "core/method/plane_equation.hpp"
 #include "core/method/relax.hpp"
@@ -63,6 +64,17 @@ TEST(Allocation, DoesNotHappenInAStepOnTheSphere) {
             for (int i = 0; i < 5; ++i) run.method->step(problem_of(*run.monitor), run.state, {});
             EXPECT_EQ(allocations, before);
         }
+}
+
+TEST(Allocation, DoesNotHappenInAStepOfAFlow) {
+    QuasiGeostrophicFlow flow({.cells = 20, .background = {0.1, 0}});
+    flow.set_state(continuous_state(20, noise_values(20, 1)));
+    std::vector<double> nodal(400);
+    const std::size_t before = allocations;
+    flow.advance(2);
+    flow.diagnostics();
+    flow.project(nodal);
+    EXPECT_EQ(allocations, before);
 }
 
 TEST(Allocation, DoesNotHappenInALinearSolve) {

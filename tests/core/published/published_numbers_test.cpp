@@ -1,10 +1,13 @@
 // Figures and a table that are computed as a whole.
+#include "core/base/read_data_file.hpp"
+#include "core/data/field_file.hpp"
 #include "core/published/published.hpp"
 #include "core/tessellate/camera.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 
 namespace gaspard {
 namespace {
@@ -49,6 +52,39 @@ TEST(PublishedNumbers, Figure2IsTwoUntangledMeshes) {
         if (r.quantity == "tangled cells") {
             EXPECT_EQ(r.ours, 0);
         }
+}
+
+// The flow is computed from its noise; the shipped data are its end.
+TEST(PublishedNumbers, Figure4IsTheFlowThatIsShippedAndItsMesh) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const Reproduction result = find_recipe("mcrae-fig4").make(catalogue, [](const std::string&) {}, {});
+    std::map<std::string, double> ours;
+    for (const PublishedRow& row : result.rows) {
+        ours[row.row + ", " + row.quantity] = row.ours;
+        EXPECT_FALSE(differs(row)) << row.quantity;
+    }
+    EXPECT_NEAR(ours.at("flow, T = 500, least q"), -0.4012, 1e-4);
+    EXPECT_NEAR(ours.at("flow, T = 500, largest q"), 0.3790, 1e-4);
+    EXPECT_NEAR(ours.at("flow, T = 500, change of the mean"), 0, 1e-16);
+    EXPECT_NEAR(ours.at("flow, T = 500, enstrophy / at T = 0"), 0.02211, 1e-5);
+    EXPECT_NEAR(1 - ours.at("flow, T = 500, energy / at T = 0"), 1.96e-5, 1e-7);
+    EXPECT_NEAR(ours.at("mesh, quasi-newton, iterations"), 30, 1);
+    EXPECT_NEAR(ours.at("mesh, quasi-newton, equidistribution"), 0.03174, 1e-5);
+    EXPECT_EQ(ours.at("mesh, quasi-newton, tangled cells"), 0);
+    EXPECT_EQ(ours.at("mesh, auto, tangled cells"), 0);
+    ASSERT_EQ(result.figure->panels.size(), 2u);
+    const auto left = std::get<std::shared_ptr<const Snapshot>>(result.figure->panels[0].content);
+    const Field* q = left->field("q");
+    ASSERT_NE(q, nullptr);
+    const FieldData shipped =
+        parse_field(read_data_file("gaspard:flow-vortices.nc", {}), "flow-vortices.nc", {.variable = "q"});
+    const auto& values = std::get<GridData>(shipped.data).values;
+    ASSERT_EQ(values.size(), 10000u);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::size_t node = i / 100 * 101 + i % 100;
+        ASSERT_NEAR(q->values[node], values[i], 1e-7) << i; // of 32 bits
+        ASSERT_EQ(left->mesh->nodes[node].x, static_cast<double>(i % 100) / 100);
+    }
 }
 
 /// Where the middle of a panel's picture is on the unit sphere.

@@ -32,7 +32,7 @@ TEST(Published, DifferencesBeyondTheLastDigitHaveANote) {
 
 TEST(Published, AnUnknownIdNamesTheNearest) {
     try {
-        find_recipe("mcrae-fig4");
+        find_recipe("mcrae-fig15");
         FAIL();
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find("'mcrae-fig"), std::string::npos);
