@@ -18,10 +18,14 @@
 #include "gui/gl/offscreen.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <fcntl.h>
 #include <iostream>
+#include <sys/file.h>
 #include <thread>
+#include <type_traits>
 #include <unistd.h>
 
 namespace gaspard {
@@ -39,8 +43,9 @@ Number number_of(const std::string& option, const std::string& text, Number leas
     Number value{};
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (code != std::errc{} || end != text.data() + text.size() || !(value >= least) || !(value <= most))
-        throw InputError(option + " must be a number from " + std::to_string(static_cast<int>(least)) +
-                         " to " + std::to_string(static_cast<int>(most)) + ", not '" + text + "'");
+        throw InputError(option + " must be a " + (std::is_integral_v<Number> ? "whole number" : "number") +
+                         " from " + std::to_string(static_cast<int>(least)) + " to " +
+                         std::to_string(static_cast<int>(most)) + ", not '" + text + "'");
     return value;
 }
 
@@ -89,15 +94,11 @@ void solve(Run& run, Recording& recording, Counter& progress, const std::stop_to
 class FilmWriter {
   public:
     FilmWriter(const Film& film, const Scenario& scenario, fs::path folder,
-               const std::vector<const FilmFormat*>& formats)
-        : film_(film), scenario_(scenario), folder_(std::move(folder)), formats_(formats) {}
+               const std::vector<const FilmFormat*>& formats, bool resumed)
+        : film_(film), scenario_(scenario), folder_(std::move(folder)), formats_(formats), resumed_(resumed) {
+    }
 
-    void write(std::size_t nodes, bool resume, Counter& progress, const std::stop_token& stop) {
-        if (!resume) {
-            remove_frames(folder_ / "frames", ".png");
-            remove_frames(folder_ / "mesh", ".vtu");
-        }
-        for (const fs::path& part : {folder_, folder_ / "frames", folder_ / "mesh"}) remove_unfinished(part);
+    void write(std::size_t nodes, Counter& progress, const std::stop_token& stop) {
         const bool drawn = std::any_of(formats_.begin(), formats_.end(),
                                        [](const FilmFormat* format) { return format->drawn; });
         if (drawn) draw(progress, stop);
@@ -116,7 +117,7 @@ class FilmWriter {
                    height = static_cast<int>(scenario_.view.integer("height"));
         for (int k = 0; k < film_.frames(); ++k) {
             const fs::path file = frame_file(images, k, ".png");
-            if (fs::exists(file)) continue; // of an earlier part
+            if (resumed_ && fs::exists(file)) continue; // of an earlier part
             progress.show("frame", k + 1, film_.frames());
             const FilmFrame frame = film_.frame(k);
             const ImageOptions options{.gl = &context->gl(), .stop = stop};
@@ -141,7 +142,7 @@ class FilmWriter {
         if (format.name == "webm") video(VideoKind::webm);
         if (format.name == "pvd") write_meshes(progress, stop);
         if (format.name == "glb") {
-            const MovingMesh moving = moving_mesh(film_, film_.rate());
+            const MovingMesh moving = moving_mesh(film_);
             write_animated_glb(file, moving.frames, moving.rate);
         }
         if (format.name == "csv") write_atomically(file, trajectories_csv(film_, nodes, stop));
@@ -149,9 +150,9 @@ class FilmWriter {
 
     void write_meshes(Counter& progress, const std::stop_token& stop) {
         make_folder(folder_ / "mesh");
-        for (int k = 0; k < film_.frames(); ++k) {
+        for (const int k : frames_with_meshes(film_)) {
             const fs::path file = frame_file(folder_ / "mesh", k, ".vtu");
-            if (fs::exists(file)) continue; // of an earlier part
+            if (resumed_ && fs::exists(file)) continue; // of an earlier part
             progress.show("mesh", k + 1, film_.frames());
             write_vtu(file, *film_.frame(k).snapshot);
             if (stop.stop_requested()) throw Interrupted();
@@ -163,6 +164,7 @@ class FilmWriter {
     const Scenario& scenario_;
     fs::path folder_;
     const std::vector<const FilmFormat*>& formats_;
+    bool resumed_;
 };
 
 void check_formats(const FilmPlan& plan, const std::vector<const FilmFormat*>& formats) {
@@ -172,17 +174,50 @@ void check_formats(const FilmPlan& plan, const std::vector<const FilmFormat*>& f
                              " has the iterates of a solve; ask for the motion iterations");
 }
 
-/// That the folder has the beginning of this film.
-void check_resumed(const fs::path& folder, const std::string& record) {
-    std::string present;
+/// A folder that no other program records into as long as this lives.
+class LockedFolder {
+  public:
+    explicit LockedFolder(const fs::path& folder)
+        : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            ::close(descriptor_);
+            throw InputError("another program is recording into " + folder.string() +
+                             "; choose another folder with --out");
+        }
+    }
+    ~LockedFolder() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+    LockedFolder(const LockedFolder&) = delete;
+    LockedFolder& operator=(const LockedFolder&) = delete;
+
+  private:
+    int descriptor_;
+};
+
+/// The record of the film that was begun there.
+std::string record_in(const fs::path& folder) {
     try {
-        present = read_file(folder / "film.json");
+        return read_file(folder / "film.json");
     } catch (const InputError&) {
         throw InputError("no film was begun in " + folder.string() + "; leave out --resume");
     }
-    if (present != record)
-        throw InputError("the film in " + folder.string() +
-                         " has other values, motions or frames; leave out --resume to begin anew");
+}
+
+/// Files of another film go before film.json speaks of this one, and film.json first of all, so that nothing
+/// passes for a part of this film, whenever the program is killed.
+void clear(const fs::path& folder) {
+    std::vector<fs::path> files{folder / "film.json"};
+    for (const FilmFormat& format : film_formats())
+        if (format.name != "png") files.push_back(folder / format.file);
+    for (const fs::path& file : files) {
+        std::error_code error;
+        if (!fs::remove(file, error) && error)
+            throw MachineError("cannot remove " + file.string() +
+                               ", which is of another film: " + error.message());
+    }
+    remove_frames(folder / "frames", ".png");
+    remove_frames(folder / "mesh", ".vtu");
 }
 
 } // namespace
@@ -208,6 +243,7 @@ int record_command(std::shared_ptr<const Catalogue> catalogue, const RecordArgum
     check_no_folders(folder, names);
     if (!arguments.overwrite && !arguments.resume && !arguments.out.empty())
         check_replaceable(folder, names, "film.json", scenario.name);
+    if (arguments.resume) record_in(folder); // before the long work
     check_offscreen_choice();
     const InterruptWatch interrupt; // once the input is read: a signal ends a program that waits for it
     const std::stop_token stop = interrupt.token();
@@ -225,11 +261,16 @@ int record_command(std::shared_ptr<const Catalogue> catalogue, const RecordArgum
             throw InputError("the film would have " + std::to_string(film.frames()) +
                              " frames; choose fewer with --frames");
         const std::string record = film_record(scenario, plan, film.frames());
-        if (arguments.resume) check_resumed(folder, record);
+        if (arguments.resume && record_in(folder) != record)
+            throw InputError("the film in " + folder.string() +
+                             " has other values, motions, frames or data; leave out --resume to begin anew");
         check_writable(folder); // after all checks of the input
+        const LockedFolder lock(folder);
+        if (!arguments.resume) clear(folder);
+        for (const fs::path& part : {folder, folder / "frames", folder / "mesh"}) remove_unfinished(part);
         write_atomically(folder / "film.json", record);
         begun = true;
-        FilmWriter(film, scenario, folder, formats).write(nodes, arguments.resume, progress, stop);
+        FilmWriter(film, scenario, folder, formats, arguments.resume).write(nodes, progress, stop);
         if (!arguments.quiet)
             std::printf("%s after %d iterations; %d frames in %s\n",
                         std::string(status_name(run.status())).c_str(), run.history().back().iteration,

@@ -1117,6 +1117,57 @@ class Films(Contract):
         self.record("--frames", "3", "--formats", "png")
         self.assertEqual(len(self.frames()), 3)
 
+    def test_frames_of_another_film_are_not_taken_for_its_own(self):
+        self.record("--frames", "8", "--formats", "png,pvd,csv")
+        os.remove(self.path("frames/00000.png"))
+        os.remove(self.path("mesh/00001.vtu"))
+        before = {name: self.bytes("frames/" + name) for name in self.frames()}
+        result = self.record("--frames", "6", "--formats", "png", "--set", "monitor.amplitude=40")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(self.frames(), ["%05d.png" % k for k in range(6)])
+        for name in self.frames()[1:]:
+            self.assertNotEqual(self.bytes("frames/" + name), before[name], name)
+        self.assertEqual(os.listdir(self.path("mesh")), [])
+        for name in ("mesh.pvd", "trajectories.csv"):
+            self.assertFalse(os.path.exists(self.path(name)), name)
+
+    def test_resume_notices_other_data(self):
+        image = os.path.join(self.folder.name, "data.csv")
+        def write(height):
+            with open(image, "w") as file:
+                file.write("x,y,u\n" + "".join("%g,%g,%g\n" % (i / 8, j / 8, height * (i == j)) for i in range(8)
+                                               for j in range(8)))
+        field = ["--set", "monitor.type=field", "--set", "monitor.file=" + image, "--frames", "3"]
+        write(1)
+        self.assertEqual(self.record(*field).returncode, 0)
+        self.assertEqual(self.record(*field, "--resume").returncode, 0)
+        write(2)
+        result = self.record(*field, "--resume")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("leave out --resume", result.stderr)
+
+    def test_two_films_in_one_folder_at_a_time_are_refused(self):
+        os.makedirs(self.out)
+        folder = os.open(self.out, os.O_RDONLY)
+        fcntl.flock(folder, fcntl.LOCK_EX)
+        result = self.record("--frames", "2")
+        os.close(folder)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("another program is recording", result.stderr)
+        self.assertEqual(os.listdir(self.out), [])
+
+    def test_files_of_the_mesh_have_every_iterate_once(self):
+        self.record("--motion", "iterations", "--frames", "60", "--formats", "pvd,glb,csv")
+        series = xml.etree.ElementTree.parse(self.path("mesh.pvd")).findall(".//DataSet")
+        times = [float(one.get("timestep")) for one in series]
+        self.assertEqual(times, sorted(set(times)))
+        size, = struct.unpack_from("<I", self.bytes("mesh.glb"), 12)
+        model = json.loads(self.bytes("mesh.glb")[20:20 + size])
+        self.assertEqual(len(model["meshes"][0]["primitives"][0]["targets"]), len(times) - 1)
+        self.record("--frames", "1", "--formats", "glb")
+        size, = struct.unpack_from("<I", self.bytes("mesh.glb"), 12)
+        self.assertNotIn("animations", json.loads(self.bytes("mesh.glb")[20:20 + size]))
+
     def test_frames_of_others_are_not_replaced(self):
         os.makedirs(self.path("frames"))
         with open(self.path("frames/00000.png"), "w") as file:
@@ -1130,9 +1181,10 @@ class Films(Contract):
     def test_what_makes_no_sense_is_one_sentence(self):
         for arguments, part in ((["--motion", "turns"], "did you mean 'turn'?"),
                                 (["--motion", "turn"], "lies in the plane"),
-                                (["--motion", "camera"], "two cameras"),
+                                (["--motion", "camera"], "--from and --to"),
                                 (["--motion", "camera", "--from", "centre 0 0 height 1", "--to", "nowhere"], "nowhere"),
                                 (["--from", "centre 0 0 height 1"], "not asked for"),
+                                (["--frames", "3.5"], "whole number"),
                                 (["--motion", "turn,camera"], "choose one"),
                                 (["--motion", "blend", "--formats", "csv"], "iterations"),
                                 (["--formats", "avi"], "unknown format 'avi'"),
@@ -1140,6 +1192,11 @@ class Films(Contract):
                                 (["--resume"], "no film was begun")):
             self.refused(self.record(*arguments), part)
             self.assertFalse(os.path.exists(self.out), arguments)
+
+    def test_what_no_camera_looks_at_does_not_turn(self):
+        for name, settings in (("sphere-x2", ["--set", "view.layout=projection"]), ("layer-1d", [])):
+            result = gaspard("record", name, "--set", "domain.cells=8", *settings, "--motion", "turn", "--out", self.out)
+            self.refused(result, "camera" if settings else "plots")
 
     def test_without_ffmpeg_it_says_how_to_get_it(self):
         nothing = dict(os.environ, PATH=self.folder.name)
@@ -1160,6 +1217,12 @@ class Films(Contract):
             self.assertIn(codec, words)
             self.assertIn("-framerate 5 ", words)
             self.assertIn("-frames:v 9 ", words)  # the last one stays for a second
+        odd = os.path.join(self.folder.name, "50% a:b")
+        result = gaspard("record", "plane-ring", "--out", odd, "--size", "64x64", *QUICK, "--formats", "gif", "--frames",
+                         "2", environment=path)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        with open(os.path.join(odd, "film.gif")) as file:
+            self.assertIn("-i file:" + odd.replace("%", "%%") + "/frames/%05d.png", file.read())
         with open(tool, "w") as file:
             file.write("#!/bin/sh\necho first; echo 'no such codec' >&2; exit 1\n")
         failed = self.record("--formats", "mp4", "--frames", "4", environment=path)

@@ -30,14 +30,15 @@ Frame read_frame(const std::filesystem::path& file) {
     return frame;
 }
 
-/// The frame as large as the image, shown for so many milliseconds.
-std::string frame_control(std::uint32_t number, const std::string& header, long milliseconds) {
+/// The frame as large as the image, shown for a time in units of a second's part.
+std::string frame_control(std::uint32_t number, const std::string& header, double seconds, long parts) {
     std::string content;
     append_big_endian(content, number);
     content += header.substr(0, 8); // width and height
     append_big_endian(content, 0);  // at the upper left corner
     append_big_endian(content, 0);
-    for (const long part : {std::clamp(milliseconds, 1L, 65535L), 1000L}) {
+    for (const long part :
+         {std::clamp(std::lround(seconds * static_cast<double>(parts)), 1L, 65535L), parts}) {
         content += static_cast<char>((part >> 8) & 0xFF);
         content += static_cast<char>(part & 0xFF);
     }
@@ -51,6 +52,9 @@ void write_apng(const std::filesystem::path& file, const std::vector<std::filesy
                 double rate, double hold, const std::stop_token& stop) {
     GASPARD_CHECK(!frames.empty() && rate > 0 && hold >= 0);
     write_atomically(file, [&](std::ostream& stream) {
+        // Such that a frame lasts exactly as long as it should, for three digits of the rate.
+        const double per_frame = rate > 320 ? 10 : rate > 32 ? 100 : 1000;
+        const long parts = std::lround(per_frame * rate);
         std::uint32_t number = 0; // of the chunks fcTL and fdAT together
         std::string header;
         for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -67,7 +71,7 @@ void write_apng(const std::filesystem::path& file, const std::vector<std::filesy
                 throw MachineError("cannot join " + frames[i].string() + " and " + frames.front().string() +
                                    ": they have different sizes");
             const double shown = 1 / rate + (i + 1 == frames.size() ? hold : 0);
-            stream << frame_control(number++, header, std::lround(1000 * shown));
+            stream << frame_control(number++, header, shown, parts);
             for (const std::string& data : frame.data) {
                 if (i == 0) {
                     stream << png_chunk("IDAT", data);

@@ -3,6 +3,8 @@
 #include "core/base/error.hpp"
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <fcntl.h>
 #include <locale>
 #include <sstream>
@@ -106,6 +108,15 @@ void write_atomically(const fs::path& file, const std::function<void(std::ostrea
     stream.exceptions(std::ios::badbit | std::ios::failbit);
     write(stream);
     write_atomically(file, stream.view());
+}
+
+bool is_abandoned(const fs::path& file) {
+    const std::string name = file.filename().string(), begin = ".gaspard-";
+    if (!name.starts_with(begin) || !name.ends_with(".tmp")) return false;
+    pid_t writer = 0;
+    const char* const last = name.data() + name.size();
+    const auto [end, code] = std::from_chars(name.data() + begin.size(), last, writer);
+    return code == std::errc{} && end != last && *end == '-' && ::kill(writer, 0) != 0 && errno == ESRCH;
 }
 
 void make_folder(const fs::path& folder) {

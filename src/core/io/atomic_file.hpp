@@ -15,6 +15,9 @@ namespace gaspard {
 void write_atomically(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 
+/// Whether this is the temporary file of a program that ended without completing it.
+bool is_abandoned(const std::filesystem::path& file);
+
 /// Creates the folder and its parents if necessary. Throws MachineError naming the folder and the cause.
 void make_folder(const std::filesystem::path& folder);
 /// Creates the folder if necessary and checks that it is writable, so that this is known before solving.

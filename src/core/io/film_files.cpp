@@ -1,7 +1,9 @@
 #include "core/io/film_files.hpp"
 
 #include "core/base/error.hpp"
+#include "core/io/atomic_file.hpp"
 #include "core/io/video.hpp"
+#include "core/scenario/data_files.hpp"
 #include "core/scenario/toml.hpp"
 
 #include <algorithm>
@@ -68,6 +70,7 @@ std::string film_record(const Scenario& scenario, const FilmPlan& plan, int fram
                                 {"modified", scenario.modified},
                                 {"motions", motions},
                                 {"frames", frames}};
+    if (has_data_files(scenario)) json["files"] = std::to_string(hash_of_data(scenario));
     if (plan.motions.camera) json["from"] = plan.from, json["to"] = plan.to;
     json["values"] = to_toml(scenario);
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
@@ -80,25 +83,39 @@ fs::path frame_file(const fs::path& folder, int frame, std::string_view suffix) 
 }
 
 void remove_frames(const fs::path& folder, std::string_view suffix) {
-    std::error_code ignored;
-    for (int frame = 0; fs::remove(frame_file(folder, frame, suffix), ignored); ++frame) {
+    std::vector<fs::path> frames;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        const std::string stem = entry.path().stem().string();
+        const bool number = stem.size() == 5 && stem.find_first_not_of("0123456789") == stem.npos;
+        if (number && entry.path().extension() == suffix) frames.push_back(entry.path());
     }
+    for (const fs::path& frame : frames)
+        if (!fs::remove(frame, error) && error)
+            throw MachineError("cannot remove " + frame.string() +
+                               ", which is of another film: " + error.message());
 }
 
 void remove_unfinished(const fs::path& folder) {
     std::error_code ignored;
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder, ignored))
-        if (entry.path().filename().string().starts_with(".gaspard-") && entry.path().extension() == ".tmp")
-            files.push_back(entry.path());
+        if (is_abandoned(entry.path())) files.push_back(entry.path());
     for (const fs::path& file : files) fs::remove(file, ignored);
+}
+
+std::vector<int> frames_with_meshes(const Film& film) {
+    std::vector<int> frames;
+    for (int k = 0; k < film.frames(); ++k)
+        if (k == 0 || film.iteration(k) != film.iteration(k - 1)) frames.push_back(k);
+    return frames;
 }
 
 std::string pvd_of(const Film& film) {
     std::string text = "<?xml version=\"1.0\"?>\n"
                        "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
                        "  <Collection>\n";
-    for (int k = 0; k < film.frames(); ++k)
+    for (const int k : frames_with_meshes(film))
         text += "    <DataSet timestep=\"" + std::to_string(film.iteration(k)) +
                 "\" group=\"\" part=\"0\" file=\"" + frame_file("mesh", k, ".vtu").string() + "\"/>\n";
     return text + "  </Collection>\n</VTKFile>\n";
@@ -106,7 +123,7 @@ std::string pvd_of(const Film& film) {
 
 std::string trajectories_csv(const Film& film, std::size_t nodes, const std::stop_token& stop) {
     std::string text;
-    for (int k = 0; k < film.frames(); ++k) {
+    for (const int k : frames_with_meshes(film)) {
         if (stop.stop_requested()) throw Interrupted();
         const FilmFrame frame = film.frame(k);
         const Points& x = frame.snapshot->x;
@@ -128,14 +145,16 @@ std::string trajectories_csv(const Film& film, std::size_t nodes, const std::sto
     return text;
 }
 
-MovingMesh moving_mesh(const Film& film, double rate) {
-    const int count = std::min(film.frames(), most_morph_targets + 1);
-    MovingMesh moving{{}, rate};
-    for (int i = 0; i < count; ++i) {
-        const int k = count > 1 ? i * (film.frames() - 1) / (count - 1) : 0;
-        moving.frames.push_back(film.frame(k).snapshot);
+MovingMesh moving_mesh(const Film& film) {
+    const std::vector<int> all = frames_with_meshes(film);
+    const std::size_t count = std::min(all.size(), std::size_t{most_morph_targets + 1});
+    MovingMesh moving{{}, film.rate()};
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t k = count > 1 ? i * (all.size() - 1) / (count - 1) : 0;
+        moving.frames.push_back(film.frame(all[k]).snapshot);
     }
-    if (count > 1) moving.rate = rate * (count - 1) / (film.frames() - 1);
+    if (count > 1) // as long as the film
+        moving.rate = film.rate() * static_cast<double>(count - 1) / std::max(1, film.frames() - 1);
     return moving;
 }
 

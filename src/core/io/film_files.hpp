@@ -29,27 +29,30 @@ const std::vector<FilmFormat>& film_formats();
 /// Parses a list such as "apng,mp4". Throws InputError for an unknown name and where ffmpeg is missing.
 std::vector<const FilmFormat*> parse_film_formats(std::string_view list);
 
-/// What film.json says: the scenario and all that decides what the frames show. Equal texts, equal frames.
+/// What film.json says: the scenario and all that decides what the frames show, with a hash of the files that
+/// it reads. Equal texts, equal frames. Throws InputError if a file cannot be read.
 std::string film_record(const Scenario& scenario, const FilmPlan& plan, int frames);
 
 /// folder/00012.png
 std::filesystem::path frame_file(const std::filesystem::path& folder, int frame, std::string_view suffix);
-/// Removes the numbered files of another film.
+/// Removes the numbered files of another film. Throws MachineError if one cannot be removed.
 void remove_frames(const std::filesystem::path& folder, std::string_view suffix);
-/// Removes what a program that was killed has not completed.
+/// Removes what programs that were killed have not completed; what others are writing stays.
 void remove_unfinished(const std::filesystem::path& folder);
 
+/// The frames whose iterate is not that of the frame before: those that have a file of their own in mesh/.
+std::vector<int> frames_with_meshes(const Film& film);
 /// mesh.pvd, which lists the files mesh/00000.vtu, ... with the iterations as times.
 std::string pvd_of(const Film& film);
-/// The frame, iteration, node and position of at most `nodes` nodes, evenly chosen, in all frames.
+/// The frame, iteration, node and position of at most `nodes` nodes, evenly chosen, in these frames.
 std::string trajectories_csv(const Film& film, std::size_t nodes, const std::stop_token& stop);
-/// At most so many morph targets, evenly chosen from the frames.
+/// At most so many morph targets, evenly chosen from these frames.
 inline constexpr int most_morph_targets = 400;
 /// The frames of mesh.glb, and how many of them a second shows.
 struct MovingMesh {
     std::vector<std::shared_ptr<const Snapshot>> frames;
     double rate = 0;
 };
-MovingMesh moving_mesh(const Film& film, double rate);
+MovingMesh moving_mesh(const Film& film);
 
 } // namespace gaspard

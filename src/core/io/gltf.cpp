@@ -258,7 +258,7 @@ tinygltf::Model build_model(const MovingShape& moving) {
         mesh.primitives.front().attributes["COLOR_0"] = packer.vertices(colours);
         if (has_faces) mesh.primitives.back().attributes["COLOR_0"] = packer.vertices(ink_on(colours));
     }
-    add_animation(model, packer, moving);
+    if (!moving.targets.empty()) add_animation(model, packer, moving);
     add_scene(model, std::move(mesh), origin);
     return model;
 }

@@ -61,7 +61,14 @@ std::string filter(VideoKind kind, double hold) {
         hold > 0 ? "tpad=stop_mode=clone:stop_duration=" + format_number(hold) + "," : std::string();
     if (kind == VideoKind::gif) // colours of this film
         return stay + "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none";
-    return stay + "pad=ceil(iw/2)*2:ceil(ih/2)*2";
+    return stay + "crop=trunc(iw/2)*2:trunc(ih/2)*2:0:0";
+}
+
+/// As ffmpeg wants it: a percent sign is doubled, and a colon is no protocol.
+std::string pattern_of(const fs::path& folder) {
+    std::string text = "file:";
+    for (const char letter : folder.string()) text += letter == '%' ? "%%" : std::string(1, letter);
+    return text + "/%05d.png";
 }
 
 std::string last_line(const fs::path& log) {
@@ -122,7 +129,7 @@ void write_video(const fs::path& file, VideoKind kind, const fs::path& folder, i
                                    "-framerate",
                                    format_number(rate),
                                    "-i",
-                                   (folder / "%05d.png").string(),
+                                   pattern_of(folder),
                                    "-frames:v",
                                    std::to_string(count + static_cast<int>(hold * rate)),
                                    "-vf",

@@ -14,7 +14,7 @@ enum class VideoKind { mp4, webm, gif };
 void check_ffmpeg(std::string_view format);
 
 /// Of folder/00000.png, 00001.png, ...: `count` frames, `rate` per second; the last one stays for `hold`
-/// seconds more. MP4 is H.264, which needs even sizes: a row or column of the background is added. Throws
+/// seconds more. MP4 and WebM have even sizes: of odd ones the last row or column is cut off. Throws
 /// MachineError with the last line of what ffmpeg says; Interrupted.
 void write_video(const std::filesystem::path& file, VideoKind kind, const std::filesystem::path& folder,
                  int count, double rate, double hold, const std::stop_token& stop = {});

@@ -2,6 +2,7 @@
 
 #include "core/base/data_uri.hpp"
 #include "core/base/error.hpp"
+#include "core/base/fnv1a.hpp"
 #include "core/base/read_file.hpp"
 #include "core/base/user_path.hpp"
 
@@ -47,6 +48,15 @@ bool has_data_files(const Scenario& scenario) {
             if (row.role == ParameterRole::file && is_path(values.text(row.key))) return true;
     }
     return false;
+}
+
+std::uint64_t hash_of_data(const Scenario& scenario) {
+    std::uint64_t hash = fnv1a_start;
+    with_files(scenario, [&](const std::filesystem::path& file) {
+        hash = fnv1a(read_file(file), hash);
+        return file.string();
+    });
+    return hash;
 }
 
 Scenario with_absolute_paths(Scenario scenario) {

@@ -13,6 +13,9 @@ namespace gaspard GASPARD_API {
 /// Whether some value is the path of a file.
 bool has_data_files(const Scenario& scenario);
 
+/// FNV-1a of the content of its files. Throws InputError if one cannot be read.
+std::uint64_t hash_of_data(const Scenario& scenario);
+
 /// The scenario with absolute paths, so that it can be saved in any folder.
 Scenario with_absolute_paths(Scenario scenario);
 /// The scenario for a file in `folder` (absolute), which becomes the base of its paths: they are relative, so

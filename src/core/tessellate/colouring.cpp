@@ -132,6 +132,30 @@ ColourChoice colour_choice(const Values& view) {
             static_cast<int>(view.integer("contours"))};
 }
 
+std::optional<ColourRange> range_of_recording(const Recording& recording, const Snapshot* newest,
+                                              const ColourChoice& choice) {
+    std::optional<ColourRange> range;
+    const auto cover = [&](const std::shared_ptr<const RecordedIterate>& iterate) {
+        const bool known = newest != nullptr && newest->version == iterate->version();
+        const auto colouring = make_colouring(known ? *newest : *iterate->restore(), choice);
+        if (!colouring) return;
+        if (!range) range = colouring->range;
+        range = ColourRange{std::min(range->low, colouring->range.low),
+                            std::max(range->high, colouring->range.high)};
+    };
+    const auto first = recording.at(std::numeric_limits<int>::min()), last = last_sound(recording);
+    if (first) cover(first);
+    if (last && last != first) cover(last);
+    return range;
+}
+
+std::shared_ptr<const RecordedIterate> last_sound(const Recording& recording) {
+    auto last = recording.at(std::numeric_limits<int>::max());
+    if (!last || last->report().tangled_cells.value_or(0) == 0) return last;
+    const auto tangled = recording.first_tangled();
+    return tangled ? recording.at(*tangled - 1) : last;
+}
+
 Values with_range(Values view, const std::optional<ColourRange>& range) {
     if (!range || !(range->low < range->high) || view.text("range") == "fixed") return view;
     view.set("range", std::string("fixed"));

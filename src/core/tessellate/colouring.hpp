@@ -13,6 +13,7 @@
 #pragma once
 
 #include "core/diagnostics/cell_quality.hpp"
+#include "core/session/recording.hpp"
 #include "core/session/snapshot.hpp"
 #include "core/tessellate/cell_geometry.hpp"
 #include "core/tessellate/colour_choice.hpp"
@@ -82,6 +83,16 @@ class ColouringMaker {
 
 /// The view with this range instead of an automatic one; as it is if its range is fixed or `range` is empty.
 Values with_range(Values view, const std::optional<ColourRange>& range);
+
+/// The newest iterate that is kept; if that has tangled cells, the last one before the first tangled one.
+/// Null if there are none.
+std::shared_ptr<const RecordedIterate> last_sound(const Recording& recording);
+
+/// One range for a whole recording: covers the automatic ranges of the first iterate and of the last sound
+/// one (diverged values would leave the rest one colour). `newest`: that iterate in double precision, if it
+/// is known. Nothing if neither has such values.
+std::optional<ColourRange> range_of_recording(const Recording& recording, const Snapshot* newest,
+                                              const ColourChoice& choice);
 
 /// The colouring of one snapshot alone.
 std::optional<Colouring> make_colouring(const Snapshot& snapshot, const ColourChoice& choice);

@@ -23,7 +23,8 @@ constexpr double legend_part = 0.2, caption_part = 0.1; // at most, of the sizes
 double smooth(double t) { return t * t * (3 - 2 * t); }
 
 Camera camera_of(const std::string& text, Size size) {
-    if (text.empty()) throw InputError("the motion camera needs two cameras, as view.camera has them");
+    if (text.empty())
+        throw InputError("the motion camera needs two views, --from and --to, as view.camera has them");
     if (shows_all(text))
         throw InputError("the camera '" + text +
                          "' shows all of a mesh; the motion camera needs two with "
@@ -100,6 +101,11 @@ FilmMotions parse_film_motions(std::string_view list) {
 }
 
 void check_film(const FilmPlan& plan, const Mesh& mesh, const Values& view) {
+    const bool moves_camera = plan.motions.turn || plan.motions.camera;
+    if (moves_camera && view.text("layout") == "projection")
+        throw InputError("a map projection has no camera that could move; choose another view.layout");
+    if (moves_camera && mesh.space_dimension == 1)
+        throw InputError("the meshes of an interval are shown as plots, which no camera looks at");
     if (plan.motions.turn && mesh.space_dimension < 3)
         throw InputError("the motion turn needs a surface or a solid; this mesh lies in the plane");
     if (!plan.motions.camera) {
@@ -131,12 +137,7 @@ Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snap
                       : static_cast<int>(std::lround(seconds_of_motion * plan_.rate));
     frames_ = std::max(frames_, 1);
     if (!plan_.motions.iterations) return;
-    const ColourChoice choice = colour_choice(view_);
-    const auto first = make_colouring(*iterate(iterations_.front()), choice),
-               end = make_colouring(*last_, choice);
-    if (first && end)
-        view_ = with_range(view_, ColourRange{std::min(first->range.low, end->range.low),
-                                              std::max(first->range.high, end->range.high)});
+    view_ = with_range(view_, range_of_recording(recording_, last_.get(), colour_choice(view_)));
 }
 
 bool Film::closes() const { return plan_.motions.turn || plan_.motions.blend; }

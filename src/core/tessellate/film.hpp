@@ -49,7 +49,7 @@ struct FilmFrame {
 class Film {
   public:
     /// Of a run that has ended: its recording and its last iterate. `view` of view_rows(); an automatic range
-    /// of colours is that of the first and the last frame together.
+    /// of colours is range_of_recording().
     Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view);
     int frames() const { return frames_; }
     double rate() const { return plan_.rate; }

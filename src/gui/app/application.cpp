@@ -172,7 +172,7 @@ WindowState Application::window_state() const {
             static_cast<float>(settings_.window.real("text_size")),
             fullscreen_,
             quit_,
-            (file_dialogs_.opening() || panel_.awaits_text()) && !messages_.error().open(),
+            (file_dialogs_.opening() || panel_.awaits_text() || menus_.opening()) && !messages_.error().open(),
             viewport_pane_.changing() || panel_.waiting() || playback_.playing() || playback_.blends() ||
                 menus_.waiting()};
 }

@@ -36,6 +36,7 @@ bool look_alike(const DocumentRun& one, const DocumentRun& other) {
 
 void Application::frame() {
     items_.clear();
+    panel_.begin_frame(!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
     begin_burst();
     // The frame of a screenshot ignores the mouse, so that no tooltip is in the image; but a slider that is
     // being dragged would jump.

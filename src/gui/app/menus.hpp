@@ -38,6 +38,7 @@ class Menus {
     float height() const { return height_; }
     /// Whether the next frame shows more, as pictures in the list of scenarios.
     bool waiting() const { return scenarios_.waiting(); }
+    bool opening() const { return scenarios_.opening(); }
 
   private:
     std::optional<MenuChoice> draw_buttons(const MenuContext& context);

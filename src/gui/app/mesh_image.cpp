@@ -13,6 +13,18 @@ PixelRect pixels_of(const ItemRectangle& part, float density) {
     return {x, y, pixels(part.right) - x, pixels(part.bottom) - y};
 }
 
+bool in_same_place(const MeshesToDraw& one, const MeshesToDraw& other) {
+    const auto alike = [](const ShownView& a, const ShownView& b) {
+        const Mesh &first = *a.scene.mesh, &second = *b.scene.mesh;
+        return a.rectangle == b.rectangle && first.cell_count() == second.cell_count() &&
+               first.space_dimension == second.space_dimension &&
+               a.scene.projection.has_value() == b.scene.projection.has_value();
+    };
+    return one.theme == other.theme && one.pixels == other.pixels && one.zoom == other.zoom &&
+           one.area == other.area &&
+           std::equal(one.views.begin(), one.views.end(), other.views.begin(), other.views.end(), alike);
+}
+
 PixelRect area_of_views(const std::vector<ShownView>& views, const WindowPixels& pixels) {
     PixelRect area;
     for (const ShownView& shown : views) area = around(area, pixels_of(shown.rectangle, pixels.density));

@@ -34,6 +34,10 @@ struct MeshesToDraw {
     friend bool operator==(const MeshesToDraw&, const MeshesToDraw&) = default;
 };
 
+/// Whether an image of one can be shown where the other is wanted, until that is drawn: meshes with as many
+/// cells at the same places of the window, in the same theme.
+bool in_same_place(const MeshesToDraw& one, const MeshesToDraw& other);
+
 /// The smallest area with all views; one pixel if there are none.
 PixelRect area_of_views(const std::vector<ShownView>& views, const WindowPixels& pixels);
 

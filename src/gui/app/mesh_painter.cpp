@@ -37,7 +37,7 @@ MeshPainter::~MeshPainter() {
     thread_.join();
 }
 
-void MeshPainter::want(const MeshesToDraw& what, Hurry hurry) {
+std::uint64_t MeshPainter::want(const MeshesToDraw& what, Hurry hurry) {
     const std::lock_guard lock(mutex_);
     if (failure_) std::rethrow_exception(failure_);
     const bool waits = wanted_.number != shown_;
@@ -48,20 +48,21 @@ void MeshPainter::want(const MeshesToDraw& what, Hurry hurry) {
         wanted_at_ = clock_.seconds();
     }
     changed_.notify_all();
+    return wanted_.number;
 }
 
-bool MeshPainter::expected_soon() const {
-    return (full_seconds_ > slow_drawing ? quick_seconds_ : full_seconds_) <= soon;
+double MeshPainter::patience() const {
+    const std::lock_guard lock(mutex_);
+    const bool quickly = full_seconds_ > slow_drawing && wanted_.hurry != Hurry::in_full;
+    return (quickly ? quick_seconds_ : full_seconds_) <= soon ? longest_wait : 0;
 }
 
-void MeshPainter::wait() {
+bool MeshPainter::wait(double most) {
     std::unique_lock lock(mutex_);
     const bool in_full = wanted_.hurry == Hurry::in_full;
-    const auto there = [&] { return failure_ || (shown_ == wanted_.number && (shown_in_full_ || !in_full)); };
-    if (in_full)
-        changed_.wait(lock, there);
-    else if (expected_soon())
-        changed_.wait_for(lock, seconds(longest_wait), there);
+    return changed_.wait_for(lock, seconds(most), [&] {
+        return failure_ || (shown_ == wanted_.number && (shown_in_full_ || !in_full));
+    });
 }
 
 std::shared_ptr<const PaintedMeshes> MeshPainter::take() {
@@ -110,19 +111,22 @@ void MeshPainter::draw_what_is_wanted(const Gl& gl) {
         const auto give_up = [&] {
             const std::lock_guard lock(mutex_);
             const bool outdated = wanted_.number != job->wanted.number && job->wanted.hurry != Hurry::in_full;
-            return stop_ || (outdated && std::max(full_seconds_, clock_.seconds() - begun) > slow_drawing);
+            const bool slow = std::max(full_seconds_, clock_.seconds() - begun) > slow_drawing;
+            // What was begun quickly is of use unless the window looks different now.
+            return stop_ ||
+                   (outdated && slow && (!job->quickly || !in_same_place(job->wanted.what, wanted_.what)));
         };
         const bool done =
             image.draw(job->wanted.what, job->quickly, job->quickly ? std::function<bool()>() : give_up);
-        auto drawn = done ? std::make_shared<const PaintedMeshes>(
-                                PaintedMeshes{image.image().read(), job->wanted.what.area})
+        auto drawn = done ? std::make_shared<const PaintedMeshes>(PaintedMeshes{
+                                image.image().read(), job->wanted.what, job->wanted.number, !job->quickly})
                           : nullptr;
         {
             const std::lock_guard lock(mutex_);
             begun_ = begun, ended_ = clock_.seconds();
             const double took = ended_ - begun_;
             if (job->quickly)
-                quick_seconds_ = took;
+                quick_seconds_ = done ? took : quick_seconds_;
             else
                 full_seconds_ = done ? took : std::max(took, full_seconds_);
         }

@@ -21,10 +21,12 @@
 
 namespace gaspard {
 
-/// An image of meshes, and which part of the window it shows.
+/// An image of what was wanted.
 struct PaintedMeshes {
     Image image;
-    PixelRect area;
+    MeshesToDraw what;
+    std::uint64_t number = 0; ///< as want() has returned it
+    bool in_full = true;
 };
 
 enum class Hurry {
@@ -42,10 +44,13 @@ class MeshPainter {
     MeshPainter(const MeshPainter&) = delete;
     MeshPainter& operator=(const MeshPainter&) = delete;
 
-    /// From now on this is to be shown. Throws what the drawing of an earlier one has thrown.
-    void want(const MeshesToDraw& what, Hurry hurry);
-    /// Waits for it: with Hurry::in_full until it is there, else only if it is expected to be there soon.
-    void wait();
+    /// From now on this is to be shown; what is wanted later has a larger number. Throws what the drawing of
+    /// an earlier one has thrown.
+    std::uint64_t want(const MeshesToDraw& what, Hurry hurry);
+    /// Waits at most so many seconds until it is there, with Hurry::in_full in full. False if it is not.
+    bool wait(double seconds);
+    /// How long a frame should wait: not at all if that is not expected to be enough.
+    double patience() const;
     /// The newest image, if it is not the one that was taken last; else null.
     std::shared_ptr<const PaintedMeshes> take();
 
@@ -63,7 +68,6 @@ class MeshPainter {
     void draw_what_is_wanted(const Gl& gl);
     std::optional<Job> next_job();
     void publish(std::shared_ptr<const PaintedMeshes> image, const Job& job);
-    bool expected_soon() const;
 
     std::function<void()> wake_;
     mutable std::mutex mutex_;

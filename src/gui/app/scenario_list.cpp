@@ -209,7 +209,8 @@ void ScenarioList::open(const Catalogue& catalogue) {
             return place_of(a.name) < place_of(b.name);
         });
     }
-    if (ImGui::IsWindowAppearing()) search_.clear(), marked_ = -1, ImGui::SetKeyboardFocusHere();
+    if (ImGui::IsWindowAppearing())
+        search_.clear(), marked_ = -1, opening_ = true, ImGui::SetKeyboardFocusHere();
 }
 
 std::optional<ScenarioChoice> ScenarioList::draw(const Catalogue& catalogue, const DocumentRun& run,
@@ -226,7 +227,10 @@ std::optional<ScenarioChoice> ScenarioList::draw(const Catalogue& catalogue, con
     ImGui::SetNextWindowSizeConstraints({std::min(wide + beside, display.x), 0}, {FLT_MAX, high});
     const bool opened = ImGui::BeginCombo("##scenario", run.title.c_str(), ImGuiComboFlags_HeightLargest);
     remember_item(context.items, "scenario");
-    if (!opened) return {};
+    if (!opened) {
+        opening_ = false;
+        return {};
+    }
     open(catalogue);
     ImGui::Spacing();
     ImGui::SetNextItemWidth(-FLT_MIN);
@@ -234,6 +238,9 @@ std::optional<ScenarioChoice> ScenarioList::draw(const Catalogue& catalogue, con
     const bool entered = ImGui::InputTextWithHint("##search", "Search; arrow keys and Enter choose", &search_,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     remember_item(context.items, "scenario.search");
+    if (ImGui::IsItemActive()) opening_ = false;
+    // The field takes this key, which is meant for the list.
+    const bool left = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     const std::vector<Card> shown = cards(recent);
     if (search_ != before) marked_ = search_.empty() || shown.empty() ? -1 : 0;
     move_mark(shown, columns);
@@ -249,7 +256,7 @@ std::optional<ScenarioChoice> ScenarioList::draw(const Catalogue& catalogue, con
     const std::string text = about >= 0 ? shown[static_cast<std::size_t>(about)].text : std::string();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(shortened(text, wide).c_str());
-    if (chosen) ImGui::CloseCurrentPopup();
+    if (chosen || left) ImGui::CloseCurrentPopup();
     ImGui::EndCombo();
     return chosen;
 }

@@ -33,6 +33,8 @@ class ScenarioList {
                                        const FrameContext& context);
     /// Whether pictures are still to come, in the next frames.
     bool waiting() const { return thumbnails_.waiting(); }
+    /// It has opened, but its search field does not take letters yet.
+    bool opening() const { return opening_; }
 
   private:
     struct Card {
@@ -51,6 +53,7 @@ class ScenarioList {
     int marked_ = -1, hovered_ = -1; ///< of the cards that are shown; -1: none
     bool scroll_to_mark_ = false;
     Thumbnails thumbnails_;
+    bool opening_ = false;
 };
 
 } // namespace gaspard

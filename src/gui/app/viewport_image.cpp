@@ -204,7 +204,9 @@ struct PreparedImage::Parts {
 PreparedImage::PreparedImage(const Snapshot& snapshot, const Values& view, int width, int height,
                              const std::string& subject, const ImageOptions& options)
     : parts_(std::make_unique<Parts>(
-          Parts{page_of_view(snapshot, view, width, height, subject, options), options})) {}
+          Parts{page_of_view(snapshot, view, width, height, subject, options), options})) {
+    parts_->options.beside.clear(); // they are needed no longer, and may go
+}
 
 PreparedImage::~PreparedImage() = default;
 

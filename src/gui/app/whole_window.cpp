@@ -60,8 +60,13 @@ void WindowImage::take(const MeshImage& meshes, PixelRect area) {
 }
 
 void WindowImage::take(const PaintedMeshes& meshes) {
-    make_place_for(meshes.area);
-    below_->put(meshes.image, meshes.area.x, meshes.area.y);
+    make_place_for(meshes.what.area);
+    below_->put(meshes.image, meshes.what.area.x, meshes.what.area.y);
+}
+
+void WindowImage::forget_meshes() {
+    meshes_ = {};
+    clear_below();
 }
 
 bool WindowImage::draw(const WindowPixels& pixels) {

@@ -29,6 +29,8 @@ class WindowImage {
     /// Meshes that were drawn in this context, of this area; or elsewhere.
     void take(const MeshImage& meshes, PixelRect area);
     void take(const PaintedMeshes& meshes);
+    /// There are none to show.
+    void forget_meshes();
     /// Draws the frame that ImGui has just rendered over the meshes; only what has changed is drawn. False if
     /// nothing has.
     bool draw(const WindowPixels& pixels);

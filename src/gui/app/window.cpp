@@ -266,23 +266,44 @@ class Window {
         if (!painter_) meshes_.emplace(gl_);
     }
 
-    /// Draws the meshes, or asks for them; and takes what is there. Returns the seconds spent waiting.
-    double draw_meshes(const WindowPixels& pixels, bool in_full) {
+    /// Draws the meshes, or asks for them; and takes what is there. `shot`: this frame is to be an image, in
+    /// full. Returns the seconds spent waiting.
+    double draw_meshes(const WindowPixels& pixels, bool shot) {
         MeshesToDraw wanted = meshes_to_draw(*application_, pixels, zoom());
         image_->resize(pixels.width, pixels.height, wanted.theme.background);
         if (!painter_) {
+            shot_ready_ = shot;
             if (wanted == drawn_) return 0;
             meshes_->draw(wanted);
             image_->take(*meshes_, wanted.area);
             drawn_ = std::move(wanted);
             return 0;
         }
+        if (shot && shot_ready_) return 0; // with the meshes that came for it
         const bool at_once = in_gesture() || application_->window_state().animating;
-        painter_->want(wanted, in_full ? Hurry::in_full : at_once ? Hurry::at_once : Hurry::none);
+        const bool in_full = shot || shot_number_;
+        const auto number = painter_->want(wanted, in_full   ? Hurry::in_full
+                                                   : at_once ? Hurry::at_once
+                                                             : Hurry::none);
+        if (shot) shot_number_ = number;
         const double begun = glfwGetTime();
-        painter_->wait();
+        const bool there = painter_->wait(painter_->patience());
         const double waited = glfwGetTime() - begun;
-        if (const auto painted = painter_->take()) image_->take(*painted);
+        const auto painted = painter_->take();
+        if (painted && in_same_place(painted->what, wanted)) {
+            image_->take(*painted);
+            drawn_ = painted->what;
+            const bool for_shot = shot_number_ && painted->in_full && painted->number >= *shot_number_;
+            if (for_shot && !shot) {
+                shot_ready_ = true;
+                application_->perform("screenshot"); // the next frame, without a tooltip
+            }
+        } else if (drawn_ && !in_same_place(*drawn_, wanted)) {
+            image_->forget_meshes(); // rather none than those of something else
+            drawn_.reset();
+        }
+        if (shot && there) shot_ready_ = true;
+        if (shot_ready_) shot_number_.reset();
         return waited;
     }
 
@@ -439,12 +460,12 @@ class Window {
         ImGui::NewFrame();
         application_->frame();
         ImGui::Render();
-        const bool screenshot = application_->take_screenshot_request();
+        const bool shot = application_->take_screenshot_request();
         const WindowPixels pixels{width, height, look_.scales.density};
-        const double waited = draw_meshes(pixels, screenshot);
+        const double waited = draw_meshes(pixels, shot);
         const bool exposed = std::exchange(happenings_.exposed, false);
         changed_ = image_->draw(pixels);
-        if (screenshot)
+        if (shot && std::exchange(shot_ready_, false))
             application_->save_image(
                 part_of(image_->read(), pixels_of(application_->viewport_rectangle(), look_.scales.density)));
         if (changed_ || exposed) image_->show();
@@ -467,7 +488,9 @@ class Window {
     std::optional<WindowImage> image_;
     std::optional<MeshPainter> painter_; ///< or, with a graphics card:
     std::optional<MeshImage> meshes_;
-    std::optional<MeshesToDraw> drawn_; ///< by meshes_
+    std::optional<MeshesToDraw> drawn_;          ///< what the window shows
+    std::optional<std::uint64_t> shot_number_{}; ///< of the meshes that an image of the window waits for
+    bool shot_ready_ = false;                    ///< they are there
     Look look_;
     Place before_;                       ///< the window filled the screen
     std::map<std::string, Value> place_; ///< where it stood when it was closed, as in the settings

@@ -28,8 +28,6 @@ void AwaitedField::note(std::string_view key, bool active) {
     if (asked_ != 0 && active && key_ == key) key_.clear();
 }
 
-bool AwaitedField::pending() const {
-    return !key_.empty() && ImGui::GetFrameCount() - since_ < longest_wait;
-}
+bool AwaitedField::pending() const { return !key_.empty() && ImGui::GetFrameCount() - since_ < longest_wait; }
 
 } // namespace gaspard

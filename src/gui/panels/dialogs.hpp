@@ -27,7 +27,6 @@ class ErrorDialog {
     std::string sentence_;
 };
 
-
 /// A progress bar in the lower left corner of `over`; true when Cancel was pressed. Keys "progress" and
 /// "progress.cancel".
 bool draw_progress(const std::string& what, double fraction, const ItemRectangle& over,

@@ -86,7 +86,7 @@ class FormulaField {
         bool refused = false;    ///< by the solver
     };
     struct Cursor {
-        int at = -1; ///< in bytes; negative: at the end
+        int at = -1;                 ///< in bytes; negative: at the end
         std::optional<int> wanted{}; ///< beyond the end: at the end
     };
     bool edit(const std::string& key, std::string& text, bool wrong, const Context& context);

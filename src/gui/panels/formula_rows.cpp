@@ -15,9 +15,7 @@ std::string without_key(const std::string& message, const std::string& key) {
 
 } // namespace
 
-bool is_formula(const ParameterRow& row) {
-    return row.role == ParameterRole::formula;
-}
+bool is_formula(const ParameterRow& row) { return row.role == ParameterRole::formula; }
 
 std::optional<FormulaComplaint> formula_complaint(const Catalogue& catalogue, const Scenario& scenario,
                                                   const std::string& section, const std::string& row,

@@ -92,20 +92,24 @@ std::optional<Image> picture_of_monitor(const MonitorType& type, const MonitorSu
     return coloured(values, part, colour_map(subject.colours == "automatic" ? "viridis" : subject.colours));
 }
 
+void MonitorPictures::begin_frame() {
+    computed_ = 0, waiting_ = false;
+    if (known_.size() < most_known) return;
+    known_.clear();
+    sheet_.reset(); // what was drawn refers to it, so not in the middle of a frame
+}
+
 std::optional<PicturePlace> MonitorPictures::find(const MonitorType& type, const MonitorSubject& subject,
                                                   const Values* pde) {
     const auto found =
         std::find_if(known_.begin(), known_.end(), [&](const Known& one) { return one.subject == subject; });
     if (found != known_.end()) return found->place;
-    if (computed_ >= most_computed) {
+    if (computed_ >= most_computed || known_.size() >= most_known) {
         waiting_ = true;
         return std::nullopt;
     }
     ++computed_;
-    if (!sheet_ || known_.size() == most_known) { // begin anew
-        known_.clear();
-        sheet_ = std::make_shared<PictureSheet>(width, height, static_cast<int>(most_known));
-    }
+    if (!sheet_) sheet_ = std::make_shared<PictureSheet>(width, height, static_cast<int>(most_known));
     const auto image = picture_of_monitor(type, subject, pde);
     known_.push_back({subject, image ? std::optional(sheet_->add(*image)) : std::nullopt});
     return known_.back().place;

@@ -34,8 +34,9 @@ std::optional<Image> picture_of_monitor(const MonitorType& type, const MonitorSu
 
 class MonitorPictures {
   public:
-    /// At the beginning of a frame.
-    void begin_frame() { computed_ = 0, waiting_ = false; }
+    /// At the beginning of a frame, when the one before has been drawn. Forgets all pictures if there are too
+    /// many.
+    void begin_frame();
     /// Nothing if there is no picture of it, or if it comes in one of the next frames.
     std::optional<PicturePlace> find(const MonitorType& type, const MonitorSubject& subject,
                                      const Values* pde = nullptr);

@@ -67,7 +67,8 @@ bool ParameterPanel::draw_number(const PanelContext& context, const ParameterRow
     ValueField field{.label = row.label,
                      .symbol = row.symbol,
                      .value = number_text(row, value) + unit_text(row),
-                     .focused = focused_ == key};
+                     .focused = focused_ == key,
+                     .keys = takes_keys_};
     if (bounded) field.position = position_of(row, ends, value);
     const ValueFieldAnswer answer = draw_value_field("##field", field, width, context.theme);
     remember_item(context.items, key);

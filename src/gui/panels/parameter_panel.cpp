@@ -215,7 +215,6 @@ bool ParameterPanel::draw_section(SectionKind kind, const PanelContext& context,
     ImGui::SetNextItemWidth(c.wide());
     const float free = c.wide() - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
     const bool pictures = kind == SectionKind::monitor || kind == SectionKind::source;
-    if (kind == SectionKind::monitor) monitors_.begin_frame();
     if (pictures)
         ImGui::SetNextWindowSizeConstraints({MonitorList::width(), 0},
                                             {FLT_MAX, 0.8F * ImGui::GetIO().DisplaySize.y});

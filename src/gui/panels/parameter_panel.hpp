@@ -65,6 +65,9 @@ class ParameterPanel {
     void focus_formula(const std::string& key) { formulas_.focus(key); }
     /// A text field is about to get the keyboard.
     bool awaits_text() const { return formulas_.awaits_text() || focus_.pending(); }
+    /// At the beginning of a frame, whether or not the panel is drawn in it. `takes_keys`: no list or dialog
+    /// is open that they are meant for.
+    void begin_frame(bool takes_keys) { monitors_.begin_frame(), takes_keys_ = takes_keys; }
     /// Something will happen without input.
     bool waiting() const { return formulas_.waiting() || monitors_.waiting(); }
 
@@ -101,7 +104,8 @@ class ParameterPanel {
     std::set<std::string, std::less<>> opened_; ///< the sections that show all rows
     std::size_t hidden_rows_ = 0;               ///< of the section that is drawn
     std::string focused_;                       ///< the key of the number that was clicked last
-    std::string typing_;                        ///< the key whose text field is being edited
+    bool takes_keys_ = true;
+    std::string typing_;     ///< the key whose text field is being edited
     double typed_value_ = 0; ///< its content so far; it takes effect when the field is left
     std::string typed_text_; ///< the same for texts
     std::map<std::string, double> before_auto_; ///< by key: the number that "auto" replaced

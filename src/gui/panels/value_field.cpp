@@ -86,16 +86,17 @@ void draw_field(const ValueField& field, ImVec2 low, ImVec2 high, bool lit, cons
 ValueFieldAnswer draw_value_field(const char* id, const ValueField& field, float width, const Theme& theme) {
     const float em = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + width, low.y + ImGui::GetFrameHeight()};
+    const bool takes_keys = field.focused && field.keys;
     ValueFieldAnswer answer;
     ImGui::InvisibleButton(id, {std::max(width, 1.0F), ImGui::GetFrameHeight()});
     const bool hovered = ImGui::IsItemHovered();
     if (field.position) answer.position = dragged_position(field, width, em);
     answer.clicked = ImGui::IsItemActivated();
-    answer.type = (answer.clicked && ImGui::GetIO().KeyCtrl) || double_clicked() ||
-                  (field.focused && !ImGui::IsAnyItemActive() &&
-                   ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)));
-    if (field.focused && hovered) keep_the_wheel();
-    if (field.focused && !ImGui::GetIO().WantTextInput) answer.steps = steps_asked(hovered);
+    answer.type =
+        (answer.clicked && ImGui::GetIO().KeyCtrl) || double_clicked() ||
+        (takes_keys && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)));
+    if (takes_keys && hovered) keep_the_wheel();
+    if (takes_keys && !ImGui::GetIO().WantTextInput) answer.steps = steps_asked(hovered);
     if (hovered && field.position) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     draw_field(field, low, high, hovered || ImGui::IsItemActive(), theme);
     return answer;

@@ -15,6 +15,7 @@ struct ValueField {
     std::string label, symbol, value;
     std::optional<double> position{}; ///< within the range, 0 to 1; empty: it cannot be dragged
     bool focused = false;             ///< it was clicked last
+    bool keys = true;                 ///< then keys and wheel step it
 };
 
 struct ValueFieldAnswer {

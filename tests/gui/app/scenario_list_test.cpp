@@ -82,6 +82,51 @@ TEST_F(ScenarioListTest, EnterOpensTheFirstThatMatches) {
     ASSERT_TRUE(wait_until([&] { return run().scenario.name == "sphere-x16"; }));
 }
 
+TEST_F(ScenarioListTest, OneEscapeClosesIt) {
+    frame();
+    EXPECT_FALSE(application.window_state().awaits_text);
+    ui.click(application.items().find("scenario")->second, drawing());
+    bool awaited = application.window_state().awaits_text;
+    for (int i = 0; i < 4; ++i) {
+        frame();
+        awaited = awaited || application.window_state().awaits_text;
+    }
+    EXPECT_TRUE(awaited) << "letters wait until its field takes them";
+    EXPECT_FALSE(application.window_state().awaits_text);
+    ASSERT_TRUE(application.items().count("scenario.search"));
+    ui.key(ImGuiKey_Escape, true);
+    frame();
+    ui.key(ImGuiKey_Escape, false);
+    frame();
+    EXPECT_FALSE(application.items().count("scenario.search"));
+}
+
+TEST_F(ScenarioListTest, KeysAreNotMeantForTheNumberBehindIt) {
+    ASSERT_TRUE(wait_until([&] { return run().snapshot != nullptr; }));
+    frame();
+    ui.click(application.items().find("monitor.sharpness")->second, drawing());
+    frame();
+    const double before = run().scenario.monitor.values.real("sharpness");
+    const auto press_down = [&] {
+        for (int i = 0; i < 2; ++i) {
+            ui.key(ImGuiKey_DownArrow, true);
+            frame();
+            ui.key(ImGuiKey_DownArrow, false);
+            frame();
+        }
+    };
+    ui.click(application.items().find("scenario")->second, drawing());
+    for (int i = 0; i < 4; ++i) frame();
+    press_down();
+    EXPECT_EQ(run().scenario.monitor.values.real("sharpness"), before);
+    ui.key(ImGuiKey_Escape, true);
+    frame();
+    ui.key(ImGuiKey_Escape, false);
+    for (int i = 0; i < 2; ++i) frame();
+    press_down();
+    EXPECT_LT(run().scenario.monitor.values.real("sharpness"), before) << "now they are";
+}
+
 TEST_F(ScenarioListTest, PicturesComeWithinAFewFrames) {
     frame();
     ui.click(application.items().find("scenario")->second, drawing());

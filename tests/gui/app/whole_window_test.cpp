@@ -96,11 +96,12 @@ TEST_F(WindowInMemory, DrawsTheAreaOfTheMeshesAsAPartOfTheWhole) {
 TEST_F(WindowInMemory, IsDrawnWhereItHasChangedAsIfItWereDrawnAnew) {
     WindowImage followed(context_->gl());
     MeshImage image(context_->gl());
+    std::optional<MeshesToDraw> drawn;
     const auto draw = [&](WindowImage& to) {
         const MeshesToDraw what = meshes();
         to.resize(900, 640, what.theme.background);
-        image.draw(what);
-        to.take(image, what.area);
+        if (what != drawn) image.draw(what), to.take(image, what.area); // as the window does
+        drawn = what;
         return to.draw(pixels);
     };
     draw(followed);
@@ -149,23 +150,44 @@ TEST_F(WindowInMemory, GetsTheSameMeshesFromAnotherThread) {
     image.draw(what);
     Arrivals arrivals;
     MeshPainter painter([&] { arrivals.note(); });
-    painter.want(what, Hurry::in_full);
-    painter.wait();
+    const auto number = painter.want(what, Hurry::in_full);
+    ASSERT_TRUE(painter.wait(60));
     const auto painted = painter.take();
     ASSERT_NE(painted, nullptr);
-    EXPECT_EQ(painted->area, what.area);
+    EXPECT_EQ(painted->what, what);
+    EXPECT_TRUE(painted->in_full);
+    EXPECT_EQ(painted->number, number);
     EXPECT_EQ(painted->image.rgba, image.image().read().rgba);
     EXPECT_EQ(painter.take(), nullptr) << "taken";
 
-    painter.want(what, Hurry::at_once); // what is shown
+    EXPECT_EQ(painter.want(what, Hurry::at_once), number) << "what is shown";
     view().set("blend", 0.5);
     what = meshes();
-    painter.want(what, Hurry::none);
+    EXPECT_GT(painter.want(what, Hurry::none), number);
     arrivals.wait_for(2); // though nobody is in a hurry
     image.draw(what);
     painter.want(what, Hurry::in_full);
-    painter.wait();
+    ASSERT_TRUE(painter.wait(60));
     EXPECT_EQ(painter.take()->image.rgba, image.image().read().rgba);
+}
+
+TEST_F(WindowInMemory, MeshesOfSomethingElseAreNotShownInTheirPlace) {
+    const MeshesToDraw before = meshes();
+    view().set("blend", 0.5);
+    EXPECT_TRUE(in_same_place(before, meshes())) << "the same mesh, which has moved";
+    for (const char* action : {"sidebar", "theme"}) {
+        application_.perform(action);
+        meshes(); // a size is known one frame later
+        EXPECT_FALSE(in_same_place(before, meshes())) << action;
+        application_.perform(action);
+        meshes();
+        EXPECT_TRUE(in_same_place(before, meshes())) << action;
+    }
+    view().set("layout", std::string("side-by-side"));
+    EXPECT_FALSE(in_same_place(before, meshes()));
+    MeshesToDraw none = before;
+    none.views.clear();
+    EXPECT_FALSE(in_same_place(before, none));
 }
 
 TEST_F(WindowInMemory, SaysWhatThePainterCannotDo) {
@@ -173,7 +195,7 @@ TEST_F(WindowInMemory, SaysWhatThePainterCannotDo) {
     MeshesToDraw what = meshes();
     what.area = {0, 0, 1000000, 1000000};
     painter.want(what, Hurry::in_full);
-    painter.wait();
+    ASSERT_TRUE(painter.wait(60));
     EXPECT_THROW(painter.want(what, Hurry::none), MachineError);
 }
 

@@ -82,12 +82,25 @@ TEST(MonitorPictures, EachIsComputedOnceAFewPerFrame) {
     const auto first = pictures.find(ring, subjects[0]), again = pictures.find(ring, subjects[0]);
     ASSERT_TRUE(first && again);
     EXPECT_EQ(first->low.x, again->low.x);
+    const void* const sheet = first->sheet;
+    const auto with_amplitude = [&](double amplitude) {
+        MonitorSubject other = subjects[0];
+        other.values.set("amplitude", amplitude);
+        return other;
+    };
+    bool changed = false;
     for (int i = 0; i < 200; ++i) { // more than there is room for
         pictures.begin_frame();
-        MonitorSubject other = subjects[0];
-        other.values.set("amplitude", 20.0 + 0.1 * i);
-        EXPECT_TRUE(pictures.find(ring, other));
+        const auto before = pictures.find(ring, subjects[0]); // drawn before the others of this frame
+        const auto found = pictures.find(ring, with_amplitude(20.0 + 0.1 * i));
+        if (!before || !found) {
+            EXPECT_TRUE(pictures.waiting()) << "it comes in the next frame";
+            continue;
+        }
+        EXPECT_EQ(before->sheet, found->sheet) << "a sheet stays until the frame is drawn";
+        changed = changed || found->sheet != sheet;
     }
+    EXPECT_TRUE(changed);
 }
 
 class MonitorListTest : public ApplicationTest {};
