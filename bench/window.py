@@ -57,8 +57,10 @@ class Window:
         self.display.sync()
 
     def button(self, down):
+        """Goes down or up; a hand needs some time before it moves."""
         xtest.fake_input(self.display, X.ButtonPress if down else X.ButtonRelease, 1)
         self.display.sync()
+        time.sleep(0.3)
 
     def key(self, name):
         code = self.display.keysym_to_keycode({"End": 0xFF57, "space": 0x20, "h": 0x68}[name])

@@ -4,6 +4,7 @@
 #include "core/base/thread_priority.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -82,7 +83,10 @@ std::deque<Command> SolverThread::wait_for_commands(std::stop_token stop) {
     const bool busy = run_ && run_->status() == RunStatus::running && running_;
     const auto* change = commands_.empty() ? nullptr : std::get_if<ChangeCommand>(&commands_.front());
     if (change && !change->anew && behind()) return {};
-    if (!busy) wake_.wait(lock, stop, [&] { return !commands_.empty(); });
+    const auto commanded = [&] { return !commands_.empty(); };
+    if (!busy) wake_.wait(lock, stop, commanded);
+    const std::chrono::duration<double> pause(options_.rest_for_drawing);
+    if (std::exchange(lets_draw_, false) && busy) wake_.wait_for(lock, stop, pause, commanded);
     return std::exchange(commands_, {});
 }
 
@@ -209,7 +213,7 @@ void SolverThread::publish(std::stop_token stop) {
     shown_ = shown_ && !news && !to_be_completed;
     if (!shown_ && !behind()) {
         shown_ = true;
-        following_ = false;
+        lets_draw_ = std::exchange(following_, false) && options_.rest_for_drawing > 0;
         partly_shown_ = dragged() && needed_ != Diagnostics::full;
         measure_interpolation(stop);
         auto snapshot = run_->snapshot(partly_shown_ ? needed_.load() : Diagnostics::full);

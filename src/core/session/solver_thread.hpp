@@ -108,6 +108,9 @@ class SolverThread {
         /// Gets every iterate of the present history; null: nothing is recorded.
         std::shared_ptr<Recording> recording{};
         int nicer = 0; ///< lower_priority() of the thread: what shows the run goes first
+        /// The thread rests for so many seconds after the first snapshot for values that a gesture has changed,
+        /// while it is drawn, or until there is a command.
+        double rest_for_drawing = 0;
     };
 
     SolverThread(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, Options options);
@@ -170,6 +173,7 @@ class SolverThread {
     bool partly_shown_ = false; ///< with fewer diagnostics than the run has
     bool small_change_ = false; ///< the last change of values was small
     std::atomic<Diagnostics> needed_ = Diagnostics::full;
+    bool lets_draw_ = false; ///< the next thing to do is to rest
     bool following_ = false; ///< values have changed a little since the last snapshot
     Stopwatch since_change_; ///< time since that change
     Stopwatch since_errors_; ///< time since interpolation errors were last measured

@@ -138,6 +138,7 @@ void Document::attach_solver(DocumentRun& run) const {
     options.notify = notify_;
     options.before_publishing = before_publishing_;
     options.interpolation_share = 0.1;
+    options.rest_for_drawing = 0.03;
     options.nicer = 3;                                          // as the painter of meshes
     const unsigned cores = std::thread::hardware_concurrency(); // one of them is left to the window
     options.run.threads = cores > 2 ? static_cast<int>(cores) - 1 : 1;
