@@ -146,20 +146,19 @@ TEST_F(PlaybackTest, TheLongestRunIsReplayedWhileShorterOnesStayAtTheirEnd) {
     document.start(run().id);
     ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
     ASSERT_EQ(last_iteration(run()), 15);
-    const DocumentRun& longest = longest_run(run(), {&kept});
-    EXPECT_EQ(&longest, &kept);
+    EXPECT_EQ(&longest_run(run(), {&kept}), &kept);
     EXPECT_EQ(&longest_run(run(), {}), &run());
-    playback.update(run(), longest, frame);
-    playback.go_to(longest, 30);
+    playback.update(run(), kept, frame);
+    playback.go_to(kept, 30);
     EXPECT_EQ(playback.iteration(kept), 30);
     EXPECT_EQ(playback.iteration(run()), 15);
     EXPECT_EQ(playback.snapshot(run())->report.iteration, 15);
     playback.set_rate(10);
-    playback.play(longest);
-    for (int i = 0; i < 30; ++i) playback.update(run(), longest, frame);
+    playback.play(kept);
+    for (int i = 0; i < 30; ++i) playback.update(run(), kept, frame);
     EXPECT_NEAR(playback.iteration(kept), 35, 1);
     EXPECT_EQ(playback.iteration(run()), 15);
-    playback.go_to(longest, 40);
+    playback.go_to(kept, 40);
     EXPECT_TRUE(playback.live());
 }
 
