@@ -1,9 +1,10 @@
 #include "core/io/video.hpp"
 
-#include "core/base/csv.hpp"
 #include "core/base/error.hpp"
+#include "core/base/parameter.hpp"
 #include "core/base/read_file.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>

@@ -108,8 +108,8 @@ class SolverThread {
         /// Gets every iterate of the present history; null: nothing is recorded.
         std::shared_ptr<Recording> recording{};
         int nicer = 0; ///< lower_priority() of the thread: what shows the run goes first
-        /// The thread rests for so many seconds after the first snapshot for values that a gesture has changed,
-        /// while it is drawn, or until there is a command.
+        /// The thread rests for so many seconds after the first snapshot for values that a gesture has
+        /// changed, while it is drawn, or until there is a command.
         double rest_for_drawing = 0;
     };
 
