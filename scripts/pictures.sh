@@ -18,7 +18,7 @@ draw() { # name, then arguments of `gaspard run`
 mv "$drawn/compare/comparison.png" "$here/docs/compare.png"
 echo docs/compare.png
 "$gaspard" reproduce mcrae-fig4 --out "$drawn/flow" > "$drawn/table"
-mv "$drawn/flow/mcrae-fig4.png" "$here/docs/flow.png"
+convert "$drawn/flow/mcrae-fig4.png" -resize 1200x "$here/docs/flow.png"
 echo docs/flow.png
 draw window plane-bell --whole-window --size 1400x900
 draw side-by-side plane-ring --size 1400x640 --set view.layout=side-by-side --set view.color=equidistribution \
@@ -26,7 +26,7 @@ draw side-by-side plane-ring --size 1400x640 --set view.layout=side-by-side --se
 draw layer-2d layer-2d --size 1200x560 --set view.layout=side-by-side --set view.lines=false --set view.theme=light
 draw layer-2d-heights layer-2d --size 1200x520 --set view.layout=side-by-side --set view.elevation=1.4 \
   --set view.lines=false --set view.theme=light
-draw spline-ball spline-ball --size 1000x760 --set domain.cells=20 --set view.cut="x 0.05 and y 0.05 and z 0.05" \
+draw spline-ball spline-ball --size 900x680 --set domain.cells=20 --set view.cut="x 0.05 and y 0.05 and z 0.05" \
   --set view.theme=light --set view.histogram=false
 draw sphere-x16 sphere-x16 --size 1400x740 --set view.layout=front-and-rear --set view.color=none \
   --set view.theme=light

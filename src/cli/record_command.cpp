@@ -1,10 +1,10 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt_watch.hpp"
+#include "cli/progress_line.hpp"
 #include "cli/scenario_input.hpp"
 #include "core/base/error.hpp"
 #include "core/base/read_file.hpp"
-#include "core/base/stopwatch.hpp"
 #include "core/base/user_path.hpp"
 #include "core/io/apng.hpp"
 #include "core/io/atomic_file.hpp"
@@ -23,6 +23,7 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <iostream>
+#include <optional>
 #include <sys/file.h>
 #include <thread>
 #include <type_traits>
@@ -59,32 +60,15 @@ FilmPlan plan_of(const RecordArguments& arguments) {
     return plan;
 }
 
-/// One line on the terminal about what is done, overwritten at most ten times a second.
-class Counter {
-  public:
-    explicit Counter(bool quiet) : on_(!quiet && isatty(STDERR_FILENO) != 0) {}
-    ~Counter() {
-        if (shown_) std::fputs("\r\033[K", stderr);
-    }
-    void show(const char* what, int done, int all) {
-        if (!on_ || watch_.seconds() < next_) return;
-        next_ = watch_.seconds() + 0.1;
-        shown_ = true;
-        std::fprintf(stderr, all > 0 ? "\r%s %d of %d\033[K" : "\r%s %d\033[K", what, done, all);
-        std::fflush(stderr);
-    }
-
-  private:
-    Stopwatch watch_;
-    bool on_, shown_ = false;
-    double next_ = 0;
-};
+std::string counted(const char* what, int done, int all) {
+    return std::string(what) + " " + std::to_string(done) + " of " + std::to_string(all);
+}
 
 /// Solves, and keeps the iterates.
-void solve(Run& run, Recording& recording, Counter& progress, const std::stop_token& stop) {
+void solve(Run& run, Recording& recording, ProgressLine& progress, const std::stop_token& stop) {
     recording.add(*run.snapshot());
     while (run.status() == RunStatus::running) {
-        progress.show("iteration", run.step(stop).iteration, 0);
+        progress.show("iteration " + std::to_string(run.step(stop).iteration));
         if (stop.stop_requested()) throw Interrupted();
         recording.add(*run.snapshot());
     }
@@ -98,7 +82,7 @@ class FilmWriter {
         : film_(film), scenario_(scenario), folder_(std::move(folder)), formats_(formats), resumed_(resumed) {
     }
 
-    void write(std::size_t nodes, Counter& progress, const std::stop_token& stop) {
+    void write(std::size_t nodes, ProgressLine& progress, const std::stop_token& stop) {
         const bool drawn = std::any_of(formats_.begin(), formats_.end(),
                                        [](const FilmFormat* format) { return format->drawn; });
         if (drawn) draw(progress, stop);
@@ -109,7 +93,7 @@ class FilmWriter {
     }
 
   private:
-    void draw(Counter& progress, const std::stop_token& stop) {
+    void draw(ProgressLine& progress, const std::stop_token& stop) {
         const fs::path images = folder_ / "frames";
         make_folder(images);
         const auto context = make_offscreen_context();
@@ -118,7 +102,7 @@ class FilmWriter {
         for (int k = 0; k < film_.frames(); ++k) {
             const fs::path file = frame_file(images, k, ".png");
             if (resumed_ && fs::exists(file)) continue; // of an earlier part
-            progress.show("frame", k + 1, film_.frames());
+            progress.show(counted("frame", k + 1, film_.frames()));
             const FilmFrame frame = film_.frame(k);
             const ImageOptions options{.gl = &context->gl(), .stop = stop};
             write_png(file, render_view(*frame.snapshot, frame.view, width, height, scenario_title(scenario_),
@@ -127,7 +111,8 @@ class FilmWriter {
         }
     }
 
-    void write(const FilmFormat& format, std::size_t nodes, Counter& progress, const std::stop_token& stop) {
+    void write(const FilmFormat& format, std::size_t nodes, ProgressLine& progress,
+               const std::stop_token& stop) {
         const fs::path images = folder_ / "frames", file = folder_ / format.file;
         const auto video = [&](VideoKind kind) {
             write_video(file, kind, images, film_.frames(), film_.rate(), film_.hold(), stop);
@@ -148,12 +133,12 @@ class FilmWriter {
         if (format.name == "csv") write_atomically(file, trajectories_csv(film_, nodes, stop));
     }
 
-    void write_meshes(Counter& progress, const std::stop_token& stop) {
+    void write_meshes(ProgressLine& progress, const std::stop_token& stop) {
         make_folder(folder_ / "mesh");
         for (const int k : frames_with_meshes(film_)) {
             const fs::path file = frame_file(folder_ / "mesh", k, ".vtu");
             if (resumed_ && fs::exists(file)) continue; // of an earlier part
-            progress.show("mesh", k + 1, film_.frames());
+            progress.show(counted("mesh", k + 1, film_.frames()));
             write_vtu(file, *film_.frame(k).snapshot);
             if (stop.stop_requested()) throw Interrupted();
         }
@@ -253,9 +238,9 @@ int record_command(std::shared_ptr<const Catalogue> catalogue, const RecordArgum
                 {.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))}, {}, stop);
         check_with_mesh(input, *run.discretisation().mesh());
         check_film(plan, *run.discretisation().mesh(), scenario.view);
-        Counter progress(arguments.quiet);
+        std::optional<ProgressLine> progress(std::in_place, arguments.quiet);
         Recording recording(budget);
-        solve(run, recording, progress, stop);
+        solve(run, recording, *progress, stop);
         const Film film(plan, recording, run.snapshot(), scenario.view);
         if (film.frames() > most_frames)
             throw InputError("the film would have " + std::to_string(film.frames()) +
@@ -270,7 +255,8 @@ int record_command(std::shared_ptr<const Catalogue> catalogue, const RecordArgum
         for (const fs::path& part : {folder, folder / "frames", folder / "mesh"}) remove_unfinished(part);
         write_atomically(folder / "film.json", record);
         begun = true;
-        FilmWriter(film, scenario, folder, formats, arguments.resume).write(nodes, progress, stop);
+        FilmWriter(film, scenario, folder, formats, arguments.resume).write(nodes, *progress, stop);
+        progress.reset(); // its line is free for the outcome
         if (!arguments.quiet)
             std::printf("%s after %d iterations; %d frames in %s\n",
                         std::string(status_name(run.status())).c_str(), run.history().back().iteration,

@@ -1,9 +1,9 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt_watch.hpp"
+#include "cli/progress_line.hpp"
 #include "cli/scenario_input.hpp"
 #include "core/base/error.hpp"
-#include "core/base/stopwatch.hpp"
 #include "core/base/user_path.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/image.hpp"
@@ -19,13 +19,13 @@
 #include "gui/viewport/viewport.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdio>
 #include <iostream>
 #include <optional>
 #include <stop_token>
 #include <thread>
-#include <unistd.h>
 
 namespace gaspard {
 
@@ -73,31 +73,26 @@ int threads_of(const RunArguments& arguments) {
     return threads;
 }
 
-// A progress line on the terminal, overwritten at most ten times a second.
-class ProgressLine {
+/// What a run says of its progress; the equidistribution is the last one measured.
+class RunProgress {
   public:
-    explicit ProgressLine(bool quiet) : on_(!quiet && isatty(STDERR_FILENO) != 0) {}
-    ~ProgressLine() {
-        if (shown_) std::fputs("\r\033[K", stderr);
-    }
+    explicit RunProgress(bool quiet) : line_(quiet) {}
     void show(const StepReport& report) {
-        const double now = watch_.seconds();
-        if (!on_ || now < next_) return;
-        next_ = now + 0.1;
-        shown_ = true;
-        const double rate = report.seconds > 0 ? report.iteration / report.seconds : 0;
         if (const auto value = report.value("equidistribution")) equidistribution_ = value;
-        std::fprintf(stderr, "\riteration %d  residual %.3e  ", report.iteration, report.residual);
-        if (equidistribution_) std::fprintf(stderr, "equidistribution %.3e  ", *equidistribution_);
-        std::fprintf(stderr, "%.0f iterations/s\033[K", rate);
-        std::fflush(stderr);
+        if (!line_.due()) return;
+        const double rate = report.seconds > 0 ? report.iteration / report.seconds : 0;
+        std::array<char, 64> measured{};
+        std::array<char, 256> text{};
+        if (equidistribution_)
+            std::snprintf(measured.data(), measured.size(), "equidistribution %.3e  ", *equidistribution_);
+        std::snprintf(text.data(), text.size(), "iteration %d  residual %.3e  %s%.0f iterations/s",
+                      report.iteration, report.residual, measured.data(), rate);
+        line_.show(text.data());
     }
 
   private:
-    Stopwatch watch_;
-    bool on_, shown_ = false;
-    double next_ = 0;
-    std::optional<double> equidistribution_; ///< the last one measured
+    ProgressLine line_;
+    std::optional<double> equidistribution_;
 };
 
 void print_outcome(const Run& run, const std::filesystem::path& folder, bool other_values) {
@@ -175,14 +170,14 @@ int run_command(std::shared_ptr<const Catalogue> catalogue, const RunArguments& 
             std::fflush(stdout);
         }
         {
-            ProgressLine line(arguments.quiet);
+            RunProgress progress(arguments.quiet);
             while (run.status() == RunStatus::running) {
                 if (interrupt.token().stop_requested()) {
                     run.interrupt();
                     break;
                 }
                 try {
-                    line.show(run.step(interrupt.token()));
+                    progress.show(run.step(interrupt.token()));
                 } catch (const Interrupted&) { // in the middle: the iterate before it is there
                     if (!interrupt.token().stop_requested()) throw;
                 }

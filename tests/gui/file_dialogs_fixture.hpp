@@ -43,6 +43,14 @@ class FileDialogsTest : public ApplicationTest {
         scenario.title = title;
         return scenario;
     }
+    /// A square PNG of so many pixels a side, by the dialog.
+    void draw_figure(const std::string& pixels, const std::string& name) {
+        click("action.figure");
+        fill("figure.width", pixels);
+        fill("figure.height", pixels);
+        fill("figure.file", (folder / name).string());
+        click("figure.ok");
+    }
 };
 
 } // namespace gaspard

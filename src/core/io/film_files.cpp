@@ -1,6 +1,7 @@
 #include "core/io/film_files.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/join.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/video.hpp"
 #include "core/scenario/data_files.hpp"
@@ -46,9 +47,8 @@ std::vector<const FilmFormat*> parse_film_formats(std::string_view list) {
     std::vector<const FilmFormat*> chosen;
     std::vector<std::string> names;
     for (const FilmFormat& format : film_formats()) names.emplace_back(format.name);
-    while (!list.empty()) {
-        const std::size_t end = std::min(list.find(','), list.size());
-        const std::string_view name = list.substr(0, end);
+    for (const std::string_view name : split(list, ",")) {
+        if (list.empty()) break;
         const auto format = std::find_if(film_formats().begin(), film_formats().end(),
                                          [&](const FilmFormat& one) { return one.name == name; });
         if (format == film_formats().end())
@@ -56,19 +56,18 @@ std::vector<const FilmFormat*> parse_film_formats(std::string_view list) {
                              did_you_mean(name, names));
         if (format->ffmpeg) check_ffmpeg(name);
         if (std::find(chosen.begin(), chosen.end(), &*format) == chosen.end()) chosen.push_back(&*format);
-        list.remove_prefix(std::min(end + 1, list.size()));
     }
     if (chosen.empty()) throw InputError("no format is given, such as apng");
     return chosen;
 }
 
 std::string film_record(const Scenario& scenario, const FilmPlan& plan, int frames) {
-    std::string motions;
+    std::vector<std::string_view> motions;
     for (const FilmMotionRow& row : film_motions())
-        if (plan.motions.*row.member) motions += (motions.empty() ? "" : ",") + std::string(row.name);
+        if (plan.motions.*row.member) motions.push_back(row.name);
     nlohmann::ordered_json json{{"scenario", scenario.name},
                                 {"modified", scenario.modified},
-                                {"motions", motions},
+                                {"motions", join(motions, ",")},
                                 {"frames", frames}};
     if (has_data_files(scenario)) json["files"] = std::to_string(hash_of_data(scenario));
     if (plan.motions.camera) json["from"] = plan.from, json["to"] = plan.to;

@@ -3,6 +3,7 @@
 #include "core/base/box.hpp"
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/base/join.hpp"
 #include "core/tessellate/camera.hpp"
 #include "core/tessellate/cell_geometry.hpp"
 #include "core/tessellate/colouring.hpp"
@@ -84,15 +85,13 @@ FilmMotions parse_film_motions(std::string_view list) {
     FilmMotions motions;
     std::vector<std::string> names;
     for (const FilmMotionRow& row : film_motions()) names.emplace_back(row.name);
-    while (!list.empty()) {
-        const std::size_t end = std::min(list.find(','), list.size());
-        const std::string_view name = list.substr(0, end);
+    for (const std::string_view name : split(list, ",")) {
+        if (list.empty()) break;
         const auto row = std::find_if(film_motions().begin(), film_motions().end(),
                                       [&](const FilmMotionRow& one) { return one.name == name; });
         if (row == film_motions().end())
             throw InputError("unknown motion '" + std::string(name) + "'" + did_you_mean(name, names));
         motions.*row->member = true;
-        list.remove_prefix(std::min(end + 1, list.size()));
     }
     if (motions == FilmMotions{}) throw InputError("no motion is given, such as iterations");
     if (motions.turn && motions.camera)

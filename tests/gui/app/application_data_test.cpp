@@ -287,14 +287,7 @@ TEST_F(DataTest, ASavedScenarioMovesWithItsDataOrCarriesThem) {
     const auto save = [&](const std::string& name, bool packed) {
         application.perform("save-as");
         frames(3);
-        ui.click(item("save.path"), drawing());
-        ui.control(true);
-        ui.key(ImGuiKey_A, true);
-        frame();
-        ui.key(ImGuiKey_A, false);
-        ui.control(false);
-        frame();
-        ui.type((folder / name).string(), drawing());
+        replace_text(item("save.path"), (folder / name).string());
         if (packed) ui.click(item("save.pack"), drawing());
         ui.click(item("save.ok"), drawing());
         ASSERT_TRUE(wait_until([&] { return std::filesystem::exists(folder / name); }));

@@ -112,11 +112,7 @@ TEST_F(FileDialogsTest, AFigureInMillimetresIsDrawnInPixels) {
 
 TEST_F(FileDialogsTest, TheWindowGoesOnWhileALargeFigureIsDrawn) {
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
-    click("action.figure");
-    fill("figure.width", "6000");
-    fill("figure.height", "6000");
-    fill("figure.file", (folder / "large").string());
-    click("figure.ok");
+    draw_figure("6000", "large");
     int frames_meanwhile = 0;
     bool progress = false;
     ASSERT_TRUE(wait_until([&] {
@@ -133,11 +129,7 @@ TEST_F(FileDialogsTest, TheWindowGoesOnWhileALargeFigureIsDrawn) {
 
 TEST_F(FileDialogsTest, ALargeFigureIsCancelled) {
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
-    click("action.figure");
-    fill("figure.width", "6000");
-    fill("figure.height", "6000");
-    fill("figure.file", (folder / "large").string());
-    click("figure.ok");
+    draw_figure("6000", "large");
     ASSERT_TRUE(wait_until([&] { return shows("progress.cancel"); }));
     click("progress.cancel");
     ASSERT_TRUE(says("Cancelled.")) << said();
