@@ -4,8 +4,10 @@
 #include "core/scenario/view_rows.hpp"
 #include "core/session/run.hpp"
 #include "core/tessellate/camera.hpp"
+#include "core/tessellate/colouring.hpp"
 #include "core/tessellate/film.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -69,6 +71,30 @@ TEST(Film, HoldsTheRangeOfTheColours) {
     EXPECT_EQ(first.real("high"), last.real("high"));
     EXPECT_LT(first.real("low"), 1.2);
     EXPECT_GT(first.real("high"), 5);
+}
+
+TEST(Film, TheRangeLeavesOutWhatIsTangled) {
+    const Solved run = ring();
+    Recording recording(std::size_t{1} << 30);
+    EXPECT_EQ(last_sound(recording), nullptr);
+    for (int k = 0; k < 4; ++k) {
+        Snapshot snapshot = *run.last;
+        snapshot.report.iteration = k;
+        snapshot.report.tangled_cells = k < 2 ? 0 : 5;
+        snapshot.version = static_cast<std::uint64_t>(100 + k);
+        for (Field& field : snapshot.fields)
+            if (field.name == "monitor")
+                for (double& value : field.values) value *= k < 2 ? 1 + k : 1000;
+        recording.add(snapshot);
+        EXPECT_EQ(last_sound(recording)->iteration(), std::min(k, 1));
+    }
+    const ColourChoice choice = colour_choice(run.scenario.view);
+    const auto range = range_of_recording(recording, nullptr, choice);
+    const auto of_one = make_colouring(*run.last, choice)->range;
+    ASSERT_TRUE(range);
+    EXPECT_NEAR(range->low, of_one.low, 1e-6 * of_one.high);
+    EXPECT_NEAR(range->high, 2 * of_one.high, 1e-6 * of_one.high)
+        << "of the iterate before the first tangled one";
 }
 
 TEST(Film, GoesToTheAdaptedMeshAndBack) {

@@ -115,14 +115,12 @@ TEST_F(ScenarioListTest, KeysAreNotMeantForTheNumberBehindIt) {
             frame();
         }
     };
-    ui.click(application.items().find("scenario")->second, drawing());
+    ui.click(application.items().find("monitor.type")->second, drawing()); // a list without a text field
     for (int i = 0; i < 4; ++i) frame();
     press_down();
     EXPECT_EQ(run().scenario.monitor.values.real("sharpness"), before);
-    ui.key(ImGuiKey_Escape, true);
-    frame();
-    ui.key(ImGuiKey_Escape, false);
-    for (int i = 0; i < 2; ++i) frame();
+    application.press_key("Escape");
+    for (int i = 0; i < 3; ++i) frame();
     press_down();
     EXPECT_LT(run().scenario.monitor.values.real("sharpness"), before) << "now they are";
 }

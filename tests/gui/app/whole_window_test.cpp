@@ -185,6 +185,14 @@ TEST_F(WindowInMemory, MeshesOfSomethingElseAreNotShownInTheirPlace) {
     }
     view().set("layout", std::string("side-by-side"));
     EXPECT_FALSE(in_same_place(before, meshes()));
+    MeshesToDraw moved = before;
+    moved.views[0].rectangle.right -= 1;
+    EXPECT_FALSE(in_same_place(before, moved)) << "within the same area";
+    MeshesToDraw other = before;
+    Mesh coarse = *before.views[0].scene.mesh;
+    coarse.cells.resize(coarse.cells.size() / 2);
+    other.views[0].scene.mesh = std::make_shared<const Mesh>(std::move(coarse));
+    EXPECT_FALSE(in_same_place(before, other)) << "another number of cells";
     MeshesToDraw none = before;
     none.views.clear();
     EXPECT_FALSE(in_same_place(before, none));
