@@ -5,6 +5,8 @@
 
 #include <chrono>
 #include <gtest/gtest.h>
+#include <optional>
+#include <utility>
 
 namespace gaspard {
 namespace {
@@ -68,7 +70,6 @@ TEST(MonitorPictures, EachIsComputedOnceAFewPerFrame) {
         subjects.back().values.set("amplitude", 2.0 + i);
     }
     MonitorPictures pictures;
-    std::vector<const void*> sheets;
     int frames = 0;
     for (bool waiting = true; waiting && frames < 50; ++frames) {
         pictures.begin_frame();
@@ -82,13 +83,16 @@ TEST(MonitorPictures, EachIsComputedOnceAFewPerFrame) {
     const auto first = pictures.find(ring, subjects[0]), again = pictures.find(ring, subjects[0]);
     ASSERT_TRUE(first && again);
     EXPECT_EQ(first->low.x, again->low.x);
-    const void* const sheet = first->sheet;
     const auto with_amplitude = [&](double amplitude) {
         MonitorSubject other = subjects[0];
         other.values.set("amplitude", amplitude);
         return other;
     };
-    bool changed = false;
+    const auto is_before = [](const PicturePlace& a, const PicturePlace& b) {
+        return std::pair(a.low.y, a.low.x) < std::pair(b.low.y, b.low.x);
+    };
+    std::optional<PicturePlace> last;
+    int sheets_begun = 0; // by places, as a new sheet may have the address of the old one
     for (int i = 0; i < 200; ++i) { // more than there is room for
         pictures.begin_frame();
         const auto before = pictures.find(ring, subjects[0]); // drawn before the others of this frame
@@ -98,9 +102,10 @@ TEST(MonitorPictures, EachIsComputedOnceAFewPerFrame) {
             continue;
         }
         EXPECT_EQ(before->sheet, found->sheet) << "a sheet stays until the frame is drawn";
-        changed = changed || found->sheet != sheet;
+        if (last && is_before(*found, *last)) ++sheets_begun;
+        last = found;
     }
-    EXPECT_TRUE(changed);
+    EXPECT_EQ(sheets_begun, 2);
 }
 
 class MonitorListTest : public ApplicationTest {};
