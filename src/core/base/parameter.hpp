@@ -36,6 +36,8 @@ enum class ParameterRole {
     patch,          ///< which patch of a file; an integer is accepted as text
     defines_rows,   ///< other rows depend on its value, so it is set before them
     formula,        ///< in the coordinates; other names in it become rows
+    time,           ///< a time: the clock sets it (scenario/clock.hpp)
+    motion,         ///< a value as a formula in the time t, or empty
 };
 
 /// The ends of a slider.

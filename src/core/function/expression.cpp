@@ -233,8 +233,6 @@ std::vector<std::string> find_parameters(const std::string& text, const std::vec
         } else if (known(words.functions, one.name)) {
             throw ExpressionError("'" + one.name + "' is a function", character,
                                   "; write " + signature(one.name, space));
-        } else if (one.name == "t") {
-            throw ExpressionError("'t'", character, " is reserved for time; use another name");
         } else if (is_no_number(one.name)) {
             throw ExpressionError("'" + one.name + "'", character,
                                   " is not a finite number; a parameter needs another name");

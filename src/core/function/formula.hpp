@@ -15,7 +15,7 @@
 //                  its nearest image; on a sphere dist(lat0, lon0), the angle in radians between 0 and pi
 //   pi, e, deg     constants; deg = pi/180
 //   the functions of formula_names(); operators + - * / ^ < <= > >= == != && || and a ? b : c
-//   any other name is a parameter; t is reserved.
+//   any other name is a parameter; of a monitor that moves, t is the time.
 #pragma once
 
 #include "core/base/error.hpp"

@@ -169,6 +169,10 @@ ParameterRow parameter_row(const std::string& name, const std::vector<std::strin
     if (std::find(parameters.begin(), parameters.end(), point.other) != parameters.end())
         row.role = point.role, row.point = point.point;
     guess_range(row, space);
+    if (name == "t") {
+        row.label = "Time", row.symbol = "t", row.help = "the clock sets it while time passes";
+        row.role = ParameterRole::time, row.default_value = 0.0;
+    }
     const auto range =
         std::find_if(ranges.begin(), ranges.end(), [&](const auto& r) { return r.name == name; });
     if (range == ranges.end()) return row;

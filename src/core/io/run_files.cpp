@@ -11,6 +11,7 @@
 #include "core/io/spline_map_file.hpp"
 #include "core/io/state_file.hpp"
 #include "core/method/spline_map.hpp"
+#include "core/scenario/time_rows.hpp"
 #include "core/session/report_columns.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ Json or_null(const std::optional<T>& value) {
 
 Json section_json(const Section& section) {
     Json json;
-    json["type"] = section.type;
+    if (!section.type.empty()) json["type"] = section.type;
     for (const auto& row : section.values.rows())
         std::visit([&](const auto& value) { json[row.key] = value; }, section.values.at(row.key));
     return json;
@@ -89,6 +90,7 @@ Json values_json(const Scenario& scenario) {
     json["method"] = section_json(scenario.method);
     for (const Section* section : {&scenario.source, &scenario.pde})
         if (!section->type.empty()) json[section->values.section()] = section_json(*section);
+    if (has_time(scenario.time)) json["time"] = section_json({"", scenario.time});
     return json;
 }
 

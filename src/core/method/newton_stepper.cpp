@@ -37,14 +37,13 @@ class NewtonStepper final : public Stepper {
     void begin(NonlinearProblem& problem, double target) override {
         problem_ = &problem;
         target_ = target;
-        gmres_.reset(); // made at the first step
         on_path_ = begun_ = false;
         resting_ = 0, rest_ = fewest_relaxations;
     }
 
     Iterate step(const ProblemData& data, std::vector<double>& u, const Iterate& now,
                  std::stop_token stop) override {
-        if (!gmres_) {
+        if (update_.size() != u.size()) {
             gmres_.emplace(u.size(), restart_length);
             update_.resize(u.size());
             before_.resize(u.size());

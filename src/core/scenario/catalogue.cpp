@@ -16,6 +16,7 @@
 #include "core/monitor/placement.hpp"
 #include "core/scenario/output_rows.hpp"
 #include "core/scenario/problem_on.hpp"
+#include "core/scenario/time_rows.hpp"
 #include "core/scenario/view_rows.hpp"
 #include "core/spline/solid_domain.hpp"
 #include "core/spline/spline_domain.hpp"
@@ -345,7 +346,7 @@ ProblemData make_problem_data(const Catalogue& catalogue, const Scenario& scenar
 
 bool same_problem_data(const Scenario& a, const Scenario& b) {
     return a.domain == b.domain && a.monitor == b.monitor && a.source == b.source && a.pde == b.pde &&
-           a.folder == b.folder;
+           a.folder == b.folder && same_motion(a.time, b.time);
 }
 
 } // namespace gaspard

@@ -30,7 +30,8 @@ struct Place {
 
 /// Paths are equal if they name the same file: a scenario is saved with absolute ones.
 bool same_value(const Place& named, const Place& now, const ParameterRow& row) {
-    if (!named.section.values.has(row.key)) return false;
+    if (!named.section.values.has(row.key)) // a motion comes with a parameter of another monitor
+        return row.role == ParameterRole::motion && is_default(now.section.values, row.key);
     const Value &one = named.section.values.at(row.key), &other = now.section.values.at(row.key);
     const auto *text = std::get_if<std::string>(&one), *other_text = std::get_if<std::string>(&other);
     if (row.role != ParameterRole::file || !text || !other_text) return one == other;
@@ -61,6 +62,7 @@ std::vector<std::string> modified_keys(const Scenario& named, const Scenario& sc
     for (const auto section :
          {&Scenario::domain, &Scenario::monitor, &Scenario::source, &Scenario::method, &Scenario::pde})
         add_modified({named.*section, named.folder}, {scenario.*section, scenario.folder}, keys);
+    add_modified({{"", named.time}, {}}, {{"", scenario.time}, {}}, keys);
     return keys;
 }
 

@@ -38,6 +38,7 @@ struct Scenario {
     Section source{}; ///< "monitor.source": the density on the source domain
     Section pde{};    ///< "pde": the PDE that is solved on the mesh
     Values view, output;
+    Values time{}; ///< when the monitor moves, and how; no rows: it does not
     /// Base of relative paths among the values (ParameterRole::file): the folder of the scenario's file;
     /// empty: the working directory.
     std::filesystem::path folder{};
@@ -48,7 +49,7 @@ struct Scenario {
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
-/// The keys of domain, monitor, method and PDE whose values in `scenario` differ from those in `named`:
+/// The keys of domain, monitor, method, PDE and time whose values in `scenario` differ from those in `named`:
 /// "monitor.amplitude", or "monitor.type" alone if the types differ. View and output do not count.
 std::vector<std::string> modified_keys(const Scenario& named, const Scenario& scenario);
 

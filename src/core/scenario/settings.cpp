@@ -5,6 +5,7 @@
 #include "core/base/user_path.hpp"
 #include "core/monitor/placement.hpp"
 #include "core/scenario/catalogue.hpp"
+#include "core/scenario/time_rows.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -18,7 +19,7 @@ namespace {
 
 // Sections that only some problems have, and names reserved for future sections. If a problem does not have
 // the section, keys in it produce a specific error.
-const std::vector<std::string> reserved = {"domain.target", "monitor.source", "pde", "time"};
+const std::vector<std::string> reserved = {"domain.target", "monitor.source", "pde"};
 
 bool starts_with_key(std::string_view key, std::string_view prefix) {
     return key == prefix ||
@@ -43,13 +44,13 @@ std::vector<std::string> all_keys(Scenario& scenario) {
         keys.push_back(section->values.section() + ".type");
         add(section->values);
     }
-    add(scenario.view), add(scenario.output);
+    add(scenario.time), add(scenario.view), add(scenario.output);
     return keys;
 }
 
 struct Target {
     Values* values = nullptr;   ///< the section's values
-    Section* section = nullptr; ///< the section that the key belongs to; null for view and output
+    Section* section = nullptr; ///< the section that the key belongs to; null for time, view and output
     std::string key;            ///< "type", or the key of a row
 };
 
@@ -131,7 +132,7 @@ std::optional<Target> find_target(Scenario& scenario, std::string_view full_key)
         if (const std::string present = present_key(section->values.rows(), key); !present.empty())
             return Target{&section->values, section, present};
     }
-    for (Values* values : {&scenario.view, &scenario.output})
+    for (Values* values : {&scenario.time, &scenario.view, &scenario.output})
         if (const std::string key = present_key(values->rows(), key_in(*values)); !key.empty())
             return Target{values, nullptr, key};
     return std::nullopt;
@@ -207,6 +208,14 @@ void update_method_rows(const Catalogue& catalogue, const Section& domain, Secti
     if (same_rows(values.rows(), method.values.rows())) return;
     carry_over(method.values, values);
     method.values = std::move(values);
+}
+
+/// There is a motion for every real parameter of the monitor.
+void update_time_rows(Scenario& scenario) {
+    Values now("time", time_rows(scenario.monitor.values.rows()));
+    if (same_rows(now.rows(), scenario.time.rows())) return;
+    carry_over(scenario.time, now);
+    scenario.time = std::move(now);
 }
 
 /// A path on the command line is relative to the working directory, also if the scenario has a folder.
@@ -303,6 +312,7 @@ static void update_sections(const Catalogue& catalogue, Scenario& scenario, cons
                     [&](const std::string& type) { return pde_section(catalogue, type); });
     update(scenario.monitor, scenario.place.space);
     update(scenario.source, of_source);
+    update_time_rows(scenario);
     update_view_rows(catalogue, scenario, scenario.view);
 }
 

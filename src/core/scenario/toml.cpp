@@ -30,12 +30,13 @@ Value to_value(const toml::node& node, const std::string& key) {
 
 using Entries = std::deque<std::pair<std::string, const toml::node*>>;
 
-/// The keys of a table. Tables in a monitor's or a domain's, such as [monitor.u], are parts of it, whose keys
-/// begin with their name; monitor.source is a section of its own.
+/// The keys of a table. Tables in that of a monitor, a domain or the time, such as [monitor.u], are parts of
+/// it, whose keys begin with their name; monitor.source is a section of its own.
 void add_entries(Entries& entries, const toml::table& table, const std::string& section) {
     for (const auto& [key, node] : table) {
         const std::string name = section + "." + std::string(key.str());
-        const bool has_parts = section.starts_with("monitor") || section.starts_with("domain");
+        const bool has_parts =
+            section.starts_with("monitor") || section.starts_with("domain") || section.starts_with("time");
         const auto* part = has_parts ? node.as_table() : nullptr;
         if (name == "monitor.source" && part) continue;
         if (part && !part->empty())
@@ -105,7 +106,14 @@ std::string toml_value(const Value& value) {
 void write_section(std::ostream& out, const std::string& type, const Values& values) {
     out << "\n[" << values.section() << "]\n";
     if (!type.empty()) out << "type = " << quoted(type) << "\n";
-    for (const auto& row : values.rows()) out << row.key << " = " << toml_value(values.at(row.key)) << "\n";
+    for (const auto& row : values.rows()) {
+        if (row.role == ParameterRole::motion && is_default(values, row.key)) continue; // it does not move
+        out << row.key << " = " << toml_value(values.at(row.key)) << "\n";
+    }
+}
+
+bool has_changes(const Values& values) {
+    return std::ranges::any_of(values.rows(), [&](const auto& row) { return !is_default(values, row.key); });
 }
 
 /// What the parser says, without its own names and its story: "1e400 could not be interpreted as a value".
@@ -123,7 +131,8 @@ std::string in_short(std::string_view what) {
 Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const std::string& origin,
                         ScenarioSource* source, const std::filesystem::path& folder) {
     ScenarioSource found{origin, {}};
-    const std::vector<std::string> sections = {"domain", "method", "monitor", "pde", "view", "output"};
+    const std::vector<std::string> sections = {"domain", "method", "monitor", "pde",
+                                               "time",   "view",   "output"};
     toml::table document;
     try {
         document = toml::parse(text, origin);
@@ -145,7 +154,6 @@ Scenario parse_scenario(const Catalogue& catalogue, std::string_view text, const
             } else {
                 auto known = sections;
                 known.insert(known.end(), {"title", "description"});
-                if (name == "time") check_key(catalogue, scenario, name);
                 throw InputError("unknown section or key '" + name + "'" + did_you_mean(name, known));
             }
         } catch (const InputError& error) {
@@ -193,6 +201,7 @@ std::string to_toml(const Scenario& scenario) {
     write_section(out, scenario.domain.type, scenario.domain.values);
     for (const Section* section : {&scenario.monitor, &scenario.source, &scenario.method, &scenario.pde})
         if (!section->values.section().empty()) write_section(out, section->type, section->values);
+    if (has_changes(scenario.time)) write_section(out, {}, scenario.time);
     write_section(out, {}, scenario.view);
     write_section(out, {}, scenario.output);
     return out.str();

@@ -8,6 +8,8 @@
 #include "core/method/nonlinear_problem.hpp"
 #include "core/monitor/own_problem.hpp"
 #include "core/scenario/view_rows.hpp"
+#include "core/session/following.hpp"
+#include "core/session/run_timer.hpp"
 #include "core/spline/patch_file.hpp"
 #include "core/spline/solid_domain.hpp"
 #include "core/spline/spline_domain.hpp"
@@ -107,8 +109,8 @@ Run::Run(std::shared_ptr<const Catalogue> catalogue, Scenario scenario, RunOptio
                                       .own = std::move(options.monitor)} {
     const Stopwatch watch;
     now_.discretisation = prepare(now_.problem, progress, stop);
-    now_.data = make_problem_data(*catalogue_, now_.problem.scenario, now_.own,
-                                  monitor_context(now_, progress, stop));
+    set_clock(now_, {});
+    now_.data = data_of(now_, progress, stop);
     now_.method = make_method(now_, progress, stop);
     now_.meter = make_meter(now_);
     prepare_reports(now_);
@@ -140,6 +142,8 @@ void Run::prepare_reports(Course& course) const {
     prepare_shapes(course);
     if (course.shapes)
         for (SeriesInfo& one : cell_quality_series()) diagnostics.push_back(std::move(one));
+    if (course.following)
+        for (SeriesInfo& one : time_series()) diagnostics.push_back(std::move(one));
     auto table = std::make_shared<const SeriesTable>(method_type(course).residual, std::move(diagnostics),
                                                      course.method->series(), method_type(course).criterion);
     if (!course.series || course.series->all() != table->all()) course.series = std::move(table);
@@ -148,25 +152,6 @@ void Run::prepare_reports(Course& course) const {
 const MethodType& Run::method_type(const Course& course) const {
     return catalogue_->method(course.problem.scenario.method.type);
 }
-
-/// Wall and CPU time, also of the threads of method and meter.
-class Run::Timer {
-  public:
-    explicit Timer(const Course& course)
-        : method_(course.method), others_before_(method_->other_cpu_seconds()) {}
-
-    /// Sets the times of a report, which continue those of the last one.
-    void add_to(StepReport& report, const StepReport& last, const Course& course) const {
-        report.seconds = last.seconds + watch_.seconds();
-        report.cpu_seconds = last.cpu_seconds + watch_.cpu_seconds() + method_->other_cpu_seconds() -
-                             others_before_ + (course.measured ? course.meter->other_cpu_seconds() : 0);
-    }
-
-  private:
-    Stopwatch watch_;
-    std::shared_ptr<const Method> method_;
-    double others_before_;
-};
 
 Evaluation Run::first_look(const Course& course, std::stop_token stop) const {
     const Evaluation evaluation = course.method->evaluate(stoppable(course.data, stop), course.state, stop);
@@ -212,6 +197,8 @@ void Run::refresh() {
 
 void Run::reset() {
     Course next = now_;
+    set_clock(next, {});
+    if (next.following) next.data = data_of(next, {}, {});
     next.state = next.method->initial_state();
     stale_ = true; // until the start is in place
     restart(std::move(next), {});
@@ -238,8 +225,8 @@ void Run::follow(std::shared_ptr<const Monitor> monitor, std::stop_token stop) {
     Course next = now_;
     next.problem = check(*catalogue_, scenario(), monitor.get());
     next.own = std::move(monitor);
-    next.data =
-        make_problem_data(*catalogue_, next.problem.scenario, next.own, monitor_context(next, {}, stop));
+    next.following.reset();
+    next.data = data_of(next, {}, stop);
     if (returns()) next.state = next.untangled;
     prepare_reports(next);
     stale_ = true; // until the start is in place
@@ -269,6 +256,7 @@ const StepReport& Run::solve(std::stop_token stop) {
 const StepReport& Run::step(std::stop_token stop) {
     GASPARD_CHECK(status() == RunStatus::running);
     refresh();
+    if (now_.following && now_.following->arrived) return advance(stop);
     const Timer timer(now_);
     last_finite_ = now_.state;
     const Judging judging = now_.judging;
@@ -319,13 +307,16 @@ StepReport Run::report(Course& course, const Evaluation& evaluation, int iterati
     course.measured.reset();
     if (evaluation.anew) course.judging.best = std::numeric_limits<double>::infinity();
     report.status = judge(course, report, evaluation.ending, report.note);
+    arrive(course, report);
     const auto every = course.problem.scenario.method.values.integer("diagnostics_every");
     const bool due = iteration % every == 0 && diagnostics(course) != Diagnostics::none;
-    if (is_final(report.status) || due) measure(course, report, at_most);
+    const bool arrived = course.following && course.following->arrived;
+    if (is_final(report.status) || arrived || due) measure(course, report, at_most);
     const bool diverged = report.status == RunStatus::diverged;
     if (is_final(report.status) && !diverged && *report.tangled_cells > 0) report.status = RunStatus::tangled;
     if (is_final(report.status)) note_folds(course, report);
     if (is_final(report.status) && report.status != RunStatus::converged) note_advice(course, report);
+    add_time(course, report);
     return report;
 }
 
@@ -458,6 +449,7 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     const bool new_data = reread || !same_problem_data(problem.scenario, old);
     if (!new_data && problem.scenario.method == old.method) {
         now_.problem = std::move(problem);
+        take_rule();
         return {};
     }
     const bool other_files = find_role(old.domain.values.rows(), ParameterRole::file) != nullptr &&
@@ -469,9 +461,8 @@ std::string Run::change(const Scenario& scenario, const Progress& progress, std:
     next.problem = std::move(problem);
     if (new_domain) next.discretisation = prepare(next.problem, progress, stop);
     if (new_domain) next.meter = make_meter(next);
-    if (new_data)
-        next.data = make_problem_data(*catalogue_, next.problem.scenario, next.own,
-                                      monitor_context(next, progress, stop));
+    set_clock(next, time());
+    if (new_data) next.data = data_of(next, progress, stop);
     // From divergence or tangled cells no step leads on: restart from the last untangled mesh.
     refresh();
     measure(now_, history_.back(), Diagnostics::none);
@@ -544,6 +535,7 @@ std::shared_ptr<const Snapshot> Run::snapshot(Diagnostics at_most) {
     add_interpolation(*snapshot);
     add_fields_of_method(*snapshot);
     add_fields_of_monitor(*snapshot);
+    add_velocity(now_, *snapshot);
     snapshot->report = history_.back();
     snapshot->version = version_;
     return snapshot;

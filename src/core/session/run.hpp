@@ -7,6 +7,10 @@
 // For a mesh that follows a simulation, call follow() once per time step with the current monitor, then
 // solve(); the map of the last time step is the start (examples/follow_a_feature.cpp).
 //
+// If the scenario has time (scenario/clock.hpp), step() first solves for its start. From then on every step()
+// is a time step, whatever number of iterations it takes, and a row of the history; the run ends at the end
+// of the time.
+//
 // Different runs are independent and may be used on different threads; each run may be used by one thread at
 // a time. Snapshots are immutable and may be shared between threads.
 #pragma once
@@ -26,6 +30,7 @@
 namespace gaspard GASPARD_API {
 
 class CellQualityMeter;
+struct Following; // core/session/following.hpp
 class QualityMeter;
 struct SplinePatch; // core/spline/spline_patch.hpp
 
@@ -52,7 +57,8 @@ class Run {
     // Exceptions, also those of the caller's monitor, propagate from every function and leave the run as it
     // was before the call.
 
-    /// Makes one iteration and returns its report with the new status. Requires status() to be running.
+    /// Makes one iteration, or one time step, and returns its report with the new status. Requires status()
+    /// to be running.
     /// Throws InputError if the caller's monitor is not positive and finite somewhere, and Interrupted if
     /// asked to stop in the middle of a step that takes long.
     const StepReport& step(std::stop_token stop = {});
@@ -79,11 +85,15 @@ class Run {
     /// of iterations for this monitor. Throws InputError if the monitor is not positive and finite, with the
     /// point, or if the residual of the map is not finite for it; Interrupted if asked to stop.
     void follow(std::shared_ptr<const Monitor> monitor, std::stop_token stop = {});
-    /// Restarts from the identity map, with a new history.
+    /// Restarts from the identity map, at the start of the time, with a new history.
     void reset();
     /// Restarts from a state, such as that of a file (core/io/state_file.hpp), with a new history. Throws
     /// InputError if it does not fit to the problem, and Interrupted if asked to stop.
     void start_from(const State& state, std::stop_token stop = {});
+    /// Goes on from a time step: from the state that the run had there, or one near it, at the time t, with a new history. As start_from() if the scenario has no time.
+    void go_on_from(const State& state, double t, std::stop_token stop = {});
+    /// The time of the current mesh; nullopt if the scenario has none.
+    std::optional<double> time() const;
 
     RunStatus status() const { return history_.back().status; }
     const Scenario& scenario() const { return now_.problem.scenario; }
@@ -137,6 +147,7 @@ class Run {
         Judging judging{};
         std::optional<Diagnostics>
             measured{}; ///< what the meter's last measurement is of the present iterate
+        std::shared_ptr<const Following> following{}; ///< null: the scenario has no time
     };
 
     /// What has been measured of interpolation errors.
@@ -182,6 +193,15 @@ class Run {
     bool out_of_bounds(const Course& course, const StepReport& report) const;
     RunStatus judge(Course& course, const StepReport& report, Ending ending, std::string& note) const;
     void take_back(Evaluation& evaluation, std::string& note);
+    // run_time.cpp
+    class TimeStep;
+    ProblemData data_of(const Course& course, const Progress& progress, std::stop_token stop) const;
+    void set_clock(Course& course, std::optional<double> t) const;
+    static void arrive(Course& course, StepReport& report);
+    void take_rule();
+    static void add_time(const Course& course, StepReport& report);
+    const StepReport& advance(std::stop_token stop);
+    static void add_velocity(const Course& course, Snapshot& snapshot);
 
     std::shared_ptr<const Catalogue> catalogue_;
     int threads_ = 1;

@@ -1,0 +1,220 @@
+#include "core/scenario/clock.hpp"
+
+#include "core/base/check.hpp"
+#include "core/base/error.hpp"
+#include "core/base/number_text.hpp"
+#include "core/function/expression.hpp"
+#include "core/scenario/time_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace gaspard {
+
+namespace {
+
+constexpr int moments_checked = 256; // at which values are checked before a run begins
+
+std::string at_time(double t) { return " at t = " + format_number(t); }
+
+/// Into the range of a periodic parameter.
+double wrapped(const ParameterRow& row, double value) {
+    if (!row.periodic) return value;
+    const double period = row.maximum - row.minimum;
+    const double inside = value - period * std::floor((value - row.minimum) / period);
+    return std::clamp(inside, row.minimum, row.maximum); // rounding may leave it
+}
+
+const ParameterRow& row_of(const Values& values, const std::string& key) {
+    const auto row = std::ranges::find(values.rows(), key, &ParameterRow::key);
+    GASPARD_CHECK(row != values.rows().end());
+    return *row;
+}
+
+/// Cubic Hermite interpolation with slopes of the parabola through three neighbours; constant outside.
+std::array<double, 3> on_path(const std::vector<PathPoint>& path,
+                              const std::vector<std::array<double, 3>>& places, double t) {
+    if (t <= path.front().t) return places.front();
+    if (t >= path.back().t) return places.back();
+    const auto after = std::ranges::upper_bound(path, t, {}, &PathPoint::t);
+    const auto i = static_cast<std::size_t>(after - path.begin()) - 1;
+    const double length = path[i + 1].t - path[i].t, s = (t - path[i].t) / length;
+    std::array<double, 3> place{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto slope = [&](std::size_t j) {
+            const auto secant = [&](std::size_t a) {
+                return (places[a + 1][k] - places[a][k]) / (path[a + 1].t - path[a].t);
+            };
+            if (j == 0) return secant(0);
+            if (j + 1 == path.size()) return secant(j - 1);
+            const double left = path[j].t - path[j - 1].t, right = path[j + 1].t - path[j].t;
+            return (right * secant(j - 1) + left * secant(j)) / (left + right);
+        };
+        const double a = places[i][k], b = places[i + 1][k];
+        place[k] = a + s * s * (3 - 2 * s) * (b - a) +
+                   length * s * (1 - s) * ((1 - s) * slope(i) - s * slope(i + 1));
+    }
+    return place;
+}
+
+} // namespace
+
+/// A parameter as a function of t.
+struct Clock::Motion {
+    std::string key; ///< in the monitor
+    Expression expression;
+    std::vector<std::string> others; ///< the parameters of the formula; "t" is the time
+};
+
+std::vector<PathPoint> parse_path(const std::string& text) {
+    std::vector<PathPoint> path;
+    const auto refuse = [](const std::string& what) {
+        throw InputError("time.path " + what +
+                         "; write \"t x y; t x y; ...\", on a sphere \"t latitude "
+                         "longitude; ...\"");
+    };
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(';', begin), text.size());
+        const std::string part = text.substr(begin, end - begin);
+        begin = end + 1;
+        if (part.find_first_not_of(" \t\n") == std::string::npos) continue;
+        std::vector<double> numbers;
+        try {
+            numbers = parse_numbers(part, "time.path");
+        } catch (const InputError&) {
+            refuse("has '" + part + "', which is not three numbers");
+        }
+        if (numbers.size() != 3) refuse("has '" + part + "', which is not three numbers");
+        if (!path.empty() && !(numbers[0] > path.back().t))
+            refuse("must have times that increase, not " + format_number(path.back().t) + " and then " +
+                   format_number(numbers[0]));
+        path.push_back({numbers[0], numbers[1], numbers[2]});
+    }
+    if (path.size() == 1) refuse("has one place; it needs two or more");
+    return path;
+}
+
+std::string write_path(const std::vector<PathPoint>& path) {
+    std::string text;
+    for (const PathPoint& point : path)
+        text += (text.empty() ? "" : "; ") + format_number(point.t) + ' ' + format_number(point.first) + ' ' +
+                format_number(point.second);
+    return text;
+}
+
+Clock::Clock(const Catalogue& catalogue, Scenario scenario)
+    : scenario_(std::move(scenario)), start_(scenario_.time.real("start")), end_(scenario_.time.real("end")),
+      step_(scenario_.time.real("step")) {
+    GASPARD_CHECK(end_ > start_);
+    const double count = std::ceil((end_ - start_) / step_ * (1 - 1e-12));
+    if (!(count <= most_steps))
+        throw InputError("time.step = " + format_number(step_) + " makes more than " +
+                         std::to_string(most_steps) + " steps from " + format_number(start_) + " to " +
+                         format_number(end_));
+    steps_ = std::max(1, static_cast<int>(count));
+    const Values& monitor = scenario_.monitor.values;
+    on_sphere_ = space_of(catalogue, scenario_).kind == SpaceKind::sphere;
+    for (const ParameterRow& row : monitor.rows())
+        if (row.role == ParameterRole::time) times_.push_back(row.key);
+    for (const ParameterRow& row : scenario_.time.rows()) {
+        if (row.role != ParameterRole::motion || scenario_.time.text(row.key).empty()) continue;
+        const std::string full_key = "time." + row.key;
+        try {
+            Expression expression(scenario_.time.text(row.key), Space{});
+            if (expression.uses_plane() || expression.uses_z())
+                throw ExpressionError("the value must not depend on x, y or z");
+            const std::vector<std::string> names = expression.parameters();
+            for (const std::string& name : names)
+                if (name != "t" && !(monitor.has(name) && row_of(monitor, name).kind == ParameterKind::real))
+                    throw ExpressionError("'" + name + "' is not t, nor a parameter of the monitor");
+            motions_.push_back({row.key.substr(moving_prefix.size()), std::move(expression), names});
+        } catch (const ExpressionError& error) {
+            throw InputError(full_key + ": " + error.what());
+        }
+    }
+    path_ = parse_path(scenario_.time.text("path"));
+    if (!path_.empty()) {
+        const auto first_role = on_sphere_ ? ParameterRole::latitude : ParameterRole::x,
+                   second_role = on_sphere_ ? ParameterRole::longitude : ParameterRole::y;
+        const ParameterRow *first = find_role(monitor.rows(), first_role),
+                           *second = find_role(monitor.rows(), second_role);
+        if (!first || !second)
+            throw InputError("time.path moves a point, and monitor '" + scenario_.monitor.type +
+                             "' has none");
+        first_key_ = first->key, second_key_ = second->key;
+    }
+    for (int i = 0; i <= std::min(steps_, moments_checked); ++i)
+        at(time(static_cast<int>(
+            std::lround(static_cast<double>(i) * steps_ / std::min(steps_, moments_checked)))));
+}
+
+Clock::~Clock() = default;
+
+double Clock::time(int k) const { return k >= steps_ ? end_ : start_ + k * step_; }
+
+int Clock::nearest(double t) const {
+    return static_cast<int>(std::clamp(std::round((t - start_) / step_), 0.0, static_cast<double>(steps_)));
+}
+
+Scenario Clock::at(double t) const {
+    Scenario scenario = scenario_;
+    move(scenario.monitor.values, t);
+    return scenario;
+}
+
+void Clock::move(Values& values, double t) const {
+    const Values& rest = scenario_.monitor.values;
+    for (const std::string& key : times_) {
+        try {
+            values.set(key, t);
+        } catch (const InputError& error) {
+            throw InputError(std::string(error.what()) + at_time(t));
+        }
+    }
+    if (!path_.empty()) move_along_path(values, t);
+    Points origin(1);
+    for (const Motion& motion : motions_) {
+        std::vector<double> parameters;
+        for (const std::string& name : motion.others) parameters.push_back(name == "t" ? t : rest.real(name));
+        double value = 0;
+        ExpressionFunction(motion.expression, parameters).values(origin, {}, {&value, 1});
+        const ParameterRow& row = row_of(values, motion.key);
+        const std::string key = "time." + std::string(moving_prefix) + motion.key;
+        if (!std::isfinite(value)) throw InputError(key + " is not a finite number" + at_time(t));
+        value = wrapped(row, value);
+        if (!(value >= row.minimum && value <= row.maximum))
+            throw InputError(key + " is " + format_number(value) + at_time(t) + "; monitor." + motion.key +
+                             " must be " + describe_range(row));
+        values.set(motion.key, value);
+    }
+}
+
+void Clock::move_along_path(Values& values, double t) const {
+    std::vector<std::array<double, 3>> places;
+    for (const PathPoint& point : path_) {
+        const Vec3 p = on_sphere_ ? at_latitude_longitude(point.first, point.second)
+                                  : Vec3{point.first, point.second, 0};
+        places.push_back({p.x, p.y, p.z});
+    }
+    const auto [x, y, z] = on_path(path_, places, t);
+    constexpr double degrees = 180 / std::numbers::pi;
+    const double first = on_sphere_ ? degrees * std::atan2(z, std::hypot(x, y)) : x,
+                 second = on_sphere_ ? degrees * std::atan2(y, x) : y;
+    const auto set = [&](const std::string& key, double value) {
+        const ParameterRow& row = row_of(values, key);
+        value = wrapped(row, value);
+        if (!(value >= row.minimum && value <= row.maximum))
+            throw InputError("time.path leads to monitor." + key + " = " + format_number(value) + at_time(t) +
+                             ", which must be " + describe_range(row));
+        values.set(key, value);
+    };
+    set(first_key_, first), set(second_key_, second);
+}
+
+std::shared_ptr<const Clock> make_clock(const Catalogue& catalogue, const Scenario& scenario) {
+    return has_time(scenario.time) ? std::make_shared<const Clock>(catalogue, scenario) : nullptr;
+}
+
+} // namespace gaspard

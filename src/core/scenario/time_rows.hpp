@@ -1,0 +1,29 @@
+// The rows of the section "time": when a monitor moves, how, and how the mesh follows it (session/run.hpp).
+//
+// For every real parameter of the monitor there is a row "monitor.KEY", its value as a formula in t
+// (clock.hpp).
+#pragma once
+
+#include "core/base/parameter.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace gaspard {
+
+/// Before the keys of the monitor's parameters.
+inline constexpr std::string_view moving_prefix = "monitor.";
+
+/// Choices of time.rule.
+namespace time_rule {
+inline constexpr std::string_view equidistribution = "equidistribution", tolerance = "tolerance",
+                                  iterations = "iterations", relaxation = "relaxation";
+}
+
+std::vector<ParameterRow> time_rows(const std::vector<ParameterRow>& monitor);
+/// Whether time.end is after time.start.
+bool has_time(const Values& time);
+/// Whether two sections "time" have the same moments and motions; how the mesh follows may differ.
+bool same_motion(const Values& a, const Values& b);
+
+} // namespace gaspard
