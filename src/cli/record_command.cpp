@@ -13,6 +13,7 @@
 #include "core/io/run_folder.hpp"
 #include "core/io/video.hpp"
 #include "core/session/run.hpp"
+#include "core/session/time_series.hpp"
 #include "core/tessellate/film.hpp"
 #include "gui/app/viewport_image.hpp"
 #include "gui/gl/offscreen.hpp"
@@ -50,9 +51,9 @@ Number number_of(const std::string& option, const std::string& text, Number leas
     return value;
 }
 
-FilmPlan plan_of(const RecordArguments& arguments) {
+FilmPlan plan_of(const RecordArguments& arguments, const Scenario& scenario) {
     FilmPlan plan;
-    plan.motions = parse_film_motions(arguments.motion.value_or("iterations"));
+    plan.motions = parse_film_motions(arguments.motion.value_or(std::string(usual_motion(scenario))));
     if (arguments.frames) plan.frames = number_of("--frames", *arguments.frames, 1, most_frames);
     if (arguments.rate) plan.rate = number_of("--rate", *arguments.rate, 1.0, most_per_second);
     plan.from = arguments.from.value_or("");
@@ -68,7 +69,10 @@ std::string counted(const char* what, int done, int all) {
 void solve(Run& run, Recording& recording, ProgressLine& progress, const std::stop_token& stop) {
     recording.add(*run.snapshot());
     while (run.status() == RunStatus::running) {
-        progress.show("iteration " + std::to_string(run.step(stop).iteration));
+        const StepReport& report = run.step(stop);
+        const auto time = time_of(report);
+        progress.show("iteration " + std::to_string(report.iteration) +
+                      (time ? ", t = " + format_number(*time) : ""));
         if (stop.stop_requested()) throw Interrupted();
         recording.add(*run.snapshot());
     }
@@ -154,9 +158,9 @@ class FilmWriter {
 
 void check_formats(const FilmPlan& plan, const std::vector<const FilmFormat*>& formats) {
     for (const FilmFormat* format : formats)
-        if (!format->drawn && !plan.motions.iterations)
+        if (!format->drawn && !plan.motions.shows_iterates())
             throw InputError("the format " + std::string(format->name) +
-                             " has the iterates of a solve; ask for the motion iterations");
+                             " has the iterates of a solve; ask for the motion iterations or time");
 }
 
 /// A folder that no other program records into as long as this lives.
@@ -214,7 +218,7 @@ int record_command(std::shared_ptr<const Catalogue> catalogue, const RecordArgum
     ScenarioInput input = load_input(*catalogue, arguments.scenario, settings);
     check_input(*catalogue, input);
     const Scenario& scenario = input.scenario;
-    const FilmPlan plan = plan_of(arguments);
+    const FilmPlan plan = plan_of(arguments, scenario);
     const auto formats = parse_film_formats(arguments.formats.value_or("apng"));
     check_formats(plan, formats);
     const std::size_t nodes =

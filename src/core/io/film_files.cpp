@@ -115,7 +115,7 @@ std::string pvd_of(const Film& film) {
                        "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
                        "  <Collection>\n";
     for (const int k : frames_with_meshes(film))
-        text += "    <DataSet timestep=\"" + std::to_string(film.iteration(k)) +
+        text += "    <DataSet timestep=\"" + format_number(film.moment(k)) +
                 "\" group=\"\" part=\"0\" file=\"" + frame_file("mesh", k, ".vtu").string() + "\"/>\n";
     return text + "  </Collection>\n</VTKFile>\n";
 }
@@ -127,15 +127,16 @@ std::string trajectories_csv(const Film& film, std::size_t nodes, const std::sto
         const FilmFrame frame = film.frame(k);
         const Points& x = frame.snapshot->x;
         const bool in_space = frame.snapshot->mesh->space_dimension == 3,
-                   on_line = frame.snapshot->mesh->space_dimension == 1;
+                   on_line = frame.snapshot->mesh->space_dimension == 1, in_time = film.in_time();
         if (k == 0)
             text =
-                std::string("frame,iteration,node,x") + (on_line ? "" : ",y") + (in_space ? ",z" : "") + "\n";
+                std::string("frame,iteration") + (in_time ? ",time" : "") + ",node,x" + (on_line ? "" : ",y") + (in_space ? ",z" : "") + "\n";
         const std::size_t shown = std::min(nodes, x.size());
         for (std::size_t i = 0; i < shown; ++i) {
             const std::size_t node = i * x.size() / shown;
-            text += std::to_string(k) + ',' + std::to_string(frame.iteration) + ',' + std::to_string(node) +
-                    ',' + format_number(x.x[node]);
+            text += std::to_string(k) + ',' + std::to_string(frame.iteration) + ',';
+            if (in_time) text += format_number(film.moment(k)) + ',';
+            text += std::to_string(node) + ',' + format_number(x.x[node]);
             if (!on_line) text += ',' + format_number(x.y[node]);
             if (in_space) text += ',' + format_number(x.z[node]);
             text += '\n';

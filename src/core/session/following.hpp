@@ -24,9 +24,4 @@ struct Following {
     bool ends() const { return step >= clock->steps(); }
 };
 
-/// The series that runs with time have besides: time, iterations of the step, speed of the nodes.
-std::vector<SeriesInfo> time_series();
-/// Fields of nodes: the velocity of the mesh, and its length.
-std::vector<FieldInfo> velocity_fields(int dimension);
-
 } // namespace gaspard

@@ -20,7 +20,8 @@ bool up_to(int iteration, const std::shared_ptr<const RecordedIterate>& one) {
 
 } // namespace
 
-RecordedIterate::RecordedIterate(const Snapshot& snapshot) {
+RecordedIterate::RecordedIterate(const Snapshot& snapshot, std::shared_ptr<const State> state)
+    : state_(std::move(state)) {
     rest_ = {.mesh = snapshot.mesh,
              .x = {},
              .exact = snapshot.exact,
@@ -45,6 +46,8 @@ RecordedIterate::RecordedIterate(const Snapshot& snapshot) {
         append_rounded(values_.emplace_back(), field.values);
         bytes_ += sizeof(Field) + sizeof(float) * field.values.size();
     }
+    if (state_)
+        for (const auto& array : state_->arrays) bytes_ += sizeof(double) * array.values.size();
     if (rest_.tangled) bytes_ += sizeof(std::uint32_t) * rest_.tangled->size();
 }
 
@@ -78,8 +81,8 @@ void Recording::begin() {
     stride_ = 1;
 }
 
-void Recording::add(const Snapshot& snapshot) {
-    auto iterate = std::make_shared<const RecordedIterate>(snapshot);
+void Recording::add(const Snapshot& snapshot, std::shared_ptr<const State> state) {
+    auto iterate = std::make_shared<const RecordedIterate>(snapshot, std::move(state));
     std::lock_guard lock(mutex_);
     const auto drop_last = [this] {
         bytes_ -= kept_.back()->bytes();
@@ -129,6 +132,21 @@ std::shared_ptr<const RecordedIterate> Recording::at(int iteration) const {
     if (kept_.empty()) return nullptr;
     const auto after = std::upper_bound(kept_.begin(), kept_.end(), iteration, up_to);
     return after == kept_.begin() ? kept_.front() : *std::prev(after);
+}
+
+bool Recording::wants_state(int iteration) const {
+    std::lock_guard lock(mutex_);
+    return kept_.empty() || iteration % (between_states * stride_) == 0;
+}
+
+std::shared_ptr<const RecordedIterate> Recording::with_state(int iteration) const {
+    std::lock_guard lock(mutex_);
+    std::shared_ptr<const RecordedIterate> found;
+    for (const auto& one : kept_) {
+        if (found && one->iteration() > iteration) break;
+        if (one->state()) found = one;
+    }
+    return found;
 }
 
 std::optional<int> Recording::first_tangled() const {

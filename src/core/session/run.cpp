@@ -10,6 +10,7 @@
 #include "core/scenario/view_rows.hpp"
 #include "core/session/following.hpp"
 #include "core/session/run_timer.hpp"
+#include "core/session/time_series.hpp"
 #include "core/spline/patch_file.hpp"
 #include "core/spline/solid_domain.hpp"
 #include "core/spline/spline_domain.hpp"

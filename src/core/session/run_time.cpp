@@ -10,6 +10,7 @@
 #include "core/session/following.hpp"
 #include "core/session/run.hpp"
 #include "core/session/run_timer.hpp"
+#include "core/session/time_series.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,10 +25,6 @@ constexpr int most_parts = 8;                // of a time step that is not solve
 constexpr std::int64_t most_learning = 1000; // iterations of a step to method.tolerance, for samples
 constexpr double runaway_factor = 1e3;       // a time step is given up if its criterion grows so much
 
-struct SeriesNames {
-    static constexpr const char *time = "time", *iterations = "step_iterations", *speed = "mesh_speed";
-};
-
 std::optional<int> degree_of(const Values& time) {
     const std::string& choice = time.text("extrapolation");
     if (choice == "auto") return std::nullopt;
@@ -41,30 +38,6 @@ double fastest(const Points& x, const Points& before, double dt) {
 }
 
 } // namespace
-
-std::vector<SeriesInfo> time_series() {
-    return {{.name = SeriesNames::time, .label = "Time", .symbol = "t", .help = "of the iterate"},
-            {.name = SeriesNames::iterations,
-             .label = "Iterations of the time step",
-             .help = "of the method; 0 where the extrapolated map was near enough"},
-            {.name = SeriesNames::speed,
-             .label = "Mesh speed",
-             .symbol = "max |∂x/∂t|",
-             .help = "of the fastest node, from the time before"}};
-}
-
-std::vector<FieldInfo> velocity_fields(int dimension) {
-    std::vector<FieldInfo> fields = {{.name = "mesh_speed",
-                                      .label = "mesh speed",
-                                      .symbol = "|∂x/∂t|",
-                                      .help = "of the nodes, from the time before"}};
-    for (int i = 0; i < dimension; ++i)
-        fields.push_back({.name = std::string("mesh_velocity_") + "xyz"[i],
-                          .label = std::string("mesh velocity ") + "xyz"[i],
-                          .centre = 0,
-                          .help = "a component of the velocity of the nodes"});
-    return fields;
-}
 
 std::optional<double> Run::time() const {
     return now_.following ? std::optional(now_.following->time()) : std::nullopt;
@@ -108,7 +81,7 @@ void Run::take_rule() {
 }
 
 void Run::add_time(const Course& course, StepReport& report) {
-    if (course.following) report.set(SeriesNames::time, course.following->time());
+    if (course.following) report.set(time_names::time, course.following->time());
 }
 
 void Run::add_velocity(const Course& course, Snapshot& snapshot) {
@@ -321,8 +294,8 @@ const StepReport& Run::advance(std::stop_token stop) {
                       .series = next.series};
     take_series(next, mesh.evaluation.series, report);
     add_time(next, report);
-    report.set(SeriesNames::iterations, mesh.iterations);
-    report.set(SeriesNames::speed, fastest(next.method->positions(), *following->before,
+    report.set(time_names::iterations, mesh.iterations);
+    report.set(time_names::speed, fastest(next.method->positions(), *following->before,
                                            following->time() - following->before_time));
     const auto every = next.problem.scenario.method.values.integer("diagnostics_every");
     if (following->ends() || (following->step % every == 0 && diagnostics(next) != Diagnostics::none))

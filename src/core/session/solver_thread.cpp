@@ -242,7 +242,9 @@ void SolverThread::record(const Snapshot& snapshot) {
     if (!options_.recording) return;
     if (recorded_epoch_ != run_->epoch()) options_.recording->begin();
     recorded_epoch_ = run_->epoch();
-    options_.recording->add(snapshot);
+    Recording& recording = *options_.recording;
+    const bool with_state = recording.wants_state(snapshot.report.iteration);
+    recording.add(snapshot, with_state ? std::make_shared<const State>(run_->state()) : nullptr);
 }
 
 /// Before a snapshot, if that is due. The errors of a mesh that changes soon are measured less precisely.
@@ -362,7 +364,7 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
                                                                   : SolverEventKind::change;
             }
         }
-        if (!refused && command.anew) begin_anew(command.start.get(), stop);
+        if (!refused && command.anew) begin_anew(command, stop);
     } catch (const InputError& error) { // the run keeps its old values
         refused = true;
         say(error.what(), true);
@@ -381,13 +383,15 @@ void SolverThread::change(ChangeCommand command, std::stop_token stop) {
         record_hidden();
 }
 
-void SolverThread::begin_anew(const State* start, std::stop_token stop) {
+void SolverThread::begin_anew(const ChangeCommand& command, std::stop_token stop) {
     following_ = false;
     publish(stop); // the rest of the old history
-    if (start == nullptr)
+    if (!command.start)
         run_->reset();
+    else if (command.time)
+        run_->go_on_from(*command.start, *command.time, stop);
     else
-        run_->start_from(*start, stop);
+        run_->start_from(*command.start, stop);
     begins_ = SolverEventKind::restart;
     running_ = true;
 }

@@ -30,7 +30,7 @@ struct StepCommand {};  ///< one iteration, then pause
 struct ResetCommand {}; ///< restart from the identity map, paused or running as before
 /// Changes values and continues from the current map if possible (Run::change), even if the run had ended.
 /// `number` identifies the command in SolverStatus. `anew`: restart from the identity map, with a new
-/// history, and run; or from `start`, which must fit to the problem. `reread`: read files anew (Run::change).
+/// history, and run; or from `start`, which must fit to the problem, at its time. `reread`: read files anew (Run::change).
 /// `same_gesture`: it goes on with the change before it, as the drag of a slider does. If the values are
 /// invalid or the command is cancelled, the run does not change.
 struct ChangeCommand {
@@ -40,6 +40,7 @@ struct ChangeCommand {
     bool reread = false;
     bool same_gesture = false;
     std::shared_ptr<const State> start{};
+    std::optional<double> time{}; ///< of `start`; nullopt: the scenario has no time
 };
 /// Arguments of long work: a callback for its progress, and a stop token.
 struct Activity {
@@ -141,7 +142,7 @@ class SolverThread {
     void start(std::stop_token stop);
     void inspect(const InspectCommand& command);
     void change(ChangeCommand command, std::stop_token stop);
-    void begin_anew(const State* start, std::stop_token stop);
+    void begin_anew(const ChangeCommand& command, std::stop_token stop);
     void answer(std::uint64_t number, bool refused);
     void publish(std::stop_token stop);
     void measure_interpolation(std::stop_token stop);

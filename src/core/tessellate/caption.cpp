@@ -1,6 +1,7 @@
 #include "core/tessellate/caption.hpp"
 
 #include "core/session/report_columns.hpp"
+#include "core/session/time_series.hpp"
 #include "core/tessellate/ticks.hpp"
 
 namespace gaspard {
@@ -8,7 +9,8 @@ namespace gaspard {
 std::vector<std::string> caption_parts(const std::string& subject, const StepReport& report) {
     std::vector<std::string> parts;
     if (!subject.empty()) parts.push_back(subject);
-    parts.push_back("iteration " + std::to_string(report.iteration));
+    if (const auto time = time_of(report)) parts.push_back("t = " + short_number(*time, 5));
+    if (!is_time_step(report)) parts.push_back("iteration " + std::to_string(report.iteration));
     parts.push_back("residual " + short_number(report.residual, 3));
     if (const SeriesInfo* criterion = other_criterion(report))
         if (const auto value = report.value(criterion->name))

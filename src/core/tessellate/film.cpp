@@ -4,6 +4,8 @@
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
+#include "core/scenario/time_rows.hpp"
+#include "core/session/time_series.hpp"
 #include "core/tessellate/camera.hpp"
 #include "core/tessellate/cell_geometry.hpp"
 #include "core/tessellate/colouring.hpp"
@@ -74,6 +76,7 @@ Camera before_turn(const Mesh& mesh, const Values& view) {
 const std::vector<FilmMotionRow>& film_motions() {
     static const std::vector<FilmMotionRow> rows{
         {"iterations", "the iterates of the solve", &FilmMotions::iterations},
+        {"time", "the time steps of a mesh that moves", &FilmMotions::time},
         {"turn", "the camera turns once round the mesh", &FilmMotions::turn},
         {"blend", "from the computational to the adapted mesh and back", &FilmMotions::blend},
         {"camera", "the camera goes from one view to another", &FilmMotions::camera},
@@ -96,7 +99,23 @@ FilmMotions parse_film_motions(std::string_view list) {
     if (motions == FilmMotions{}) throw InputError("no motion is given, such as iterations");
     if (motions.turn && motions.camera)
         throw InputError("the motions turn and camera both move the camera; choose one of them");
+    if (motions.iterations && motions.time)
+        throw InputError("the motions iterations and time both show iterates; choose one of them");
     return motions;
+}
+
+std::string_view usual_motion(const Scenario& scenario) {
+    return has_time(scenario.time) ? "time" : "iterations";
+}
+
+/// From the solved mesh of the first time on; all iterates if there is no time step.
+static std::vector<int> time_steps(const Recording& recording, std::vector<int> iterations) {
+    const auto first = std::find_if(iterations.begin(), iterations.end(), [&](int iteration) {
+        return is_time_step(recording.at(iteration)->report());
+    });
+    if (first == iterations.end()) throw InputError("the motion time needs a scenario with time; set time.end");
+    if (first != iterations.begin()) iterations.erase(iterations.begin(), std::prev(first));
+    return iterations;
 }
 
 void check_film(const FilmPlan& plan, const Mesh& mesh, const Values& view) {
@@ -129,31 +148,39 @@ Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snap
     : plan_(std::move(plan)), recording_(recording), iterations_(recording.iterations()),
       last_(std::move(last)), view_(std::move(view)), frames_(plan_.frames) {
     GASPARD_CHECK(last_ && !iterations_.empty());
+    if (plan_.motions.time) iterations_ = time_steps(recording_, std::move(iterations_));
     if (plan_.rate == 0) plan_.rate = plan_.motions == FilmMotions{.iterations = true} ? 10 : 25;
     if (frames_ == 0)
-        frames_ = plan_.motions.iterations && !closes()
+        frames_ = plan_.motions.shows_iterates() && !closes()
                       ? static_cast<int>(iterations_.size())
                       : static_cast<int>(std::lround(seconds_of_motion * plan_.rate));
     frames_ = std::max(frames_, 1);
-    if (!plan_.motions.iterations) return;
+    if (!plan_.motions.shows_iterates()) return;
     view_ = with_range(view_, range_of_recording(recording_, last_.get(), colour_choice(view_)));
 }
 
 bool Film::closes() const { return plan_.motions.turn || plan_.motions.blend; }
 
-double Film::hold() const { return plan_.motions.iterations || plan_.motions.camera ? 1 : 0; }
+double Film::hold() const { return plan_.motions.shows_iterates() || plan_.motions.camera ? 1 : 0; }
 
 double Film::place(int frame) const {
-    const int steps = closes() && !plan_.motions.iterations && !plan_.motions.camera ? frames_ : frames_ - 1;
+    const int steps = closes() && !plan_.motions.shows_iterates() && !plan_.motions.camera ? frames_ : frames_ - 1;
     return steps > 0 ? static_cast<double>(frame) / steps : 1;
 }
 
 int Film::iteration(int frame) const {
     GASPARD_CHECK(frame >= 0 && frame < frames_);
-    if (!plan_.motions.iterations) return last_->report.iteration;
+    if (!plan_.motions.shows_iterates()) return last_->report.iteration;
     const auto place_in_list =
         static_cast<std::size_t>(std::lround(place(frame) * static_cast<double>(iterations_.size() - 1)));
     return iterations_[place_in_list];
+}
+
+double Film::moment(int frame) const {
+    const int shown = iteration(frame);
+    const StepReport& report =
+        shown == last_->report.iteration ? last_->report : recording_.at(shown)->report();
+    return plan_.motions.time ? time_of(report).value() : shown;
 }
 
 std::shared_ptr<const Snapshot> Film::iterate(int iteration) const {

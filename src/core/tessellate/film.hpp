@@ -1,10 +1,11 @@
 // Films of a solve: which iterate each frame shows, and how.
 //
-// A film has one motion or several at once: the iterates of the solve, a turn of the camera once round the
+// A film has one motion or several at once: the iterates of the solve, or its time steps, a turn of the camera once round the
 // vertical axis, the way from xi to x and back, the way of the camera from one view to another. Frame k of n
 // is at t = k / (n - 1); of a turn or of the way to x and back, which end where they begin, at t = k / n.
 #pragma once
 
+#include "core/scenario/scenario.hpp"
 #include "core/session/recording.hpp"
 #include "core/tessellate/colour_map.hpp"
 
@@ -17,7 +18,8 @@
 namespace gaspard {
 
 struct FilmMotions {
-    bool iterations = false, turn = false, blend = false, camera = false;
+    bool iterations = false, time = false, turn = false, blend = false, camera = false;
+    bool shows_iterates() const { return iterations || time; }
     friend bool operator==(const FilmMotions&, const FilmMotions&) = default;
 };
 
@@ -32,10 +34,12 @@ FilmMotions parse_film_motions(std::string_view list);
 
 struct FilmPlan {
     FilmMotions motions{.iterations = true};
-    int frames = 0;       ///< 0: one per iterate, or six seconds of another motion
+    int frames = 0;       ///< 0: one per iterate or time step, or six seconds of another motion
     double rate = 0;      ///< per second; 0: 25, of iterates alone 10
     std::string from{}, to{}; ///< of motions.camera, as view.camera
 };
+/// Iterations, or time steps if the scenario has time: the motion of a film for which none is given.
+std::string_view usual_motion(const Scenario& scenario);
 /// Throws InputError if the plan makes no sense for a mesh of this kind and a view of this size: a turn of
 /// what lies in the plane, a camera that cannot be read.
 void check_film(const FilmPlan& plan, const Mesh& mesh, const Values& view);
@@ -55,7 +59,10 @@ class Film {
     double rate() const { return plan_.rate; }
     /// The last frame stays for a second if the film does not end where it begins.
     double hold() const;
+    bool in_time() const { return plan_.motions.time; } ///< a film of time steps
     int iteration(int frame) const;
+    /// The time of its mesh in a film of time steps, otherwise the iteration.
+    double moment(int frame) const;
     FilmFrame frame(int frame) const;
 
   private:

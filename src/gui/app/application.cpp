@@ -378,6 +378,14 @@ void Application::keep() {
         messages_.say({"Kept as " + document_.runs().find(*kept)->name, false});
 }
 
+void Application::go_on() {
+    const int iteration = playback_.iteration(run());
+    document_.keep(run().id);
+    if (!document_.go_on_from(run().id, iteration)) return;
+    playback_.go_to_end();
+    messages_.say({"The run goes on from " + std::to_string(iteration) + "; what was there is kept.", false});
+}
+
 void Application::move_in_history(bool forward) {
     const EditHistory& edits = document_.edits();
     const std::string label = forward ? edits.redo_label() : edits.undo_label();

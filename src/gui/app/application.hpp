@@ -147,6 +147,7 @@ class Application {
     void draw_formula_button();
     bool follow(WhyWish wish, Scenario& scenario);
     bool draw_why_section(Scenario& scenario);
+    bool draw_time_section(const PanelContext& context, Scenario& scenario);
     void draw_error_section();
     void follow_study();
     void follow(const MenuChoice& choice);
@@ -178,6 +179,7 @@ class Application {
     bool can_cancel();
     void cancel();
     void keep();
+    void go_on();
     void move_in_history(bool forward);
     void begin_burst();
     void record_edits();

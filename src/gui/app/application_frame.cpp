@@ -1,5 +1,6 @@
 // The frame of the application; its behaviour is in application.cpp and application_actions.cpp.
 #include "gui/app/application.hpp"
+#include "core/scenario/time_rows.hpp"
 #include "gui/app/edges.hpp"
 #include "gui/base/part_window.hpp"
 #include "gui/base/plot_text.hpp"
@@ -169,6 +170,7 @@ void Application::draw_sidebar() {
         if (open) changed |= panel_.draw_section(kind, context, scenario);
         ImGui::Spacing();
     }
+    changed |= draw_time_section(context, scenario);
     if (scenario.method.values.has("interpolation")) {
         const bool open = ImGui::CollapsingHeader("Why adapt?");
         remember_item(items_, "why");
@@ -200,6 +202,23 @@ void Application::draw_sidebar() {
     if (const auto wish = panel_.take_file_wish()) file_dialogs_.ask_for_value(*wish, run().scenario);
     if (const auto field = panel_.take_field_wish()) viewport().view.set("color", *field);
     ImGui::End();
+}
+
+/// True if it changes the scenario.
+bool Application::draw_time_section(const PanelContext& context, Scenario& scenario) {
+    const auto flags = has_time(scenario.time) ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
+    const bool open = ImGui::CollapsingHeader("Time", flags);
+    remember_item(items_, "time");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("The monitor moves from the start to the end, and the mesh follows");
+    bool changed = false;
+    if (open) {
+        std::vector<std::string> keys;
+        for (const ParameterRow& row : scenario.time.rows()) keys.push_back(row.key);
+        changed = panel_.draw_rows(context, run().opened.time, scenario.time, keys);
+    }
+    ImGui::Spacing();
+    return changed;
 }
 
 void Application::draw_error_section() {

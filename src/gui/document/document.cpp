@@ -1,5 +1,6 @@
 #include "gui/document/document.hpp"
 
+#include "core/session/time_series.hpp"
 #include "core/base/check.hpp"
 #include "gui/base/theme.hpp"
 #include "gui/document/value_changes.hpp"
@@ -210,6 +211,20 @@ void Document::start_from(RunId run, std::shared_ptr<const State> state) {
     entry.wants_to_run = true;
     entry.solver->post(ChangeCommand{
         .scenario = entry.scenario, .number = entry.changes.asked, .anew = true, .start = std::move(state)});
+}
+
+bool Document::go_on_from(RunId run, int iteration) {
+    DocumentRun& entry = live(run);
+    const auto iterate = entry.recording ? entry.recording->with_state(iteration) : nullptr;
+    if (!iterate || entry.opening) return false;
+    entry.changes.asked_for_good = ++entry.changes.asked;
+    entry.wants_to_run = true;
+    entry.solver->post(ChangeCommand{.scenario = entry.scenario,
+                                     .number = entry.changes.asked,
+                                     .anew = true,
+                                     .start = iterate->state(),
+                                     .time = time_of(iterate->report())});
+    return true;
 }
 
 void Document::replace(RunId run, const Scenario& scenario) {

@@ -83,6 +83,7 @@ std::vector<ValueChange> value_changes(const Scenario& before, const Scenario& a
     add_changes("monitor.source", before.source, after.source, changes);
     add_changes("method", before.method, after.method, changes);
     add_changes("pde", before.pde, after.pde, changes);
+    add_changes("time", before.time, after.time, changes);
     return changes;
 }
 

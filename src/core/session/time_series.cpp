@@ -1,0 +1,35 @@
+#include "core/session/time_series.hpp"
+
+#include <string>
+
+namespace gaspard {
+
+std::vector<SeriesInfo> time_series() {
+    return {{.name = time_names::time, .label = "Time", .symbol = "t", .help = "of the iterate"},
+            {.name = time_names::iterations,
+             .label = "Iterations of the time step",
+             .help = "of the method; 0 where the extrapolated map was near enough"},
+            {.name = time_names::speed,
+             .label = "Mesh speed",
+             .symbol = "max |∂x/∂t|",
+             .help = "of the fastest node, from the time before"}};
+}
+
+std::vector<FieldInfo> velocity_fields(int dimension) {
+    std::vector<FieldInfo> fields = {{.name = "mesh_speed",
+                                      .label = "mesh speed",
+                                      .symbol = "|∂x/∂t|",
+                                      .help = "of the nodes, from the time before"}};
+    for (int i = 0; i < dimension; ++i)
+        fields.push_back({.name = std::string("mesh_velocity_") + "xyz"[i],
+                          .label = std::string("mesh velocity ") + "xyz"[i],
+                          .centre = 0,
+                          .help = "a component of the velocity of the nodes"});
+    return fields;
+}
+
+std::optional<double> time_of(const StepReport& report) { return report.value(time_names::time); }
+
+bool is_time_step(const StepReport& report) { return report.value(time_names::iterations).has_value(); }
+
+} // namespace gaspard

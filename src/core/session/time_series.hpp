@@ -1,0 +1,25 @@
+// What is reported of meshes that follow a time, by name: series of a run, fields of its nodes.
+#pragma once
+
+#include "core/session/snapshot.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace gaspard {
+
+namespace time_names {
+inline constexpr const char *time = "time", *iterations = "step_iterations", *speed = "mesh_speed";
+}
+
+/// Time, iterations of the time step, speed of the fastest node.
+std::vector<SeriesInfo> time_series();
+/// The velocity of the nodes: its length, and its components in so many dimensions.
+std::vector<FieldInfo> velocity_fields(int dimension);
+
+/// The time of an iterate; nullopt if its run has none.
+std::optional<double> time_of(const StepReport& report);
+/// Whether the iterate is the result of a time step. Others belong to the solve for the first time.
+bool is_time_step(const StepReport& report);
+
+} // namespace gaspard
