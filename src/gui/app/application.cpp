@@ -172,7 +172,8 @@ WindowState Application::window_state() const {
             static_cast<float>(settings_.window.real("text_size")),
             fullscreen_,
             quit_,
-            (file_dialogs_.opening() || panel_.awaits_text() || menus_.opening()) && !messages_.error().open(),
+            (file_dialogs_.opening() || panel_.awaits_text() || menus_.opening()) &&
+                !messages_.error().open(),
             viewport_pane_.changing() || panel_.waiting() || playback_.playing() || playback_.blends() ||
                 menus_.waiting()};
 }
@@ -384,6 +385,11 @@ void Application::go_on() {
     if (!document_.go_on_from(run().id, iteration)) return;
     playback_.go_to_end();
     messages_.say({"The run goes on from " + std::to_string(iteration) + "; what was there is kept.", false});
+}
+
+void Application::begin_path() {
+    path_.arm();
+    messages_.say({"Drag the centre of the monitor along a path.", false});
 }
 
 void Application::move_in_history(bool forward) {

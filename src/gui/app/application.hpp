@@ -16,6 +16,7 @@
 #include "gui/base/theme.hpp"
 #include "gui/document/document.hpp"
 #include "gui/document/narrow_feature.hpp"
+#include "gui/document/path_drawing.hpp"
 #include "gui/document/playback.hpp"
 #include "gui/document/replay_range.hpp"
 #include "gui/panels/comparison_panel.hpp"
@@ -147,6 +148,7 @@ class Application {
     void draw_formula_button();
     bool follow(WhyWish wish, Scenario& scenario);
     bool draw_why_section(Scenario& scenario);
+    void take_path();
     bool draw_time_section(const PanelContext& context, Scenario& scenario);
     void draw_error_section();
     void follow_study();
@@ -180,6 +182,7 @@ class Application {
     void cancel();
     void keep();
     void go_on();
+    void begin_path();
     void move_in_history(bool forward);
     void begin_burst();
     void record_edits();
@@ -228,6 +231,8 @@ class Application {
     RunList run_list_;
     ToastPanel toast_;
     Playback playback_;
+    PathDrawing path_;
+    Scenario before_path_; ///< what the path that is being drawn began with
     ReplayRange replay_range_;
     std::optional<int> before_click_; ///< in a plot: the iteration that was shown; empty: the newest
     bool sidebar_before_ = true;      ///< before the size for projectors

@@ -1,6 +1,6 @@
 // The frame of the application; its behaviour is in application.cpp and application_actions.cpp.
-#include "gui/app/application.hpp"
 #include "core/scenario/time_rows.hpp"
+#include "gui/app/application.hpp"
 #include "gui/app/edges.hpp"
 #include "gui/base/part_window.hpp"
 #include "gui/base/plot_text.hpp"
@@ -64,8 +64,11 @@ void Application::frame() {
     draw_viewport(context);
     if (const auto move = viewport_pane_.take_handle_move()) {
         if (!run().status.refused) messages_.clear();
+        if (path_.armed() && !path_.drawing()) before_path_ = run().scenario;
         document_.change(run().id, with_handle_at(run().scenario, move->handle, move->place), true);
+        path_.add(run().scenario, move->handle.first, ImGui::GetTime());
     }
+    if (path_.drawing() && !ImGui::IsMouseDown(0)) take_path();
     if (action("sidebar").is_checked()) draw_sidebar();
     if (layout_.plots > 0) draw_plots(context);
     if (layout_.plots == 0 && action("plots").is_checked()) draw_plots_left_out(context);
@@ -219,6 +222,22 @@ bool Application::draw_time_section(const PanelContext& context, Scenario& scena
     }
     ImGui::Spacing();
     return changed;
+}
+
+/// The path that was drawn begins anew, from its start.
+void Application::take_path() {
+    document_.end_gesture();
+    const auto moving = path_.finish(*catalogue_, before_path_);
+    if (!moving) {
+        messages_.say({"The path is too short; draw it again.", false});
+        return;
+    }
+    document_.change(run().id, *moving);
+    document_.end_gesture();
+    perform("run-again");
+    messages_.say(
+        {"The monitor follows the path for " + short_number(moving->time.real("end")) + " units of time.",
+         false});
 }
 
 void Application::draw_error_section() {

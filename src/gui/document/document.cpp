@@ -1,7 +1,7 @@
 #include "gui/document/document.hpp"
 
-#include "core/session/time_series.hpp"
 #include "core/base/check.hpp"
+#include "core/session/time_series.hpp"
 #include "gui/base/theme.hpp"
 #include "gui/document/value_changes.hpp"
 

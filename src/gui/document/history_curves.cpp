@@ -1,5 +1,7 @@
 #include "gui/document/history_curves.hpp"
 
+#include "core/session/time_series.hpp"
+
 #include <algorithm>
 
 namespace gaspard {
@@ -9,6 +11,10 @@ void Trace::append(const StepReport& report, double value) {
     seconds.push_back(report.seconds);
     values.push_back(value);
     extremes.append(value);
+    if (!is_time_step(report)) return;
+    times.push_back(*time_of(report));
+    values_in_time.push_back(value);
+    extremes_in_time.append(value);
 }
 
 void HistoryCurves::follow(const std::shared_ptr<const SeriesTable>& table) {

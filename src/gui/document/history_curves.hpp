@@ -16,6 +16,9 @@ namespace gaspard {
 struct Trace {
     std::vector<double> iterations, seconds, values;
     Extremes extremes; ///< of the values
+    /// The same of the time steps alone: their times and values.
+    std::vector<double> times, values_in_time;
+    Extremes extremes_in_time;
 
     void append(const StepReport& report, double value);
 };

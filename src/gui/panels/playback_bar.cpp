@@ -1,6 +1,7 @@
 #include "gui/panels/playback_bar.hpp"
 
 #include "core/base/join.hpp"
+#include "core/session/time_series.hpp"
 #include "core/tessellate/ticks.hpp"
 #include "gui/base/plot_text.hpp"
 #include "gui/document/value_changes.hpp"
@@ -143,6 +144,12 @@ void draw_track(const Track& track, double position, const std::vector<const Doc
 /// What is at an iteration: "Iteration 12", and of several runs which are tangled there or have ended before.
 std::string text_at(int iteration, const std::vector<const DocumentRun*>& shown) {
     std::string text = "Iteration " + std::to_string(iteration);
+    for (const DocumentRun* run : shown) {
+        const auto row = std::ranges::lower_bound(run->history, iteration, {}, &StepReport::iteration);
+        if (row == run->history.end() || !is_time_step(*row)) continue;
+        text = "Time " + short_number(*time_of(*row), 5);
+        break;
+    }
     for (const Tangles& one : tangles_of(shown))
         for (const auto& [first, last] : one.ranges)
             if (first <= iteration && iteration <= last) {

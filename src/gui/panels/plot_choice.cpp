@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/join.hpp"
+#include "core/session/time_series.hpp"
 #include "core/tessellate/line_section.hpp"
 #include "core/tessellate/ticks.hpp"
 #include "gui/document/value_changes.hpp"
@@ -26,7 +27,9 @@ bool is_plot_name(std::string_view name) {
     });
 }
 
-bool of_runs(const Abscissa& abscissa) { return abscissa == "iterations" || abscissa == "seconds"; }
+bool of_runs(const Abscissa& abscissa) {
+    return abscissa == "iterations" || abscissa == "seconds" || abscissa == "time";
+}
 
 /// Which an error study can have depends on the problem.
 bool is_abscissa(std::string_view plot, const Abscissa& name) {
@@ -43,23 +46,31 @@ std::optional<bool> logarithmic_of(std::string_view name) {
     return name == axis_name(true);
 }
 
-CurveView view_of(const SeriesTrace& series, bool by_iteration) {
+CurveView view_of(const SeriesTrace& series, const Abscissa& abscissa) {
     const Trace& trace = series.trace;
-    return {.label = {},
-            .part = series.info.plot ? series.info.plot->part : std::string_view(),
-            .x = by_iteration ? trace.iterations : trace.seconds,
-            .y = trace.values,
-            .extremes = &trace.extremes};
+    CurveView view{.label = {},
+                   .part = series.info.plot ? series.info.plot->part : std::string_view(),
+                   .x = abscissa == "seconds" ? trace.seconds : trace.iterations,
+                   .y = trace.values,
+                   .extremes = &trace.extremes};
+    if (abscissa == "time")
+        view.x = trace.times, view.y = trace.values_in_time, view.extremes = &trace.extremes_in_time;
+    return view;
+}
+
+/// Time only where there is some.
+Abscissa abscissa_for(const DocumentRuns& runs, const PlotChoice& choice) {
+    return choice.abscissa == "time" && !has_time_steps(runs) ? Abscissa("iterations") : choice.abscissa;
 }
 
 /// The newest at the strength of `most`.
-void add_earlier(const DocumentRun& run, const PlotChoice& choice, PlotView& view) {
+void add_earlier(const DocumentRun& run, std::string_view plot, const Abscissa& abscissa, PlotView& view) {
     constexpr float most = 0.5F, fading = 0.72F;
     float opacity = most;
     for (auto solve = run.earlier.rbegin(); solve != run.earlier.rend(); ++solve, opacity *= fading)
         for (const SeriesTrace& series : solve->curves.all()) {
-            if (series.plot != choice.plot) continue;
-            CurveView curve = view_of(series, choice.abscissa == "iterations");
+            if (series.plot != plot) continue;
+            CurveView curve = view_of(series, abscissa);
             curve.colour = run.colour, curve.name = solve->name;
             curve.behind = true, curve.opacity = opacity;
             view.curves.push_back(std::move(curve));
@@ -84,10 +95,13 @@ void add_tolerance(const DocumentRun& run, const PlotChoice& choice, PlotView& v
 }
 
 PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_window, bool earlier) {
-    const bool by_iteration = choice.abscissa == "iterations";
+    const Abscissa abscissa = abscissa_for(runs, choice);
     PlotView view;
-    view.x = {
-        .label = by_iteration ? "iteration" : "seconds", .logarithmic = choice.log_x, .whole = by_iteration};
+    view.x = {.label = abscissa == "iterations" ? "iteration"
+                       : abscissa == "time"     ? "time t"
+                                                : "seconds",
+              .logarithmic = choice.log_x,
+              .whole = abscissa == "iterations"};
     view.y = {"", choice.log_y};
     std::vector<std::string> names;
     for (const DocumentRun& run : runs)
@@ -100,7 +114,7 @@ PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_w
         for (const SeriesTrace& series : run.curves.all()) {
             if (series.plot != choice.plot) continue;
             view.y.label = name_of_values(series.info);
-            CurveView curve = view_of(series, by_iteration);
+            CurveView curve = view_of(series, abscissa);
             curve.label = label;
             curve.colour = run.colour;
             curve.behind = !run.live();
@@ -109,7 +123,7 @@ PlotView make_view(const DocumentRuns& runs, const PlotChoice& choice, bool in_w
         add_tolerance(run, choice, view);
     }
     for (const DocumentRun& run : runs)
-        if (earlier && !run.hidden) add_earlier(run, choice, view);
+        if (earlier && !run.hidden) add_earlier(run, choice.plot, abscissa, view);
     return view;
 }
 
@@ -193,9 +207,17 @@ std::string_view plot_label(const DocumentRuns& runs, std::string_view name) {
     return name;
 }
 
+bool has_time_steps(const DocumentRuns& runs) {
+    return std::any_of(runs.begin(), runs.end(), [](const DocumentRun& run) {
+        return !run.hidden && !run.history.empty() && is_time_step(run.history.back());
+    });
+}
+
 std::vector<Abscissa> abscissas_of(const DocumentRuns& runs, std::string_view plot) {
     if (plot == section_plot) return {std::string(along_section)};
-    if (plot != error_study_plot) return {"iterations", "seconds"};
+    if (plot != error_study_plot)
+        return has_time_steps(runs) ? std::vector<Abscissa>{"iterations", "seconds", "time"}
+                                    : std::vector<Abscissa>{"iterations", "seconds"};
     const DocumentRun* run = studied_run(runs);
     return run ? study_variables(run->scenario) : std::vector<Abscissa>{};
 }

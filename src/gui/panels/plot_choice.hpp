@@ -12,7 +12,7 @@
 
 namespace gaspard {
 
-/// What a plot is drawn against: "iterations" or "seconds" of the runs; of an error study a StudyVariable.
+/// What a plot is drawn against: "iterations", "seconds" or "time" of the runs; of an error study a StudyVariable.
 using Abscissa = std::string;
 /// The plot of errors of other runs (gui/document/error_study.hpp).
 inline constexpr std::string_view error_study_plot = "error-study";
@@ -42,6 +42,8 @@ std::vector<RunPlot> plots_of(const DocumentRuns& runs);
 /// For people; the name itself where no run has such a plot.
 std::string_view plot_label(const DocumentRuns& runs, std::string_view name);
 
+/// Whether a run that is not hidden has made a time step.
+bool has_time_steps(const DocumentRuns& runs);
 /// Those that a plot of this name can have for these runs.
 std::vector<Abscissa> abscissas_of(const DocumentRuns& runs, std::string_view plot);
 /// Another plot, or another abscissa, on the axes that suit it.

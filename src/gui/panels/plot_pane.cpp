@@ -1,5 +1,6 @@
 #include "gui/panels/plot_pane.hpp"
 
+#include "core/session/time_series.hpp"
 #include "gui/base/part_window.hpp"
 #include "gui/base/plot_text.hpp"
 #include "gui/plot/plot_widget.hpp"
@@ -156,14 +157,23 @@ std::optional<PlotWish> PlotPane::draw_menu(const std::string& name, const Docum
     return wish;
 }
 
-/// The iteration at which a run's history has reached so many seconds.
-static double iteration_at(const std::vector<StepReport>& history, double seconds) {
-    const auto after = std::lower_bound(history.begin(), history.end(), seconds,
-                                        [](const StepReport& row, double at) { return row.seconds < at; });
+/// Where a row of a history lies along a plot.
+static double abscissa_of(const StepReport& row, const Abscissa& abscissa) {
+    return abscissa == "iterations" ? row.iteration
+           : abscissa == "time"     ? time_of(row).value_or(0)
+                                    : row.seconds;
+}
+
+/// The iteration at which a run's history has reached this place along a plot.
+static double iteration_at(const std::vector<StepReport>& history, const Abscissa& abscissa, double place) {
+    const auto after =
+        std::lower_bound(history.begin(), history.end(), place,
+                         [&](const StepReport& row, double at) { return abscissa_of(row, abscissa) < at; });
     if (after == history.begin() || history.empty()) return 0;
     if (after == history.end()) return history.back().iteration;
     const StepReport &before = *std::prev(after), &next = *after;
-    const double way = (seconds - before.seconds) / std::max(next.seconds - before.seconds, 1e-300);
+    const double from = abscissa_of(before, abscissa);
+    const double way = (place - from) / std::max(abscissa_of(next, abscissa) - from, 1e-300);
     return before.iteration + way * (next.iteration - before.iteration);
 }
 
@@ -171,11 +181,12 @@ bool PlotPane::draw_curves(const Document& document, Shown& plot, const Plot& st
                            const FrameContext& context, const StepReport* cursor) {
     const bool of_study = is_made_elsewhere(plot.choice.plot);
     PlotView view = of_study ? view_of(study) : view_of_runs(document.runs(), plot.choice, earlier_);
-    const bool by_iteration = plot.choice.abscissa == "iterations";
+    const Abscissa abscissa = plot.choice.abscissa == "time" && !has_time_steps(document.runs())
+                                  ? Abscissa("iterations")
+                                  : plot.choice.abscissa;
     if (cursor && !of_study)
-        view.marks.push_back({.x = by_iteration ? cursor->iteration : cursor->seconds,
-                              .label = "the iterate that is shown",
-                              .handle = true});
+        view.marks.push_back(
+            {.x = abscissa_of(*cursor, abscissa), .label = "the iterate that is shown", .handle = true});
     const bool sweeps =
         plot.choice.plot == error_study_plot && plot.choice.abscissa != "cells" && !study.curves.empty();
     PlotPointing pointing{sweeps ? PlotPointing::Use::sweep : PlotPointing::Use::point};
@@ -186,8 +197,24 @@ bool PlotPane::draw_curves(const Document& document, Shown& plot, const Plot& st
     if (sweeps)
         sweep_ = PlotSweep{plot.choice.abscissa, *pointing.x};
     else
-        pointed_ = by_iteration ? *pointing.x : iteration_at(document.active().history, *pointing.x);
+        pointed_ = abscissa == "iterations" ? *pointing.x
+                                            : iteration_at(document.active().history, abscissa, *pointing.x);
     return menu;
+}
+
+/// A run that begins to move in time is plotted against the time.
+void PlotPane::suit_time(const Document& document) {
+    const bool moves = has_time_steps(document.runs());
+    if (!std::exchange(moved_, moves) && moves)
+        for (Shown& plot : plots_)
+            if (plot.choice.abscissa == "iterations") {
+                const PlotChoice before = plot.choice;
+                plot.choice = with_abscissa(document.runs(), before, "time");
+                forget_zoom(before, plot.choice, plot.zoom);
+            }
+    if (!moves)
+        for (Shown& plot : plots_)
+            if (plot.choice.abscissa == "time") plot.choice.abscissa = "iterations";
 }
 
 std::optional<PlotWish> PlotPane::frame(const Document& document, const ItemRectangle& first,
@@ -196,6 +223,7 @@ std::optional<PlotWish> PlotPane::frame(const Document& document, const ItemRect
     std::optional<PlotWish> wish;
     sweep_.reset();
     pointed_.reset();
+    suit_time(document);
     const auto draw = [&](const std::string& name, const ItemRectangle& part, Shown& plot,
                           const Plot& study) {
         if (!(part.width() > 0)) return; // there is no space for it

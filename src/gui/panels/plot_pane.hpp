@@ -63,6 +63,7 @@ class PlotPane {
                      const FrameContext& context);
     std::optional<PlotWish> draw_menu(const std::string& name, const Document& document, Shown& plot,
                                       const FrameContext& context);
+    void suit_time(const Document& document);
     /// True when a menu is asked for.
     bool draw_curves(const Document& document, Shown& plot, const Plot& study, const FrameContext& context,
                      const StepReport* cursor);
@@ -72,6 +73,7 @@ class PlotPane {
     std::optional<double> pointed_;
     bool double_clicked_ = false;
     bool earlier_ = true;
+    bool moved_ = false; ///< a run had made a time step in the last frame
 };
 
 } // namespace gaspard

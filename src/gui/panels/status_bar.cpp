@@ -1,6 +1,7 @@
 #include "gui/panels/status_bar.hpp"
 
 #include "core/session/report_columns.hpp"
+#include "core/session/time_series.hpp"
 #include "core/tessellate/ticks.hpp"
 
 #include <algorithm>
@@ -92,7 +93,13 @@ std::vector<StatusCell> status_cells(const DocumentRun& run, int iteration) {
     const auto rate = iteration_rate(run.history);
     const std::string none = "-";
     std::vector<StatusCell> cells{describe_state(run.status, run.wants_to_run)};
-    cells.push_back({"Iteration", now ? std::to_string(now->iteration) : none});
+    if (const auto time = now ? time_of(*now) : std::nullopt)
+        cells.push_back({"Time t", short_number(*time, 5), Tone::plain, "of the monitor, which moves"});
+    if (now && is_time_step(*now))
+        cells.push_back({"Iterations", short_number(*now->value(time_names::iterations)), Tone::plain,
+                         "of this time step"});
+    else
+        cells.push_back({"Iteration", now ? std::to_string(now->iteration) : none});
     for (const char* name : {"residual", "equidistribution", "min_jacobian"}) {
         const SeriesTrace& series = *run.curves.find(name);
         const auto value = series.info.measured ? last_value_up_to(series.trace, iteration)
@@ -113,7 +120,8 @@ std::vector<StatusCell> status_cells(const DocumentRun& run, int iteration) {
         count += " (" + short_number(*drawn) + " drawn fold)";
     cells.push_back({"Tangled cells", count, tangled && *tangled > 0 ? Tone::bad : Tone::plain,
                      "cells in which the mesh folds over itself: det dx/dξ is not positive everywhere"});
-    cells.push_back({"Iterations / s", rate ? short_number(*rate) : none});
+    cells.push_back(
+        {now && is_time_step(*now) ? "Steps / s" : "Iterations / s", rate ? short_number(*rate) : none});
     return cells;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/mesh/control_points.hpp"
+#include "core/scenario/time_rows.hpp"
 #include "core/transport/convex_shape.hpp"
 
 #include <algorithm>
@@ -75,8 +76,22 @@ double rounded_within(double span, double value) {
     return decimals >= 0 ? rounded(value, factor) : std::round(value / factor) * factor;
 }
 
+/// Whether the time moves a coordinate of the monitor.
+static bool moves(const Scenario& scenario, const std::string& key, bool first_point) {
+    if (!has_time(scenario.time)) return false;
+    if (first_point && !scenario.time.text("path").empty()) return true;
+    const std::string motion = std::string(moving_prefix) + key;
+    return scenario.time.has(motion) && !scenario.time.text(motion).empty();
+}
+
 std::vector<Handle> monitor_handles(const Scenario& scenario) {
-    return point_handles(scenario.monitor.values);
+    std::vector<Handle> handles = point_handles(scenario.monitor.values), at_rest;
+    for (Handle& handle : handles) {
+        const bool first = &handle == &handles.front();
+        if (!moves(scenario, handle.first, first) && !moves(scenario, handle.second, first))
+            at_rest.push_back(std::move(handle));
+    }
+    return at_rest;
 }
 
 std::vector<Handle> domain_handles(const Scenario& scenario, const Snapshot& snapshot) {

@@ -1,0 +1,66 @@
+#include "gui/document/path_drawing.hpp"
+
+#include "core/scenario/time_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gaspard {
+
+namespace {
+
+constexpr double rest = 0.04;     // seconds between places of a path, at least
+constexpr double shortest = 0.3;  // seconds of a path
+constexpr double steps = 200;     // of the time
+constexpr double precision = 1e4; // places are rounded to 1 / precision of a unit
+
+/// The rows of the point that a path moves (clock.hpp); null if the monitor has none.
+std::pair<const ParameterRow*, const ParameterRow*> rows_of_point(const Values& monitor) {
+    const auto& rows = monitor.rows();
+    if (const ParameterRow* latitude = find_role(rows, ParameterRole::latitude))
+        return {latitude, find_role(rows, ParameterRole::longitude)};
+    return {find_role(rows, ParameterRole::x), find_role(rows, ParameterRole::y)};
+}
+
+/// The image of a periodic coordinate that is nearest to the one before.
+double nearest_image(const ParameterRow& row, double value, double before) {
+    const double period = row.maximum - row.minimum;
+    return row.periodic ? value + period * std::round((before - value) / period) : value;
+}
+
+double rounded(double value) { return std::round(value * precision) / precision; }
+
+} // namespace
+
+void PathDrawing::add(const Scenario& scenario, const std::string& first, double seconds) {
+    const Values& monitor = scenario.monitor.values;
+    const auto [one, other] = rows_of_point(monitor);
+    if (!armed_ || !one || !other || one->key != first) return;
+    if (path_.empty()) begin_ = seconds;
+    PathPoint point{rounded(seconds - begin_), monitor.real(one->key), monitor.real(other->key)};
+    if (!path_.empty()) {
+        if (point.t < path_.back().t + rest) return;
+        point.first = nearest_image(*one, point.first, path_.back().first);
+        point.second = nearest_image(*other, point.second, path_.back().second);
+    }
+    path_.push_back({point.t, rounded(point.first), rounded(point.second)});
+}
+
+std::optional<Scenario> PathDrawing::finish(const Catalogue& catalogue, const Scenario& before) {
+    armed_ = false;
+    const std::vector<PathPoint> path = std::exchange(path_, {});
+    if (path.size() < 2 || path.back().t < shortest) return std::nullopt;
+    Scenario scenario = before;
+    const auto [one, other] = rows_of_point(before.monitor.values);
+    for (const ParameterRow* row : {one, other})
+        scenario.time.set(std::string(moving_prefix) + row->key, std::string());
+    scenario.time.set("path", write_path(path));
+    scenario.time.set("start", 0.0);
+    scenario.time.set("end", path.back().t);
+    scenario.time.set("step", std::max(rounded(path.back().t / steps), 1 / precision));
+    update_rows(catalogue, scenario);
+    return scenario;
+}
+
+} // namespace gaspard
