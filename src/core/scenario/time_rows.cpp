@@ -38,6 +38,16 @@ std::vector<ParameterRow> clock_rows() {
 
 std::vector<ParameterRow> following_rows() {
     return {
+        {.key = "speed",
+         .label = "Speed",
+         .unit = "units of t per second",
+         .minimum = 0,
+         .maximum = 1e6,
+         .slider = SliderRange{0, 5},
+         .default_value = 0.0,
+         .help = "of the time in the window; steps that would come too late are left out; 0: every step, as "
+                 "fast as the mesh follows",
+         .detail = true},
         {.key = "rule",
          .label = "Rule",
          .kind = ParameterKind::choice,
@@ -71,7 +81,7 @@ std::vector<ParameterRow> following_rows() {
          .minimum = 1,
          .maximum = 10000,
          .scale = ParameterScale::logarithmic,
-         .default_value = std::int64_t{30},
+         .default_value = std::int64_t{100},
          .help = "rule iterations: that many; rules equidistribution and tolerance: at most",
          .detail = true},
         {.key = "tau",

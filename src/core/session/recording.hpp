@@ -48,7 +48,8 @@ class Recording {
     void begin();
     /// An iteration that is not larger than the newest replaces it and all after it.
     void add(const Snapshot& snapshot, std::shared_ptr<const State> state = {});
-    /// Whether an iterate should come with its state: about one in eight of those that are kept, and the first.
+    /// Whether an iterate should come with its state: about one in eight of those that are kept, and the
+    /// first.
     bool wants_state(int iteration) const;
     /// The newest iterate with a state of those up to `iteration`, or the first one; null if there are none.
     std::shared_ptr<const RecordedIterate> with_state(int iteration) const;

@@ -254,10 +254,10 @@ const StepReport& Run::solve(std::stop_token stop) {
     return history_.back();
 }
 
-const StepReport& Run::step(std::stop_token stop) {
+const StepReport& Run::step(std::stop_token stop, int time_steps) {
     GASPARD_CHECK(status() == RunStatus::running);
     refresh();
-    if (now_.following && now_.following->arrived) return advance(stop);
+    if (moves()) return advance(stop, time_steps);
     const Timer timer(now_);
     last_finite_ = now_.state;
     const Judging judging = now_.judging;

@@ -60,8 +60,8 @@ class Run {
     /// Makes one iteration, or one time step, and returns its report with the new status. Requires status()
     /// to be running.
     /// Throws InputError if the caller's monitor is not positive and finite somewhere, and Interrupted if
-    /// asked to stop in the middle of a step that takes long.
-    const StepReport& step(std::stop_token stop = {});
+    /// asked to stop in the middle of a step that takes long. Time passes by so many time steps at once.
+    const StepReport& step(std::stop_token stop = {}, int time_steps = 1);
     /// Steps until the status is final (interrupted if asked to stop). Returns the last report.
     const StepReport& solve(std::stop_token stop = {});
     /// Computes the diagnostics (method.diagnostics) of the current iterate if they were skipped.
@@ -90,10 +90,13 @@ class Run {
     /// Restarts from a state, such as that of a file (core/io/state_file.hpp), with a new history. Throws
     /// InputError if it does not fit to the problem, and Interrupted if asked to stop.
     void start_from(const State& state, std::stop_token stop = {});
-    /// Goes on from a time step: from the state that the run had there, or one near it, at the time t, with a new history. As start_from() if the scenario has no time.
+    /// Goes on from the state of a time step, or of one near it, at the time t, with a new history; as
+    /// start_from() if the scenario has no time.
     void go_on_from(const State& state, double t, std::stop_token stop = {});
     /// The time of the current mesh; nullopt if the scenario has none.
     std::optional<double> time() const;
+    /// Whether the next step is a time step.
+    bool moves() const;
 
     RunStatus status() const { return history_.back().status; }
     const Scenario& scenario() const { return now_.problem.scenario; }
@@ -200,7 +203,7 @@ class Run {
     static void arrive(Course& course, StepReport& report);
     void take_rule();
     static void add_time(const Course& course, StepReport& report);
-    const StepReport& advance(std::stop_token stop);
+    const StepReport& advance(std::stop_token stop, int time_steps);
     static void add_velocity(const Course& course, Snapshot& snapshot);
 
     std::shared_ptr<const Catalogue> catalogue_;

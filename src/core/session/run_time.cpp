@@ -43,6 +43,10 @@ std::optional<double> Run::time() const {
     return now_.following ? std::optional(now_.following->time()) : std::nullopt;
 }
 
+bool Run::moves() const {
+    return status() == RunStatus::running && now_.following && now_.following->arrived;
+}
+
 ProblemData Run::data_of(const Course& course, const Progress& progress, std::stop_token stop) const {
     const MonitorContext context = monitor_context(course, progress, stop);
     if (!course.following)
@@ -117,7 +121,7 @@ class Run::TimeStep {
           rule_(time_.text("rule")) {}
 
     Mesh make(const Following& following) {
-        const double from = following.clock->time(following.step - 1), to = following.time();
+        const double from = following.before_time, to = following.time();
         const State before = course_.state;
         const bool samples = rule_ == time_rule::equidistribution && following.tolerance->learns();
         set_time(following, to);
@@ -249,13 +253,13 @@ class Run::TimeStep {
 };
 
 /// The next time step, as a row of the history.
-const StepReport& Run::advance(std::stop_token stop) {
+const StepReport& Run::advance(std::stop_token stop, int time_steps) {
     const Timer timer(now_);
     Course next = now_;
     auto following = std::make_shared<Following>(*now_.following);
     following->before = std::make_shared<const Points>(now_.method->positions());
     following->before_time = following->time();
-    ++following->step;
+    following->step = std::min(following->step + time_steps, following->clock->steps());
     const Values& time = next.problem.scenario.time;
     if (time.text("rule") != time_rule::equidistribution)
         following->tolerance.reset();
@@ -296,9 +300,9 @@ const StepReport& Run::advance(std::stop_token stop) {
     add_time(next, report);
     report.set(time_names::iterations, mesh.iterations);
     report.set(time_names::speed, fastest(next.method->positions(), *following->before,
-                                           following->time() - following->before_time));
+                                          following->time() - following->before_time));
     const auto every = next.problem.scenario.method.values.integer("diagnostics_every");
-    if (following->ends() || (following->step % every == 0 && diagnostics(next) != Diagnostics::none))
+    if (following->ends() || (following->step % every < time_steps && diagnostics(next) != Diagnostics::none))
         measure(next, report, Diagnostics::full);
     if (report.tangled_cells.value_or(0) > 0) ++following->tangled;
     if (const auto e = report.value("equidistribution"); e && following->tolerance)

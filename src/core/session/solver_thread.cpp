@@ -171,7 +171,7 @@ void SolverThread::work(std::stop_token stop) {
             for (auto& command : wait_for_commands(stop)) attempt([&] { execute(std::move(command), stop); });
             if (stop.stop_requested() || !run_) continue;
             attempt([&] {
-                if (running_ && run_->status() == RunStatus::running) run_->step(stop);
+                if (running_ && run_->status() == RunStatus::running) step(stop);
                 publish(stop);
             });
         }
@@ -179,6 +179,27 @@ void SolverThread::work(std::stop_token stop) {
     }
     for (auto& command : take_commands()) // requested exports are still done
         if (const auto* task = std::get_if<InspectCommand>(&command); task && run_) inspect(*task);
+}
+
+/// One iteration, or the time steps that are due with time.speed; waits for a command while none is.
+void SolverThread::step(std::stop_token stop) {
+    const Values& time = run_->scenario().time;
+    const double speed = run_->moves() ? time.real("speed") : 0;
+    if (!(speed > 0)) {
+        pace_.reset();
+        run_->step(stop);
+        return;
+    }
+    if (!pace_ || epoch_ != run_->epoch()) pace_.emplace(), pace_from_ = *run_->time();
+    const double ahead = pace_from_ + speed * pace_->seconds() - *run_->time(), dt = time.real("step");
+    const double due = std::min(std::floor(ahead / dt), 1e6);
+    if (due >= 1) {
+        run_->step(stop, static_cast<int>(due));
+        return;
+    }
+    std::unique_lock lock(mutex_);
+    const std::chrono::duration<double> rest(std::min((dt - ahead) / speed, 0.1));
+    wake_.wait_for(lock, stop, rest, [&] { return !commands_.empty(); });
 }
 
 /// Makes the run. Returns false if that fails or is cancelled.
@@ -295,7 +316,7 @@ void SolverThread::execute(Command command, std::stop_token stop) {
         SolverThread& self;
         std::stop_token stop;
         void operator()(StartCommand&) { self.start(stop); }
-        void operator()(PauseCommand&) { self.running_ = false; }
+        void operator()(PauseCommand&) { self.running_ = false, self.pace_.reset(); }
         void operator()(StepCommand&) { // immediately, so that later commands see the result
             self.running_ = false;
             const bool possible = self.run_ && self.run_->status() == RunStatus::running;

@@ -30,7 +30,8 @@ struct StepCommand {};  ///< one iteration, then pause
 struct ResetCommand {}; ///< restart from the identity map, paused or running as before
 /// Changes values and continues from the current map if possible (Run::change), even if the run had ended.
 /// `number` identifies the command in SolverStatus. `anew`: restart from the identity map, with a new
-/// history, and run; or from `start`, which must fit to the problem, at its time. `reread`: read files anew (Run::change).
+/// history, and run; or from `start`, which must fit to the problem, at its time. `reread`: read files anew
+/// (Run::change).
 /// `same_gesture`: it goes on with the change before it, as the drag of a slider does. If the values are
 /// invalid or the command is cancelled, the run does not change.
 struct ChangeCommand {
@@ -157,6 +158,7 @@ class SolverThread {
     void begin_to_follow(bool was_solved);
     void record(const Snapshot& snapshot);
     void record_hidden();
+    void step(std::stop_token stop);
     std::deque<Command> take_commands();
     std::deque<Command> wait_for_commands(std::stop_token stop);
 
@@ -180,6 +182,8 @@ class SolverThread {
     Stopwatch since_errors_; ///< time since interpolation errors were last measured
     double errors_rest_ = 0; ///< seconds for which they are not measured again
     bool running_ = false;
+    std::optional<Stopwatch> pace_{}; ///< of time.speed; empty: time has not begun to pass
+    double pace_from_ = 0;            ///< the time then
     bool changing_ = false;           ///< a change of values is being executed
     std::vector<SolverMessage> held_; ///< messages about it, until it is answered
 

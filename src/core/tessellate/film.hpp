@@ -1,8 +1,9 @@
 // Films of a solve: which iterate each frame shows, and how.
 //
-// A film has one motion or several at once: the iterates of the solve, or its time steps, a turn of the camera once round the
-// vertical axis, the way from xi to x and back, the way of the camera from one view to another. Frame k of n
-// is at t = k / (n - 1); of a turn or of the way to x and back, which end where they begin, at t = k / n.
+// A film has one motion or several at once: the iterates of the solve, or its time steps, a turn of the
+// camera once round the vertical axis, the way from xi to x and back, the way of the camera from one view to
+// another. Frame k of n is at t = k / (n - 1); of a turn or of the way to x and back, which end where they
+// begin, at t = k / n.
 #pragma once
 
 #include "core/scenario/scenario.hpp"

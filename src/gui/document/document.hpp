@@ -78,8 +78,8 @@ class Document {
     void reset(RunId run); ///< to the start, paused
     /// Runs from a state, such as that of a file, without an edit. If it does not fit, the mesh stays.
     void start_from(RunId run, std::shared_ptr<const State> state);
-    /// Solves on from the recorded iterate with a state that is nearest before an iteration, at its time. False
-    /// if there is none.
+    /// Solves on from the recorded iterate with a state that is nearest before an iteration, at its time.
+    /// False if there is none.
     bool go_on_from(RunId run, int iteration);
 
     /// Adds a copy of a run as it is now, with a name of its own. Nothing before the first report.

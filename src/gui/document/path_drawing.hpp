@@ -20,8 +20,8 @@ class PathDrawing {
     /// The point of the scenario's monitor that a path moves is there after `seconds`, counted from any time.
     /// `first`: a key of the point. Other points are left out.
     void add(const Scenario& scenario, const std::string& first, double seconds);
-    /// The drag is over. The scenario `before` it with the path as its time, from 0 to the length of the drag;
-    /// nothing if the point did not move for long enough.
+    /// The drag is over. The scenario `before` it with the path as its time, from 0 to the length of the
+    /// drag; nothing if the point did not move for long enough.
     std::optional<Scenario> finish(const Catalogue& catalogue, const Scenario& before);
 
   private:

@@ -12,7 +12,8 @@
 
 namespace gaspard {
 
-/// What a plot is drawn against: "iterations", "seconds" or "time" of the runs; of an error study a StudyVariable.
+/// What a plot is drawn against: "iterations", "seconds" or "time" of the runs; of an error study a
+/// StudyVariable.
 using Abscissa = std::string;
 /// The plot of errors of other runs (gui/document/error_study.hpp).
 inline constexpr std::string_view error_study_plot = "error-study";

@@ -182,8 +182,7 @@ TEST_F(ScenarioTest, FormerNamesAreReadAndPresentOnesWritten) {
 }
 
 TEST_F(ScenarioTest, ReservedNamesAreErrorsOfTheirOwn) {
-    for (const std::string text : {"[pde]\nepsilon = 1\n", "[time]\nend = 1\n",
-                                   "[domain.target]\ntype = 'disk'\n", "[monitor.source]\ntype = 'ring'\n"})
+    for (const std::string text : {"[pde]\nepsilon = 1\n", "[domain.target]\ntype = 'disk'\n", "[monitor.source]\ntype = 'ring'\n"})
         expect_in("is reserved", parse_message(text));
     Scenario scenario = default_scenario(catalogue);
     expect_in("is reserved", message_of([&] { apply_settings(catalogue, scenario, {"pde.epsilon=1"}); }));

@@ -175,5 +175,79 @@ TEST(Recording, AChangeOfValuesBeginsANewOne) {
     EXPECT_EQ(all, expected) << "all of it, from the map of the old values on";
 }
 
+TEST(Recording, SomeIteratesHaveTheirState) {
+    gaspard::Run run = make_run();
+    const auto snapshot = run.snapshot();
+    const auto state = std::make_shared<const State>(run.state());
+    Recording recording(std::size_t{1} << 30);
+    EXPECT_EQ(recording.with_state(5), nullptr);
+    for (int i = 0; i < 40; ++i) {
+        Snapshot copy = *snapshot;
+        copy.report.iteration = i;
+        recording.add(copy, recording.wants_state(i) ? state : nullptr);
+    }
+    EXPECT_EQ(recording.with_state(0)->iteration(), 0);
+    EXPECT_EQ(recording.with_state(7)->iteration(), 0);
+    EXPECT_EQ(recording.with_state(39)->iteration(), 32);
+    EXPECT_EQ(recording.with_state(39)->state(), state);
+    EXPECT_EQ(recording.with_state(-3)->iteration(), 0) << "the first, rather than none";
+    std::size_t numbers = 0;
+    for (const auto& array : state->arrays) numbers += array.values.size();
+    EXPECT_GE(recording.at(8)->bytes(), recording.at(9)->bytes() + 8 * numbers) << "they count";
+    recording.set_budget(recording.bytes() / 3);
+    EXPECT_LE(recording.bytes(), recording.budget());
+    EXPECT_NE(recording.with_state(39), nullptr) << "the first keeps its state";
+}
+
+TEST(Recording, OfARunHasStatesFromWhichItCanGoOn) {
+    auto recording = std::make_shared<Recording>(std::size_t{1} << 30);
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const Scenario scenario =
+        recorded_ring({"method.type=newton", "time.end=1", "time.step=0.05", "time.monitor.center_x=t/5"});
+    SolverThread::Options options;
+    options.recording = recording;
+    SolverThread thread(catalogue, scenario, std::move(options));
+    const auto wait_for_end = [&] {
+        for (int i = 0; i < 3000 && !is_final(thread.status().run); ++i) {
+            thread.drain();
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        EXPECT_EQ(thread.status().run, RunStatus::converged);
+    };
+    wait_for_end();
+    const auto last = recording->iterations().back();
+    const auto from = recording->with_state(last - 4);
+    ASSERT_TRUE(from && from->state());
+    const double t = from->report().value("time").value();
+    EXPECT_GT(t, 0.2);
+    thread.post(
+        ChangeCommand{.scenario = scenario, .number = 1, .anew = true, .start = from->state(), .time = t});
+    for (int i = 0; i < 3000 && thread.status().answered < 1; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    wait_for_end();
+    EXPECT_NEAR(recording->at(0)->report().value("time").value(), t, 1e-12);
+    EXPECT_EQ(recording->at(1000000)->report().value("time"), 1.0);
+}
+
+TEST(Recording, TimePassesWithItsSpeedAndLeavesOutLateSteps) {
+    const auto catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+    const Scenario scenario = recorded_ring(
+        {"method.type=newton", "time.end=4", "time.step=0.001", "time.monitor.center_x=t/5", "time.speed=4"});
+    auto recording = std::make_shared<Recording>(std::size_t{1} << 30);
+    SolverThread::Options options;
+    options.recording = recording;
+    SolverThread thread(catalogue, scenario, std::move(options));
+    const auto begin = std::chrono::steady_clock::now();
+    for (int i = 0; i < 6000 && !is_final(thread.status().run); ++i) {
+        thread.drain();
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    EXPECT_EQ(thread.status().run, RunStatus::converged);
+    EXPECT_GT(taken.count(), 0.95) << "4 units of time at 4 a second";
+    EXPECT_LT(recording->iterations().back(), 4000) << "not every step of 0.25 ms";
+    EXPECT_EQ(recording->at(1000000)->report().value("time"), 4.0);
+}
+
 } // namespace
 } // namespace gaspard

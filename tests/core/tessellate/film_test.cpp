@@ -166,6 +166,27 @@ TEST(Film, GoesFromOneViewToAnother) {
     EXPECT_NEAR(middle.right.x, -std::sqrt(0.5), 1e-9);
 }
 
+TEST(Film, OfTimeBeginsWithTheSolvedMesh) {
+    const Solved run = solved("plane-ring", {"domain.cells=8", "method.type=newton", "time.start=2",
+                                             "time.end=3", "time.step=0.25", "time.monitor.center_x=t/10"});
+    const Film film({.motions = {.time = true}}, run.recording, run.last, run.scenario.view);
+    ASSERT_EQ(film.frames(), 5);
+    for (int k = 0; k < 5; ++k) EXPECT_NEAR(film.moment(k), 2 + 0.25 * k, 1e-12);
+    EXPECT_GT(film.iteration(0), 1) << "not with the solve";
+    EXPECT_EQ(film.frame(4).snapshot, run.last);
+    EXPECT_EQ(film.rate(), 25);
+    const Film of_iterates({.motions = {.iterations = true}}, run.recording, run.last, run.scenario.view);
+    EXPECT_EQ(of_iterates.frames(), run.last->report.iteration + 1);
+    EXPECT_EQ(of_iterates.moment(1), 1);
+    const Solved still = ring();
+    EXPECT_THROW(Film({.motions = {.time = true}}, still.recording, still.last, still.scenario.view),
+                 InputError);
+    EXPECT_EQ(usual_motion(run.scenario), "time");
+    EXPECT_EQ(usual_motion(still.scenario), "iterations");
+    EXPECT_THROW(parse_film_motions("time,iterations"), InputError);
+    EXPECT_TRUE(parse_film_motions("time,turn").time);
+}
+
 TEST(Film, RefusesWhatMakesNoSense) {
     EXPECT_EQ(parse_film_motions("iterations,turn"), (FilmMotions{.iterations = true, .turn = true}));
     for (const char* list : {"", "spin", "turn,camera", "turn,,blend"})

@@ -1,0 +1,291 @@
+// Runs with time: meshes that follow a monitor, how far each step is solved, where it begins.
+#include "core/base/error.hpp"
+#include "core/monitor/function.hpp"
+#include "core/scenario/toml.hpp"
+#include "core/session/extrapolation.hpp"
+#include "core/session/run.hpp"
+#include "core/session/step_tolerance.hpp"
+#include "core/session/time_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace gaspard {
+namespace {
+
+State state_of(std::vector<double> values) { return {"test", {{"u", std::move(values)}}}; }
+
+TEST(Extrapolation, IsExactForPolynomials) {
+    const auto at = [](double t) { return state_of({3 - t, 1 + 2 * t + t * t}); };
+    Extrapolation maps;
+    maps.begin(0, at(0));
+    EXPECT_EQ(maps.at(5, {}), at(0));
+    maps.add(1, at(1));
+    maps.add(3, at(3));
+    EXPECT_EQ(maps.at(4, 0), at(3));
+    EXPECT_NEAR(maps.at(4, 1).arrays[0].values[0], -1, 1e-12);
+    EXPECT_NEAR(maps.at(4, 1).arrays[0].values[1], 22, 1e-12) << "from 4 to 16 and on";
+    EXPECT_NEAR(maps.at(4, 2).arrays[0].values[1], 25, 1e-12);
+}
+
+TEST(Extrapolation, TakesTheDegreeThatWasBest) {
+    const auto best_for = [](const auto& f) {
+        Extrapolation maps;
+        maps.begin(0, state_of({f(0)}));
+        for (int i = 1; i < 8; ++i) maps.add(i, state_of({f(i)}));
+        return maps.best();
+    };
+    EXPECT_EQ(best_for([](int i) { return i * i * 1.0; }), 2);
+    EXPECT_EQ(best_for([](int i) { return i % 2 * 1.0 + (i % 4 == 3 ? 2.0 : 0.0); }), 0) << "jumps";
+    Extrapolation maps;
+    maps.begin(0, state_of({1}));
+    maps.add(1, {"other", {{"u", {1, 2}}}});
+    EXPECT_EQ(maps.at(2, 2).layout, "other") << "of another layout it begins anew";
+}
+
+TEST(StepTolerance, AllowsWhatTheSamplesShow) {
+    StepTolerance tolerance(1.05, 1e-8);
+    EXPECT_TRUE(tolerance.learns()) << "the first step";
+    tolerance.learn({{1e-1, 0.3}, {1e-2, 0.12}, {1e-9, 0.1}}); // |e - 0.1| <= 2 r
+    EXPECT_NEAR(tolerance.value(), 0.05 * 0.1 / (2 * 2), 1e-12);
+    EXPECT_FALSE(tolerance.learns());
+    for (int i = 0; i < 8; ++i) tolerance.pass();
+    EXPECT_TRUE(tolerance.learns()) << "from time to time";
+    tolerance.learn({{1e-1, 0.101}, {1e-9, 0.1}});
+    EXPECT_NEAR(tolerance.value(), 0.05 * 0.1 / (2 * 1), 1e-12) << "half of what was seen before";
+    EXPECT_FALSE(tolerance.learns());
+    tolerance.check(0.1049);
+    EXPECT_FALSE(tolerance.learns());
+    tolerance.check(0.106);
+    EXPECT_TRUE(tolerance.learns()) << "it was too much";
+    StepTolerance flat(1.05, 1e-8);
+    flat.learn({{1e-3, 0.1}, {1e-9, 0.1}});
+    EXPECT_LE(flat.value(), 0.1) << "bounded where nothing is seen";
+}
+
+class FollowingTest : public testing::Test {
+  protected:
+    Scenario scenario(std::vector<std::string> settings) {
+        Scenario result = find_scenario(*catalogue, "plane-ring");
+        settings.insert(settings.begin(), {"domain.cells=20", "method.type=newton", "time.end=0.2",
+                                           "time.step=0.02", "time.monitor.center_x=center_x + 0.5*t",
+                                           "monitor.sharpness=60", "method.diagnostics_every=1"});
+        apply_settings(*catalogue, result, settings);
+        return result;
+    }
+    gaspard::Run make(const std::vector<std::string>& settings = {}) {
+        return gaspard::Run(catalogue, scenario(settings));
+    }
+    static double largest_distance(const Points& a, const Points& b) {
+        double largest = 0;
+        for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, norm(a[i] - b[i]));
+        return largest;
+    }
+    static std::vector<StepReport> time_steps(const gaspard::Run& run) {
+        std::vector<StepReport> steps;
+        std::copy_if(run.history().begin(), run.history().end(), std::back_inserter(steps), is_time_step);
+        return steps;
+    }
+    std::shared_ptr<const Catalogue> catalogue = std::make_shared<const Catalogue>(builtin_catalogue());
+};
+
+TEST_F(FollowingTest, EveryStepIsTheMeshOfItsTime) {
+    gaspard::Run run = make({"time.rule=tolerance"});
+    EXPECT_EQ(run.time(), 0.0);
+    while (!run.moves()) run.step();
+    EXPECT_EQ(run.status(), RunStatus::running);
+    const int first = run.history().back().iteration;
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::converged);
+    EXPECT_EQ(run.time(), 0.2);
+    const auto steps = time_steps(run);
+    ASSERT_EQ(steps.size(), 10u);
+    EXPECT_EQ(steps.front().iteration, first + 1);
+    for (const StepReport& step : steps) EXPECT_LT(step.residual, 1e-8);
+    EXPECT_NEAR(*time_of(steps[3]), 0.08, 1e-15);
+    gaspard::Run there(catalogue, scenario({"time.end=0", "monitor.center_x=0.6"}));
+    there.solve();
+    EXPECT_LT(largest_distance(run.snapshot()->x, there.snapshot()->x), 1e-7);
+}
+
+TEST_F(FollowingTest, AConstantMonitorMovesNothing) {
+    Scenario still = find_scenario(*catalogue, "plane-ring");
+    apply_settings(*catalogue, still,
+                   {"domain.cells=20", "monitor.type=constant", "time.end=0.1", "time.monitor.value=1 + t"});
+    gaspard::Run run(catalogue, still);
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::converged);
+    const auto end = run.snapshot();
+    EXPECT_LT(largest_distance(end->x, end->mesh->nodes), 1e-12);
+    for (const double speed : end->field("mesh_speed")->values) EXPECT_EQ(speed, 0);
+}
+
+TEST_F(FollowingTest, EquidistributionStaysWithinTheFactor) {
+    for (const char* method : {"newton", "accelerated", "relaxation", "quasi-newton"}) {
+        const std::string type = std::string("method.type=") + method;
+        gaspard::Run solved = make({type, "time.rule=tolerance", "time.iterations=2000", "time.end=0.6"});
+        gaspard::Run run = make({type, "time.end=0.6"});
+        solved.solve(), run.solve();
+        const auto best = time_steps(solved), steps = time_steps(run);
+        ASSERT_EQ(steps.size(), best.size()) << method;
+        double iterations = 0, most = 0;
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            EXPECT_LT(*steps[i].value("equidistribution"), 1.05 * *best[i].value("equidistribution"))
+                << method << ", step " << i;
+            EXPECT_EQ(steps[i].tangled_cells, 0u);
+            iterations += *steps[i].value(time_names::iterations);
+            most += *best[i].value(time_names::iterations);
+        }
+        EXPECT_LT(iterations, 0.75 * most) << method << ": that is what the rule is for";
+    }
+}
+
+TEST_F(FollowingTest, RelaxationApproachesTheSolvedMeshWithItsTimeScale) {
+    // After the first step the monitor stays where it is.
+    gaspard::Run run = make({"time.monitor.center_x=center_x + min(t, 0.02)", "time.rule=relaxation",
+                             "time.tau=0.05", "time.end=0.3"});
+    gaspard::Run solved(catalogue, scenario({"time.end=0", "monitor.center_x=0.52"}));
+    solved.solve();
+    const Points there = solved.snapshot()->x;
+    while (!run.moves()) run.step();
+    run.step();
+    double before = largest_distance(run.snapshot()->x, there);
+    for (int i = 0; i < 8; ++i) {
+        run.step();
+        const double now = largest_distance(run.snapshot()->x, there);
+        EXPECT_NEAR(now / before, std::exp(-0.02 / 0.05), 0.03) << i;
+        before = now;
+    }
+}
+
+TEST_F(FollowingTest, SmallTimeScalesLagLess) {
+    const auto last = [&](const std::string& tau) {
+        gaspard::Run run = make({"time.rule=relaxation", "time.tau=" + tau});
+        run.solve();
+        EXPECT_EQ(run.status(), RunStatus::converged) << "all steps are made";
+        return *run.history().back().value("equidistribution");
+    };
+    EXPECT_LT(last("0.005"), last("0.03"));
+    EXPECT_LT(last("0.03"), last("0.2"));
+}
+
+TEST_F(FollowingTest, ReportsTheVelocityOfTheNodes) {
+    gaspard::Run run = make();
+    while (!run.moves()) run.step();
+    run.step();
+    const auto before = run.snapshot();
+    run.step();
+    const auto now = run.snapshot();
+    const Field *speed = now->field("mesh_speed"), *x = now->field("mesh_velocity_x"),
+                *y = now->field("mesh_velocity_y");
+    ASSERT_TRUE(speed && x && y);
+    EXPECT_EQ(now->field("mesh_velocity_z"), nullptr);
+    double largest = 0;
+    for (std::size_t i = 0; i < now->x.size(); ++i) {
+        EXPECT_NEAR(x->values[i], (now->x.x[i] - before->x.x[i]) / 0.02, 1e-9);
+        EXPECT_NEAR(speed->values[i], std::hypot(x->values[i], y->values[i]), 1e-12);
+        largest = std::max(largest, speed->values[i]);
+    }
+    EXPECT_NEAR(*now->report.value(time_names::speed), largest, 1e-12);
+    EXPECT_GT(largest, 0.3) << "about as fast as the ring";
+}
+
+TEST_F(FollowingTest, TheSameInputGivesTheSameBits) {
+    gaspard::Run one = make(), other = make();
+    one.solve(), other.solve();
+    EXPECT_EQ(one.snapshot()->x, other.snapshot()->x);
+    EXPECT_EQ(one.history().size(), other.history().size());
+}
+
+TEST_F(FollowingTest, UnsolvedStepsAreTold) {
+    gaspard::Run run =
+        make({"time.rule=tolerance", "time.tolerance=1e-12", "time.iterations=1", "method.type=relaxation"});
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::iteration_limit);
+    EXPECT_NE(run.history().back().note.find("10 of 10 time steps"), std::string::npos)
+        << run.history().back().note;
+}
+
+TEST_F(FollowingTest, AStepThatIsTooLongIsDivided) {
+    // In one step across a quarter of the square; Newton's method does not follow from there.
+    gaspard::Run run = make({"time.step=0.5", "time.end=0.5", "time.iterations=6", "monitor.amplitude=40",
+                             "time.rule=tolerance"});
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::converged);
+    gaspard::Run there(catalogue, scenario({"time.end=0", "monitor.center_x=0.75", "monitor.amplitude=40"}));
+    there.solve();
+    EXPECT_LT(largest_distance(run.snapshot()->x, there.snapshot()->x), 1e-6);
+}
+
+TEST_F(FollowingTest, OtherValuesGoOnAtTheSameTime) {
+    gaspard::Run run = make();
+    while (run.time() < 0.1) run.step();
+    run.change(scenario({"monitor.amplitude=6"}));
+    EXPECT_NEAR(*run.time(), 0.1, 1e-12);
+    EXPECT_EQ(run.history().size(), 1u);
+    run.solve();
+    EXPECT_EQ(run.time(), 0.2);
+    EXPECT_EQ(time_steps(run).size(), 5u);
+    run.change(scenario({"monitor.amplitude=6", "time.rule=iterations"})); // how it follows is no new problem
+    EXPECT_EQ(time_steps(run).size(), 5u);
+    run.reset();
+    EXPECT_EQ(run.time(), 0.0);
+    run.change(scenario({"time.end=0"}));
+    EXPECT_EQ(run.time(), std::nullopt);
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::converged);
+}
+
+TEST_F(FollowingTest, GoesOnFromATimeWithItsMap) {
+    gaspard::Run run = make();
+    while (run.time() < 0.1) run.step();
+    const State there = run.state();
+    const Points x = run.snapshot()->x;
+    run.solve();
+    run.go_on_from(there, 0.1);
+    EXPECT_NEAR(*run.time(), 0.1, 1e-12);
+    EXPECT_EQ(run.snapshot()->x, x);
+    run.solve();
+    EXPECT_EQ(run.time(), 0.2);
+    EXPECT_EQ(run.status(), RunStatus::converged);
+}
+
+TEST_F(FollowingTest, StepsMayBeLeftOut) {
+    gaspard::Run run = make({"time.rule=tolerance"});
+    while (!run.moves()) run.step();
+    run.step({}, 4);
+    EXPECT_NEAR(*run.time(), 0.08, 1e-12);
+    run.step({}, 100);
+    EXPECT_EQ(run.time(), 0.2);
+    EXPECT_EQ(run.status(), RunStatus::converged);
+    gaspard::Run there(catalogue, scenario({"time.end=0", "monitor.center_x=0.6"}));
+    there.solve();
+    EXPECT_LT(largest_distance(run.snapshot()->x, there.snapshot()->x), 1e-7);
+}
+
+TEST_F(FollowingTest, AnInterruptedStepLeavesTheTimeBefore) {
+    gaspard::Run run = make({"time.rule=tolerance"});
+    while (!run.moves()) run.step();
+    run.step();
+    const Points x = run.snapshot()->x;
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(run.step(stop.get_token()), Interrupted);
+    EXPECT_NEAR(*run.time(), 0.02, 1e-12);
+    EXPECT_EQ(run.snapshot()->x, x);
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::converged);
+}
+
+TEST_F(FollowingTest, AMonitorOfTheCallerHasItsOwnTime) {
+    gaspard::Run run = make();
+    while (!run.moves()) run.step();
+    run.follow(function_monitor([](Vec3) { return 1.0; }));
+    EXPECT_EQ(run.time(), std::nullopt);
+    run.solve();
+    EXPECT_EQ(run.status(), RunStatus::converged);
+}
+
+} // namespace
+} // namespace gaspard
