@@ -167,7 +167,7 @@ std::vector<Action> Application::solve_actions() {
         {.name = "draw-path",
          .label = "Draw a path",
          .menu = "Solve",
-         .keys = {"M"},
+         .keys = {"Ctrl+M"},
          .help =
              "Drag the centre of the monitor: its way and its speed are recorded, and the mesh follows them.",
          .needs_solver = true,

@@ -1,0 +1,112 @@
+// A window whose monitor moves: the section Time, plots, the status bar, going on from a time, paths.
+#include "core/scenario/time_rows.hpp"
+#include "core/session/time_series.hpp"
+#include "gui/application_fixture.hpp"
+
+#include <algorithm>
+
+namespace gaspard {
+namespace {
+
+class TimeApplicationTest : public ApplicationFixture {
+  protected:
+    TimeApplicationTest() : TimeApplicationTest(std::make_shared<Catalogue>(builtin_catalogue())) {}
+    ItemRectangle item(const std::string& name) {
+        const auto found = application.items().find(name);
+        EXPECT_NE(found, application.items().end()) << name;
+        return found == application.items().end() ? ItemRectangle{} : found->second;
+    }
+    std::string status_of(const std::string& name) {
+        for (const StatusCell& cell : application.status())
+            if (cell.label == name) return cell.value;
+        return "";
+    }
+
+  private:
+    explicit TimeApplicationTest(const std::shared_ptr<const Catalogue>& of)
+        : ApplicationFixture(of, moving_ring(*of)) {}
+    static Scenario moving_ring(const Catalogue& catalogue) {
+        Scenario scenario = find_scenario(catalogue, "plane-ring");
+        apply_settings(catalogue, scenario,
+                       {"domain.cells=12", "method.type=newton", "time.end=1", "time.step=0.02",
+                        "time.monitor.center_x=center_x + t/4"});
+        return scenario;
+    }
+};
+
+TEST_F(TimeApplicationTest, ShowsTheTimeAndPlotsAgainstIt) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    frame();
+    EXPECT_EQ(status_of("Time t"), "1");
+    EXPECT_NE(status_of("Iterations"), "") << "of the time step";
+    EXPECT_EQ(application.items().count("handle.center_x"), 0u) << "the time moves it";
+    EXPECT_GT(item("time").width(), 0);
+    EXPECT_GT(item("time.end").width(), 0) << "the section is open where there is time";
+    const auto steps = std::count_if(run().history.begin(), run().history.end(), is_time_step);
+    EXPECT_EQ(steps, 50);
+    const SeriesTrace& residual = *run().curves.find("residual");
+    ASSERT_EQ(residual.trace.times.size(), 50u);
+    EXPECT_NEAR(residual.trace.times[4], 0.1, 1e-12);
+    EXPECT_EQ(application.items().count("plot.first.abscissa"), 1u);
+}
+
+TEST_F(TimeApplicationTest, GoesOnFromTheTimeThatIsShown) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    EXPECT_FALSE(application.press_key("Ctrl+G")) << "the newest is shown";
+    for (int i = 0; i < 20; ++i) application.perform("step-back");
+    frame();
+    const double shown = std::stod(status_of("Time t"));
+    EXPECT_LT(shown, 0.7);
+    EXPECT_TRUE(application.press_key("Ctrl+G"));
+    EXPECT_EQ(application.document().runs().size(), 2u) << "what was there is kept";
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    const auto first = time_of(run().history.front());
+    ASSERT_TRUE(first.has_value());
+    EXPECT_LE(*first, shown + 1e-9);
+    EXPECT_GT(*first, shown - 0.02 * 9) << "one in eight has a state";
+    EXPECT_EQ(time_of(run().history.back()), 1.0);
+}
+
+TEST_F(TimeApplicationTest, AValueChangesWhileTimePasses) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    Scenario changed = run().scenario;
+    set_value(*catalogue, changed, "time.end", 2.0);
+    set_value(*catalogue, changed, "time.monitor.center_x", std::string("center_x + t/2"));
+    application.document().change(run().id, changed);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    EXPECT_EQ(time_of(run().history.back()), 2.0);
+    EXPECT_GT(*time_of(run().history.front()), 0.9) << "it goes on from where it was";
+    application.perform("undo");
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    EXPECT_EQ(run().scenario.time.real("end"), 1.0);
+}
+
+TEST_F(TimeApplicationTest, APathThatIsDrawnMovesTheMonitor) {
+    Scenario still = run().scenario;
+    set_value(*catalogue, still, "time.end", 0.0);
+    set_value(*catalogue, still, "time.monitor.center_x", std::string());
+    application.document().change(run().id, still);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    frame();
+    EXPECT_TRUE(application.press_key("Ctrl+M"));
+    const ItemRectangle centre = item("handle.center_x");
+    ui.move(centre.left, centre.top);
+    frame();
+    ui.button(true);
+    frame();
+    for (int i = 1; i <= 60; ++i) { // a frame is a sixtieth of a second
+        ui.move(centre.left + static_cast<float>(2 * i), centre.top);
+        frame();
+    }
+    ui.button(false);
+    for (int i = 0; i < 3; ++i) frame();
+    ASSERT_TRUE(has_time(run().scenario.time)) << application.messages().last().text;
+    EXPECT_NEAR(run().scenario.time.real("end"), 1, 0.3);
+    EXPECT_EQ(run().scenario.monitor, still.monitor);
+    ASSERT_TRUE(wait_until([&] { return run().changes.settled() && run().ended(); }));
+    EXPECT_EQ(run().status.run, RunStatus::converged);
+    EXPECT_EQ(time_of(run().history.back()), run().scenario.time.real("end"));
+}
+
+} // namespace
+} // namespace gaspard
