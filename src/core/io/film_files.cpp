@@ -61,6 +61,20 @@ std::vector<const FilmFormat*> parse_film_formats(std::string_view list) {
     return chosen;
 }
 
+void check_film_formats(const FilmPlan& plan, const std::vector<const FilmFormat*>& formats) {
+    for (const FilmFormat* format : formats)
+        if (!format->drawn && !plan.motions.iterations)
+            throw InputError("the format " + std::string(format->name) +
+                             " has the iterates of a solve; ask for the motion iterations");
+}
+
+std::vector<std::string> film_file_names() {
+    std::vector<std::string> names{"film.json", "frames/00000.png", "mesh/00000.vtu"};
+    for (const FilmFormat& format : film_formats())
+        if (format.name != "png") names.emplace_back(format.file);
+    return names;
+}
+
 std::string film_record(const Scenario& scenario, const FilmPlan& plan, int frames) {
     std::vector<std::string_view> motions;
     for (const FilmMotionRow& row : film_motions())
@@ -71,6 +85,8 @@ std::string film_record(const Scenario& scenario, const FilmPlan& plan, int fram
                                 {"frames", frames}};
     if (has_data_files(scenario)) json["files"] = std::to_string(hash_of_data(scenario));
     if (plan.motions.camera) json["from"] = plan.from, json["to"] = plan.to;
+    if (plan.first) json["first"] = *plan.first;
+    if (plan.last) json["last"] = *plan.last;
     json["values"] = to_toml(scenario);
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }

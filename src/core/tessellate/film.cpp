@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace gaspard {
@@ -42,6 +43,9 @@ Camera between(const Camera& from, const Camera& to, double t) {
     camera.up = from.up + t * (to.up - from.up);
     return camera;
 }
+
+/// It ends where it begins.
+bool closes(const FilmMotions& motions) { return motions.turn || motions.blend; }
 
 Size size_of(const Values& view) {
     return {static_cast<double>(view.integer("width")), static_cast<double>(view.integer("height"))};
@@ -100,6 +104,9 @@ FilmMotions parse_film_motions(std::string_view list) {
 }
 
 void check_film(const FilmPlan& plan, const Mesh& mesh, const Values& view) {
+    if (plan.first && plan.last && *plan.first > *plan.last)
+        throw InputError("the first iteration of the film, " + std::to_string(*plan.first) +
+                         ", comes after the last one, " + std::to_string(*plan.last));
     const bool moves_camera = plan.motions.turn || plan.motions.camera;
     if (moves_camera && view.text("layout") == "projection")
         throw InputError("a map projection has no camera that could move; choose another view.layout");
@@ -125,31 +132,55 @@ void check_film(const FilmPlan& plan, const Mesh& mesh, const Values& view) {
                          "shortest way; choose one that is turned less");
 }
 
-Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view)
-    : plan_(std::move(plan)), recording_(recording), iterations_(recording.iterations()),
-      last_(std::move(last)), view_(std::move(view)), frames_(plan_.frames) {
-    GASPARD_CHECK(last_ && !iterations_.empty());
-    if (plan_.rate == 0) plan_.rate = plan_.motions == FilmMotions{.iterations = true} ? 10 : 25;
-    if (frames_ == 0)
-        frames_ = plan_.motions.iterations && !closes()
-                      ? static_cast<int>(iterations_.size())
-                      : static_cast<int>(std::lround(seconds_of_motion * plan_.rate));
-    frames_ = std::max(frames_, 1);
-    if (!plan_.motions.iterations) return;
-    view_ = with_range(view_, range_of_recording(recording_, last_.get(), colour_choice(view_)));
+std::vector<int> film_iterations(const FilmPlan& plan, const std::vector<int>& recorded) {
+    GASPARD_CHECK(!recorded.empty());
+    if (plan.first && *plan.first > recorded.back())
+        throw InputError("the film begins with iteration " + std::to_string(*plan.first) +
+                         ", but the last one is " + std::to_string(recorded.back()));
+    std::vector<int> shown;
+    for (const int iteration : recorded)
+        if (iteration >= plan.first.value_or(iteration) && iteration <= plan.last.value_or(iteration))
+            shown.push_back(iteration);
+    if (!shown.empty()) return shown;
+    // Between two that were recorded: the one before, as of a recording.
+    const auto after =
+        std::upper_bound(recorded.begin(), recorded.end(), plan.last.value_or(recorded.back()));
+    return {after == recorded.begin() ? recorded.front() : *std::prev(after)};
 }
 
-bool Film::closes() const { return plan_.motions.turn || plan_.motions.blend; }
+FilmLength film_length(const FilmPlan& plan, std::size_t iterates) {
+    FilmLength length{plan.frames, plan.rate, plan.motions.iterations || plan.motions.camera ? 1.0 : 0.0};
+    if (length.rate == 0) length.rate = plan.motions == FilmMotions{.iterations = true} ? 10 : 25;
+    if (length.frames == 0)
+        length.frames = plan.motions.iterations && !closes(plan.motions)
+                            ? static_cast<int>(iterates)
+                            : static_cast<int>(std::lround(seconds_of_motion * length.rate));
+    length.frames = std::max(length.frames, 1);
+    if (length.frames > most_film_frames)
+        throw InputError("the film would have " + std::to_string(length.frames) +
+                         " frames; choose fewer, at most " + std::to_string(most_film_frames));
+    return length;
+}
 
-double Film::hold() const { return plan_.motions.iterations || plan_.motions.camera ? 1 : 0; }
+Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view)
+    : plan_(std::move(plan)), recording_(recording),
+      iterations_(film_iterations(plan_, recording_.iterations())), last_(std::move(last)),
+      view_(std::move(view)), length_(film_length(plan_, iterations_.size())) {
+    GASPARD_CHECK(last_ != nullptr);
+    if (plan_.motions.iterations)
+        view_ = with_range(view_, range_of_recording(recording_, last_.get(), colour_choice(view_)));
+    last_ = iterate(iterations_.back());
+}
 
 double Film::place(int frame) const {
-    const int steps = closes() && !plan_.motions.iterations && !plan_.motions.camera ? frames_ : frames_ - 1;
+    const int frames = length_.frames;
+    const bool round = closes(plan_.motions) && !plan_.motions.iterations && !plan_.motions.camera;
+    const int steps = round ? frames : frames - 1;
     return steps > 0 ? static_cast<double>(frame) / steps : 1;
 }
 
 int Film::iteration(int frame) const {
-    GASPARD_CHECK(frame >= 0 && frame < frames_);
+    GASPARD_CHECK(frame >= 0 && frame < length_.frames);
     if (!plan_.motions.iterations) return last_->report.iteration;
     const auto place_in_list =
         static_cast<std::size_t>(std::lround(place(frame) * static_cast<double>(iterations_.size() - 1)));
