@@ -19,7 +19,11 @@ namespace fs = std::filesystem;
 
 const std::vector<FilmFormat>& film_formats() {
     static const std::vector<FilmFormat> formats{
-        {.name = "png", .help = "The frames as numbered images", .file = "frames", .drawn = true},
+        {.name = "png",
+         .help = "The frames as numbered images",
+         .file = "frames",
+         .drawn = true,
+         .several = true},
         {.name = "apng", .help = "Animated PNG, for browsers and slides", .file = "film.apng", .drawn = true},
         {.name = "gif",
          .help = "Animated GIF (needs ffmpeg)",
@@ -36,7 +40,7 @@ const std::vector<FilmFormat>& film_formats() {
          .file = "film.webm",
          .drawn = true,
          .ffmpeg = true},
-        {.name = "pvd", .help = "Series of VTU files for ParaView", .file = "mesh.pvd"},
+        {.name = "pvd", .help = "Series of VTU files for ParaView", .file = "mesh.pvd", .several = true},
         {.name = "glb", .help = "Animated glTF, one morph target per frame", .file = "mesh.glb"},
         {.name = "csv", .help = "Trajectories of nodes", .file = "trajectories.csv"},
     };

@@ -22,8 +22,9 @@ namespace gaspard {
 
 struct FilmFormat {
     std::string_view name, help, file;
-    bool drawn = false;  ///< needs the frames as images
-    bool ffmpeg = false; ///< is made by that program
+    bool drawn = false;   ///< needs the frames as images
+    bool ffmpeg = false;  ///< is made by that program
+    bool several = false; ///< has many files, in a folder of their own
 };
 const std::vector<FilmFormat>& film_formats();
 /// Parses a list such as "apng,mp4". Throws InputError for an unknown name and where ffmpeg is missing.
