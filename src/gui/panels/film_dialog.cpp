@@ -205,7 +205,7 @@ void FilmDialog::draw_iterates(ItemRectangles& items) {
     integer_field("##last", several ? last_ : still_);
     remember_item(items, "film.last");
     ImGui::SameLine();
-    ImGui::TextDisabled("of %d to %d", subject_.iterations.front(), subject_.iterations.back());
+    ImGui::TextDisabled("recorded: %d to %d", subject_.iterations.front(), subject_.iterations.back());
 }
 
 void FilmDialog::draw_format(ItemRectangles& items) {
@@ -267,8 +267,8 @@ void FilmDialog::draw_length(ItemRectangles& items) {
     ImGui::TextUnformatted("s");
     ImGui::SameLine();
     ImGui::BeginDisabled(!seconds_ && rate_ == 0);
-    if (ImGui::Button("Usual")) seconds_.reset(), rate_ = 0;
-    remember_item(items, "film.usual");
+    if (ImGui::Button("Default")) seconds_.reset(), rate_ = 0;
+    remember_item(items, "film.default");
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("One frame for each iterate, 10 a second; six seconds of another motion");

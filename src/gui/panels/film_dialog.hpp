@@ -37,7 +37,7 @@ class FilmDialog {
     bool open() const { return open_; }
     /// Keys "film.motion=NAME", "film.from", "film.from-present", "film.to", "film.to-present", "film.first",
     /// "film.last", "film.format", "film.format=NAME", "film.width", "film.height", "film.rate",
-    /// "film.seconds", "film.usual", "film.estimate", "film.axes" and the other parts, "film.file",
+    /// "film.seconds", "film.default", "film.estimate", "film.axes" and the other parts, "film.file",
     /// "film.browse", "film.problem", "film.ok", "film.cancel".
     std::optional<Choice> draw(ItemRectangles& items);
     /// True once after the button that asks for another file was pressed.
