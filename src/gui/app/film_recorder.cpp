@@ -83,8 +83,8 @@ class FilmRecorder::FilmInWork {
     struct Wanted {
         int number = 0;
         FilmFrame frame;
-        std::shared_ptr<TessellationCache> tessellation;
-        const Gl* gl = nullptr; ///< of the film's thread
+        std::shared_ptr<ViewportPlanner> planner; ///< has prepared it
+        const Gl* gl = nullptr;                   ///< of the film's thread
     };
     /// One that has it, or the reason why not.
     struct Laid {
@@ -189,12 +189,10 @@ Image FilmRecorder::FilmInWork::draw(const Film& film, int number, const Gl& gl)
     }
 }
 
-/// Each frame has a tessellation of its own, as fine as its iterate needs, as in a film without a window.
+/// Each frame has a planner of its own, as in a film without a window, so that their pixels are equal.
 void FilmRecorder::FilmInWork::want(const Film& film, int number, const Gl& gl) {
-    Wanted wanted{number, film.frame(number), std::make_shared<TessellationCache>(), &gl};
-    const Snapshot& snapshot = *wanted.frame.snapshot;
-    wanted.tessellation->get(snapshot);
-    if (cell_dimension(snapshot.mesh->kind) == 3) wanted.tessellation->faces(snapshot);
+    Wanted wanted{number, film.frame(number), std::make_shared<ViewportPlanner>(), &gl};
+    wanted.planner->prepare(*wanted.frame.snapshot, wanted.frame.view);
     {
         const std::lock_guard lock(mutex_);
         wanted_.push_back(std::move(wanted));
@@ -216,8 +214,7 @@ void FilmRecorder::FilmInWork::lay_out() {
         laid.image = std::make_unique<PreparedImage>(
             *wanted.frame.snapshot, view, static_cast<int>(view.integer("width")),
             static_cast<int>(view.integer("height")), scenario_title(order_.scenario),
-            ImageOptions{
-                .gl = wanted.gl, .stop = stop_.get_token(), .cache = std::move(wanted.tessellation)});
+            ImageOptions{.gl = wanted.gl, .stop = stop_.get_token(), .planner = std::move(wanted.planner)});
     } catch (...) {
         laid.failure = std::current_exception();
     }

@@ -2,7 +2,7 @@
 //
 // Each frame goes through two threads, since there is one current ImGui context:
 //
-//   film's thread     the iterate and its tessellation          draws it, writes it, joins the frames
+//   film's thread     the iterate, its triangles and colours     draws it, writes it, joins the frames
 //   window's thread                                 lays it out,
 //                                                   a few ms for each frame of the window
 //

@@ -271,6 +271,36 @@ TEST_F(FilmFromWindowTest, TheCameraGoesFromACopiedViewToThePresentOne) {
     }
 }
 
+TEST_F(FilmFromWindowTest, AFrameIsTheSameInEveryKindOfView) {
+    struct Kind {
+        const char* name;
+        std::vector<std::string> settings;
+    };
+    for (const Kind& kind :
+         {Kind{"spline-cube", {"view.cut=normal 1 1 0.3 at 0.5 0.5 0.5", "view.layout=side-by-side"}},
+          Kind{"sphere-x2", {"view.layout=projection", "view.contours=5"}}, Kind{"layer-1d", {}},
+          Kind{"plane-bell", {"view.elevation=1", "view.arrows=true", "view.color=interpolation_error"}}}) {
+        Scenario scenario = find_scenario(*catalogue, kind.name);
+        apply_settings(*catalogue, scenario, {"domain.cells=8", "view.width=160", "view.height=120"});
+        apply_settings(*catalogue, scenario, kind.settings);
+        const auto before = run().openings;
+        application.document().replace(run().id, scenario);
+        ASSERT_TRUE(wait_until([&] { return run().openings > before && run().ended(); })) << kind.name;
+        const FilmPlan plan{.first = last_iteration(run()) - 1};
+        click("action.record-film");
+        fill("film.first", std::to_string(*plan.first));
+        begin("png", kind.name);
+        ASSERT_TRUE(saved(kind.name, 2)) << said();
+        const Film film(plan, *run().recording, run().snapshot, look());
+        for (int k = 0; k < 2; ++k) {
+            const FilmFrame frame = film.frame(k);
+            EXPECT_EQ(frame_of(kind.name, k).rgba,
+                      render_view(*frame.snapshot, frame.view, 160, 120, scenario_title(scenario)).rgba)
+                << kind.name << " " << k;
+        }
+    }
+}
+
 TEST(FilmDialogTest, AFormatWithoutItsProgramSaysHowToGetIt) {
     const std::string path = std::getenv("PATH");
     ::setenv("PATH", "/nowhere", 1);
