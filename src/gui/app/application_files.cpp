@@ -121,7 +121,6 @@ void Application::take_film(const FilmDialog::Choice& choice) {
     for (const char* key : {"width", "height", "axes", "legend", "caption", "note"})
         viewport().view.set(key, choice.view.at(key));
     const auto file = std::filesystem::absolute(user_path(choice.file));
-    remember_folder(settings_, file.parent_path());
     FilmOrder order{choice.plan,   choice.format,  file,     choice.replace,
                     what.scenario, what.recording, what.last};
     order.scenario.view = choice.view;

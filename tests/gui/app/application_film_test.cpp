@@ -112,6 +112,9 @@ TEST_F(FilmFromWindowTest, OnlySomeIteratesInOneFile) {
     click("action.record-film");
     fill("film.first", "1");
     fill("film.last", "3");
+    const fs::path killed = folder / ".gaspard-999999999-film-0.tmp"; // what a film of no process has left
+    fs::create_directories(killed / "frames");
+    std::ofstream(killed / "frames" / "00000.png") << "killed";
     begin("apng", "part");
     ASSERT_TRUE(saved("part.apng", 3)) << said();
     EXPECT_EQ(read_image(folder / "part.apng").width, 160);
@@ -151,6 +154,28 @@ TEST_F(FilmFromWindowTest, ReplacesNothingUnlessAsked) {
     click("film.cancel");
     EXPECT_FALSE(shows("film.ok"));
     EXPECT_EQ(read_file(folder / "ours" / "frames" / "00000.png"), "ours");
+}
+
+TEST_F(FilmFromWindowTest, AFolderIsNotReplacedByAFile) {
+    fs::create_directories(folder / "mine.csv" / "inner");
+    begin("csv", "mine");
+    click("film.ok"); // agrees
+    ASSERT_TRUE(wait_until([&] { return application.messages().error().open(); }));
+    EXPECT_EQ(application.messages().error().sentence(),
+              (folder / "mine.csv").string() + " is a folder; choose another name");
+    EXPECT_TRUE(fs::exists(folder / "mine.csv" / "inner"));
+    EXPECT_EQ(files(folder).size(), 1U);
+}
+
+TEST_F(FilmFromWindowTest, TheBrowserChoosesTheFile) {
+    click("action.record-film");
+    choose_format("csv");
+    click("film.browse");
+    EXPECT_FALSE(shows("film.ok")) << "the browser comes first";
+    fill("image.path", (folder / "browsed").string());
+    click("image.ok");
+    click("film.ok");
+    ASSERT_TRUE(saved("browsed.csv", iterates())) << said();
 }
 
 TEST_F(FilmFromWindowTest, TheWindowGoesOnAndTheFilmIsThatOfItsBeginning) {
