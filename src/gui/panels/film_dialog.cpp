@@ -284,7 +284,7 @@ void FilmDialog::draw_file(ItemRectangles& items) {
     remember_item(items, "film.file");
     ImGui::SameLine();
     ImGui::TextUnformatted(ending().c_str());
-    ImGui::SameLine();
+    ImGui::SameLine((8 + wide_field + 3.5F) * ImGui::GetFontSize()); // whatever the ending
     browse_ |= ImGui::Button("Browse ...");
     remember_item(items, "film.browse");
 }
