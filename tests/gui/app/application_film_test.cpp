@@ -131,10 +131,33 @@ TEST_F(FilmFromWindowTest, FilesOfTheMesh) {
     begin("glb", "moving");
     ASSERT_TRUE(saved("moving.glb", iterates())) << said();
     EXPECT_TRUE(read_file(folder / "moving.glb").starts_with("glTF"));
+    EXPECT_EQ(files(folder).size(), 3U);
+}
+
+/// PATH, for as long as this lives.
+class OtherPath {
+  public:
+    explicit OtherPath(const std::string& path) { ::setenv("PATH", path.c_str(), 1); }
+    ~OtherPath() { ::setenv("PATH", before_.c_str(), 1); }
+    OtherPath(const OtherPath&) = delete;
+    OtherPath& operator=(const OtherPath&) = delete;
+
+  private:
+    std::string before_ = std::getenv("PATH");
+};
+
+TEST_F(FilmFromWindowTest, AVideoIsMadeOfTheFrames) {
+    TemporaryFolder tools; // a program of that name which notes what it is asked for
+    const fs::path tool = tools.path() / "ffmpeg";
+    std::ofstream(tool) << "#!/bin/sh\nfor last; do :; done\necho \"$@\" > \"${last#file:}\"\n";
+    fs::permissions(tool, fs::perms::owner_all);
+    const OtherPath path(tools.path().string() + ":/usr/bin:/bin");
     begin("mp4", "video");
     ASSERT_TRUE(saved("video.mp4", iterates())) << said();
-    EXPECT_EQ(read_file(folder / "video.mp4").substr(4, 4), "ftyp");
-    EXPECT_EQ(files(folder).size(), 4U);
+    const std::string words = read_file(folder / "video.mp4");
+    EXPECT_NE(words.find("-framerate 10 "), std::string::npos) << words;
+    EXPECT_NE(words.find("-frames:v " + std::to_string(iterates() + 10) + " "), std::string::npos) << words;
+    EXPECT_EQ(files(folder), (std::vector<std::string>{"video.mp4"}));
 }
 
 TEST_F(FilmFromWindowTest, ReplacesNothingUnlessAsked) {
@@ -327,8 +350,7 @@ TEST_F(FilmFromWindowTest, AFrameIsTheSameInEveryKindOfView) {
 }
 
 TEST(FilmDialogTest, AFormatWithoutItsProgramSaysHowToGetIt) {
-    const std::string path = std::getenv("PATH");
-    ::setenv("PATH", "/nowhere", 1);
+    const OtherPath path("/nowhere");
     const auto catalogue = std::make_shared<Catalogue>(builtin_catalogue());
     const Scenario scenario = find_scenario(*catalogue, "plane-ring");
     HeadlessUi ui;
@@ -336,7 +358,6 @@ TEST(FilmDialogTest, AFormatWithoutItsProgramSaysHowToGetIt) {
     FilmDialog dialog;
     gaspard::Run solve(catalogue, scenario);
     dialog.show({{0, 1, 2}, 2, solve.snapshot()->mesh, "", ""}, scenario.view, "/nowhere/film");
-    ::setenv("PATH", path.c_str(), 1);
     const auto draw = [&] { dialog.draw(items); };
     for (int i = 0; i < 3; ++i) ui.frame(draw);
     EXPECT_EQ(dialog.problem(), "");
