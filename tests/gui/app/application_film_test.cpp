@@ -209,7 +209,7 @@ TEST_F(FilmFromWindowTest, TheWindowGoesOnAndTheFilmIsThatOfItsBeginning) {
     const auto snapshot = run().snapshot;
     Values view = look();
     view.set("blend", 1.0);
-    fill("film.seconds", "2");
+    fill("film.seconds", "1.2");
     begin("png", "meanwhile");
     ASSERT_TRUE(wait_until([&] { return shows("film-progress"); }));
     EXPECT_FALSE(application.press_key("Ctrl+Shift+P")) << "one film at a time";
@@ -222,12 +222,12 @@ TEST_F(FilmFromWindowTest, TheWindowGoesOnAndTheFilmIsThatOfItsBeginning) {
     int frames_meanwhile = 0;
     ASSERT_TRUE(wait_until([&] {
         ++frames_meanwhile;
-        return said() == "Film saved: " + (folder / "meanwhile").string() + ", 50 frames";
+        return said() == "Film saved: " + (folder / "meanwhile").string() + ", 30 frames";
     })) << said();
     EXPECT_GT(frames_meanwhile, 20);
     frames(2);
     EXPECT_FALSE(shows("film-progress"));
-    EXPECT_EQ(frame_of("meanwhile", 25).rgba, render_view(*snapshot, view, 160, 120, title).rgba);
+    EXPECT_EQ(frame_of("meanwhile", 15).rgba, render_view(*snapshot, view, 160, 120, title).rgba);
 }
 
 TEST_F(FilmFromWindowTest, ACancelledFileIsNotThere) {
