@@ -109,8 +109,7 @@ FilmFolder::FilmFolder(const fs::path& folder, const std::string& record, bool r
     descriptor_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
         ::close(descriptor_);
-        throw InputError("another program is recording into " + folder.string() +
-                         "; choose another folder");
+        throw InputError("another program is recording into " + folder.string() + "; choose another folder");
     }
     try {
         if (!resumed) clear_film(folder);

@@ -101,7 +101,8 @@ class FilmRecorder::FilmInWork {
     const FilmOrder order_;
     const std::shared_ptr<NoticeBoard> board_;
     std::stop_source stop_;
-    int frames_drawn_ = 0, asked_for_ = 0; ///< by the film's thread
+    int asked_for_ = 0;           ///< frames, by the film's thread
+    bool sequence_begun_ = false; ///< there is a folder with some of its files
 
     mutable std::mutex mutex_; ///< of all below
     std::condition_variable_any laid_out_;
@@ -118,7 +119,7 @@ std::string FilmRecorder::FilmInWork::make() {
         return "Film saved: " + order_.file.string() + ", " + std::to_string(film.frames()) +
                (film.frames() == 1 ? " frame" : " frames");
     } catch (const Interrupted&) {
-        return order_.format->several && frames_drawn_ > 0
+        return sequence_begun_
                    ? "Film cancelled; the files that are in " + order_.file.string() + " are complete"
                    : std::string("Film cancelled; no file was written");
     }
@@ -141,6 +142,7 @@ void FilmRecorder::FilmInWork::write(const Film& film) {
     if (const std::string present = first_present(order_.file, names); !order_.replace && !present.empty())
         throw InputError((order_.file / present).string() + " exists already; nothing was written");
     const FilmFolder folder(order_.file, film_record(order_.scenario, order_.plan, film.frames()), false);
+    sequence_begun_ = true;
     write_film(film, order_.file, writing);
 }
 
@@ -181,7 +183,6 @@ Image FilmRecorder::FilmInWork::draw(const Film& film, int number, const Gl& gl)
     try {
         Image drawn = image->draw();
         give_back();
-        ++frames_drawn_;
         return drawn;
     } catch (...) {
         give_back();
