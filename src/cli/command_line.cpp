@@ -121,6 +121,12 @@ void add_record(CLI::App& app, RecordArguments& record) {
     command->add_option("--rate", record.rate, "Frames per second (default: 25; of iterates alone 10)")
         ->type_name("N");
     command->add_option("--size", record.size, "Size of the frames in pixels")->type_name("WxH");
+    command->add_option("--first", record.first, "First iteration to show (default: the start)")
+        ->type_name("N");
+    command
+        ->add_option("--last", record.last,
+                     "Last iteration to show, which other motions show too (default: the end)")
+        ->type_name("N");
     command->add_option("--from", record.from, "First view of the motion camera, as view.camera")
         ->type_name("CAMERA");
     command->add_option("--to", record.to, "Its last view")->type_name("CAMERA");

@@ -1168,6 +1168,11 @@ class Films(Contract):
         size, = struct.unpack_from("<I", self.bytes("mesh.glb"), 12)
         self.assertNotIn("animations", json.loads(self.bytes("mesh.glb")[20:20 + size]))
 
+    def test_a_film_of_some_iterates(self):
+        self.record("--formats", "pvd", "--first", "1", "--last", "3")
+        series = xml.etree.ElementTree.parse(self.path("mesh.pvd")).findall(".//DataSet")
+        self.assertEqual([float(one.get("timestep")) for one in series], [1, 2, 3])
+
     def test_frames_of_others_are_not_replaced(self):
         os.makedirs(self.path("frames"))
         with open(self.path("frames/00000.png"), "w") as file:
@@ -1188,6 +1193,8 @@ class Films(Contract):
                                 (["--motion", "turn,camera"], "choose one"),
                                 (["--motion", "blend", "--formats", "csv"], "iterations"),
                                 (["--formats", "avi"], "unknown format 'avi'"),
+                                (["--first", "3", "--last", "2"], "comes after"),
+                                (["--first", "900"], "the last one is"), (["--last", "x"], "--last"),
                                 (["--frames", "0"], "--frames"), (["--rate", "nan"], "--rate"),
                                 (["--resume"], "no film was begun")):
             self.refused(self.record(*arguments), part)

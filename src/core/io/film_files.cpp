@@ -19,7 +19,11 @@ namespace fs = std::filesystem;
 
 const std::vector<FilmFormat>& film_formats() {
     static const std::vector<FilmFormat> formats{
-        {.name = "png", .help = "The frames as numbered images", .file = "frames", .drawn = true},
+        {.name = "png",
+         .help = "The frames as numbered images",
+         .file = "frames",
+         .drawn = true,
+         .several = true},
         {.name = "apng", .help = "Animated PNG, for browsers and slides", .file = "film.apng", .drawn = true},
         {.name = "gif",
          .help = "Animated GIF (needs ffmpeg)",
@@ -36,7 +40,7 @@ const std::vector<FilmFormat>& film_formats() {
          .file = "film.webm",
          .drawn = true,
          .ffmpeg = true},
-        {.name = "pvd", .help = "Series of VTU files for ParaView", .file = "mesh.pvd"},
+        {.name = "pvd", .help = "Series of VTU files for ParaView", .file = "mesh.pvd", .several = true},
         {.name = "glb", .help = "Animated glTF, one morph target per frame", .file = "mesh.glb"},
         {.name = "csv", .help = "Trajectories of nodes", .file = "trajectories.csv"},
     };
@@ -61,6 +65,20 @@ std::vector<const FilmFormat*> parse_film_formats(std::string_view list) {
     return chosen;
 }
 
+void check_film_formats(const FilmPlan& plan, const std::vector<const FilmFormat*>& formats) {
+    for (const FilmFormat* format : formats)
+        if (!format->drawn && !plan.motions.shows_iterates())
+            throw InputError("the format " + std::string(format->name) +
+                             " has the iterates of a solve; ask for the motion iterations or time");
+}
+
+std::vector<std::string> film_file_names() {
+    std::vector<std::string> names{"film.json", "frames/00000.png", "mesh/00000.vtu"};
+    for (const FilmFormat& format : film_formats())
+        if (format.name != "png") names.emplace_back(format.file);
+    return names;
+}
+
 std::string film_record(const Scenario& scenario, const FilmPlan& plan, int frames) {
     std::vector<std::string_view> motions;
     for (const FilmMotionRow& row : film_motions())
@@ -71,6 +89,8 @@ std::string film_record(const Scenario& scenario, const FilmPlan& plan, int fram
                                 {"frames", frames}};
     if (has_data_files(scenario)) json["files"] = std::to_string(hash_of_data(scenario));
     if (plan.motions.camera) json["from"] = plan.from, json["to"] = plan.to;
+    if (plan.first) json["first"] = *plan.first;
+    if (plan.last) json["last"] = *plan.last;
     json["values"] = to_toml(scenario);
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
@@ -129,8 +149,8 @@ std::string trajectories_csv(const Film& film, std::size_t nodes, const std::sto
         const bool in_space = frame.snapshot->mesh->space_dimension == 3,
                    on_line = frame.snapshot->mesh->space_dimension == 1, in_time = film.in_time();
         if (k == 0)
-            text =
-                std::string("frame,iteration") + (in_time ? ",time" : "") + ",node,x" + (on_line ? "" : ",y") + (in_space ? ",z" : "") + "\n";
+            text = std::string("frame,iteration") + (in_time ? ",time" : "") + ",node,x" +
+                   (on_line ? "" : ",y") + (in_space ? ",z" : "") + "\n";
         const std::size_t shown = std::min(nodes, x.size());
         for (std::size_t i = 0; i < shown; ++i) {
             const std::size_t node = i * x.size() / shown;

@@ -22,12 +22,18 @@ namespace gaspard {
 
 struct FilmFormat {
     std::string_view name, help, file;
-    bool drawn = false;  ///< needs the frames as images
-    bool ffmpeg = false; ///< is made by that program
+    bool drawn = false;   ///< needs the frames as images
+    bool ffmpeg = false;  ///< is made by that program
+    bool several = false; ///< has many files, in a folder of their own
 };
 const std::vector<FilmFormat>& film_formats();
 /// Parses a list such as "apng,mp4". Throws InputError for an unknown name and where ffmpeg is missing.
 std::vector<const FilmFormat*> parse_film_formats(std::string_view list);
+
+/// Throws InputError for a format that shows another motion than the film has.
+void check_film_formats(const FilmPlan& plan, const std::vector<const FilmFormat*>& formats);
+/// The files of all formats in a folder, of numbered ones the first.
+std::vector<std::string> film_file_names();
 
 /// What film.json says: the scenario and all that decides what the frames show, with a hash of the files that
 /// it reads. Equal texts, equal frames. Throws InputError if a file cannot be read.
@@ -44,6 +50,7 @@ void remove_unfinished(const std::filesystem::path& folder);
 std::vector<int> frames_with_meshes(const Film& film);
 /// mesh.pvd, which lists the files mesh/00000.vtu, ... with the iterations as times.
 std::string pvd_of(const Film& film);
+inline constexpr std::size_t usual_film_nodes = 400; // of trajectories.csv
 /// The frame, iteration, node and position of at most `nodes` nodes, evenly chosen, in these frames.
 std::string trajectories_csv(const Film& film, std::size_t nodes, const std::stop_token& stop);
 /// At most so many morph targets, evenly chosen from these frames.

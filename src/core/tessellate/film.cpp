@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace gaspard {
@@ -44,6 +45,9 @@ Camera between(const Camera& from, const Camera& to, double t) {
     camera.up = from.up + t * (to.up - from.up);
     return camera;
 }
+
+/// It ends where it begins.
+bool closes(const FilmMotions& motions) { return motions.turn || motions.blend; }
 
 Size size_of(const Values& view) {
     return {static_cast<double>(view.integer("width")), static_cast<double>(view.integer("height"))};
@@ -108,17 +112,10 @@ std::string_view usual_motion(const Scenario& scenario) {
     return has_time(scenario.time) ? "time" : "iterations";
 }
 
-/// From the solved mesh of the first time on; all iterates if there is no time step.
-static std::vector<int> time_steps(const Recording& recording, std::vector<int> iterations) {
-    const auto first = std::find_if(iterations.begin(), iterations.end(), [&](int iteration) {
-        return is_time_step(recording.at(iteration)->report());
-    });
-    if (first == iterations.end()) throw InputError("the motion time needs a scenario with time; set time.end");
-    if (first != iterations.begin()) iterations.erase(iterations.begin(), std::prev(first));
-    return iterations;
-}
-
 void check_film(const FilmPlan& plan, const Mesh& mesh, const Values& view) {
+    if (plan.first && plan.last && *plan.first > *plan.last)
+        throw InputError("the first iteration of the film, " + std::to_string(*plan.first) +
+                         ", comes after the last one, " + std::to_string(*plan.last));
     const bool moves_camera = plan.motions.turn || plan.motions.camera;
     if (moves_camera && view.text("layout") == "projection")
         throw InputError("a map projection has no camera that could move; choose another view.layout");
@@ -144,32 +141,70 @@ void check_film(const FilmPlan& plan, const Mesh& mesh, const Values& view) {
                          "shortest way; choose one that is turned less");
 }
 
-Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view)
-    : plan_(std::move(plan)), recording_(recording), iterations_(recording.iterations()),
-      last_(std::move(last)), view_(std::move(view)), frames_(plan_.frames) {
-    GASPARD_CHECK(last_ && !iterations_.empty());
-    if (plan_.motions.time) iterations_ = time_steps(recording_, std::move(iterations_));
-    if (plan_.rate == 0) plan_.rate = plan_.motions == FilmMotions{.iterations = true} ? 10 : 25;
-    if (frames_ == 0)
-        frames_ = plan_.motions.shows_iterates() && !closes()
-                      ? static_cast<int>(iterations_.size())
-                      : static_cast<int>(std::lround(seconds_of_motion * plan_.rate));
-    frames_ = std::max(frames_, 1);
-    if (!plan_.motions.shows_iterates()) return;
-    view_ = with_range(view_, range_of_recording(recording_, last_.get(), colour_choice(view_)));
+FilmIterates film_iterates(const Recording& recording) {
+    FilmIterates iterates{recording.iterations(), {}};
+    for (std::size_t i = 1; i < iterates.recorded.size() && !iterates.first_in_time; ++i)
+        if (is_time_step(recording.at(iterates.recorded[i])->report()))
+            iterates.first_in_time = iterates.recorded[i - 1];
+    return iterates;
 }
 
-bool Film::closes() const { return plan_.motions.turn || plan_.motions.blend; }
+std::vector<int> film_iterations(const FilmPlan& plan, const FilmIterates& iterates) {
+    std::vector<int> recorded = iterates.recorded;
+    GASPARD_CHECK(!recorded.empty());
+    if (plan.motions.time) {
+        if (!iterates.first_in_time)
+            throw InputError("the motion time needs a mesh that has moved in time; set time.end");
+        std::erase_if(recorded, [&](int iteration) { return iteration < *iterates.first_in_time; });
+    }
+    if (plan.first && *plan.first > recorded.back())
+        throw InputError("the film begins with iteration " + std::to_string(*plan.first) +
+                         ", but the last one is " + std::to_string(recorded.back()));
+    std::vector<int> shown;
+    for (const int iteration : recorded)
+        if (iteration >= plan.first.value_or(iteration) && iteration <= plan.last.value_or(iteration))
+            shown.push_back(iteration);
+    if (!shown.empty()) return shown;
+    // Between two that were recorded: the one before, as of a recording.
+    const auto after =
+        std::upper_bound(recorded.begin(), recorded.end(), plan.last.value_or(recorded.back()));
+    return {after == recorded.begin() ? recorded.front() : *std::prev(after)};
+}
 
-double Film::hold() const { return plan_.motions.shows_iterates() || plan_.motions.camera ? 1 : 0; }
+FilmLength film_length(const FilmPlan& plan, std::size_t iterates) {
+    FilmLength length{plan.frames, plan.rate,
+                      plan.motions.shows_iterates() || plan.motions.camera ? 1.0 : 0.0};
+    if (length.rate == 0) length.rate = plan.motions == FilmMotions{.iterations = true} ? 10 : 25;
+    if (length.frames == 0)
+        length.frames = plan.motions.shows_iterates() && !closes(plan.motions)
+                            ? static_cast<int>(iterates)
+                            : static_cast<int>(std::lround(seconds_of_motion * length.rate));
+    length.frames = std::max(length.frames, 1);
+    if (length.frames > most_film_frames)
+        throw InputError("the film would have " + std::to_string(length.frames) +
+                         " frames; choose fewer, at most " + std::to_string(most_film_frames));
+    return length;
+}
+
+Film::Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view)
+    : plan_(std::move(plan)), recording_(recording),
+      iterations_(film_iterations(plan_, film_iterates(recording_))), last_(std::move(last)),
+      view_(std::move(view)), length_(film_length(plan_, iterations_.size())) {
+    GASPARD_CHECK(last_ != nullptr);
+    if (plan_.motions.shows_iterates())
+        view_ = with_range(view_, range_of_recording(recording_, last_.get(), colour_choice(view_)));
+    last_ = iterate(iterations_.back());
+}
 
 double Film::place(int frame) const {
-    const int steps = closes() && !plan_.motions.shows_iterates() && !plan_.motions.camera ? frames_ : frames_ - 1;
+    const int frames = length_.frames;
+    const bool round = closes(plan_.motions) && !plan_.motions.shows_iterates() && !plan_.motions.camera;
+    const int steps = round ? frames : frames - 1;
     return steps > 0 ? static_cast<double>(frame) / steps : 1;
 }
 
 int Film::iteration(int frame) const {
-    GASPARD_CHECK(frame >= 0 && frame < frames_);
+    GASPARD_CHECK(frame >= 0 && frame < length_.frames);
     if (!plan_.motions.shows_iterates()) return last_->report.iteration;
     const auto place_in_list =
         static_cast<std::size_t>(std::lround(place(frame) * static_cast<double>(iterations_.size() - 1)));

@@ -33,17 +33,41 @@ const std::vector<FilmMotionRow>& film_motions();
 /// Of a list such as "iterations,turn". Throws InputError for names that are not known, and for none.
 FilmMotions parse_film_motions(std::string_view list);
 
+inline constexpr int most_film_frames = 100000; // whose numbers have five digits
+inline constexpr double least_film_rate = 1, most_film_rate = 1000;
+
 struct FilmPlan {
     FilmMotions motions{.iterations = true};
-    int frames = 0;       ///< 0: one per iterate or time step, or six seconds of another motion
-    double rate = 0;      ///< per second; 0: 25, of iterates alone 10
+    int frames = 0;           ///< 0: one per iterate or time step, or six seconds of another motion
+    double rate = 0;          ///< per second; 0: 25, of iterates alone 10
     std::string from{}, to{}; ///< of motions.camera, as view.camera
+    /// Only the iterates of these iterations and between; motions without iterates show the last one.
+    std::optional<int> first{}, last{};
 };
 /// Iterations, or time steps if the scenario has time: the motion of a film for which none is given.
 std::string_view usual_motion(const Scenario& scenario);
 /// Throws InputError if the plan makes no sense for a mesh of this kind and a view of this size: a turn of
 /// what lies in the plane, a camera that cannot be read.
 void check_film(const FilmPlan& plan, const Mesh& mesh, const Values& view);
+
+/// How long a film is: its frames, how many of them a second shows, and for how many seconds the last one
+/// stays.
+struct FilmLength {
+    int frames = 0;
+    double rate = 0, hold = 0;
+};
+/// Of a plan, where so many iterates were recorded. Throws InputError for more than most_film_frames.
+FilmLength film_length(const FilmPlan& plan, std::size_t iterates);
+/// What was recorded: iterations, ascending, and the one whose mesh is that of the first time; empty if there
+/// is no time step.
+struct FilmIterates {
+    std::vector<int> recorded;
+    std::optional<int> first_in_time{};
+};
+FilmIterates film_iterates(const Recording& recording);
+/// Those of the recorded iterations that the plan has: at least one. Throws InputError if it begins after the
+/// last one, or shows time where there is none.
+std::vector<int> film_iterations(const FilmPlan& plan, const FilmIterates& iterates);
 
 struct FilmFrame {
     int iteration = 0;
@@ -53,13 +77,13 @@ struct FilmFrame {
 
 class Film {
   public:
-    /// Of a run that has ended: its recording and its last iterate. `view` of view_rows(); an automatic range
-    /// of colours is range_of_recording().
+    /// Of a recording and its last iterate. `view` of view_rows(); an automatic range of colours is
+    /// range_of_recording(). Throws InputError for more than most_film_frames.
     Film(FilmPlan plan, const Recording& recording, std::shared_ptr<const Snapshot> last, Values view);
-    int frames() const { return frames_; }
-    double rate() const { return plan_.rate; }
+    int frames() const { return length_.frames; }
+    double rate() const { return length_.rate; }
     /// The last frame stays for a second if the film does not end where it begins.
-    double hold() const;
+    double hold() const { return length_.hold; }
     bool in_time() const { return plan_.motions.time; } ///< a film of time steps
     int iteration(int frame) const;
     /// The time of its mesh in a film of time steps, otherwise the iteration.
@@ -67,7 +91,6 @@ class Film {
     FilmFrame frame(int frame) const;
 
   private:
-    bool closes() const;
     double place(int frame) const;
     std::shared_ptr<const Snapshot> iterate(int iteration) const;
 
@@ -76,7 +99,7 @@ class Film {
     std::vector<int> iterations_;
     std::shared_ptr<const Snapshot> last_;
     Values view_;
-    int frames_ = 0;
+    FilmLength length_;
 };
 
 } // namespace gaspard

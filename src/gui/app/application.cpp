@@ -25,7 +25,7 @@ constexpr ImGuiPopupFlags any_popup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFla
 Application::Application(std::shared_ptr<const Catalogue> catalogue, ApplicationOptions options)
     : catalogue_(catalogue), settings_(std::move(options.settings)), messages_(options.wake),
       theme_(dark_theme()), files_(catalogue, messages_.board(), std::move(options.output)),
-      study_(catalogue, options.wake), error_plots_(catalogue, options.wake),
+      films_(messages_.board()), study_(catalogue, options.wake), error_plots_(catalogue, options.wake),
       document_(std::move(catalogue), std::move(options.wake),
                 [cache = tessellations_](const Snapshot& snapshot) {
                     cache->get(snapshot);
@@ -58,6 +58,7 @@ Application::Application(std::shared_ptr<const Catalogue> catalogue, const Finis
 
 bool Application::collect() {
     files_.forget_drawn();
+    films_.work();
     bool news = document_.collect();
     news = messages_.collect() || news;
     take_messages();
@@ -313,7 +314,7 @@ bool Application::can_cancel() {
     return ImGui::IsPopupOpen("", any_popup) || messages_.error().open() || file_dialogs_.open() ||
            help_.open() || about_.open() || working() || files_.figure_progress() ||
            document_.comparison().running() || comparison_panel_.open() ||
-           !viewport().view.text("pick").empty();
+           !viewport().view.text("pick").empty() || films_.busy();
 }
 
 /// Closes or cancels the topmost thing only.
@@ -337,8 +338,10 @@ void Application::cancel() {
         files_.cancel_figures();
     else if (comparison_panel_.open())
         comparison_panel_.close();
-    else
+    else if (!viewport().view.text("pick").empty())
         viewport().view.set("pick", std::string());
+    else
+        films_.cancel(); // last, because it may have taken minutes
 }
 
 /// The chosen folder, if any, is that of the dialog.

@@ -7,6 +7,7 @@
 
 #include "gui/app/file_dialogs.hpp"
 #include "gui/app/file_tasks.hpp"
+#include "gui/app/film_recorder.hpp"
 #include "gui/app/menus.hpp"
 #include "gui/app/messages.hpp"
 #include "gui/base/actions.hpp"
@@ -197,6 +198,9 @@ class Application {
     void take_answer(const FileAnswer& answer);
     void save_as(const ScenarioToSave& choice);
     void take_figure(FigureDialog::Choice choice);
+    void ask_how_to_film();
+    void take_film(const FilmDialog::Choice& choice);
+    void draw_progress_bars();
     void open_scenario(const Scenario& scenario);
     void take_opening();
     void open_builtin(const std::string& name);
@@ -250,6 +254,14 @@ class Application {
     bool screenshot_ = false;        ///< asked for
     bool taking_screenshot_ = false; ///< this frame is the screenshot: it shows no tooltip
     FileTasks files_;
+    FilmRecorder films_;
+    /// What the dialog of films is about: the recording as it was when it was opened.
+    struct ToFilm {
+        std::shared_ptr<const Recording> recording;
+        std::shared_ptr<const Snapshot> last;
+        Scenario scenario;
+    };
+    std::optional<ToFilm> to_film_;
     CellStudy study_;        ///< of the active run
     ErrorPlots error_plots_; ///< of the active run
     Document document_;      ///< last, so that its threads end before what they use

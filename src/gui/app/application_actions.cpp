@@ -516,6 +516,18 @@ std::vector<Action> Application::file_actions() {
              [this] { file_dialogs_.ask_how_to_draw(viewport().view, files_.export_folder(run().scenario)); },
          .enabled = [this] { return run().snapshot != nullptr; },
          .reason = [] { return "Figure: there is no mesh yet."; }},
+        {.name = "record-film",
+         .label = "Record film ...",
+         .menu = "File",
+         .keys = {"Ctrl+Shift+P"},
+         .help = "Make a film of the iterates that were recorded, of a turn, or of the way from ξ to x.",
+         .run = [this] { ask_how_to_film(); },
+         .enabled = [this] { return run().snapshot && run().recording && !films_.busy(); },
+         .reason =
+             [this] {
+                 return films_.busy() ? "Record film: wait for the film that is being made, or cancel it."
+                                      : "Record film: no iterate was recorded.";
+             }},
         {.name = "export",
          .label = "Export",
          .menu = "File",

@@ -7,6 +7,7 @@
 #include "gui/app/application.hpp"
 
 #include <imgui.h>
+#include <limits>
 #include <utility>
 
 namespace gaspard {
@@ -60,6 +61,8 @@ void Application::take_answer(const FileAnswer& answer) {
             export_files(exported->formats, *exported);
         } else if (const auto* figure = std::get_if<FigureDialog::Choice>(&answer)) {
             take_figure(*figure);
+        } else if (const auto* film = std::get_if<FilmDialog::Choice>(&answer)) {
+            take_film(*film);
         }
     } catch (const InputError& error) {
         messages_.say({error.what(), true});
@@ -89,6 +92,39 @@ void Application::take_figure(FigureDialog::Choice choice) {
     files_.draw_figure(
         choice, among_others ? title_among_others({&run(), snapshot, {}}) : scenario_title(run().scenario),
         *snapshot, tessellations_, std::move(beside));
+}
+
+void Application::ask_how_to_film() {
+    const auto recording = std::make_shared<const Recording>(*run().recording);
+    const auto newest = recording->at(std::numeric_limits<int>::max());
+    if (!newest) return messages_.say({"There is no mesh to film yet.", false});
+    // The solver may be ahead of what the window shows, or have begun anew.
+    const bool shown = run().snapshot->version == newest->version();
+    const auto last = shown ? run().snapshot : newest->restore();
+    FilmSubject subject{film_iterates(*recording), playback_.iteration(run()), last->mesh,
+                        viewport_pane_.camera_text(), std::string()};
+    const char* copied = ImGui::GetClipboardText();
+    try {
+        const std::string text = copied != nullptr ? copied : "";
+        parse_camera(text, {});
+        if (!text.empty() && !shows_all(text)) subject.earlier = text;
+    } catch (const InputError&) { // something else was copied
+    }
+    to_film_ = {recording, last, run().scenario};
+    file_dialogs_.ask_how_to_film(std::move(subject), viewport().view, files_.export_folder(run().scenario));
+}
+
+/// The view keeps size and parts, as those of a figure.
+void Application::take_film(const FilmDialog::Choice& choice) {
+    if (!to_film_) return;
+    const ToFilm what = *std::exchange(to_film_, std::nullopt);
+    for (const char* key : {"width", "height", "axes", "legend", "caption", "note"})
+        viewport().view.set(key, choice.view.at(key));
+    const auto file = std::filesystem::absolute(user_path(choice.file));
+    FilmOrder order{choice.plan,   choice.format,  file,     choice.replace,
+                    what.scenario, what.recording, what.last};
+    order.scenario.view = choice.view;
+    films_.begin(std::move(order));
 }
 
 void Application::take_file(const FileOfValue& chosen) {

@@ -432,7 +432,8 @@ void Application::draw_log() {
     ImGui::End();
 }
 
-void Application::draw_dialogs() {
+/// Of the work that the active run or a figure waits for; and above it that of a film.
+void Application::draw_progress_bars() {
     const SolverStatus& status = run().status;
     if (working()) {
         if (draw_progress(status.activity.empty() ? "preparing" : status.activity, status.progress,
@@ -444,6 +445,16 @@ void Application::draw_dialogs() {
     } else if (const auto drawn = files_.figure_progress()) {
         if (draw_progress("drawing the figure", *drawn, layout_.viewport, items_)) files_.cancel_figures();
     }
+    const auto film = films_.progress();
+    if (!film) return;
+    ItemRectangle place = layout_.viewport;
+    if (const auto below = items_.find("progress"); below != items_.end())
+        place.bottom = below->second.top - 0.6F * ImGui::GetFontSize();
+    if (draw_progress(film->what, film->done, place, items_, "film-progress")) films_.cancel();
+}
+
+void Application::draw_dialogs() {
+    draw_progress_bars();
     if (auto wish = file_dialogs_.take_wish()) files_.list(std::move(*wish));
     help_.draw(actions_, theme_, items_);
     about_.draw(theme_, items_);
@@ -451,6 +462,7 @@ void Application::draw_dialogs() {
         messages_.error().draw(items_);
     else if (const auto answer = file_dialogs_.draw(settings_, items_))
         take_answer(*answer);
+    if (!file_dialogs_.open()) to_film_.reset(); // of a dialog that was cancelled
 }
 
 } // namespace gaspard

@@ -73,11 +73,18 @@ void FileDialogs::ask_how_to_draw(const Values& view, const std::filesystem::pat
     figure_.show(view, (folder / "figure").string());
 }
 
+void FileDialogs::ask_how_to_film(FilmSubject subject, const Values& view,
+                                  const std::filesystem::path& folder) {
+    film_.show(std::move(subject), view, (folder / "film").string());
+}
+
 void FileDialogs::close() {
     if (browser_.open())
         browser_.close();
     else if (figure_.open())
         figure_.close();
+    else if (film_.open())
+        film_.close();
     else
         export_.close();
 }
@@ -110,6 +117,7 @@ FileAnswer FileDialogs::answer(const std::string& path) {
 
 std::optional<FileAnswer> FileDialogs::draw(const Settings& settings, ItemRectangles& items) {
     if (browser_.open()) return draw_browser(settings, items);
+    if (film_.open()) return draw_film(items);
     return figure_.open() ? draw_figure(items) : draw_export(items);
 }
 
@@ -125,6 +133,10 @@ std::optional<FileAnswer> FileDialogs::draw_browser(const Settings& settings, It
     }
     if (purpose_ == Purpose::figure_file) {
         figure_.set_file(*path);
+        return std::nullopt;
+    }
+    if (purpose_ == Purpose::film_file) {
+        film_.set_file(*path);
         return std::nullopt;
     }
     return answer(*path);
@@ -154,6 +166,23 @@ std::optional<FileAnswer> FileDialogs::draw_figure(ItemRectangles& items) {
                        .endings = {ending},
                        .start = figure_.file(),
                        .ending = std::string(ending)});
+    }
+    if (choice) return *choice;
+    return std::nullopt;
+}
+
+std::optional<FileAnswer> FileDialogs::draw_film(ItemRectangles& items) {
+    const auto choice = film_.draw(items);
+    if (film_.take_browse_wish()) {
+        purpose_ = Purpose::film_file;
+        film_ending_ = film_.ending();
+        BrowsePurpose purpose{.mode = film_ending_.empty() ? BrowseMode::folder : BrowseMode::save,
+                              .keys = film_ending_.empty() ? "folder" : "image",
+                              .title = film_ending_.empty() ? "Choose a folder" : "Save the film as",
+                              .start = film_.file(),
+                              .ending = film_ending_};
+        if (!film_ending_.empty()) purpose.endings = {film_ending_};
+        browser_.show(std::move(purpose));
     }
     if (choice) return *choice;
     return std::nullopt;

@@ -1,5 +1,5 @@
-// The dialogs about files: open, choose the file of a value, save, export, figures. One of them is shown
-// at a time.
+// The dialogs about files: open, choose the file of a value, save, export, figures, films. One of them is
+// shown at a time.
 #pragma once
 
 #include "core/scenario/scenario.hpp"
@@ -9,6 +9,7 @@
 #include "gui/panels/figure_dialog.hpp"
 #include "gui/panels/file_browser.hpp"
 #include "gui/panels/file_row.hpp"
+#include "gui/panels/film_dialog.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -31,8 +32,8 @@ struct ScenarioToSave {
     std::string file, title;
     bool packed = false; ///< with the content of its data files
 };
-using FileAnswer =
-    std::variant<FileToOpen, FileOfValue, ScenarioToSave, ExportDialog::Choice, FigureDialog::Choice>;
+using FileAnswer = std::variant<FileToOpen, FileOfValue, ScenarioToSave, ExportDialog::Choice,
+                                FigureDialog::Choice, FilmDialog::Choice>;
 
 class FileDialogs {
   public:
@@ -46,8 +47,10 @@ class FileDialogs {
     void ask_what_to_export(const Scenario& scenario, bool splines, const std::filesystem::path& folder);
     /// `folder`: the usual one for images.
     void ask_how_to_draw(const Values& view, const std::filesystem::path& folder);
+    /// `folder`: the usual one for films.
+    void ask_how_to_film(FilmSubject subject, const Values& view, const std::filesystem::path& folder);
 
-    bool open() const { return browser_.open() || export_.open() || figure_.open(); }
+    bool open() const { return browser_.open() || export_.open() || figure_.open() || film_.open(); }
     bool opening() const { return browser_.opening(); } ///< its text field does not take input yet
     void close();                                       ///< the topmost one
     std::optional<FileAnswer> draw(const Settings& settings, ItemRectangles& items);
@@ -61,13 +64,16 @@ class FileDialogs {
     std::optional<FileAnswer> draw_browser(const Settings& settings, ItemRectangles& items);
     std::optional<FileAnswer> draw_export(ItemRectangles& items);
     std::optional<FileAnswer> draw_figure(ItemRectangles& items);
+    std::optional<FileAnswer> draw_film(ItemRectangles& items);
 
-    enum class Purpose { open, value, save, export_folder, figure_file };
+    enum class Purpose { open, value, save, export_folder, figure_file, film_file };
     Purpose purpose_ = Purpose::open;
     FileBrowser browser_;
     ExportDialog export_;
     FigureDialog figure_;
-    std::string key_; ///< of the value
+    FilmDialog film_;
+    std::string film_ending_; ///< that the browser looks for
+    std::string key_;         ///< of the value
     ScenarioToSave to_save_;
     bool with_data_ = false; ///< the scenario to save refers to files, which can be packed into it
 };

@@ -17,6 +17,7 @@
 #include <iterator>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace gaspard {
 
@@ -70,7 +71,8 @@ class Page {
     /// `text`: what will be written that is not the program's own, such as titles.
     Page(int width, int height, float scale, const ImageOptions& options, std::string_view text)
         : theme_(theme_of(options)), scale_(scale), width_(width), height_(height),
-          step_(strip_height(width, height, options.most_pixels)), cache_(options.cache) {
+          step_(strip_height(width, height, options.most_pixels)), cache_(options.cache),
+          prepared_(options.planner) {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset; // as ImGuiRenderer does
@@ -89,8 +91,11 @@ class Page {
 
     void mesh(const Snapshot& snapshot, const Values& view, const ViewportText& text, PixelRect area,
               const std::vector<NamedSnapshot>& beside = {}) {
-        ViewportPlanner planner = cache_ ? ViewportPlanner(cache_) : ViewportPlanner();
-        ViewportPlan plan = planner.plan(snapshot, view, text, on_screen(area), scale_, beside);
+        auto planner = std::exchange(prepared_, nullptr);
+        if (!planner)
+            planner =
+                cache_ ? std::make_shared<ViewportPlanner>(cache_) : std::make_shared<ViewportPlanner>();
+        ViewportPlan plan = planner->plan(snapshot, view, text, on_screen(area), scale_, beside);
         draw_viewport_plots(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
         draw_viewport_overlay(*ImGui::GetBackgroundDrawList(), plan, theme_, scale_);
         std::move(plan.views.begin(), plan.views.end(), std::back_inserter(views_));
@@ -158,6 +163,7 @@ class Page {
     int width_, height_; ///< of the image
     int step_;           ///< height of a strip of it
     std::shared_ptr<TessellationCache> cache_;
+    std::shared_ptr<ViewportPlanner> prepared_; ///< of the first mesh; may be null
     ImGuiSession session_;
     FontPixels font_;
     std::vector<PlannedView> views_;
@@ -206,6 +212,7 @@ PreparedImage::PreparedImage(const Snapshot& snapshot, const Values& view, int w
     : parts_(std::make_unique<Parts>(
           Parts{page_of_view(snapshot, view, width, height, subject, options), options})) {
     parts_->options.beside.clear(); // they are needed no longer, and may go
+    parts_->options.planner.reset();
 }
 
 PreparedImage::~PreparedImage() = default;

@@ -34,6 +34,8 @@ struct ImageOptions {
     std::stop_token stop{}; ///< asked to stop between meshes, drawing throws Interrupted
     std::shared_ptr<TessellationCache> cache{}; ///< of tessellations that may have been made; may be null
     std::vector<NamedSnapshot> beside{};        ///< other runs, shown if view.layout is "runs"
+    /// That has prepared this snapshot and view, and is used for nothing else; null: one is made.
+    std::shared_ptr<ViewportPlanner> planner{};
 };
 
 /// What a viewport of the window would show of `snapshot`. `view` is the section of view_rows(); `subject`

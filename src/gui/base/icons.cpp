@@ -75,6 +75,16 @@ void draw_camera(const Pen& pen) {
     pen.list.AddCircle(pen.at(0, 0.15F), 0.36F * pen.half, pen.colour, 20, pen.thickness);
 }
 
+/// A strip with holes along both edges.
+void draw_film(const Pen& pen) {
+    pen.list.AddRect(pen.at(-0.95F, -0.75F), pen.at(0.95F, 0.75F), pen.colour, 0.12F * pen.half,
+                     ImDrawFlags_None, pen.thickness);
+    for (const float side : {-1.0F, 1.0F}) {
+        pen.line({0.5F * side, -0.75F}, {0.5F * side, 0.75F});
+        for (const float y : {-0.25F, 0.25F}) pen.line({0.5F * side, y}, {0.95F * side, y});
+    }
+}
+
 /// An arrow down into a tray.
 void draw_tray(const Pen& pen) {
     pen.line({0, -0.9F}, {0, 0.1F});
@@ -124,6 +134,8 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 col
         return draw_house(pen);
     case Icon::image:
         return draw_camera(pen);
+    case Icon::film:
+        return draw_film(pen);
     case Icon::save:
         return draw_tray(pen);
     }

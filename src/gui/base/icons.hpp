@@ -18,6 +18,7 @@ enum class Icon {
     reset,
     home,
     image,
+    film,
     save,
     undo,
     redo

@@ -24,20 +24,20 @@ void ErrorDialog::draw(ItemRectangles& items) {
     ImGui::EndPopup();
 }
 
-bool draw_progress(const std::string& what, double fraction, const ItemRectangle& over,
-                   ItemRectangles& items) {
+bool draw_progress(const std::string& what, double fraction, const ItemRectangle& over, ItemRectangles& items,
+                   const std::string& key) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({over.left + em, over.bottom - em}, ImGuiCond_Always, {0, 1});
-    ImGui::Begin("##progress", nullptr,
+    ImGui::Begin(("##" + key).c_str(), nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove);
     ImGui::ProgressBar(static_cast<float>(std::clamp(fraction, 0.0, 1.0)), {20 * em, 1.6F * em},
                        what.c_str());
-    remember_item(items, "progress");
+    remember_item(items, key);
     ImGui::SameLine();
     const bool cancel = ImGui::Button("Cancel");
-    remember_item(items, "progress.cancel");
+    remember_item(items, key + ".cancel");
     ImGui::End();
     return cancel;
 }

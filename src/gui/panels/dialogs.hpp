@@ -27,9 +27,9 @@ class ErrorDialog {
     std::string sentence_;
 };
 
-/// A progress bar in the lower left corner of `over`; true when Cancel was pressed. Keys "progress" and
-/// "progress.cancel".
-bool draw_progress(const std::string& what, double fraction, const ItemRectangle& over,
-                   ItemRectangles& items);
+/// A progress bar in the lower left corner of `over`; true when Cancel was pressed. Keys `key` and
+/// "KEY.cancel".
+bool draw_progress(const std::string& what, double fraction, const ItemRectangle& over, ItemRectangles& items,
+                   const std::string& key = "progress");
 
 } // namespace gaspard

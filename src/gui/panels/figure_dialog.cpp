@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/user_path.hpp"
 #include "core/tessellate/background.hpp"
+#include "gui/panels/image_fields.hpp"
 #include "gui/panels/modal.hpp"
 
 #include <array>
@@ -20,18 +21,6 @@ namespace {
 constexpr std::array figure_kinds = {FigureKind::png, FigureKind::svg, FigureKind::pdf};
 constexpr std::array<const char*, 3> grounds = {"theme", "transparent", "colour"};
 constexpr double mm_per_inch = 25.4;
-constexpr double least_pixels = 64, most_pixels = 8192; // as view.width
-
-void label_before(const char* label) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
-    ImGui::SameLine(8 * ImGui::GetFontSize());
-}
-
-bool number_field(const char* id, double& value, const char* format) {
-    ImGui::SetNextItemWidth(6 * ImGui::GetFontSize());
-    return ImGui::InputDouble(id, &value, 0, 0, format);
-}
 
 } // namespace
 
@@ -67,7 +56,7 @@ void FigureDialog::set_pixels() {
     const double factor = millimetres_ ? view_->real("dpi") / mm_per_inch : 1;
     for (const auto& [key, size] : {std::pair("width", width_), std::pair("height", height_)}) {
         const double pixels = std::round(size * factor);
-        if (pixels >= least_pixels && pixels <= most_pixels)
+        if (pixels >= least_image_pixels && pixels <= most_image_pixels)
             view_->set(key, static_cast<std::int64_t>(pixels));
     }
 }
@@ -75,7 +64,9 @@ void FigureDialog::set_pixels() {
 /// What is wrong with the fields; empty if nothing is.
 std::string FigureDialog::problem() const {
     const double factor = millimetres_ ? view_->real("dpi") / mm_per_inch : 1;
-    const auto possible = [](double pixels) { return pixels >= least_pixels && pixels <= most_pixels; };
+    const auto possible = [](double pixels) {
+        return pixels >= least_image_pixels && pixels <= most_image_pixels;
+    };
     for (const double size : {width_, height_})
         if (!possible(std::round(size * factor))) return "Width and height must be 64 to 8192 pixels.";
     if (std::filesystem::path(stem_).filename().empty()) return "The file needs a name.";
@@ -186,15 +177,7 @@ void FigureDialog::draw_parts(ItemRectangles& items) {
                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
         view_->set("text_size", static_cast<double>(size));
     remember_item(items, "figure.text_size");
-    label_before("Show");
-    for (const auto& [key, label] : {std::pair("axes", "Axes"), std::pair("legend", "Legend"),
-                                     std::pair("caption", "Caption"), std::pair("note", "Notes")}) {
-        bool shown = view_->boolean(key);
-        if (ImGui::Checkbox(label, &shown)) view_->set(key, shown);
-        remember_item(items, std::string("figure.") + key);
-        ImGui::SameLine();
-    }
-    ImGui::NewLine();
+    draw_shown_parts(*view_, "figure", items);
 }
 
 void FigureDialog::draw_file(ItemRectangles& items) {

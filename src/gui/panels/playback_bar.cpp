@@ -245,7 +245,7 @@ std::optional<std::string_view> draw_playback_bar(const PlaybackRuns& runs, Play
         ImGui::SameLine(0, gap);
     };
     const float available = ImGui::GetContentRegionAvail().x;
-    const bool wide = available > 33 * em, medium = available > 26 * em, narrow = available < 20 * em;
+    const bool wide = available > 35 * em, medium = available > 26 * em, narrow = available < 20 * em;
     button("reset", Icon::reset);
     if (medium) button("to-start", Icon::to_start);
     if (!narrow) button("step-back", Icon::back);
@@ -256,7 +256,7 @@ std::optional<std::string_view> draw_playback_bar(const PlaybackRuns& runs, Play
     const int last = last_iteration(*runs.longest);
     const float numbers =
         ImGui::CalcTextSize((std::to_string(last) + " / " + std::to_string(last)).c_str()).x;
-    const float rates = 5.6F * em, square = 1.15F * height, toggles = 2 * (square + gap);
+    const float rates = 5.6F * em, square = 1.15F * height, toggles = 3 * (square + gap);
     float rest = ImGui::GetContentRegionAvail().x - numbers - 0.8F * em;
     rest -= wide ? rates + toggles + 2 * 0.8F * em : square + 0.8F * em;
     draw_scrubber(runs, playback, std::max(3 * em, rest), context);
@@ -264,8 +264,8 @@ std::optional<std::string_view> draw_playback_bar(const PlaybackRuns& runs, Play
     draw_position(*runs.longest, playback, context);
     ImGui::SameLine(0, 0.8F * em);
     if (!wide) {
-        constexpr std::array<std::string_view, 6> more{"step-back", "step", "to-start",
-                                                       "to-end",    "loop", "blend-loop"};
+        constexpr std::array<std::string_view, 7> more{"step-back", "step",       "to-start",   "to-end",
+                                                       "loop",      "blend-loop", "record-film"};
         const std::size_t first = medium ? 4 : narrow ? 0 : 2;
         const auto chosen = draw_more(playback, std::span(more).subspan(first), actions, context);
         return chosen ? chosen : pressed;
@@ -274,6 +274,7 @@ std::optional<std::string_view> draw_playback_bar(const PlaybackRuns& runs, Play
     ImGui::SameLine(0, 0.8F * em);
     button("loop", Icon::loop);
     button("blend-loop", Icon::blend);
+    button("record-film", Icon::film);
     return pressed;
 }
 

@@ -83,6 +83,9 @@ class ViewportPlanner {
     explicit ViewportPlanner(std::shared_ptr<TessellationCache> cache)
         : maker_(cache), uniform_maker_(std::move(cache)) {}
 
+    /// Makes what takes long in plan() of the same snapshot and view. Needs no ImGui, so it can be done on
+    /// another thread before.
+    void prepare(const Snapshot& snapshot, const Values& view);
     /// Needs a current ImGui frame, for the sizes of texts. `view`: values of view_rows(). Texts that cannot
     /// be read are as good as empty, but for a complaint.
     ///

@@ -355,6 +355,14 @@ void ViewportPlanner::add_pick(const Snapshot& snapshot, const MeshScene& scene,
     plan.facts = facts_.facts;
 }
 
+void ViewportPlanner::prepare(const Snapshot& snapshot, const Values& view) {
+    if (is_interval(*snapshot.mesh)) return;
+    const MeshScene scene = maker_.make(snapshot, view);
+    const std::string layout = layout_of(scene, view);
+    if (layout == "projection") projection_maker_.make(scene, view.real("projection_longitude"));
+    if (layout == "side-by-side" || layout == "computational") computational(scene, snapshot, view);
+}
+
 ViewportPlan ViewportPlanner::plan(const Snapshot& snapshot, const Values& view, const ViewportText& text,
                                    ScreenRect rect, float scale, std::span<const NamedSnapshot> others,
                                    const std::vector<ColumnZoom>& zooms) {

@@ -62,6 +62,36 @@ TEST(Film, SpreadsIteratesOverTheFramesThatAreAskedFor) {
     }
 }
 
+TEST(Film, HasOnlyTheIteratesThatAreAskedFor) {
+    const Solved run = ring();
+    const int end = run.last->report.iteration;
+    const Film part({.first = 1, .last = 3}, run.recording, run.last, run.scenario.view);
+    ASSERT_EQ(part.frames(), 3);
+    EXPECT_EQ(part.iteration(0), 1);
+    EXPECT_EQ(part.iteration(2), 3);
+    EXPECT_EQ(part.frame(2).snapshot->report.iteration, 3);
+    const Film rest({.first = 2}, run.recording, run.last, run.scenario.view);
+    EXPECT_EQ(rest.frames(), end - 1);
+    EXPECT_EQ(rest.frame(rest.frames() - 1).snapshot, run.last) << "in double precision";
+    EXPECT_EQ(part.frame(0).view.real("high"), rest.frame(0).view.real("high")) << "of the whole recording";
+    const Film still({.motions = {.blend = true}, .last = 2}, run.recording, run.last, run.scenario.view);
+    EXPECT_EQ(still.frame(7).snapshot->report.iteration, 2);
+    EXPECT_EQ(film_iterations({.first = 3, .last = 5}, {{0, 2, 4, 8}}), (std::vector<int>{4}));
+    EXPECT_EQ(film_iterations({.first = 5, .last = 7}, {{0, 2, 4, 8}}), (std::vector<int>{4}));
+    EXPECT_EQ(film_iterations({.last = 0}, {{2, 4}}), (std::vector<int>{2}));
+    EXPECT_THROW(film_iterations({.first = 9}, {{0, 2, 4, 8}}), InputError);
+    EXPECT_THROW(check_film({.first = 3, .last = 2}, *run.last->mesh, run.scenario.view), InputError);
+}
+
+TEST(Film, IsAsLongAsItsPlanSays) {
+    EXPECT_EQ(film_length({}, 28).frames, 28);
+    EXPECT_EQ(film_length({}, 28).rate, 10);
+    EXPECT_EQ(film_length({.rate = 50}, 28).frames, 28);
+    EXPECT_EQ(film_length({.motions = {.blend = true}, .rate = 50}, 28).frames, 300) << "six seconds";
+    EXPECT_EQ(film_length({.frames = 7}, 28).frames, 7);
+    EXPECT_THROW(film_length({}, most_film_frames + 1), InputError);
+}
+
 TEST(Film, HoldsTheRangeOfTheColours) {
     const Solved run = ring();
     const Film film({.motions = {.iterations = true}}, run.recording, run.last, run.scenario.view);
