@@ -280,7 +280,8 @@ const StepReport& Run::advance(std::stop_token stop, int time_steps) {
         ++version_;
         return history_.back();
     }
-    following->maps.add(following->time(), next.state);
+    // An extrapolated map that was near enough tells nothing new.
+    if (mesh.iterations > 0) following->maps.add(following->time(), next.state);
     if (!mesh.solved) ++following->unsolved;
     if (following->tolerance) {
         if (mesh.samples.size() > 0 && mesh.solved)

@@ -6,6 +6,7 @@
 namespace gaspard {
 
 namespace {
+constexpr double margin = 3;    // for what changes until a step learns again
 constexpr double loosest = 0.1; // residual: beyond it, iterations need not converge
 }
 
@@ -16,7 +17,7 @@ void StepTolerance::learn(const std::vector<Sample>& samples) {
     for (const Sample& sample : samples)
         if (sample.residual > 10 * smallest_)
             slope_ = std::max(slope_, std::abs(sample.equidistribution - solved_) / sample.residual);
-    value_ = slope_ > 0 ? (factor_ - 1) * solved_ / (2 * slope_) : loosest;
+    value_ = slope_ > 0 ? (factor_ - 1) * solved_ / (margin * slope_) : loosest;
     value_ = std::clamp(value_, smallest_, std::max(loosest, smallest_));
     const bool steady = before > 0 && value_ > before / 2 && value_ < 2 * before;
     period_ = steady ? std::min(2 * period_, longest) : shortest;

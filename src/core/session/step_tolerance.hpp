@@ -5,9 +5,9 @@
 // residual r and e. With the smallest c for which |e - e_s| <= c r holds for all of them, or half of the one
 // before if that is larger, the others are solved when
 //
-//   r < (f - 1) e_s / (2 c)
+//   r < (f - 1) e_s / (3 c)
 //
-// where 2 is for what changes until the next such step.
+// where 3 is for what changes until the next such step.
 #pragma once
 
 #include <vector>
