@@ -1,5 +1,7 @@
 #include "core/session/time_series.hpp"
 
+#include "core/scenario/view_rows.hpp"
+
 #include <string>
 
 namespace gaspard {
@@ -16,10 +18,7 @@ std::vector<SeriesInfo> time_series() {
 }
 
 std::vector<FieldInfo> velocity_fields(int dimension) {
-    std::vector<FieldInfo> fields = {{.name = "mesh_speed",
-                                      .label = "mesh speed",
-                                      .symbol = "|∂x/∂t|",
-                                      .help = "of the nodes, from the time before"}};
+    std::vector<FieldInfo> fields = {mesh_colour("mesh_speed")};
     for (int i = 0; i < dimension; ++i)
         fields.push_back({.name = std::string("mesh_velocity_") + "xyz"[i],
                           .label = std::string("mesh velocity ") + "xyz"[i],
