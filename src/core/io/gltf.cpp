@@ -58,9 +58,8 @@ float linear_light(unsigned char srgb) {
     return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
 }
 
-Triples colours_of(const std::vector<double>& values) {
+Triples colours_of(const std::vector<double>& values, const ColourRange& range) {
     const ColourMap& map = colour_maps().front();
-    const ColourRange range = range_of(values);
     Triples triples;
     triples.reserve(3 * values.size());
     for (const double value : values)
@@ -171,10 +170,11 @@ struct MovingShape {
     const Tessellation& shape;
     const Snapshot& snapshot; ///< whose colours it has
     Points base;
-    std::vector<Points> targets; ///< displacements
-    std::string motion;          ///< the name of the animation
-    std::vector<float> times;    ///< seconds
-    std::vector<float> weights;  ///< at each of them one per target
+    std::vector<Points> targets;             ///< displacements
+    std::vector<std::vector<double>> values; ///< of the monitor, for each target; empty: the colours stay
+    std::string motion;                      ///< the name of the animation
+    std::vector<float> times;                ///< seconds
+    std::vector<float> weights;              ///< at each of them one per target
 };
 
 void add_animation(tinygltf::Model& model, Packer& packer, const MovingShape& moving) {
@@ -220,6 +220,35 @@ tinygltf::Primitive primitive(int mode, int indices, int material, int position,
     return result;
 }
 
+ColourRange range_of_all(const std::vector<double>& base, const std::vector<std::vector<double>>& others) {
+    ColourRange range = range_of(base);
+    for (const std::vector<double>& values : others) {
+        const ColourRange own = range_of(values);
+        range.low = std::min(range.low, own.low), range.high = std::max(range.high, own.high);
+    }
+    return range;
+}
+
+Triples difference(Triples a, const Triples& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+    return a;
+}
+
+/// The colours of faces and edges, and of each target. On a mesh of lines, the edges are the cells.
+void add_colours(Packer& packer, const MovingShape& moving, const std::vector<double>& base, bool has_faces,
+                 tinygltf::Mesh& mesh) {
+    const ColourRange range = range_of_all(base, moving.values);
+    tinygltf::Primitive &faces = mesh.primitives.front(), &edges = mesh.primitives.back();
+    const Triples colours = colours_of(base, range), ink = ink_on(colours);
+    faces.attributes["COLOR_0"] = packer.vertices(colours);
+    if (has_faces) edges.attributes["COLOR_0"] = packer.vertices(ink);
+    for (std::size_t k = 0; k < moving.values.size(); ++k) {
+        const Triples there = colours_of(moving.values[k], range);
+        faces.targets[k]["COLOR_0"] = packer.vertices(difference(there, colours));
+        if (has_faces) edges.targets[k]["COLOR_0"] = packer.vertices(difference(ink_on(there), ink));
+    }
+}
+
 tinygltf::Model build_model(const MovingShape& moving) {
     const Tessellation& shape = moving.shape;
     const Points& x = moving.base;
@@ -253,10 +282,7 @@ tinygltf::Model build_model(const MovingShape& moving) {
                                         displacements));
     if (monitor) {
         GASPARD_CHECK(monitor->place == FieldPlace::node);
-        // On a mesh of lines, the edges are the cells and carry the colours.
-        const Triples colours = colours_of(shown_values(shape, monitor->values));
-        mesh.primitives.front().attributes["COLOR_0"] = packer.vertices(colours);
-        if (has_faces) mesh.primitives.back().attributes["COLOR_0"] = packer.vertices(ink_on(colours));
+        add_colours(packer, moving, shown_values(shape, monitor->values), has_faces, mesh);
     }
     if (!moving.targets.empty()) add_animation(model, packer, moving);
     add_scene(model, std::move(mesh), origin);
@@ -288,6 +314,7 @@ void write_glb(const std::filesystem::path& file, const Snapshot& snapshot, cons
                        snapshot,
                        x,
                        {xi - x},
+                       {},
                        "from computational to adapted",
                        {0.0F, 0.5F, 3.5F, 4.5F},
                        {1.0F, 1.0F, 0.0F, 0.0F}});
@@ -300,11 +327,16 @@ void write_animated_glb(const std::filesystem::path& file,
     int cuts = 1;
     for (const auto& frame : frames) cuts = std::max(cuts, cuts_for(mesh, frame->x));
     const Tessellation shape = tessellate(mesh, cuts);
-    MovingShape moving{shape, *frames.back(), shown_points(shape, frames.back()->x), {}, "frames", {}, {}};
+    MovingShape moving{shape, *frames.back(), shown_points(shape, frames.back()->x), {}, {}, "frames", {},
+                       {}};
     const std::size_t count =
         frames.size() - 1; // the last one is the base, which viewers without motion show
-    for (std::size_t k = 0; k < count; ++k)
+    const bool coloured =
+        std::ranges::all_of(frames, [](const auto& frame) { return frame->field("monitor") != nullptr; });
+    for (std::size_t k = 0; k < count; ++k) {
         moving.targets.push_back(shown_points(shape, frames[k]->x) - moving.base);
+        if (coloured) moving.values.push_back(shown_values(shape, frames[k]->field("monitor")->values));
+    }
     for (std::size_t k = 0; k < frames.size(); ++k) {
         moving.times.push_back(static_cast<float>(static_cast<double>(k) / rate));
         for (std::size_t target = 0; target < count; ++target)

@@ -5,7 +5,9 @@
 #include "core/scenario/data_files.hpp"
 #include "core/scenario/own_names.hpp"
 #include "core/scenario/toml.hpp"
+#include "core/session/time_series.hpp"
 #include "core/tessellate/interval_plots.hpp"
+#include "core/tessellate/ticks.hpp"
 #include "gui/document/runs_csv.hpp"
 #include "gui/panels/status_bar.hpp"
 
@@ -383,11 +385,17 @@ void Application::keep() {
 }
 
 void Application::go_on() {
-    const int iteration = playback_.iteration(run());
+    const auto from = run().recording->with_state(playback_.iteration(run()));
+    if (!from) return;
     document_.keep(run().id);
-    if (!document_.go_on_from(run().id, iteration)) return;
+    if (!document_.go_on_from(run().id, from->iteration())) return;
     playback_.go_to_end();
-    messages_.say({"The run goes on from " + std::to_string(iteration) + "; what was there is kept.", false});
+    const auto time = time_of(from->report());
+    messages_.say(
+        {"The run goes on from " +
+             (time ? "t = " + short_number(*time) : "iteration " + std::to_string(from->iteration())) +
+             "; what was there is kept.",
+         false});
 }
 
 void Application::begin_path() {
