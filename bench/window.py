@@ -145,7 +145,7 @@ def main():
                 "method.step_size=0.001") as window:
         measure("hover over a button while n = 240 is solved", window, options.repeat, (1100, 4, 290, 26),
                 lambda i: window.move(1340 if i % 2 else 1250, 16))
-    globe = (500, 400, 200, 40)
+    globe = (500, 600, 200, 40)  # below the handles
     for scenario in ("sphere-x16", "sphere-cross"):
         with Window(options.program, scenario) as window:
             window.move(600, 60), window.until_still(globe), window.key("s"), time.sleep(1)

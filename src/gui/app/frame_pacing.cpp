@@ -24,8 +24,7 @@ bool FramePacing::answers(const FrameCauses& causes, double now) const {
 }
 
 double FramePacing::rest(const FrameCauses& causes, double now) const {
-    const bool at_once =
-        causes.input || in_gesture(now) || causes.image || (frames_due_ > 0 && !causes.news);
+    const bool at_once = causes.input || in_gesture(now) || causes.image || (frames_due_ > 0 && !causes.news);
     const double pause = answers(causes, now) ? 0.0
                          : at_once            ? frame_seconds
                                               : std::max(frame_seconds, 2 * drawing_seconds_);

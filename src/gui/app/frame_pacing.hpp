@@ -42,9 +42,9 @@ class FramePacing {
 
     int frames_due_ = settling_frames;
     double begun_ = 0, drawing_seconds_ = 0; ///< of the last frame
-    double input_at_ = -1e9; ///< when the last input came
-    bool answered_ = true;   ///< the solver has sent news since
-    bool changed_ = false;   ///< the last frame differed from the one before
+    double input_at_ = -1e9;                 ///< when the last input came
+    bool answered_ = true;                   ///< the solver has sent news since
+    bool changed_ = false;                   ///< the last frame differed from the one before
 };
 
 } // namespace gaspard

@@ -34,7 +34,8 @@ namespace gaspard {
 
 namespace {
 
-constexpr int longest_wait = 30; // frames; then typed letters go to the focused item
+constexpr int longest_wait = 30;                         // frames; then typed letters go to the focused item
+constexpr double longest_step = 0.5, input_check = 0.01; // seconds, of what moves by itself
 
 std::string last_glfw_error() {
     const char* text = nullptr;
@@ -285,7 +286,7 @@ class Window {
                                                              : Hurry::none);
         if (shot) shot_number_ = number;
         const double begun = glfwGetTime();
-        const bool there = painter_->wait(painter_->patience());
+        const bool there = wait_for_meshes();
         const double waited = glfwGetTime() - begun;
         const auto painted = painter_->take();
         if (painted && in_same_place(painted->what, wanted)) {
@@ -303,6 +304,20 @@ class Window {
         if (shot && there) shot_ready_ = true;
         if (shot_ready_) shot_number_.reset();
         return waited;
+    }
+
+    /// True if they are there. While a view moves by itself, frames keep step with its meshes rather than
+    /// draw panels that have not changed and take the cores from the painter; an input ends that.
+    bool wait_for_meshes() {
+        if (!application_->window_state().animating || pacing_.in_gesture(glfwGetTime()))
+            return painter_->wait(painter_->patience());
+        const double until = glfwGetTime() + longest_step;
+        bool there = false;
+        while (!there && !happenings_.input && glfwGetTime() < until) {
+            there = painter_->wait(input_check);
+            glfwPollEvents();
+        }
+        return there;
     }
 
     /// Sleeps until it is time for the next frame.
