@@ -84,8 +84,9 @@ void Application::draw_viewport(const FrameContext& context) {
     Values& view = viewport().view;
     const double blend = view.real("blend");
     if (playback_.blends()) view.set("blend", playback_.blend());
-    viewport_pane_.frame({&run(), playback_.snapshot(run()), replay_range()}, viewport(), layout_.viewport,
-                         context, others);
+    ShownRun shown{&run(), playback_.snapshot(run()), replay_range()};
+    if (playback_.compares() && on_interval()) shown.compared = replay_ends_.of(run());
+    viewport_pane_.frame(shown, viewport(), layout_.viewport, context, others);
     view.set("blend", blend);
 }
 

@@ -106,7 +106,11 @@ void draw_no_picture(ImDrawList& list, ImVec2 low, ImVec2 high, const Theme& the
     }
 }
 
-bool key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+/// A key that is held repeats, but not because a frame was slow.
+bool key_pressed(ImGuiKey key) {
+    const bool fluent = ImGui::GetIO().DeltaTime < 0.1F;
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), fluent);
+}
 
 } // namespace
 
@@ -154,6 +158,16 @@ void ScenarioList::move_mark(const std::vector<Card>& cards, int columns) {
     scroll_to_mark_ = marked_ != before;
 }
 
+/// The scenario that is open has a bar at its left; the card that Enter would open has a frame.
+static void mark_card(ImDrawList& list, ImVec2 low, ImVec2 high, bool lit, bool current, const Theme& theme,
+                      float scale) {
+    const float rounding = ImGui::GetStyle().FrameRounding;
+    if (lit) list.AddRect(low, high, packed(theme.accent), rounding, 0, 2 * scale);
+    if (current)
+        list.AddRectFilled({low.x, low.y + 6 * scale}, {low.x + 3 * scale, high.y - 6 * scale},
+                           packed(theme.accent), 1.5F * scale);
+}
+
 bool ScenarioList::draw_card(const Card& card, bool lit, bool current, const FrameContext& context) {
     const float scale = context.scale, pad = card_pad * scale;
     const ImVec2 size = card_size(scale), at = ImGui::GetCursorScreenPos();
@@ -168,9 +182,9 @@ bool ScenarioList::draw_card(const Card& card, bool lit, bool current, const Fra
         list.AddImageRounded(place->texture(), low, high, place->low, place->high, IM_COL32_WHITE, 3 * scale);
     else
         draw_no_picture(list, low, high, context.theme, scale);
-    if (lit || current)
-        list.AddRect({low.x - 1, low.y - 1}, {high.x + 1, high.y + 1},
-                     packed(context.theme.accent, lit ? 1.0F : 0.6F), 3 * scale, 0, 2 * scale);
+    list.AddRect({low.x - scale, low.y - scale}, {high.x + scale, high.y + scale},
+                 packed(context.theme.border), 4 * scale, 0, std::max(1.0F, scale)); // dark on light, too
+    mark_card(list, at, {at.x + size.x, at.y + size.y}, lit, current, context.theme, scale);
     draw_title(list, {low.x, high.y + pad}, size.x - 2 * pad, card.title, context.theme);
     return pressed;
 }

@@ -288,7 +288,8 @@ class Window {
         const double begun = glfwGetTime();
         const bool there = wait_for_meshes();
         const double waited = glfwGetTime() - begun;
-        const auto painted = painter_->take();
+        if (there || !painted_) take_painted();
+        const auto painted = std::exchange(painted_, nullptr);
         if (painted && in_same_place(painted->what, wanted)) {
             image_->take(*painted);
             drawn_ = painted->what;
@@ -306,11 +307,29 @@ class Window {
         return waited;
     }
 
+    void take_painted() {
+        if (auto newer = painter_->take()) painted_ = std::move(newer);
+    }
+
+    /// Axes and marks belong to meshes. If a frame does not wait for its meshes, they stay with those that
+    /// are there.
+    void hold_overlay() {
+        const bool late = painter_ && !keeps_step() && painter_->patience() == 0;
+        if (late) take_painted();
+        std::vector<ShownView> there;
+        if (late && (painted_ || drawn_)) there = painted_ ? painted_->what.views : drawn_->views;
+        application_->stay_with(std::move(there));
+    }
+
+    /// What moves by itself waits for its meshes.
+    bool keeps_step() const {
+        return application_->window_state().animating && !pacing_.in_gesture(glfwGetTime());
+    }
+
     /// True if they are there. While a view moves by itself, frames keep step with its meshes rather than
     /// draw panels that have not changed and take the cores from the painter; an input ends that.
     bool wait_for_meshes() {
-        if (!application_->window_state().animating || pacing_.in_gesture(glfwGetTime()))
-            return painter_->wait(painter_->patience());
+        if (!keeps_step()) return painter_->wait(painter_->patience());
         const double until = glfwGetTime() + longest_step;
         bool there = false;
         while (!there && !happenings_.input && glfwGetTime() < until) {
@@ -456,6 +475,7 @@ class Window {
         follow_input();
         // ImGui notices a click one frame later, so a double click takes up to four frames.
         ImGui::GetIO().MouseDoubleClickTime = std::max(0.3F, 4 * ImGui::GetIO().DeltaTime);
+        hold_overlay();
         ImGui::NewFrame();
         application_->frame();
         ImGui::Render();
@@ -487,9 +507,10 @@ class Window {
     std::optional<WindowImage> image_;
     std::optional<MeshPainter> painter_; ///< or, with a graphics card:
     std::optional<MeshImage> meshes_;
-    std::optional<MeshesToDraw> drawn_;          ///< what the window shows
-    std::optional<std::uint64_t> shot_number_{}; ///< of the meshes that an image of the window waits for
-    bool shot_ready_ = false;                    ///< they are there
+    std::optional<MeshesToDraw> drawn_;            ///< what the window shows
+    std::shared_ptr<const PaintedMeshes> painted_; ///< taken for this frame, to be shown in it
+    std::optional<std::uint64_t> shot_number_{};   ///< of the meshes that an image of the window waits for
+    bool shot_ready_ = false;                      ///< they are there
     Look look_;
     Place before_;                       ///< the window filled the screen
     std::map<std::string, Value> place_; ///< where it stood when it was closed, as in the settings

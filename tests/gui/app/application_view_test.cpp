@@ -1,5 +1,7 @@
 #include "gui/application_fixture.hpp"
 
+#include <imgui_internal.h> // the names of draw lists
+
 namespace gaspard {
 namespace {
 
@@ -14,6 +16,36 @@ TEST_F(ApplicationTest, TheSizeForProjectorsHidesThePanelAndRestoresIt) {
     application.press_key("F10");
     application.press_key("F10");
     EXPECT_FALSE(panel()) << "it was hidden before";
+}
+
+TEST_F(ApplicationTest, AxesStayWithTheMeshThatIsOnTheScreen) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
+    const auto drawn = [&] { // the axes are drawn first, the handles last: only the former are compared
+        std::vector<ImVec2> corners;
+        const ImDrawData& data = *ImGui::GetDrawData();
+        for (int i = 0; i < data.CmdListsCount; ++i)
+            if (std::string(data.CmdLists[i]->_OwnerName) == "##viewport")
+                for (int k = 0; k < std::min(400, data.CmdLists[i]->VtxBuffer.Size); ++k)
+                    corners.push_back(data.CmdLists[i]->VtxBuffer[k].pos);
+        return corners;
+    };
+    const auto same = [](const std::vector<ImVec2>& one, const std::vector<ImVec2>& other) {
+        return one.size() == other.size() &&
+               std::equal(one.begin(), one.end(), other.begin(),
+                          [](ImVec2 a, ImVec2 b) { return a.x == b.x && a.y == b.y; });
+    };
+    frame();
+    const std::vector<ImVec2> before = drawn();
+    ASSERT_FALSE(before.empty());
+    const std::vector<ShownView> painted = application.views();
+    look().set("camera", std::string("centre 0.5 0.4 height 1.7"));
+    application.stay_with(painted);
+    frame();
+    EXPECT_FALSE(application.views().front().camera == painted.front().camera);
+    EXPECT_TRUE(same(drawn(), before)) << "the mesh of the new camera is not there yet";
+    application.stay_with({});
+    frame();
+    EXPECT_FALSE(same(drawn(), before));
 }
 
 TEST_F(ApplicationTest, TheMouseSteersTheCamera) {

@@ -49,6 +49,32 @@ TEST_F(IntervalPlan, PlotsOfAColumnBeginAndEndAtTheSamePixel) {
     }
 }
 
+TEST_F(IntervalPlan, WhileIteratesAreComparedTheirAxesStay) {
+    const auto snapshot = [](double width, std::uint64_t version) {
+        auto made = std::make_shared<Snapshot>(layer_snapshot(16, width));
+        made->version = version;
+        for (Field& field : made->fields)
+            for (double& value : field.values) value *= static_cast<double>(version);
+        return made;
+    };
+    const auto first = snapshot(0.2, 1), middle = snapshot(0.05, 2), last = snapshot(0.01, 4);
+    const auto range = [&](const Snapshot& shown, std::size_t which) {
+        return home_range(plots(shown)[which].view, true);
+    };
+    EXPECT_NE(range(*first, 0), range(*last, 0));
+    EXPECT_NE(range(*first, 1), range(*last, 1));
+    const AxisRange lowest = range(*first, 0), highest = range(*last, 0);
+    planner_.compare_plots({first, last});
+    for (const std::size_t which : {0U, 1U}) {
+        EXPECT_EQ(range(*first, which), range(*middle, which));
+        EXPECT_EQ(range(*middle, which), range(*last, which));
+    }
+    EXPECT_LE(range(*middle, 0).low, std::min(lowest.low, highest.low) + 1e-12);
+    EXPECT_GE(range(*middle, 0).high, std::max(lowest.high, highest.high) - 1e-12);
+    planner_.compare_plots({});
+    EXPECT_NE(range(*first, 0), range(*last, 0)) << "fitted again afterwards";
+}
+
 TEST_F(IntervalPlan, ALinearAxisIsExactToTenToMinusTwelveAtBothEnds) {
     const Snapshot snapshot = layer_snapshot(8, 0.1);
     for (const double end : {0.0, 1.0}) {
