@@ -56,6 +56,7 @@ void draw_picture(ImDrawList& list, const std::optional<PicturePlace>& place, co
 /// The formula, or what says as much in the list, where the whole of it is too long.
 std::string short_equation(const MonitorType& type) {
     if (type.name == "combine") return "m(x) = t_a + t_b, t_a t_b, max(t_a, t_b) or min(t_a, t_b)";
+    if (type.name == "sine-waves") return "m(x) = 1 + Σᵢ A exp( -B |y - yᵢ - aᵢ sin(2 π x)| )";
     return type.equation;
 }
 
@@ -84,13 +85,14 @@ void draw_formula(ImDrawList& list, const MonitorType& type, ImVec2 at, ImVec2 r
                   const Theme& theme) {
     Colour ink = theme.faint_text;
     ink.a *= opacity;
-    if (const auto listed = listed_formula(type, room)) {
+    const auto listed = listed_formula(type, room);
+    if (listed && listed->typeset) {
         const MathSize whole = math_size(*parse_math(listed->text), listed->size);
         return draw_math(list, *parse_math(listed->text), {at.x, at.y + (room.y - whole.height()) / 2},
                          listed->size, ink);
     }
     write_text(list, {at.x, at.y + (room.y - ImGui::GetFontSize()) / 2}, ink,
-               beginning(short_equation(type), room.x));
+               listed ? listed->text : beginning(short_equation(type), room.x));
 }
 
 } // namespace
@@ -105,6 +107,8 @@ std::optional<ListedFormula> listed_formula(const MonitorType& type, ImVec2 room
                 return ListedFormula{std::move(text), size};
         }
     }
+    for (std::string text = short_equation(type); !text.empty(); text = without_last_clause(text))
+        if (text_size(text).x <= room.x) return ListedFormula{std::move(text), em, false};
     return std::nullopt;
 }
 

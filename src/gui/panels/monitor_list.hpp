@@ -13,13 +13,13 @@ namespace gaspard {
 
 struct PanelContext; // gui/panels/parameter_panel.hpp
 
-/// How the list writes the formula of a type: typeset, with letters of this size.
+/// How the list writes the formula of a type: with letters of this size, and typeset where it can be.
 struct ListedFormula {
     std::string text;
     float size = 0;
+    bool typeset = true;
 };
-/// So that it fits into `room`, if necessary smaller and without its last clauses; nullopt if it cannot be
-/// typeset so.
+/// So that it fits into `room`, if necessary smaller and without its last clauses; nullopt if it does not.
 std::optional<ListedFormula> listed_formula(const MonitorType& type, ImVec2 room);
 
 class MonitorList {
