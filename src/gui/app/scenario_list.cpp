@@ -63,7 +63,7 @@ std::string short_description(const std::string& description) {
 namespace {
 
 // Sizes at scale 1.
-constexpr float card_pad = 5, card_gap = 4;
+constexpr float card_pad = 7, card_gap = 4;
 
 ImVec2 card_size(float scale) {
     return {(static_cast<float>(thumbnail_width) + 2 * card_pad) * scale,
@@ -178,12 +178,14 @@ bool ScenarioList::draw_card(const Card& card, bool lit, bool current, const Fra
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 low{at.x + pad, at.y + pad}, high{at.x + size.x - pad, low.y + thumbnail_height * scale};
     const auto place = card.choice.file ? std::nullopt : thumbnails_.find(card.choice.name);
+    const float mat = 3 * scale; // around pictures, which are dark also in the light theme
+    const ImVec2 outer_low{low.x - mat, low.y - mat}, outer_high{high.x + mat, high.y + mat};
+    list.AddRectFilled(outer_low, outer_high, packed(context.theme.background), 4 * scale);
+    list.AddRect(outer_low, outer_high, packed(context.theme.border), 4 * scale, 0, std::max(1.0F, scale));
     if (place)
         list.AddImageRounded(place->texture(), low, high, place->low, place->high, IM_COL32_WHITE, 3 * scale);
     else
         draw_no_picture(list, low, high, context.theme, scale);
-    list.AddRect({low.x - scale, low.y - scale}, {high.x + scale, high.y + scale},
-                 packed(context.theme.border), 4 * scale, 0, std::max(1.0F, scale)); // dark on light, too
     mark_card(list, at, {at.x + size.x, at.y + size.y}, lit, current, context.theme, scale);
     draw_title(list, {low.x, high.y + pad}, size.x - 2 * pad, card.title, context.theme);
     return pressed;

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "gui/base/part_window.hpp"
+#include "gui/base/plot_text.hpp"
 #include "gui/plot/plot_widget.hpp"
 #include "gui/viewport/axes.hpp"
 
@@ -214,9 +215,23 @@ void ViewportPane::forget_zooms(const Values& view) {
     x_axis_ = std::move(x), y_axis_ = std::move(y);
 }
 
+/// Instead of plots without room.
+void ViewportPane::say_too_small(const FrameContext& context) const {
+    const ScreenRect& pane = plan_->rect;
+    const std::string text = shortened("Too small to show the mesh: enlarge the window", pane.width());
+    const ImVec2 size = text_size(text);
+    const ImVec2 at{(pane.min.x + pane.max.x - size.x) / 2, (pane.min.y + pane.max.y - size.y) / 2};
+    write_text(*ImGui::GetWindowDrawList(), at, context.theme.faint_text, text);
+    context.items["viewport.too-small"] = {at.x, at.y, at.x + size.x, at.y + size.y};
+}
+
 /// As widgets, which the mouse zooms: those of a column together.
 void ViewportPane::draw_plots(const FrameContext& context) {
     spinning_ = false;
+    const auto drawable = [&](const PlannedPlot& plot) {
+        return make_frame(plot.view, plot.rect, plot.zoom, context.scale).drawable();
+    };
+    if (std::none_of(plan_->plots.begin(), plan_->plots.end(), drawable)) return say_too_small(context);
     for (std::size_t i = 0; i < plan_->plots.size(); ++i) {
         PlannedPlot& plot = plan_->plots[i];
         ImGui::SetCursorScreenPos(plot.rect.min);

@@ -98,6 +98,7 @@ class ViewportPane {
     void draw_overlay(const FrameContext& context) const;
     void interact(Values& view, const ItemRectangle& area, const FrameContext& context);
     void draw_plots(const FrameContext& context);
+    void say_too_small(const FrameContext& context) const;
     bool use_legend(Values& view, float scale);
     void draw_legend_control(Values& view, const FrameContext& context);
     void forget_zooms(const Values& view);

@@ -18,6 +18,28 @@ TEST_F(ApplicationTest, TheSizeForProjectorsHidesThePanelAndRestoresIt) {
     EXPECT_FALSE(panel()) << "it was hidden before";
 }
 
+TEST_F(ApplicationTest, ASmallWindowShowsTheMeshAloneWithoutOverlaps) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
+    const auto resize = [&](float width, float height) {
+        ImGui::GetIO().DisplaySize = {width, height};
+        for (int i = 0; i < 3; ++i) frame();
+    };
+    const auto shows = [&](const char* item) { return application.items().count(item) == 1; };
+    resize(1400, 900);
+    EXPECT_TRUE(shows("monitor.as-formula"));
+    resize(ImGui::GetFontSize() * 31, 380);
+    EXPECT_TRUE(shows("monitor.type"));
+    EXPECT_FALSE(shows("monitor.as-formula")) << "its button would cover the heading";
+    resize(ImGui::GetFontSize() * 21, 240);
+    EXPECT_FALSE(shows("monitor.type")) << "the panel is left out";
+    EXPECT_EQ(application.viewport_rectangle().left, 0);
+    EXPECT_GT(shown().rectangle.height(), 4 * ImGui::GetFontSize());
+    for (const auto& [width, height] : {std::pair{60.0F, 40.0F}, {1.0F, 1.0F}, {3000.0F, 20.0F}})
+        resize(width, height); // nothing is thrown
+    resize(1400, 900);
+    EXPECT_TRUE(shows("monitor.type"));
+}
+
 TEST_F(ApplicationTest, AxesStayWithTheMeshThatIsOnTheScreen) {
     ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
     const auto drawn = [&] { // the axes are drawn first, the handles last: only the former are compared

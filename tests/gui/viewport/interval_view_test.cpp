@@ -11,6 +11,27 @@
 namespace gaspard {
 namespace {
 
+class SmallIntervalTest : public ApplicationFixture {
+  protected:
+    SmallIntervalTest() : SmallIntervalTest(std::make_shared<Catalogue>(builtin_catalogue())) {}
+
+  private:
+    explicit SmallIntervalTest(const std::shared_ptr<const Catalogue>& of)
+        : ApplicationFixture(of, find_scenario(*of, "layer-1d")) {}
+};
+
+TEST_F(SmallIntervalTest, AWindowTooSmallForPlotsSaysSo) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const auto says = [&](float width, float height) {
+        ImGui::GetIO().DisplaySize = {width, height};
+        for (int i = 0; i < 3; ++i) frame();
+        return application.items().count("viewport.too-small") == 1;
+    };
+    EXPECT_FALSE(says(1400, 900));
+    EXPECT_TRUE(says(300, 180));
+    EXPECT_FALSE(says(1400, 900));
+}
+
 class IntervalPlan : public PlanFixture {
   protected:
     IntervalPlan() : PlanFixture("interval", {{100, 50}, {901, 650}}) {
