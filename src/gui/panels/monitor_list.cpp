@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <imgui.h>
+#include <initializer_list>
 
 namespace gaspard {
 
@@ -99,14 +100,19 @@ void draw_formula(ImDrawList& list, const MonitorType& type, ImVec2 at, ImVec2 r
 
 std::optional<ListedFormula> listed_formula(const MonitorType& type, ImVec2 room) {
     const float em = ImGui::GetFontSize();
-    for (std::string text = short_equation(type); !text.empty(); text = without_last_clause(text)) {
-        const auto parsed = parse_math(text);
-        for (const float size : {0.95F * em, 0.85F * em, 0.75F * em, 0.65F * em}) {
-            const MathSize whole = parsed ? math_size(*parsed, size) : MathSize{};
-            if (parsed && whole.width <= room.x && whole.height() <= room.y)
-                return ListedFormula{std::move(text), size};
+    const auto typeset = [&](std::initializer_list<float> sizes) -> std::optional<ListedFormula> {
+        for (std::string text = short_equation(type); !text.empty(); text = without_last_clause(text)) {
+            const auto parsed = parse_math(text);
+            for (const float size : sizes) {
+                const MathSize whole = parsed ? math_size(*parsed, size * em) : MathSize{};
+                if (parsed && whole.width <= room.x && whole.height() <= room.y)
+                    return ListedFormula{text, size * em};
+            }
         }
-    }
+        return std::nullopt;
+    };
+    if (auto listed = typeset({0.95F, 0.85F, 0.75F})) return listed;
+    if (auto listed = typeset({0.65F})) return listed; // rather than as text
     for (std::string text = short_equation(type); !text.empty(); text = without_last_clause(text))
         if (text_size(text).x <= room.x) return ListedFormula{std::move(text), em, false};
     return std::nullopt;
