@@ -296,7 +296,8 @@ class Window {
             const bool for_shot = shot_number_ && painted->in_full && painted->number >= *shot_number_;
             if (for_shot && !shot) {
                 shot_ready_ = true;
-                application_->perform("screenshot"); // the next frame, without a tooltip
+                application_->perform("screenshot"); // of the next frame, without a tooltip
+                pacing_.need_more_frames();
             }
         } else if (drawn_ && !in_same_place(*drawn_, wanted)) {
             image_->forget_meshes(); // rather none than those of something else
