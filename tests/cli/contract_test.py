@@ -553,7 +553,7 @@ class Information(Contract):
         self.refused(wrong, "monitor.expression: unknown function 'sine' at character 5 (did you mean 'sin'?)")
 
     def test_show_refuses_formulas_and_files_that_run_refuses(self):
-        for settings, part in ((("type=formula", "expression=1/0"), "is inf at (0, 0)"),
+        for settings, part in ((("type=formula", "expression=1/0"), "is ∞ at (0, 0)"),
                                (("type=formula", "expression=0-1"), "is −1 at (0, 0)"),
                                (("type=image", "file=gone.png"), "gone.png"),
                                (("type=combine", "a.type=formula", "a.expression=log(x)"), "-inf")):
