@@ -556,7 +556,7 @@ class Information(Contract):
         for settings, part in ((("type=formula", "expression=1/0"), "is ∞ at (0, 0)"),
                                (("type=formula", "expression=0-1"), "is −1 at (0, 0)"),
                                (("type=image", "file=gone.png"), "gone.png"),
-                               (("type=combine", "a.type=formula", "a.expression=log(x)"), "-inf")):
+                               (("type=combine", "a.type=formula", "a.expression=log(x)"), "−∞")):
             options = [option for one in settings for option in ("--set", "monitor." + one)]
             for command in ("show", "run"):
                 self.refused(gaspard(command, "plane-ring", *options, cwd=self.folder.name), part)
