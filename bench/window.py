@@ -3,10 +3,10 @@
 
     bench/window.py [--program build/gaspard] [--repeat 15]
 
-Starts Xvfb and the program, then pans the mesh, drags a field, hovers over a button while a large mesh is being
-solved, and drags the knob of the playback bar. Each input is sent by XTEST; a part of the screen is read until it
-differs. Prints the median and the slowest of each in milliseconds, and the CPU milliseconds of the program per
-input. Needs Xvfb and python3-xlib.
+Starts Xvfb and the program, then pans the mesh, drags a field, drags the knob of the playback bar, and hovers over
+a button while a large mesh is being solved. Each input is sent by XTEST; a part of the screen is read every 2 ms
+until it differs. Prints the median and the slowest of each in milliseconds, and the CPU milliseconds of the program
+per input. Then rotates globes and prints the frames per second. Needs Xvfb and python3-xlib.
 """
 import argparse
 import os
@@ -20,6 +20,7 @@ from Xlib.ext import xtest
 
 SCREEN = ":97"
 SIZE = (1400, 900)
+POLL = 0.002  # seconds; reading without a rest would take a core from the program
 
 
 class Window:
@@ -63,7 +64,7 @@ class Window:
         time.sleep(0.3)
 
     def key(self, name):
-        code = self.display.keysym_to_keycode({"End": 0xFF57, "space": 0x20, "h": 0x68}[name])
+        code = self.display.keysym_to_keycode({"End": 0xFF57, "h": 0x68, "s": 0x73}[name])
         for kind in (X.KeyPress, X.KeyRelease):
             xtest.fake_input(self.display, kind, code)
         self.display.sync()
@@ -78,6 +79,7 @@ class Window:
         start = time.perf_counter()
         act()
         while time.perf_counter() - start < patience:
+            time.sleep(POLL)
             if self.part(area) != before:
                 return 1000 * (time.perf_counter() - start)
         return None
@@ -85,14 +87,28 @@ class Window:
     def until_still(self, area, rest=0.4):
         last, since = self.part(area), time.perf_counter()
         while time.perf_counter() - since < rest:
+            time.sleep(POLL)
             now = self.part(area)
             if now != last:
                 last, since = now, time.perf_counter()
 
+    def frames_per_second(self, area, duration=4.0):
+        """Of something that moves in the area."""
+        last, frames, start = self.part(area), 0, time.perf_counter()
+        while time.perf_counter() - start < duration:
+            time.sleep(POLL)
+            now = self.part(area)
+            frames += now != last
+            last = now
+        return frames / (time.perf_counter() - start)
 
-def measure(name, window, repeat, area, acts):
+
+def measure(name, window, repeat, area, acts, settles=False):
+    """With `settles`, each input waits until the area is still, as a mesh at rest is drawn once more, in full."""
     times, before = [], window.cpu()
     for i in range(repeat):
+        if settles:
+            window.until_still(area)
         took = window.until_changed(area, lambda: acts(i))
         if took is not None:
             times.append(took)
@@ -121,13 +137,19 @@ def main():
                 lambda i: window.move(152 + 3 * (options.repeat - i), 323))
         window.button(False), window.until_still(mesh)
         window.move(800, 849), window.button(True)  # the knob of the playback bar
-        measure("scrub, n = 60", window, options.repeat, mesh, lambda i: window.move(560 + 50 * (i % 8), 849))
+        measure("scrub, n = 60", window, options.repeat, mesh, lambda i: window.move(560 + 130 * (2 * i % 5), 849),
+                settles=True)
         window.button(False), window.key("End")
     with Window(options.program, "--set", "domain.cells=240", "--set", "method.type=relaxation", "--set",
                 "method.tolerance=1e-14", "--set", "method.max_iterations=1000000", "--set",
                 "method.step_size=0.001") as window:
         measure("hover over a button while n = 240 is solved", window, options.repeat, (1100, 4, 290, 26),
                 lambda i: window.move(1340 if i % 2 else 1250, 16))
+    globe = (500, 600, 200, 40)  # below the handles
+    for scenario in ("sphere-x16", "sphere-cross"):
+        with Window(options.program, scenario) as window:
+            window.move(600, 60), window.until_still(globe), window.key("s"), time.sleep(1)
+            print("%-44s %.1f frames per second" % ("spin, " + scenario, window.frames_per_second(globe)))
 
 
 if __name__ == "__main__":

@@ -347,7 +347,7 @@ class BadInput(Contract):
         self.refused(self.run_quick("--max-iterations", "-1"), "method.max_iterations")
         self.refused(self.run_quick("--threads", "0"), "--threads")
         self.refused(self.run_quick("--size", "10x10"), "view.width")
-        self.refused(self.run_quick("--set", "output.curve_tolerance=0"), "output.curve_tolerance = 0", "1e-05 to 0.1")
+        self.refused(self.run_quick("--set", "output.curve_tolerance=0"), "output.curve_tolerance = 0", "10⁻⁵ to 0.1")
         self.refused(self.run_quick("--set", "view.camera=from afar"), "the camera 'from afar' has the word 'from'")
         self.refused(self.run_quick("--set", "view.pick=edge 3"), "neither a cell nor a node")
         self.refused(self.run_quick("--set", "view.cut=x 0.5 and"), "view.cut = 'x 0.5 and' must be planes")
@@ -553,10 +553,10 @@ class Information(Contract):
         self.refused(wrong, "monitor.expression: unknown function 'sine' at character 5 (did you mean 'sin'?)")
 
     def test_show_refuses_formulas_and_files_that_run_refuses(self):
-        for settings, part in ((("type=formula", "expression=1/0"), "is inf at (0, 0)"),
-                               (("type=formula", "expression=0-1"), "is -1 at (0, 0)"),
+        for settings, part in ((("type=formula", "expression=1/0"), "is ∞ at (0, 0)"),
+                               (("type=formula", "expression=0-1"), "is −1 at (0, 0)"),
                                (("type=image", "file=gone.png"), "gone.png"),
-                               (("type=combine", "a.type=formula", "a.expression=log(x)"), "-inf")):
+                               (("type=combine", "a.type=formula", "a.expression=log(x)"), "−∞")):
             options = [option for one in settings for option in ("--set", "monitor." + one)]
             for command in ("show", "run"):
                 self.refused(gaspard(command, "plane-ring", *options, cwd=self.folder.name), part)
@@ -844,7 +844,7 @@ class Information(Contract):
         self.assertTrue(all(float(row["equidistribution"]) > 0 for row in rows))
 
     def test_study_refuses_what_is_not_allowed(self):
-        for over, part in (("domain.cells=8,0", "1 to 65536"), ("pde.eps=0", "1e-12 to 1"), ("cells=8", "cells"),
+        for over, part in (("domain.cells=8,0", "1 to 65536"), ("pde.eps=0", "10⁻¹² to 1"), ("cells=8", "cells"),
                            ("monitor.q=0.1:0.9", "number of values"), ("domain.cells=8,8", "twice"),
                            ("monitor.left", "monitor.left=VALUES"), ("monitor.p", "monitor.p")):
             self.refused(self.study("--over", over), part)

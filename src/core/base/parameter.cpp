@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/join.hpp"
+#include "core/base/short_number.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -68,16 +69,17 @@ Reading read_all(std::string_view text, Number& number) {
 
 // A real number keeps its decimal point, so that 60.0 is not printed as the integer 60.
 std::string written_value(const Value& value) {
-    std::string text = format_value(value);
-    if (std::holds_alternative<double>(value) && text.find_first_of(".en") == std::string::npos) text += ".0";
-    return text;
+    const double* real = std::get_if<double>(&value);
+    if (real == nullptr) return format_value(value);
+    const bool whole = std::abs(*real) < 1e5 && *real == std::floor(*real);
+    return exact_number(*real) + (whole ? ".0" : "");
 }
 
 void check_range(const std::string& name, const ParameterRow& row, double value) {
     if (!std::isfinite(value))
-        throw InputError(name + " must be a finite number, not " + format_number(value));
+        throw InputError(name + " must be a finite number, not " + exact_number(value));
     if (value < row.minimum || value > row.maximum)
-        throw InputError(name + " = " + format_number(value) + " is out of range: " + describe_range(row) +
+        throw InputError(name + " = " + exact_number(value) + " is out of range: " + describe_range(row) +
                          (row.help.empty() ? "" : " (" + row.help + ")"));
 }
 
@@ -111,7 +113,7 @@ std::string describe_range(const ParameterRow& row) {
     if (row.kind == ParameterKind::text) return "text";
     const auto bound = [&](double value) {
         return row.kind == ParameterKind::integer ? std::to_string(static_cast<std::int64_t>(value))
-                                                  : format_number(value);
+                                                  : exact_number(value);
     };
     const std::string range = bound(row.minimum) + " to " + bound(row.maximum);
     return row.kind == ParameterKind::real_or_auto ? range + ", or auto" : range;

@@ -57,8 +57,9 @@ struct ParameterRow {
     ParameterScale scale = ParameterScale::linear;
     std::optional<SliderRange> slider{}; ///< if not the whole range, which may be too wide to slide along
     Value default_value = 0.0;
-    std::vector<std::string> choices{}; ///< kind choice only
-    std::string help{};                 ///< one line
+    std::vector<std::string> choices{};       ///< kind choice only
+    std::vector<std::string> choice_labels{}; ///< what the window calls them; empty: as they are written
+    std::string help{};                       ///< one line
     ParameterRole role = ParameterRole::none;
     std::string point{};   ///< coordinates only: the point they belong to ("center")
     bool periodic = false; ///< minimum and maximum are equivalent

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_number.hpp"
 
 #include <algorithm>
 #include <array>
@@ -209,7 +210,7 @@ GridData with_sorted_axes(GridData grid) {
     for (const auto& axis : sorted.axes) {
         const auto twice = std::adjacent_find(axis.begin(), axis.end());
         if (twice != axis.end())
-            throw InputError("the coordinate " + format_number(*twice) + " of the grid appears twice");
+            throw InputError("the coordinate " + exact_number(*twice) + " of the grid appears twice");
     }
     sorted.values.reserve(grid.values.size());
     for (const std::size_t k : orders[2])

@@ -3,6 +3,7 @@
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_number.hpp"
 
 #include <algorithm>
 #include <array>
@@ -151,8 +152,8 @@ void InterpolationCells::evaluate(const Points& points, std::vector<double>& val
     for (std::size_t i = 0; i < values.size(); ++i)
         if (!std::isfinite(values[i]))
             throw InputError("the function whose interpolation error is measured is not finite at (" +
-                             format_number(points.x[i]) + ", " + format_number(points.y[i]) + ", " +
-                             format_number(points.z[i]) + ")");
+                             exact_number(points.x[i]) + ", " + exact_number(points.y[i]) + ", " +
+                             exact_number(points.z[i]) + ")");
 }
 
 void InterpolationCells::begin(std::size_t from, std::size_t to, Batch& batch) const {

@@ -3,6 +3,7 @@
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +77,7 @@ void QuasiGeostrophicFlow::set_state(std::span<const double> q, double time) {
         for (const double value : q) sum += value, size += std::abs(value);
         if (std::abs(sum) > 1e-10 * size)
             throw InputError("with the Froude number 0 the mean of q must be 0, but it is " +
-                             format_number(sum / static_cast<double>(q.size())));
+                             exact_number(sum / static_cast<double>(q.size())));
     }
     std::copy(q.begin(), q.end(), q_.begin());
     time_ = time;
@@ -264,7 +265,7 @@ std::size_t QuasiGeostrophicFlow::advance(double duration) {
         const double count = std::ceil(left / stable_step());
         if (!(count + static_cast<double>(steps) <= static_cast<double>(options_.most_steps)))
             throw InputError("the flow would need more than " + std::to_string(options_.most_steps) +
-                             " steps until time " + format_number(end));
+                             " steps until time " + exact_number(end));
         step(left / std::max(count, 1.0));
         ++steps;
         if (count <= 1) break;

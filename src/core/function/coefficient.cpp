@@ -1,6 +1,7 @@
 #include "core/function/coefficient.hpp"
 
 #include "core/base/join.hpp"
+#include "core/base/short_number.hpp"
 #include "core/function/expression.hpp"
 #include "core/function/source.hpp"
 
@@ -20,8 +21,8 @@ static Expression parse(const Values& values, const std::string& key, const Spac
 
 /// " at x = 0.5" or " at (0.5, 1)".
 static std::string place(const Points& x, std::size_t i, int dimension) {
-    return dimension == 1 ? " at x = " + format_number(x.x[i])
-                          : " at (" + format_number(x.x[i]) + ", " + format_number(x.y[i]) + ")";
+    return dimension == 1 ? " at x = " + exact_number(x.x[i])
+                          : " at (" + exact_number(x.x[i]) + ", " + exact_number(x.y[i]) + ")";
 }
 
 Coefficient coefficient(const Values& values, const std::string& key, int dimension,
@@ -55,7 +56,7 @@ Coefficient coefficient_from_zero(const Values& values, const std::string& key, 
         any(x, out);
         for (std::size_t i = 0; i < out.size(); ++i)
             if (out[i] < -rounding)
-                throw InputError(name + " is " + format_number(out[i]) + place(x, i, dimension) +
+                throw InputError(name + " is " + exact_number(out[i]) + place(x, i, dimension) +
                                  "; it must not be negative");
     };
 }

@@ -1,5 +1,6 @@
 #include "core/function/density_rows.hpp"
 
+#include "core/base/short_number.hpp"
 #include "core/function/image_options.hpp"
 
 namespace gaspard {
@@ -42,7 +43,7 @@ ParameterRow blur_row() {
             .maximum = 1000,
             .slider = SliderRange{0, 20},
             .default_value = least_blur,
-            .help = "standard deviation of the Gaussian blur; at least " + format_number(least_blur) +
+            .help = "standard deviation of the Gaussian blur; at least " + exact_number(least_blur) +
                     " cells, so that the mesh can follow"};
 }
 

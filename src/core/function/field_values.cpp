@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,8 @@ constexpr double largest_number = 1e150; ///< squares and differences are finite
 void check_coordinates(const std::vector<double>& all) {
     for (const double one : all)
         if (std::isfinite(one) && std::abs(one) > largest_number)
-            throw InputError("the field has the coordinate " + format_number(one) +
-                             "; beyond 1e150 coordinates are too large to be used");
+            throw InputError("the field has the coordinate " + exact_number(one) +
+                             "; beyond 10¹⁵⁰ coordinates are too large to be used");
 }
 
 double lowest(const std::vector<double>& values) {
@@ -52,8 +53,8 @@ std::size_t transform(std::vector<double>& values, FieldTransform how, std::vect
     }
     for (const double one : values)
         if (std::isfinite(one) && std::abs(one) > largest_number)
-            throw InputError("the field has the value " + format_number(one) +
-                             "; beyond 1e150 values are too large to be used");
+            throw InputError("the field has the value " + exact_number(one) +
+                             "; beyond 10¹⁵⁰ values are too large to be used");
     const std::size_t missing = count_missing(values);
     if (missing == values.size()) throw InputError("the field has no values that can be used");
     return missing;

@@ -1,6 +1,7 @@
 // The source whose formula the user types; its parameters become rows.
 #include "core/base/error.hpp"
 #include "core/base/join.hpp"
+#include "core/base/short_number.hpp"
 #include "core/function/expression.hpp"
 #include "core/function/source.hpp"
 
@@ -313,8 +314,8 @@ void note_jump(MadeFunction& made, const FormulaFunction& function, const Values
     std::string sentence = remedy;
     sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
     made.notes.push_back("The formula is not periodic: it jumps by up to " + percent(jump.relative) +
-                         " of its largest value across the sides, at (" + format_number(jump.at.x) + ", " +
-                         format_number(jump.at.y) + "). " +
+                         " of its largest value across the sides, at (" + exact_number(jump.at.x) + ", " +
+                         exact_number(jump.at.y) + "). " +
                          (wrapped(values) ? "" : "A mesh may not follow it. ") + sentence + ".");
     made.advice = "the formula jumps across the sides: " + remedy;
 }

@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
 #include "core/function/chart_extent.hpp"
 #include "core/function/smoothing.hpp"
 
@@ -139,7 +140,7 @@ ImageGrid image_grid(const GreyImage& image, const ImageOptions& options, const 
 std::string blur_note(const ImageOptions& options, const ImageGrid& made) {
     std::string note = "The picture is blurred over " + in_cells(made.sigma / made.cell);
     if (made.sigma > made.wanted * 1.005) {
-        note += " instead of " + format_number(options.blur);
+        note += " instead of " + exact_number(options.blur);
         if (options.blur_unit == LengthUnit::pixels) note += options.blur == 1 ? " pixel" : " pixels";
     }
     return note + ", so that the mesh can follow.";

@@ -41,7 +41,8 @@ MeshSvgOptions mesh_svg_options(const Values& view) {
 
 double millimetres(const Values& view, double pixels) { return pixels / view.real("dpi") * 25.4; }
 
-std::string svg_of_figure(const Snapshot& snapshot, const Values& view, const std::string& subject) {
+std::string svg_of_figure(const Snapshot& snapshot, const Values& view, const std::string& subject,
+                          int last_iteration) {
     const double width = millimetres(view, static_cast<double>(view.integer("width"))),
                  height = millimetres(view, static_cast<double>(view.integer("height")));
     if (is_interval(*snapshot.mesh))
@@ -49,7 +50,7 @@ std::string svg_of_figure(const Snapshot& snapshot, const Values& view, const st
                             {width, height, view.real("text_size")});
     MeshSvgOptions options = mesh_svg_options(view);
     options.width_mm = width, options.height_mm = height;
-    if (view.boolean("caption")) options.caption = caption_parts(subject, snapshot.report);
+    if (view.boolean("caption")) options.caption = caption_parts(subject, snapshot.report, last_iteration);
     return svg_of_meshes(snapshot, panels_of(snapshot, view), options);
 }
 

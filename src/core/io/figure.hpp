@@ -14,9 +14,10 @@
 
 namespace gaspard {
 
-/// `view`: values of view_rows(). `subject` names the problem in the caption. Throws InputError if the camera
-/// cannot be read.
-std::string svg_of_figure(const Snapshot& snapshot, const Values& view, const std::string& subject = {});
+/// `view`: values of view_rows(). `subject` and `last_iteration` are for the caption, as in caption_parts().
+/// Throws InputError if the camera cannot be read.
+std::string svg_of_figure(const Snapshot& snapshot, const Values& view, const std::string& subject = {},
+                          int last_iteration = 0);
 
 /// The meshes that the view shows, and how, without the page.
 std::vector<SvgPanel> panels_of(const Snapshot& snapshot, const Values& view);

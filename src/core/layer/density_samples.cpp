@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +32,8 @@ std::vector<Sample> rule(DensitySamples samples) {
 [[noreturn]] void refuse_densities(const Points& at, std::span<const double> m) {
     std::size_t i = 0;
     while (m[i] > 0 && std::isfinite(m[i])) ++i;
-    throw InputError("the density of the mesh must be positive and finite, but is " + format_number(m[i]) +
-                     " at (" + format_number(at.x[i]) + ", " + format_number(at.y[i]) + ")");
+    throw InputError("the density of the mesh must be positive and finite, but is " + exact_number(m[i]) +
+                     " at (" + exact_number(at.x[i]) + ", " + exact_number(at.y[i]) + ")");
 }
 
 } // namespace

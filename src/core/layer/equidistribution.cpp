@@ -2,6 +2,7 @@
 // inverted.
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_number.hpp"
 #include "core/layer/interval_mesh.hpp"
 
 #include <algorithm>
@@ -96,7 +97,7 @@ class Integral {
         for (std::size_t j = 0; j <= degree; ++j)
             if (!(rho[j] > 0) || !std::isfinite(rho[j]))
                 throw InputError("the density of the mesh must be positive and finite, but is " +
-                                 format_number(rho[j]) + " at " + format_number(at.x[j]));
+                                 exact_number(rho[j]) + " at " + exact_number(at.x[j]));
         return rho;
     }
     void add(double left, double width, int depth = 0) {

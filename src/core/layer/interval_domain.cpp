@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -58,8 +59,8 @@ DomainType interval_domain() {
 std::shared_ptr<const IntervalDomain> make_interval(const Values& values) {
     const Interval interval{values.real("start"), values.real("end")};
     if (!(interval.a < interval.b))
-        throw InputError("domain.end (" + format_number(interval.b) +
-                         ") must be greater than domain.start (" + format_number(interval.a) + ")");
+        throw InputError("domain.end (" + exact_number(interval.b) + ") must be greater than domain.start (" +
+                         exact_number(interval.a) + ")");
     return std::make_shared<IntervalDomain>(interval, static_cast<int>(values.integer("cells")));
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ std::vector<double> cell_densities(const Monitor& rho, std::span<const double> x
     for (std::size_t i = 0; i < at.size(); ++i)
         if (!(at[i] > 0) || !std::isfinite(at[i]))
             throw InputError("the density of the mesh must be positive and finite, but is " +
-                             format_number(at[i]) + " at " + format_number(points.x[i]));
+                             exact_number(at[i]) + " at " + exact_number(points.x[i]));
     std::vector<double> densities(x.size() - 1);
     for (std::size_t i = 0; i < densities.size(); ++i)
         densities[i] = at[2 * i] / 6 + at[2 * i + 1] * (2.0 / 3) + at[2 * i + 2] / 6;

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_number.hpp"
 #include "core/layer/interval_mesh.hpp"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ class Share {
     static void check(double value, double x) {
         if (!(value > 0) || !std::isfinite(value))
             throw InputError("the density of the mesh must be positive and finite, but is " +
-                             format_number(value) + " at " + format_number(x));
+                             exact_number(value) + " at " + exact_number(x));
     }
     const Monitor& rho_;
     Points one_, two_;
@@ -232,8 +233,8 @@ IntervalShooting::IntervalShooting(std::vector<double> x)
     if (x_.size() < 2) throw InputError("a mesh of an interval must have at least two nodes");
     for (Index i = 1; i < x_.size(); ++i)
         if (!(x_[i] > x_[i - 1]))
-            throw InputError("the nodes of a mesh must grow, but " + format_number(x_[i]) + " comes after " +
-                             format_number(x_[i - 1]));
+            throw InputError("the nodes of a mesh must grow, but " + exact_number(x_[i]) + " comes after " +
+                             exact_number(x_[i - 1]));
 }
 
 /// First the median share of the mesh, which a single cell of the layer does not spoil; then 1/C as T asks

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +38,8 @@ void SquareLevel::restore_fixed(Points& nodes) const {
                 double& value = axis == 0 ? nodes.x[p] : nodes.y[p];
                 const double kept = axis == 0 ? nodes_.x[p] : nodes_.y[p];
                 if (std::abs(value - kept) > 1e-9)
-                    throw InputError("a node is to lie at " + format_number(value) + ", but its side is at " +
-                                     format_number(kept));
+                    throw InputError("a node is to lie at " + exact_number(value) + ", but its side is at " +
+                                     exact_number(kept));
                 value = kept;
             }
 }

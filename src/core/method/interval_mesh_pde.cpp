@@ -5,6 +5,7 @@
 // method.tolerance, or as often as method.final_solves says; or shots solve the discrete equations to
 // rounding (layer/interval_shooting.hpp), which the iteration does not for thin layers.
 #include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
 #include "core/layer/interval_shooting.hpp"
 #include "core/mesh/discretisation_as.hpp"
 #include "core/method/interval_iteration.hpp"
@@ -63,7 +64,7 @@ class IntervalMeshPde final : public IntervalIteration {
             evaluation.ending = Ending::complete;
             if (shooting_->deviation() > equal_shares)
                 evaluation.note = "the numbers are too coarse for more: shares of cells differ by up to " +
-                                  format_number(shooting_->deviation()) + ", as nodes are rounded";
+                                  exact_number(shooting_->deviation()) + ", as nodes are rounded";
         } else if (shooting_->stuck()) {
             evaluation.ending = Ending::by_criterion;
             evaluation.note =

@@ -262,7 +262,7 @@ MethodType picard_type(Formulation formulation, std::string name, std::string la
              .minimum = 0,
              .maximum = 1e-2,
              .default_value = 0.0,
-             .help = "penalty of the mean of φ, 1e-8 in the paper; 0 eliminates the mean exactly"});
+             .help = "penalty of the mean of φ, 10⁻⁸ in the paper; 0 eliminates the mean exactly"});
     return {
         .name = std::move(name),
         .label = std::move(label),

@@ -11,13 +11,12 @@ MonitorType cross_monitor() {
     return {.name = "cross",
             .label = "Cross",
             .help = "small cells along two great circles",
-            .equation =
-                "m(x) = 1 + A sech²( B (|x - p₁|² - (π/2)²) ) + A sech²( B (|x - p₂|² - (π/2)²) )",
+            .equation = "m(x) = 1 + A sech²( B (|x - p₁|² - (π/2)²) ) + A sech²( B (|x - p₂|² - (π/2)²) )",
             .spaces = {SpaceKind::sphere},
             .rows =
                 [](const Space&) {
                     std::vector<ParameterRow> rows = {amplitude_row(1000, 10.0, "on each band"),
-                                                      sharpness_row(5.0, "0.28 / B", "1/radian^2")};
+                                                      sharpness_row(5.0, "0.28 / B", "1/radian²")};
                     rows.front().minimum = -0.49; // m = 1 + 2 A at the intersections
                     rows.front().help =
                         "m = 1 + A on each band and 1 + 2 A at the intersections; must exceed -1/2";

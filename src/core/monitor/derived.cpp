@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
 #include "core/function/grid_function.hpp"
 #include "core/monitor/derived_fields.hpp"
 #include "core/monitor/grid_density.hpp"
@@ -127,7 +128,7 @@ class Maker {
     void check_positive_values() const {
         for (std::size_t i = 0; i < values_.size(); ++i)
             if (!(values_[i] > 0))
-                throw InputError("the derived monitor is " + format_number(values_[i]) +
+                throw InputError("the derived monitor is " + exact_number(values_[i]) +
                                  " at some points; turn on monitor.average, or monitor.limit with a floor");
     }
 

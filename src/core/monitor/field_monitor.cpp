@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/read_data_file.hpp"
+#include "core/base/short_number.hpp"
 #include "core/data/field_file.hpp"
 #include "core/function/chart_extent.hpp"
 #include "core/function/density_rows.hpp"
@@ -10,20 +11,12 @@
 #include "core/monitor/grid_density.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 namespace gaspard {
 
 namespace {
-
-/// With four digits, for messages.
-std::string short_number(double value) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 4).ptr;
-    return {text, end};
-}
 
 /// From low to high: 0 to 1.
 void scale(std::vector<double>& values, const FieldMonitorOptions& options, std::vector<std::string>& notes) {
@@ -64,7 +57,7 @@ std::shared_ptr<const Monitor> make(const FieldData& field, FieldMonitorOptions 
     }
     made.sigma = blur_density(domain, made.values, made.sigma, context);
     const double cells = made.sigma / made.cell;
-    const std::string instead = cells > asked * 1.005 ? " instead of " + format_number(asked) : "";
+    const std::string instead = cells > asked * 1.005 ? " instead of " + exact_number(asked) : "";
     made.notes.push_back("The field is blurred over " + in_cells(cells) + instead +
                          ", so that the mesh can follow.");
     MonitorReport report{std::move(made.notes), {{"variable", field.variables}}};

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_number.hpp"
 #include "core/function/derivative_norms.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ void look(const DataContext& context) {
 }
 
 std::string place(Vec3 x) {
-    return "(" + format_number(x.x) + ", " + format_number(x.y) + ", " + format_number(x.z) + ")";
+    return "(" + exact_number(x.x) + ", " + exact_number(x.y) + ", " + exact_number(x.z) + ")";
 }
 
 Points part_of(const Points& x, std::size_t from, std::size_t to) {
@@ -45,7 +46,7 @@ Range range_of(const DomainGrid& domain, const ScalarFunction& u, const DataCont
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (!(domain.measures[from + i] > 0)) continue;
             if (!std::isfinite(values[i]))
-                throw InputError("u is " + format_number(values[i]) + " at " + place(x[i]) +
+                throw InputError("u is " + exact_number(values[i]) + " at " + place(x[i]) +
                                  "; it must be finite everywhere on the domain");
             range.low = std::min(range.low, values[i]), range.high = std::max(range.high, values[i]);
         }
@@ -196,7 +197,7 @@ IndicatorValues indicator_on(const DomainGrid& domain, const ScalarFunction& u, 
                     q[i] += values[i], ++counts[i];
                 else if (own.largest > huge && domain.measures[from + i] > 0)
                     throw InputError("the derivatives of u, which is as large as " +
-                                     format_number(own.largest) + ", overflow at " + place(x[i]) +
+                                     exact_number(own.largest) + ", overflow at " + place(x[i]) +
                                      "; divide u by a number");
         }
         for (std::size_t i = 0; i < q.size(); ++i) {

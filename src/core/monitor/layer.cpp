@@ -10,6 +10,7 @@
 // about q of the cells into a layer (21).
 #include "core/base/error.hpp"
 #include "core/base/exponential.hpp"
+#include "core/base/short_number.hpp"
 #include "core/function/coefficient.hpp"
 #include "core/monitor/layer_rows.hpp"
 #include "core/monitor/tensor.hpp"
@@ -142,8 +143,8 @@ class LayerTensor final : public TensorMonitor {
         for (std::size_t i = 0; i < values.size(); ++i)
             if (!(first[i] > 0) || !(second[i] > 0))
                 throw InputError(key_ + (first[i] > 0 ? ".width_y" : ".width_x") +
-                                 " must be positive, but is " + format_number(std::min(first[i], second[i])) +
-                                 " at (" + format_number(x.x[i]) + ", " + format_number(x.y[i]) + ")");
+                                 " must be positive, but is " + exact_number(std::min(first[i], second[i])) +
+                                 " at (" + exact_number(x.x[i]) + ", " + exact_number(x.y[i]) + ")");
         std::vector<double> rho1(x.size()), rho2(x.size());
         for (const Side& side : upright_) shape_.add(side, x, first, rho1);
         for (const Side& side : horizontal_) shape_.add(side, x, second, rho2);

@@ -2,6 +2,7 @@
 
 #include "core/base/box.hpp"
 #include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
 
 #include <algorithm>
 #include <array>
@@ -196,9 +197,9 @@ void check_positive(const Points& x, std::span<const double> values) {
     for (const double value : values) good &= (value > 0) & (value <= std::numeric_limits<double>::max());
     for (std::size_t i = 0; !good && i < values.size(); ++i)
         if ((!(values[i] > 0) || !std::isfinite(values[i])) && std::isfinite(norm(x[i])))
-            throw InputError("the monitor must be positive and finite, but is " + format_number(values[i]) +
-                             " at (" + format_number(x.x[i]) + ", " + format_number(x.y[i]) + ", " +
-                             format_number(x.z[i]) + ")");
+            throw InputError("the monitor must be positive and finite, but is " + exact_number(values[i]) +
+                             " at (" + exact_number(x.x[i]) + ", " + exact_number(x.y[i]) + ", " +
+                             exact_number(x.z[i]) + ")");
 }
 
 void difference_gradients(const Monitor& monitor, const DomainExtent& extent, const Points& x,

@@ -1,6 +1,7 @@
 #include "core/monitor/radial.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/short_number.hpp"
 #include "core/monitor/geodesic.hpp"
 
 #include <cmath>
@@ -37,12 +38,12 @@ void SechMonitor::check() const { check_amplitude(p_.amplitude, -1); }
 
 void check_amplitude(double amplitude, double least) {
     if (!std::isfinite(amplitude))
-        throw InputError("monitor.amplitude = " + format_number(amplitude) +
-                         " is invalid; it must be finite and greater than " + format_number(least));
+        throw InputError("monitor.amplitude = " + exact_number(amplitude) +
+                         " is invalid; it must be finite and greater than " + exact_number(least));
     if (amplitude <= least)
-        throw InputError("monitor.amplitude = " + format_number(amplitude) +
+        throw InputError("monitor.amplitude = " + exact_number(amplitude) +
                          " makes the monitor zero or negative; it must be greater than " +
-                         format_number(least));
+                         exact_number(least));
 }
 
 ParameterRow amplitude_row(double maximum, double value, const std::string& where) {

@@ -2,6 +2,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
 #include "core/monitor/inside_monitor.hpp"
 
 #include <algorithm>
@@ -67,14 +68,14 @@ class SourceMonitor final : public Monitor {
         }
         if (!(most > 0) || least > none * most) return;
         floor_ = part * sum / static_cast<double>(values.size());
-        made_.notes.push_back("Where " + words_.what + " is 0 or nearly so, " + format_number(100 * part) +
+        made_.notes.push_back("Where " + words_.what + " is 0 or nearly so, " + exact_number(100 * part) +
                               " % of its mean counts instead");
     }
     [[noreturn]] void refuse(Vec3 x, double value) const {
-        std::string place = "(" + format_number(x.x) + ", " + format_number(x.y);
-        if (x.z != 0 || space_.kind == SpaceKind::sphere) place += ", " + format_number(x.z);
+        std::string place = "(" + exact_number(x.x) + ", " + exact_number(x.y);
+        if (x.z != 0 || space_.kind == SpaceKind::sphere) place += ", " + exact_number(x.z);
         const std::string remedy = value <= 0 && !words_.remedy.empty() ? "; " + words_.remedy : "";
-        throw InputError(words_.what + " must be positive and finite, but is " + format_number(value) +
+        throw InputError(words_.what + " must be positive and finite, but is " + exact_number(value) +
                          " at " + place + ")" + remedy);
     }
 

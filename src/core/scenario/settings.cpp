@@ -63,7 +63,8 @@ bool same_rows(const std::vector<ParameterRow>& a, const std::vector<ParameterRo
         return one.key == other.key && one.minimum == other.minimum && one.maximum == other.maximum &&
                one.default_value == other.default_value && one.unit == other.unit &&
                one.slider == other.slider && one.role == other.role && one.scale == other.scale &&
-               one.origin == other.origin && one.measure == other.measure && one.choices == other.choices;
+               one.origin == other.origin && one.measure == other.measure && one.choices == other.choices &&
+               one.choice_labels == other.choice_labels;
     });
 }
 

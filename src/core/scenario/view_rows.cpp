@@ -86,13 +86,18 @@ ParameterRow colour_row(std::span<const FieldInfo> further, std::string_view usu
                "non-orthogonality angle; intervals have no aspect_ratio, skewness, "
                "orthogonality and alignment");
     row.choices.clear();
-    for (const FieldInfo& field : mesh_colours()) row.choices.push_back(field.name);
+    const auto add = [&row](const FieldInfo& field) {
+        row.choices.push_back(field.name);
+        row.choice_labels.push_back(field.label.empty() ? field.name : field.label);
+    };
+    for (const FieldInfo& field : mesh_colours()) add(field);
     for (const FieldInfo& field : further) {
         if (std::find(row.choices.begin(), row.choices.end(), field.name) != row.choices.end()) continue;
-        row.choices.push_back(field.name);
+        add(field);
         if (!field.help.empty()) row.help += "; " + field.name + ": " + field.help;
     }
     row.choices.emplace_back("none");
+    row.choice_labels.emplace_back("none");
     row.default_value = std::string(usual);
     return row;
 }

@@ -1,6 +1,7 @@
 #include "core/session/run.hpp"
 
 #include "core/base/check.hpp"
+#include "core/base/short_number.hpp"
 #include "core/base/stopwatch.hpp"
 #include "core/diagnostics/cell_quality.hpp"
 #include "core/diagnostics/exact_map.hpp"
@@ -331,7 +332,7 @@ void Run::note_advice(const Course& course, StepReport& report) {
 void Run::note_folds(const Course& course, StepReport& report) {
     const double drawn = report.value(folded_drawn_cells_series().name).value_or(0);
     if (!(drawn > 0) || *report.tangled_cells > 0) return;
-    report.note += (report.note.empty() ? "" : "; ") + format_number(drawn) + " of " +
+    report.note += (report.note.empty() ? "" : "; ") + exact_number(drawn) + " of " +
                    std::to_string(course.discretisation->mesh()->cell_count()) +
                    " drawn cells fold; the map does not";
 }

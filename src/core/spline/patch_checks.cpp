@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ void refuse_torn(const KnotVector& space, const std::string& which, const std::s
     const auto p = static_cast<std::size_t>(space.degree);
     for (std::size_t i = 0; i + p < t.size(); ++i)
         if (t[i] > t.front() && t[i] < t.back() && t[i] == t[i + p])
-            not_a_patch(origin, "it is torn at the knot " + format_number(t[i]) + " of knots[" + which +
+            not_a_patch(origin, "it is torn at the knot " + exact_number(t[i]) + " of knots[" + which +
                                     "]: for degree " + std::to_string(p) +
                                     " an inner knot may occur at most " + std::to_string(p) +
                                     (p == 1 ? " time" : " times"));
@@ -58,7 +59,7 @@ KnotVector checked_direction(double degree, std::vector<double> knots, const std
     const auto breaks = space.breaks();
     for (std::size_t i = 1; i < breaks.size(); ++i)
         if (breaks[i] - breaks[i - 1] < shortest)
-            not_a_patch(origin, "knots[" + which + "] has two knots closer than 1e-6 of its range");
+            not_a_patch(origin, "knots[" + which + "] has two knots closer than 10⁻⁶ of its range");
     return space;
 }
 
@@ -68,7 +69,7 @@ void check_weights(const std::vector<double>& weights, std::size_t count, const 
                                 std::to_string(weights.size()) + " for " + std::to_string(count));
     for (const double w : weights)
         if (!(w >= 1e-6 && w <= 1e6))
-            not_a_patch(origin, "weights must be positive (1e-6 to 1e6), but one is " + format_number(w));
+            not_a_patch(origin, "weights must be positive (10⁻⁶ to 10⁶), but one is " + exact_number(w));
 }
 
 void check_coordinates(const Points& control, const std::string& origin) {
@@ -76,15 +77,15 @@ void check_coordinates(const Points& control, const std::string& origin) {
         for (const double c : {control.x[i], control.y[i], control.z[i]})
             if (!(std::abs(c) <= largest_coordinate))
                 not_a_patch(origin, "control point " + std::to_string(i) + " has a coordinate larger than " +
-                                        format_number(largest_coordinate));
+                                        exact_number(largest_coordinate));
     double size = 0;
     for (const auto* c : {&control.x, &control.y, &control.z}) {
         const auto [low, high] = std::minmax_element(c->begin(), c->end());
         if (low != c->end()) size = std::max(size, *high - *low);
     }
     if (size > 0 && size < smallest_size) // without any extent the map has no area: check_regular
-        not_a_patch(origin, "it measures only " + format_number(size) + "; the smallest size is " +
-                                format_number(smallest_size) + ": give the coordinates in a smaller unit");
+        not_a_patch(origin, "it measures only " + exact_number(size) + "; the smallest size is " +
+                                exact_number(smallest_size) + ": give the coordinates in a smaller unit");
 }
 
 } // namespace
@@ -159,8 +160,8 @@ static void check_jacobians(const Points& xi, const std::vector<double>& jacobia
         static_cast<std::size_t>(std::find(jacobians.begin(), jacobians.end(), worst) - jacobians.begin());
     const bool solid = what == "volume";
     not_a_patch(origin, "the map folds or has no " + what + ", for example at ξ = (" +
-                            format_number(xi.x[where]) + ", " + format_number(xi.y[where]) +
-                            (solid ? ", " + format_number(xi.z[where]) : "") + ")");
+                            exact_number(xi.x[where]) + ", " + exact_number(xi.y[where]) +
+                            (solid ? ", " + exact_number(xi.z[where]) : "") + ")");
 }
 
 void check_regular(const PatchMap& map, const std::string& origin) {

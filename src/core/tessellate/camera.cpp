@@ -261,11 +261,11 @@ bool is_axis(Vec3 v) { return norm(v) >= smallest_axis && norm(v) <= largest; }
 void check_ranges(std::string_view text, const Camera& camera, double height) {
     const auto beyond = [](double c) { return !(std::abs(c) <= largest); };
     if (beyond(camera.centre.x) || beyond(camera.centre.y) || beyond(camera.centre.z))
-        refuse_camera(text, "wants a centre with coordinates from -1e20 to 1e20");
+        refuse_camera(text, "wants a centre with coordinates from −10²⁰ to 10²⁰");
     if (!(height >= smallest_height && height <= largest))
-        refuse_camera(text, "wants a height from 1e-50 to 1e20");
+        refuse_camera(text, "wants a height from 10⁻⁵⁰ to 10²⁰");
     if (!is_axis(camera.right) || !is_axis(camera.up))
-        refuse_camera(text, "wants a right and an up of lengths from 1e-20 to 1e20");
+        refuse_camera(text, "wants a right and an up of lengths from 10⁻²⁰ to 10²⁰");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "core/tessellate/check_view.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
 #include "core/tessellate/background.hpp"
 #include "core/tessellate/camera.hpp"
 #include "core/tessellate/cell_geometry.hpp"
@@ -34,8 +35,8 @@ void check_view(const Values& view, const Mesh* mesh) {
         throw InputError(
             "view.layout = front-and-rear is only for meshes in space; use single or side-by-side");
     if (view.text("range") == "fixed" && !(view.real("low") < view.real("high")))
-        throw InputError("view.low = " + format_number(view.real("low")) +
-                         " must be below view.high = " + format_number(view.real("high")));
+        throw InputError("view.low = " + exact_number(view.real("low")) +
+                         " must be below view.high = " + exact_number(view.real("high")));
 }
 
 } // namespace gaspard

@@ -12,23 +12,10 @@ namespace gaspard {
 
 namespace {
 
-std::string superscript(int number) {
-    static constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = number < 0 ? "⁻" : "";
-    for (const char c : std::to_string(std::abs(number))) text += digits[static_cast<std::size_t>(c - '0')];
-    return text;
-}
-
-/// Removes trailing zeros after a decimal point.
-void strip_zeros(std::string& text) {
-    if (text.find('.') == std::string::npos) return;
-    while (text.back() == '0') text.pop_back();
-    if (text.back() == '.') text.pop_back();
-}
-
-std::string format(double value, std::chars_format how, int precision) {
+std::string fixed(double value, int decimals) {
     std::array<char, 400> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, how, precision);
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                   std::chars_format::fixed, decimals);
     return {buffer.data(), end.ptr};
 }
 
@@ -39,7 +26,7 @@ std::string tick_label(double value, double step, double largest) {
     const int first_digit = static_cast<int>(std::floor(std::log10(largest) + 1e-9));
     if (first_digit > 5 || last_digit < -5)
         return short_number(value, std::clamp(first_digit - last_digit + 1, 1, 15));
-    std::string text = format(value, std::chars_format::fixed, std::max(0, -last_digit));
+    std::string text = fixed(value, std::max(0, -last_digit));
     if (text.front() == '-') text.replace(0, 1, "−");
     return text;
 }
@@ -69,26 +56,6 @@ std::vector<Tick> round_ticks(double low, double high) {
 }
 
 } // namespace
-
-std::string power_of_ten(int exponent) { return "10" + superscript(exponent); }
-
-std::string short_number(double value, int digits) {
-    if (!std::isfinite(value)) return std::isnan(value) ? "not a number" : value > 0 ? "∞" : "−∞";
-    if (value == 0) return "0";
-    std::string text = format(value, std::chars_format::scientific, digits - 1);
-    const std::size_t e = text.find('e');
-    const int exponent = std::stoi(text.substr(e + 1));
-    if (exponent >= -3 && exponent < std::max(digits, 5)) {
-        text = format(value, std::chars_format::fixed, std::max(0, digits - 1 - exponent));
-        strip_zeros(text);
-    } else {
-        text.resize(e);
-        strip_zeros(text);
-        text = (text == "1" ? "" : text == "-1" ? "-" : text + "×") + power_of_ten(exponent);
-    }
-    if (text.front() == '-') text.replace(0, 1, "−");
-    return text;
-}
 
 /// Where labels would have many digits, of which only the last differ: the roundest is written in full, the
 /// others by what they are more or less.
@@ -132,7 +99,7 @@ std::vector<Tick> linear_ticks(double low, double high, int count) {
         const double value = k * step;
         ticks.push_back({value, tick_label(value, step, largest), true});
     }
-    constexpr int many = 8;
+    constexpr int many = 5;
     const int digits =
         static_cast<int>(std::floor(std::log10(largest) + 1e-9) - std::floor(std::log10(step) + 1e-9)) + 1;
     if (digits > many && !ticks.empty()) label_by_difference(ticks, first, step, digits);

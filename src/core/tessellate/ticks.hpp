@@ -1,6 +1,8 @@
 // Ticks of axes and legends, and their labels.
 #pragma once
 
+#include "core/base/short_number.hpp"
+
 #include <string>
 #include <vector>
 
@@ -13,7 +15,7 @@ struct Tick {
 };
 
 /// Multiples of 1, 2 or 5 times a power of ten in [low, high], at most about `count` of them. Requires finite
-/// low <= high; if equal, returns that one tick. Where labels would have more than 8 digits, one is written
+/// low <= high; if equal, returns that one tick. Where labels would have more than 5 digits, one is written
 /// in full and the others as differences from it: "−2×10⁻¹³", "1", "+2×10⁻¹³".
 std::vector<Tick> linear_ticks(double low, double high, int count);
 
@@ -22,10 +24,5 @@ std::vector<Tick> linear_ticks(double low, double high, int count);
 /// towards the upper end of a logarithmic axis, so that some have no label: two labels are at least 0.6/count
 /// of the axis apart. Requires 0 < low <= high.
 std::vector<Tick> log_ticks(double low, double high, int count);
-
-/// `digits` significant digits without trailing zeros: "0.25", "1.5×10⁻⁵".
-std::string short_number(double value, int digits = 4);
-/// "10⁻⁸"
-std::string power_of_ten(int exponent);
 
 } // namespace gaspard

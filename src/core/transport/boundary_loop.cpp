@@ -1,6 +1,7 @@
 #include "core/transport/boundary_loop.hpp"
 
 #include "core/base/box.hpp"
+#include "core/base/short_number.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "core/transport/checks.hpp"
 #include "core/transport/polygon.hpp"
@@ -38,7 +39,7 @@ void flatten(Mesh& mesh) {
     const Box box = bounding_box(mesh.nodes);
     if (mesh.space_dimension == 3 && box.high.z - box.low.z > 1e-9 * longest_side(box))
         throw InputError("the mesh must lie in a plane z = const, but its z is between " +
-                         format_number(box.low.z) + " and " + format_number(box.high.z));
+                         exact_number(box.low.z) + " and " + exact_number(box.high.z));
     std::fill(mesh.nodes.z.begin(), mesh.nodes.z.end(), 0.0);
     mesh.space_dimension = 2;
     check_size(longest_side(bounding_box(mesh.nodes)), "mesh");
@@ -99,8 +100,8 @@ ConvexMesh convex_mesh(Mesh mesh) {
     }
     const Points polygon = positions_of(mesh, boundary);
     const auto name = [&](std::size_t i) {
-        return "node " + std::to_string(boundary[i]) + " at (" + format_number(polygon.x[i]) + ", " +
-               format_number(polygon.y[i]) + ")";
+        return "node " + std::to_string(boundary[i]) + " at (" + exact_number(polygon.x[i]) + ", " +
+               exact_number(polygon.y[i]) + ")";
     };
     if (const auto fault = convexity_fault(polygon, boundary_tolerance, name))
         throw InputError("the boundary of the mesh " + *fault);

@@ -3,6 +3,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_number.hpp"
 #include "core/transport/convex_curve.hpp"
 
 #include <cmath>
@@ -13,8 +14,8 @@ namespace gaspard {
 /// `what` begins the sentence: "the semi-axis a".
 inline void check_length(double length, const std::string& what, double longest = longest_length) {
     if (!(length >= shortest_length && length <= longest))
-        throw InputError(what + " must be between " + format_number(shortest_length) + " and " +
-                         format_number(longest) + ", not " + format_number(length));
+        throw InputError(what + " must be between " + exact_number(shortest_length) + " and " +
+                         exact_number(longest) + ", not " + exact_number(length));
 }
 
 /// The longest side of a box.

@@ -5,6 +5,7 @@
 //
 // Of a cubic c0 + c1 s + c2 s^2 + c3 s^3, gamma' x gamma'' = 2 c1 x c2 + 6 (c1 x c3) s + 6 (c2 x c3) s^2 has
 // the sign of the curvature, so that convexity is decided by the least value of a parabola.
+#include "core/base/short_number.hpp"
 #include "core/linear/tridiagonal.hpp"
 #include "core/transport/checks.hpp"
 #include "core/transport/piecewise_curve.hpp"
@@ -81,8 +82,8 @@ CurvePiece part_of(const CurvePiece& piece, int i, int count) {
 }
 
 [[noreturn]] void refuse(const Points& p, std::size_t k) {
-    throw InputError("the spline is not convex near (" + format_number(p.x[k]) + ", " +
-                     format_number(p.y[k]) + "), point " + std::to_string(k + 1));
+    throw InputError("the spline is not convex near (" + exact_number(p.x[k]) + ", " + exact_number(p.y[k]) +
+                     "), point " + std::to_string(k + 1));
 }
 
 } // namespace

@@ -137,7 +137,7 @@ std::shared_ptr<const ConvexCurve> make_shape(const Values& values, const std::s
             throw InputError("a curve needs 3 to 200 points, not " + std::to_string(points.size()));
         for (std::size_t i = 0; i < points.size(); ++i)
             if (std::abs(points.x[i]) > longest_length || std::abs(points.y[i]) > longest_length)
-                throw InputError("coordinates must be between -1e6 and 1e6");
+                throw InputError("coordinates must be between −10⁶ and 10⁶");
         for (std::size_t i = 0; i < points.size(); ++i) points.set(i, points[i] - origin);
         return shape == choices[2] ? closed_spline(points) : rounded_polygon(points, real("corner_radius"));
     } catch (const InputError& error) {

@@ -1,6 +1,7 @@
 #include "core/transport/polygon.hpp"
 
 #include "core/base/box.hpp"
+#include "core/base/short_number.hpp"
 #include "core/transport/checks.hpp"
 
 #include <algorithm>
@@ -76,8 +77,8 @@ std::optional<std::size_t> dent(const Points& p, const std::vector<std::size_t>&
 
 VertexName counted_vertex(const Points& points, const std::string& noun) {
     return [&points, noun](std::size_t i) {
-        return noun + " " + std::to_string(i + 1) + " at (" + format_number(points.x[i]) + ", " +
-               format_number(points.y[i]) + ")";
+        return noun + " " + std::to_string(i + 1) + " at (" + exact_number(points.x[i]) + ", " +
+               exact_number(points.y[i]) + ")";
     };
 }
 

@@ -1,4 +1,5 @@
 // Arcs at the corners of a convex polygon, and what is left of its sides.
+#include "core/base/short_number.hpp"
 #include "core/transport/checks.hpp"
 #include "core/transport/piecewise_curve.hpp"
 #include "core/transport/polygon.hpp"
@@ -82,7 +83,7 @@ std::vector<CurvePiece> rounded_pieces(const std::vector<RoundedCorner>& corners
 std::shared_ptr<const ConvexCurve> rounded_polygon(const Points& given, double radius, double tolerance) {
     check_convex(given, tolerance, "corner");
     if (!(radius > 0) || !std::isfinite(radius))
-        throw InputError("the radius of the corners must be positive, not " + format_number(radius));
+        throw InputError("the radius of the corners must be positive, not " + exact_number(radius));
     const Vec3 origin = bounding_box(given).centre();
     std::vector<Vec3> corners;
     for (const std::size_t k : true_corners(given, tolerance)) {
@@ -92,7 +93,7 @@ std::shared_ptr<const ConvexCurve> rounded_polygon(const Points& given, double r
     const auto rounded = rounded_corners(corners);
     const double largest = largest_radius(rounded);
     if (radius > largest * (1 + 1e-12))
-        throw InputError("the radius " + format_number(radius) +
+        throw InputError("the radius " + exact_number(radius) +
                          " of the corners is too large for the sides of the polygon; the largest is " +
                          rounded_down(largest));
     return std::make_shared<const PiecewiseCurve>(rounded_pieces(rounded, radius), origin);

@@ -1,4 +1,5 @@
 // Ellipses, and superellipses |x / a|^p + |y / b|^p = 1 in coordinates along their axes.
+#include "core/base/short_number.hpp"
 #include "core/transport/arc_length.hpp"
 #include "core/transport/checks.hpp"
 #include "core/transport/convex_curve.hpp"
@@ -136,7 +137,7 @@ std::shared_ptr<const ConvexCurve> rounded_rectangle(Vec3 centre, double a, doub
                                                      double angle) {
     if (!(p >= 2 && p <= 20))
         throw InputError("the exponent of a rounded rectangle must be between 2 and 20, not " +
-                         format_number(p));
+                         exact_number(p));
     return std::make_shared<const Superellipse>(Axes(centre, a, b, angle), p);
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/eigenvalues.hpp"
 #include "core/base/error.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_number.hpp"
 #include "core/fem/gauss.hpp"
 #include "core/transport/curve_integral.hpp"
 
@@ -48,7 +49,7 @@ void require_positive(std::span<const double> values, const char* what) {
     for (const double value : values)
         if (!(value > 0) || !std::isfinite(value))
             throw InputError(std::string("the density on the ") + what +
-                             " must be positive and finite everywhere, but is " + format_number(value) +
+                             " must be positive and finite everywhere, but is " + exact_number(value) +
                              " at some point; add a floor to it");
 }
 

@@ -99,6 +99,8 @@ class Application {
     Document& document() { return document_; }
     /// The views of meshes that belong to the last frame.
     const std::vector<ShownView>& views() const { return viewport_pane_.views(); }
+    /// In the next frame the screen still shows these, with which axes and marks stay.
+    void stay_with(std::vector<ShownView> meshes) { viewport_pane_.stay_with(std::move(meshes)); }
     /// The plots of an interval, which are drawn already.
     std::vector<PlannedPlot> interval_plots() const { return viewport_pane_.plots(); }
     const ItemRectangle& viewport_rectangle() const { return layout_.viewport; }
@@ -238,6 +240,7 @@ class Application {
     PathDrawing path_;
     Scenario before_path_; ///< what the path that is being drawn began with
     ReplayRange replay_range_;
+    ReplayEnds replay_ends_;
     std::optional<int> before_click_; ///< in a plot: the iteration that was shown; empty: the newest
     bool sidebar_before_ = true;      ///< before the size for projectors
     NarrowFeature narrow_feature_;

@@ -80,10 +80,11 @@ void Application::take_figure(FigureDialog::Choice choice) {
     if (!on_interval()) choice.view = with_range(choice.view, replay_range());
     const auto others = shown_beside();
     const bool among_others = !others.empty();
+    const int last = last_iteration(run());
     if (choice.kind != FigureKind::png) {
         if (among_others)
             messages_.say({"Drawings in vectors have the mesh of one run, the active one.", false});
-        return files_.save_figure(choice, scenario_title(run().scenario), snapshot);
+        return files_.save_figure(choice, scenario_title(run().scenario), snapshot, last);
     }
     if (among_others) choice.view.set("caption", false); // each run has its title
     std::vector<NamedSnapshot> beside;
@@ -91,7 +92,8 @@ void Application::take_figure(FigureDialog::Choice choice) {
         if (other.snapshot) beside.push_back({title_among_others(other), other.snapshot.get()});
     files_.draw_figure(
         choice, among_others ? title_among_others({&run(), snapshot, {}}) : scenario_title(run().scenario),
-        *snapshot, tessellations_, std::move(beside));
+        *snapshot,
+        ImageOptions{.cache = tessellations_, .last_iteration = last, .beside = std::move(beside)});
 }
 
 void Application::ask_how_to_film() {

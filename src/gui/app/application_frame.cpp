@@ -26,6 +26,8 @@ constexpr const char* hint_of_heights =
 constexpr const char* hint_of_plots =
     "Drag to move, wheel to zoom, double-click to see all, B for the computational interval, F1 for help";
 
+constexpr float narrowest_with_panel = 30; // in widths of the font; in smaller windows the mesh has all of it
+
 /// Whether one camera suits both meshes.
 bool look_alike(const DocumentRun& one, const DocumentRun& other) {
     return one.snapshot && other.snapshot &&
@@ -69,7 +71,7 @@ void Application::frame() {
         path_.add(run().scenario, move->handle.first, ImGui::GetTime());
     }
     if (path_.drawing() && !ImGui::IsMouseDown(0)) take_path();
-    if (action("sidebar").is_checked()) draw_sidebar();
+    if (layout_.sidebar.width() > 0) draw_sidebar();
     if (layout_.plots > 0) draw_plots(context);
     if (layout_.plots == 0 && action("plots").is_checked()) draw_plots_left_out(context);
     draw_edges(layout_, settings_.window, context);
@@ -88,8 +90,9 @@ void Application::draw_viewport(const FrameContext& context) {
     Values& view = viewport().view;
     const double blend = view.real("blend");
     if (playback_.blends()) view.set("blend", playback_.blend());
-    viewport_pane_.frame({&run(), playback_.snapshot(run()), replay_range()}, viewport(), layout_.viewport,
-                         context, others);
+    ShownRun shown{&run(), playback_.snapshot(run()), replay_range()};
+    if (playback_.compares() && on_interval()) shown.compared = replay_ends_.of(run());
+    viewport_pane_.frame(shown, viewport(), layout_.viewport, context, others);
     view.set("blend", blend);
 }
 
@@ -139,12 +142,13 @@ std::vector<const DocumentRun*> Application::runs_beside() {
 void Application::arrange() {
     const Values& window = settings_.window;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const LayoutChoice choice{.sidebar = window.boolean("sidebar"),
+    const float em = ImGui::GetFontSize();
+    const LayoutChoice choice{.sidebar = window.boolean("sidebar") && size.x >= narrowest_with_panel * em,
                               .plots = window.boolean("plots"),
                               .log = window.boolean("log"),
                               .sidebar_width = static_cast<float>(window.real("sidebar_width")),
                               .plots_share = static_cast<float>(window.real("plots_share"))};
-    layout_ = compute_layout(size.x, size.y, ImGui::GetFontSize(), menus_.height(), choice);
+    layout_ = compute_layout(size.x, size.y, em, menus_.height(), choice);
 }
 
 void Application::draw_sidebar() {
@@ -290,7 +294,11 @@ void Application::draw_formula_button() {
     const std::string label(row.label);
     const float padding = ImGui::GetStyle().FramePadding.x;
     const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * padding;
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width - padding);
+    const float left = ImGui::GetWindowContentRegionMax().x - width - padding;
+    const float heading =
+        ImGui::GetTreeNodeToLabelSpacing() + ImGui::CalcTextSize(section_title(SectionKind::monitor)).x;
+    if (left < heading + padding) return; // a narrow panel
+    ImGui::SameLine(left);
     ImGui::BeginDisabled(!row.is_enabled());
     if (ImGui::SmallButton(label.c_str())) perform(row.name);
     ImGui::EndDisabled();
@@ -377,8 +385,8 @@ void Application::draw_plots(const FrameContext& context) {
 void Application::draw_plots_left_out(const FrameContext& context) {
     const ItemRectangle& place = layout_.plots_note;
     const float em = ImGui::GetFontSize();
-    const std::string text =
-        "No space for the plots: enlarge the window, or " + describe_keys(action("smaller"));
+    std::string text = "No space for the plots: enlarge the window, or " + describe_keys(action("smaller"));
+    if (text_size(text).x > place.width() - 2 * em) text = "No space for the plots";
     begin_part("##plots-note", place, ImGuiWindowFlags_NoInputs);
     write_text(*ImGui::GetWindowDrawList(), {place.left + em, place.top + 0.2F * em},
                context.theme.faint_text, shortened(text, place.width() - 2 * em));

@@ -43,7 +43,7 @@ void draw_edge(const char* name, const ItemRectangle& edge, const EdgeTravel& tr
 
 void draw_edges(const Layout& layout, Values& settings, const FrameContext& context) {
     const float right = ImGui::GetIO().DisplaySize.x, bottom = layout.second_plot.bottom;
-    if (settings.boolean("sidebar"))
+    if (layout.sidebar.width() > 0)
         draw_edge("edge.sidebar", layout.sidebar_edge, {true, 0, ImGui::GetFontSize()}, settings,
                   "sidebar_width", context);
     if (!settings.boolean("plots")) return;

@@ -162,10 +162,10 @@ std::filesystem::path figure_file(const FigureDialog::Choice& figure) {
 } // namespace
 
 void FileTasks::save_figure(const FigureDialog::Choice& figure, const std::string& subject,
-                            std::shared_ptr<const Snapshot> snapshot) {
-    writer_.run([figure, subject, snapshot = std::move(snapshot)] {
+                            std::shared_ptr<const Snapshot> snapshot, int last_iteration) {
+    writer_.run([figure, subject, snapshot = std::move(snapshot), last_iteration] {
         const auto file = figure_file(figure);
-        const std::string svg = svg_of_figure(*snapshot, figure.view, subject);
+        const std::string svg = svg_of_figure(*snapshot, figure.view, subject, last_iteration);
         if (figure.kind == FigureKind::pdf)
             write_pdf(file, svg);
         else
@@ -175,13 +175,12 @@ void FileTasks::save_figure(const FigureDialog::Choice& figure, const std::strin
 }
 
 void FileTasks::draw_figure(const FigureDialog::Choice& figure, const std::string& subject,
-                            const Snapshot& snapshot, std::shared_ptr<TessellationCache> cache,
-                            std::vector<NamedSnapshot> beside) {
+                            const Snapshot& snapshot, ImageOptions options) {
     const auto work = std::make_shared<FigureInWork>();
     const auto pixels = [&](const char* key) { return static_cast<int>(figure.view.integer(key)); };
-    work->image = std::make_unique<PreparedImage>(
-        snapshot, figure.view, pixels("width"), pixels("height"), subject,
-        ImageOptions{.stop = work->stop.get_token(), .cache = std::move(cache), .beside = std::move(beside)});
+    options.stop = work->stop.get_token();
+    work->image = std::make_unique<PreparedImage>(snapshot, figure.view, pixels("width"), pixels("height"),
+                                                  subject, options);
     figures_.push_back(work);
     drawer_.run([figure, board = board_, task = work]() mutable {
         const auto own = std::move(task); // released before the outcome is told

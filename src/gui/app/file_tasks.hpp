@@ -78,13 +78,12 @@ class FileTasks {
     std::vector<ScenarioOnDisk> take_saved();
     /// "NAME.png" or the next free name.
     void save_image(const Scenario& scenario, const std::string& name, Image image);
-    /// A figure of a snapshot as vectors, to a file that the user has chosen.
+    /// A figure of a snapshot as vectors, to a file that the user has chosen. `last_iteration`: of the run.
     void save_figure(const FigureDialog::Choice& figure, const std::string& subject,
-                     std::shared_ptr<const Snapshot> snapshot);
-    /// Draws a figure in pixels on a thread of its own, to a file that the user has chosen. `beside`: other
-    /// runs, if the view shows runs.
+                     std::shared_ptr<const Snapshot> snapshot, int last_iteration);
+    /// Draws a figure in pixels on a thread of its own, to a file that the user has chosen.
     void draw_figure(const FigureDialog::Choice& figure, const std::string& subject, const Snapshot& snapshot,
-                     std::shared_ptr<TessellationCache> cache, std::vector<NamedSnapshot> beside = {});
+                     ImageOptions options);
     /// The fraction that is drawn of the figures in pixels; nothing if there are none.
     std::optional<double> figure_progress() const;
     /// Those that are being drawn, and those that wait for it, are not written.

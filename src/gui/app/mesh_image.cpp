@@ -62,7 +62,7 @@ bool MeshImage::draw(const MeshesToDraw& what, bool quickly, const std::function
             part->area.y -= y;
         if (part && !meshes_.at(static_cast<std::size_t>(first - what.views.begin()))
                          .draw(shown.scene, part->camera, part->area, height, what.theme, what.zoom * density,
-                               give_up))
+                               quickly, give_up))
             return false;
     }
     if (!quickly) need(resolved_, 0).copy(target);

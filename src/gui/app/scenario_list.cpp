@@ -63,7 +63,7 @@ std::string short_description(const std::string& description) {
 namespace {
 
 // Sizes at scale 1.
-constexpr float card_pad = 5, card_gap = 4;
+constexpr float card_pad = 7, card_gap = 4;
 
 ImVec2 card_size(float scale) {
     return {(static_cast<float>(thumbnail_width) + 2 * card_pad) * scale,
@@ -106,7 +106,11 @@ void draw_no_picture(ImDrawList& list, ImVec2 low, ImVec2 high, const Theme& the
     }
 }
 
-bool key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+/// A key that is held repeats, but not because a frame was slow.
+bool key_pressed(ImGuiKey key) {
+    const bool fluent = ImGui::GetIO().DeltaTime < 0.1F;
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), fluent);
+}
 
 } // namespace
 
@@ -154,6 +158,16 @@ void ScenarioList::move_mark(const std::vector<Card>& cards, int columns) {
     scroll_to_mark_ = marked_ != before;
 }
 
+/// The scenario that is open has a bar at its left; the card that Enter would open has a frame.
+static void mark_card(ImDrawList& list, ImVec2 low, ImVec2 high, bool lit, bool current, const Theme& theme,
+                      float scale) {
+    const float rounding = ImGui::GetStyle().FrameRounding;
+    if (lit) list.AddRect(low, high, packed(theme.accent), rounding, 0, 2 * scale);
+    if (current)
+        list.AddRectFilled({low.x, low.y + 6 * scale}, {low.x + 3 * scale, high.y - 6 * scale},
+                           packed(theme.accent), 1.5F * scale);
+}
+
 bool ScenarioList::draw_card(const Card& card, bool lit, bool current, const FrameContext& context) {
     const float scale = context.scale, pad = card_pad * scale;
     const ImVec2 size = card_size(scale), at = ImGui::GetCursorScreenPos();
@@ -164,13 +178,15 @@ bool ScenarioList::draw_card(const Card& card, bool lit, bool current, const Fra
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 low{at.x + pad, at.y + pad}, high{at.x + size.x - pad, low.y + thumbnail_height * scale};
     const auto place = card.choice.file ? std::nullopt : thumbnails_.find(card.choice.name);
+    const float mat = 3 * scale; // around pictures, which are dark also in the light theme
+    const ImVec2 outer_low{low.x - mat, low.y - mat}, outer_high{high.x + mat, high.y + mat};
+    list.AddRectFilled(outer_low, outer_high, packed(context.theme.background), 4 * scale);
+    list.AddRect(outer_low, outer_high, packed(context.theme.border), 4 * scale, 0, std::max(1.0F, scale));
     if (place)
         list.AddImageRounded(place->texture(), low, high, place->low, place->high, IM_COL32_WHITE, 3 * scale);
     else
         draw_no_picture(list, low, high, context.theme, scale);
-    if (lit || current)
-        list.AddRect({low.x - 1, low.y - 1}, {high.x + 1, high.y + 1},
-                     packed(context.theme.accent, lit ? 1.0F : 0.6F), 3 * scale, 0, 2 * scale);
+    mark_card(list, at, {at.x + size.x, at.y + size.y}, lit, current, context.theme, scale);
     draw_title(list, {low.x, high.y + pad}, size.x - 2 * pad, card.title, context.theme);
     return pressed;
 }

@@ -187,6 +187,7 @@ std::unique_ptr<Page> page_of_view(const Snapshot& snapshot, const Values& view,
     auto page = std::make_unique<Page>(width, height, scale, themed, subject);
     const ViewportText text{.subject = subject,
                             .report = snapshot.report,
+                            .last_iteration = options.last_iteration,
                             .caption = view.boolean("caption"),
                             .with_legend = view.boolean("legend"),
                             .notes = view.boolean("note")};

@@ -33,6 +33,7 @@ struct ImageOptions {
     const Gl* gl = nullptr; ///< of a context that is current, to draw with; null: one is made and released
     std::stop_token stop{}; ///< asked to stop between meshes, drawing throws Interrupted
     std::shared_ptr<TessellationCache> cache{}; ///< of tessellations that may have been made; may be null
+    int last_iteration = 0;                     ///< of the run, for the caption; 0: unknown
     std::vector<NamedSnapshot> beside{};        ///< other runs, shown if view.layout is "runs"
     /// That has prepared this snapshot and view, and is used for nothing else; null: one is made.
     std::shared_ptr<ViewportPlanner> planner{};

@@ -1,6 +1,7 @@
 #include "gui/app/window.hpp"
 
 #include "core/base/error.hpp"
+#include "gui/app/frame_pacing.hpp"
 #include "gui/app/mesh_painter.hpp"
 #include "gui/app/viewport_image.hpp"
 #include "gui/app/whole_window.hpp"
@@ -33,10 +34,8 @@ namespace gaspard {
 
 namespace {
 
-constexpr double frame_seconds = 1.0 / 60;
-constexpr int longest_wait = 30;        // frames; then typed letters go to the focused item
-constexpr double gesture_seconds = 0.5; // after an input, in which what it changes is drawn at once
-constexpr int settling_frames = 3;      // ImGui reacts to an input one or two frames later
+constexpr int longest_wait = 30;                         // frames; then typed letters go to the focused item
+constexpr double longest_step = 0.5, input_check = 0.01; // seconds, of what moves by itself
 
 std::string last_glfw_error() {
     const char* text = nullptr;
@@ -280,23 +279,25 @@ class Window {
             return 0;
         }
         if (shot && shot_ready_) return 0; // with the meshes that came for it
-        const bool at_once = in_gesture() || application_->window_state().animating;
+        const bool at_once = pacing_.in_gesture(glfwGetTime()) || application_->window_state().animating;
         const bool in_full = shot || shot_number_;
         const auto number = painter_->want(wanted, in_full   ? Hurry::in_full
                                                    : at_once ? Hurry::at_once
                                                              : Hurry::none);
         if (shot) shot_number_ = number;
         const double begun = glfwGetTime();
-        const bool there = painter_->wait(painter_->patience());
+        const bool there = wait_for_meshes();
         const double waited = glfwGetTime() - begun;
-        const auto painted = painter_->take();
+        if (there || !painted_) take_painted();
+        const auto painted = std::exchange(painted_, nullptr);
         if (painted && in_same_place(painted->what, wanted)) {
             image_->take(*painted);
             drawn_ = painted->what;
             const bool for_shot = shot_number_ && painted->in_full && painted->number >= *shot_number_;
             if (for_shot && !shot) {
                 shot_ready_ = true;
-                application_->perform("screenshot"); // the next frame, without a tooltip
+                application_->perform("screenshot"); // of the next frame, without a tooltip
+                pacing_.need_more_frames();
             }
         } else if (drawn_ && !in_same_place(*drawn_, wanted)) {
             image_->forget_meshes(); // rather none than those of something else
@@ -307,34 +308,52 @@ class Window {
         return waited;
     }
 
-    /// Sleeps until there is something to draw, and draws at most 60 times a second. Slow drawing (without a
-    /// graphics card) takes at most half of the time while the solver, which needs the cores too, is running;
-    /// reactions to input are drawn at once.
-    void wait() {
-        if (frames_due_ == 0 && !happenings_.news && !happenings_.image &&
-            !application_->window_state().animating)
-            glfwWaitEvents();
-        const auto rest = [this] {
-            const bool at_once = happenings_.input || in_gesture() || happenings_.image ||
-                                 (frames_due_ > 0 && !happenings_.news);
-            const double pause = settles() ? 0.0
-                                 : at_once ? frame_seconds
-                                           : std::max(frame_seconds, 2 * drawing_seconds_);
-            return begun_ + pause - glfwGetTime();
-        };
-        for (double left = 0; (left = rest()) > 0;) glfwWaitEventsTimeout(left);
-        glfwPollEvents();
-        happenings_.image = false;
-        const bool reacting = std::exchange(happenings_.input, false);
-        if (reacting || happenings_.news) frames_due_ = settling_frames;
-        frames_due_ = std::max(0, frames_due_ - 1);
-        begun_ = glfwGetTime();
-        if (reacting) input_at_ = begun_;
+    void take_painted() {
+        if (auto newer = painter_->take()) painted_ = std::move(newer);
     }
-    /// The last frame, which took an input, has changed nothing yet.
-    bool settles() const { return frames_due_ > 0 && !changed_ && in_gesture(); }
-    /// What changes now was probably caused by the hand, which goes on.
-    bool in_gesture() const { return glfwGetTime() - input_at_ < gesture_seconds; }
+
+    /// Axes and marks belong to meshes. If a frame does not wait for its meshes, they stay with those that
+    /// are there.
+    void hold_overlay() {
+        const bool late = painter_ && !keeps_step() && painter_->patience() == 0;
+        if (late) take_painted();
+        std::vector<ShownView> there;
+        if (late && (painted_ || drawn_)) there = painted_ ? painted_->what.views : drawn_->views;
+        application_->stay_with(std::move(there));
+    }
+
+    /// What moves by itself waits for its meshes.
+    bool keeps_step() const {
+        return application_->window_state().animating && !pacing_.in_gesture(glfwGetTime());
+    }
+
+    /// True if they are there. While a view moves by itself, frames keep step with its meshes rather than
+    /// draw panels that have not changed and take the cores from the painter; an input ends that.
+    bool wait_for_meshes() {
+        if (!keeps_step()) return painter_->wait(painter_->patience());
+        const double until = glfwGetTime() + longest_step;
+        bool there = false;
+        while (!there && !happenings_.input && glfwGetTime() < until) {
+            there = painter_->wait(input_check);
+            glfwPollEvents();
+        }
+        return there;
+    }
+
+    /// Sleeps until it is time for the next frame.
+    void wait() {
+        if (pacing_.may_sleep(causes())) glfwWaitEvents();
+        for (double left = 0; (left = pacing_.rest(causes(), glfwGetTime())) > 0;)
+            glfwWaitEventsTimeout(left);
+        glfwPollEvents();
+        pacing_.begin(causes(), glfwGetTime());
+        happenings_.input = happenings_.image = false;
+    }
+
+    FrameCauses causes() const {
+        return {happenings_.input, happenings_.news, happenings_.image,
+                application_->window_state().animating};
+    }
 
     void style() {
         look_ = wanted_look();
@@ -385,7 +404,7 @@ class Window {
             inputs.pop_front();
         }
         follow_buttons();
-        if (!inputs.empty()) frames_due_ = settling_frames;
+        if (!inputs.empty()) pacing_.need_more_frames();
     }
 
     void feed(const KeyChange& change) {
@@ -408,7 +427,7 @@ class Window {
                 buttons_[static_cast<std::size_t>(change->button)] = change->down;
                 inputs.pop_front();
             }
-            frames_due_ = settling_frames;
+            pacing_.need_more_frames();
         } else {
             pointer_ = happenings_.pointer;
         }
@@ -457,6 +476,7 @@ class Window {
         follow_input();
         // ImGui notices a click one frame later, so a double click takes up to four frames.
         ImGui::GetIO().MouseDoubleClickTime = std::max(0.3F, 4 * ImGui::GetIO().DeltaTime);
+        hold_overlay();
         ImGui::NewFrame();
         application_->frame();
         ImGui::Render();
@@ -464,18 +484,18 @@ class Window {
         const WindowPixels pixels{width, height, look_.scales.density};
         const double waited = draw_meshes(pixels, shot);
         const bool exposed = std::exchange(happenings_.exposed, false);
-        changed_ = image_->draw(pixels);
+        const bool changed = image_->draw(pixels);
         if (shot && std::exchange(shot_ready_, false))
             application_->save_image(
                 part_of(image_->read(), pixels_of(application_->viewport_rectangle(), look_.scales.density)));
-        if (changed_ || exposed) image_->show();
+        if (changed || exposed) image_->show();
         application_->save_plot([this](const Plot& plot) {
             return draw_plot_image(gl_, image_->interface(), plot, application_->window_state().theme, zoom(),
                                    look_.scales.density);
         });
         gl_.Finish();
-        drawing_seconds_ = glfwGetTime() - begun_ - waited; // without waiting for the screen
-        if (changed_ || exposed) glfwSwapBuffers(window_.get());
+        pacing_.end(glfwGetTime() - pacing_.begun() - waited, changed); // without waiting for the screen
+        if (changed || exposed) glfwSwapBuffers(window_.get());
     }
 
     // Destroyed in the opposite order: the solver first, the display last.
@@ -488,9 +508,10 @@ class Window {
     std::optional<WindowImage> image_;
     std::optional<MeshPainter> painter_; ///< or, with a graphics card:
     std::optional<MeshImage> meshes_;
-    std::optional<MeshesToDraw> drawn_;          ///< what the window shows
-    std::optional<std::uint64_t> shot_number_{}; ///< of the meshes that an image of the window waits for
-    bool shot_ready_ = false;                    ///< they are there
+    std::optional<MeshesToDraw> drawn_;            ///< what the window shows
+    std::shared_ptr<const PaintedMeshes> painted_; ///< taken for this frame, to be shown in it
+    std::optional<std::uint64_t> shot_number_{};   ///< of the meshes that an image of the window waits for
+    bool shot_ready_ = false;                      ///< they are there
     Look look_;
     Place before_;                       ///< the window filled the screen
     std::map<std::string, Value> place_; ///< where it stood when it was closed, as in the settings
@@ -498,11 +519,7 @@ class Window {
     int waited_ = 0;                     ///< frames, for a dialog's field
     ImVec2 pointer_;                     ///< in the last frame, like the buttons
     std::array<bool, ImGuiMouseButton_COUNT> buttons_{};
-    int frames_due_ = settling_frames;
-    double begun_ = 0;           ///< of the last frame
-    double drawing_seconds_ = 0; ///< of the last frame
-    double input_at_ = 0;        ///< when the last input came
-    bool changed_ = false;       ///< the last frame differed from the one before
+    FramePacing pacing_;
     FontFinder fonts_{[this] { wake(happenings_.news); }};
     std::optional<Application> application_;
     std::stop_token stop_;

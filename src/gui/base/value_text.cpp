@@ -15,7 +15,7 @@ std::string number_text(const ParameterRow& row, double number) {
 
 std::string unit_text(const ParameterRow& row) {
     constexpr std::pair<const char*, const char*> short_forms[] = {
-        {"radians", " rad"}, {"1/radian", " rad⁻¹"}, {"1/radian²", " rad⁻²"}};
+        {"degrees", "°"}, {"radians", " rad"}, {"1/radian", " rad⁻¹"}, {"1/radian²", " rad⁻²"}};
     for (const auto& [unit, form] : short_forms)
         if (row.unit == unit) return form;
     if (row.unit.empty() || row.unit.find("length") != std::string::npos) return {};

@@ -1,11 +1,13 @@
-// The range of the colours while recorded iterates are compared: one for the whole solve, so that a colour
-// means the same value in every iterate.
+// What the colours, and the axes of plots, cover while recorded iterates are compared: one range for the
+// whole solve, so that a colour or a height means the same value in every iterate.
 #pragma once
 
 #include "core/tessellate/colouring.hpp"
 #include "gui/document/document_run.hpp"
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace gaspard {
 
@@ -25,6 +27,17 @@ class ReplayRange {
     };
     std::optional<Known> known_;
     std::optional<ColourRange> range_;
+};
+
+/// The iterates that such a range covers: the first, and the newest or the last before the first tangled one.
+class ReplayEnds {
+  public:
+    /// Restored only if they are others than in the last call; none if nothing was recorded.
+    const std::vector<std::shared_ptr<const Snapshot>>& of(const DocumentRun& run);
+
+  private:
+    std::vector<std::shared_ptr<const RecordedIterate>> iterates_;
+    std::vector<std::shared_ptr<const Snapshot>> snapshots_;
 };
 
 } // namespace gaspard

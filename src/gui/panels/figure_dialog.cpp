@@ -6,6 +6,7 @@
 #include "gui/panels/image_fields.hpp"
 #include "gui/panels/modal.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -171,12 +172,20 @@ void FigureDialog::draw_ground(ItemRectangles& items) {
 
 void FigureDialog::draw_parts(ItemRectangles& items) {
     label_before("Text size");
+    constexpr float smallest = 0.25F, largest = 4;
     auto size = static_cast<float>(view_->real("text_size"));
-    ImGui::SetNextItemWidth(14 * ImGui::GetFontSize());
-    if (ImGui::SliderFloat("##text", &size, 0.25F, 4, "%.2f",
-                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+    double typed = view_->real("text_size");
+    // The number has a field of its own, as the knob of a slider would cover it.
+    ImGui::SetNextItemWidth(10 * ImGui::GetFontSize());
+    if (ImGui::SliderFloat("##text", &size, smallest, largest, "",
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput))
         view_->set("text_size", static_cast<double>(size));
     remember_item(items, "figure.text_size");
+    ImGui::SameLine();
+    if (number_field("##text number", typed, "%.2f"))
+        view_->set("text_size",
+                   std::clamp(typed, static_cast<double>(smallest), static_cast<double>(largest)));
+    remember_item(items, "figure.text_size.number");
     draw_shown_parts(*view_, "figure", items);
 }
 

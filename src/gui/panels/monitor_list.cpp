@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <imgui.h>
+#include <initializer_list>
 
 namespace gaspard {
 
@@ -53,6 +54,24 @@ void draw_picture(ImDrawList& list, const std::optional<PicturePlace>& place, co
                  packed(theme.faint_text, opacity), sign);
 }
 
+/// The formula, or what says as much in the list, where the whole of it is too long.
+std::string short_equation(const MonitorType& type) {
+    if (type.name == "combine") return "m(x) = t_a + t_b, t_a t_b, max(t_a, t_b) or min(t_a, t_b)";
+    if (type.name == "sine-waves") return "m(x) = 1 + Σᵢ A exp( -B |y - yᵢ - aᵢ sin(2 π x)| )";
+    return type.equation;
+}
+
+/// Without its last clause, such as ", γ = 1/N⁴", that is not within brackets; empty if there is only one.
+std::string without_last_clause(const std::string& equation) {
+    int depth = 0;
+    for (std::size_t i = equation.size(); i-- > 0;) {
+        const char c = equation[i];
+        depth += c == ')' || c == '}' ? 1 : c == '(' || c == '{' ? -1 : 0;
+        if (depth == 0 && (c == ',' || c == ';')) return equation.substr(0, i);
+    }
+    return {};
+}
+
 /// As much of the text as fits.
 std::string beginning(const std::string& text, float width) {
     if (text_size(text).x <= width) return text;
@@ -62,22 +81,47 @@ std::string beginning(const std::string& text, float width) {
     return part + " …";
 }
 
-/// Typeset, as large as fits, else as text.
+/// Typeset if it fits, else as text.
 void draw_formula(ImDrawList& list, const MonitorType& type, ImVec2 at, ImVec2 room, float opacity,
                   const Theme& theme) {
     Colour ink = theme.faint_text;
     ink.a *= opacity;
-    const float em = ImGui::GetFontSize();
-    if (const auto parsed = parse_math(type.equation))
-        for (const float size : {0.95F * em, 0.85F * em, 0.75F * em}) {
-            const MathSize whole = math_size(*parsed, size);
-            if (whole.width > room.x || whole.height() > room.y) continue;
-            return draw_math(list, *parsed, {at.x, at.y + (room.y - whole.height()) / 2}, size, ink);
-        }
-    write_text(list, {at.x, at.y + (room.y - em) / 2}, ink, beginning(type.equation, room.x));
+    const auto listed = listed_formula(type, room);
+    if (listed && listed->typeset) {
+        const MathSize whole = math_size(*parse_math(listed->text), listed->size);
+        return draw_math(list, *parse_math(listed->text), {at.x, at.y + (room.y - whole.height()) / 2},
+                         listed->size, ink);
+    }
+    write_text(list, {at.x, at.y + (room.y - ImGui::GetFontSize()) / 2}, ink,
+               listed ? listed->text : beginning(short_equation(type), room.x));
 }
 
 } // namespace
+
+std::optional<ListedFormula> listed_formula(const MonitorType& type, ImVec2 room) {
+    const float em = ImGui::GetFontSize();
+    const auto typeset = [&](std::initializer_list<float> sizes) -> std::optional<ListedFormula> {
+        for (std::string text = short_equation(type); !text.empty(); text = without_last_clause(text)) {
+            const auto parsed = parse_math(text);
+            for (const float size : sizes) {
+                const MathSize whole = parsed ? math_size(*parsed, size * em) : MathSize{};
+                if (parsed && whole.width <= room.x && whole.height() <= room.y)
+                    return ListedFormula{text, size * em};
+            }
+        }
+        return std::nullopt;
+    };
+    if (auto listed = typeset({0.95F, 0.85F, 0.75F})) return listed;
+    if (auto listed = typeset({0.65F})) return listed; // rather than as text
+    for (std::string text = short_equation(type); !text.empty(); text = without_last_clause(text))
+        if (text_size(text).x <= room.x) return ListedFormula{std::move(text), em, false};
+    return std::nullopt;
+}
+
+ImVec2 MonitorList::formula_room() {
+    const ListSizes sizes;
+    return {sizes.wide - sizes.text - sizes.pad, sizes.picture_height - 1.25F * sizes.em};
+}
 
 float MonitorList::width() { return ListSizes().wide; }
 

@@ -5,11 +5,22 @@
 #include "gui/panels/monitor_pictures.hpp"
 #include "gui/panels/sections.hpp"
 
+#include <imgui.h>
 #include <optional>
+#include <string>
 
 namespace gaspard {
 
 struct PanelContext; // gui/panels/parameter_panel.hpp
+
+/// How the list writes the formula of a type: with letters of this size, and typeset where it can be.
+struct ListedFormula {
+    std::string text;
+    float size = 0;
+    bool typeset = true;
+};
+/// So that it fits into `room`, if necessary smaller and without its last clauses; nullopt if it does not.
+std::optional<ListedFormula> listed_formula(const MonitorType& type, ImVec2 room);
 
 class MonitorList {
   public:
@@ -17,6 +28,8 @@ class MonitorList {
     void begin_frame() { pictures_.begin_frame(); }
     /// How wide the list is.
     static float width();
+    /// The part of an entry that its formula may take.
+    static ImVec2 formula_room();
     /// In the open list of a section, of the monitor or of the source density: the scenario with the type
     /// that was chosen. Notes items such as "monitor.type=ring".
     std::optional<Scenario> draw(SectionKind kind, const PanelContext& context, const Scenario& scenario);

@@ -125,20 +125,28 @@ bool allows(const ParameterRow& row, const Value& value) {
            (choice && std::find(row.choices.begin(), row.choices.end(), *choice) != row.choices.end());
 }
 
-/// The list of a choice. `fits`: the others are greyed out. An empty text is called automatic.
+/// What a list calls a choice; an empty text is called automatic.
+std::string name_of(const ParameterRow& row, const std::string& choice) {
+    const auto found = std::find(row.choices.begin(), row.choices.end(), choice);
+    const auto place = static_cast<std::size_t>(found - row.choices.begin());
+    if (place < row.choice_labels.size()) return row.choice_labels[place];
+    return choice.empty() ? "automatic" : choice;
+}
+
+/// The list of a choice. `fits`: the others are greyed out.
 std::optional<std::string> draw_list(const PanelContext& context, const std::string& key,
-                                     const std::string& current, const std::vector<std::string>& choices,
+                                     const ParameterRow& row, const std::string& current,
+                                     const std::vector<std::string>& choices,
                                      const std::function<bool(const std::string&)>& fits) {
-    const auto named = [](const std::string& choice) {
-        return choice.empty() ? "automatic" : choice.c_str();
-    };
     std::optional<std::string> chosen;
-    const bool open = ImGui::BeginCombo("##choice", named(current), ImGuiComboFlags_HeightLarge);
+    const bool open =
+        ImGui::BeginCombo("##choice", name_of(row, current).c_str(), ImGuiComboFlags_HeightLarge);
     remember_item(context.items, key);
     if (!open) return chosen;
     for (const auto& choice : choices) {
         const auto flags = fits(choice) ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
-        if (ImGui::Selectable(named(choice), choice == current, flags) && fits(choice)) chosen = choice;
+        const std::string name = name_of(row, choice);
+        if (ImGui::Selectable(name.c_str(), choice == current, flags) && fits(choice)) chosen = choice;
         remember_item(context.items, key + "=" + choice);
     }
     ImGui::EndCombo();
@@ -441,7 +449,7 @@ void ParameterPanel::draw_control(const PanelContext& context, const ParameterRo
             return choice == current || choice_fits(context, scenario, values, row.key, choice);
         };
         ImGui::SetNextItemWidth(wide);
-        if (const auto chosen = draw_list(context, key, current, row.choices, fits))
+        if (const auto chosen = draw_list(context, key, row, current, row.choices, fits))
             values.set(row.key, *chosen);
         return;
     }
@@ -479,7 +487,8 @@ void ParameterPanel::draw_text(const PanelContext& context, const ParameterRow& 
     if (const std::vector<std::string>* known = choices_of(context, values, row.key)) {
         std::vector<std::string> choices = *known;
         if (std::get<std::string>(row.default_value).empty()) choices.insert(choices.begin(), std::string());
-        const auto chosen = draw_list(context, key, value, choices, [](const std::string&) { return true; });
+        const auto chosen =
+            draw_list(context, key, row, value, choices, [](const std::string&) { return true; });
         if (chosen) values.set(row.key, *chosen);
         return;
     }

@@ -2,7 +2,9 @@
 
 #include "core/base/error.hpp"
 #include "gui/base/part_window.hpp"
+#include "gui/base/plot_text.hpp"
 #include "gui/plot/plot_widget.hpp"
+#include "gui/viewport/axes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -121,11 +123,13 @@ void ViewportPane::frame(const ShownRun& shown_run, DocumentViewport& viewport, 
         }
         const ViewportText text{.subject = first.title, .caption = false};
         const Values view = with_range(viewport.view, shown_run.range);
+        planner_.compare_plots(shown_run.compared);
         plan_ =
             planner_.plan(*first.snapshot, plots ? viewport.view : view, text,
                           {{area.left, area.top}, {area.right, area.bottom}}, context.scale, beside, zooms_);
         if (plots) draw_plots(context);
-        draw_viewport_overlay(*ImGui::GetWindowDrawList(), *plan_, context.theme, context.scale);
+        draw_nets(context); // below the labels of axes
+        draw_overlay(context);
         cut_ = cut_of(*plan_, viewport.view);
         if (!plots)
             draw_handles(context), draw_cut(context), section_.draw(*plan_, context),
@@ -137,6 +141,35 @@ void ViewportPane::frame(const ShownRun& shown_run, DocumentViewport& viewport, 
                               {shown.rect.min.x, shown.rect.min.y, shown.rect.max.x, shown.rect.max.y}});
     }
     ImGui::End();
+}
+
+void ViewportPane::draw_nets(const FrameContext& context) const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (const PlannedView& shown : plan_->views) {
+        if (handles_.empty() || !seen(handles_.back(), shown)) continue;
+        list.PushClipRect(shown.rect.min, shown.rect.max, true);
+        draw_control_net(handles_, list, shown, context.theme, context.scale);
+        list.PopClipRect();
+    }
+}
+
+/// Over the meshes that are on the screen, if those of the plan follow later.
+void ViewportPane::draw_overlay(const FrameContext& context) const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ViewportPlan shown = *plan_;
+    for (std::size_t i = 0; i < shown.views.size() && on_screen_.size() == shown.views.size(); ++i) {
+        PlannedView& view = shown.views[i];
+        const ShownView& there = on_screen_[i];
+        const bool here = there.rectangle.left == view.rect.min.x && there.rectangle.top == view.rect.min.y &&
+                          there.rectangle.right == view.rect.max.x &&
+                          there.rectangle.bottom == view.rect.max.y;
+        const bool alike = there.scene.mesh->cell_count() == view.scene.mesh->cell_count() &&
+                           has_axes(there.scene) == view.axes.has_value();
+        if (!here || !alike || (there.scene == view.scene && there.camera == view.camera)) continue;
+        view.scene = there.scene, view.camera = there.camera;
+        if (view.axes) view.axes = shown_box(there.scene);
+    }
+    draw_viewport_overlay(list, shown, context.theme, context.scale);
 }
 
 void ViewportPane::offer_handles(std::vector<Handle> handles) {
@@ -182,9 +215,23 @@ void ViewportPane::forget_zooms(const Values& view) {
     x_axis_ = std::move(x), y_axis_ = std::move(y);
 }
 
+/// Instead of plots without room.
+void ViewportPane::say_too_small(const FrameContext& context) const {
+    const ScreenRect& pane = plan_->rect;
+    const std::string text = shortened("Too small to show the mesh: enlarge the window", pane.width());
+    const ImVec2 size = text_size(text);
+    const ImVec2 at{(pane.min.x + pane.max.x - size.x) / 2, (pane.min.y + pane.max.y - size.y) / 2};
+    write_text(*ImGui::GetWindowDrawList(), at, context.theme.faint_text, text);
+    context.items["viewport.too-small"] = {at.x, at.y, at.x + size.x, at.y + size.y};
+}
+
 /// As widgets, which the mouse zooms: those of a column together.
 void ViewportPane::draw_plots(const FrameContext& context) {
     spinning_ = false;
+    const auto drawable = [&](const PlannedPlot& plot) {
+        return make_frame(plot.view, plot.rect, plot.zoom, context.scale).drawable();
+    };
+    if (std::none_of(plan_->plots.begin(), plan_->plots.end(), drawable)) return say_too_small(context);
     for (std::size_t i = 0; i < plan_->plots.size(); ++i) {
         PlannedPlot& plot = plan_->plots[i];
         ImGui::SetCursorScreenPos(plot.rect.min);
@@ -246,8 +293,6 @@ void ViewportPane::draw_handles(const FrameContext& context) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (const PlannedView& shown : plan_->views) {
         list.PushClipRect(shown.rect.min, shown.rect.max, true);
-        if (!handles_.empty() && seen(handles_.back(), shown))
-            draw_control_net(handles_, list, shown, context.theme, context.scale);
         for (std::size_t i = 0; i < handles_.size(); ++i) {
             const auto at = seen(handles_[i], shown);
             if (!at) continue;

@@ -34,6 +34,8 @@ struct ShownRun {
     const DocumentRun* run;
     std::shared_ptr<const Snapshot> snapshot;
     std::optional<ColourRange> range{}; ///< of the colours, instead of the automatic one of the iterate
+    /// Iterates with which the plots of an interval are compared: their axes cover these, too.
+    std::vector<std::shared_ptr<const Snapshot>> compared{};
 };
 
 /// What a run is called beside others, "Newton: 11 iterations, converged".
@@ -62,6 +64,9 @@ class ViewportPane {
     void stop_turning() { spun_ = 0; }
     /// Sets the camera, given as text.
     void look_as(DocumentViewport& viewport, const std::string& camera);
+    /// In the next frame the screen still shows these meshes, whose axes and marks are drawn with them; by
+    /// default those of the frame.
+    void stay_with(std::vector<ShownView> meshes) { on_screen_ = std::move(meshes); }
     /// The handles of the next frames, which the mouse can drag.
     void offer_handles(std::vector<Handle> handles);
     /// Whether the planes of a cut have handles in the next frames.
@@ -89,8 +94,11 @@ class ViewportPane {
     const std::vector<ShownView>& views() const { return views_; }
 
   private:
+    void draw_nets(const FrameContext& context) const;
+    void draw_overlay(const FrameContext& context) const;
     void interact(Values& view, const ItemRectangle& area, const FrameContext& context);
     void draw_plots(const FrameContext& context);
+    void say_too_small(const FrameContext& context) const;
     bool use_legend(Values& view, float scale);
     void draw_legend_control(Values& view, const FrameContext& context);
     void forget_zooms(const Values& view);
@@ -112,7 +120,7 @@ class ViewportPane {
     std::optional<ViewportPlan> plan_; ///< of the last frame
     std::vector<ColumnZoom> zooms_;    ///< of the plots, by column
     std::string x_axis_, y_axis_;      ///< what the view says of the axes that were zoomed
-    std::vector<ShownView> views_;
+    std::vector<ShownView> views_, on_screen_;
     bool hides_active_ = false; ///< the meshes of all runs are shown, but the active run is hidden
     std::vector<Handle> handles_;
     std::optional<std::size_t> held_; ///< the handle being dragged

@@ -11,7 +11,7 @@ namespace gaspard {
 namespace {
 
 struct LegendEntry {
-    std::string text;
+    std::string text, whole;          ///< as it is written, and as it is
     const CurveView* curve = nullptr; ///< null: the entry of several curves
 };
 
@@ -21,7 +21,7 @@ std::vector<LegendEntry> names_of(const PlotView& plot) {
     const CurveView* before = nullptr;
     for (const CurveView& curve : plot.curves) {
         const bool repeated = before && !curve.part.empty() && before->label == curve.label;
-        if (!curve.label.empty() && !repeated) entries.push_back({curve.label, &curve});
+        if (!curve.label.empty() && !repeated) entries.push_back({curve.label, curve.label, &curve});
         before = &curve;
     }
     return entries;
@@ -33,8 +33,11 @@ std::vector<LegendEntry> entries_of(const PlotView& plot, float width, std::size
     for (LegendEntry& entry : entries) entry.text = shortened(entry.text, width);
     if (entries.size() <= fitting) return entries;
     const std::size_t left_out = entries.size() - fitting + 1;
+    std::string others;
+    for (std::size_t i = fitting - 1; i < fitting - 1 + left_out; ++i)
+        others += (others.empty() ? "" : "\n") + entries[i].whole;
     entries.resize(fitting);
-    entries.back() = {"and " + std::to_string(left_out) + " more", nullptr};
+    entries.back() = {"and " + std::to_string(left_out) + " more", others, nullptr};
     return entries;
 }
 
@@ -105,8 +108,8 @@ ImVec2 legend_strip(const PlotView& plot, ScreenRect area, float scale) {
     return height > 0.4F * area.height() ? ImVec2{0, 0} : ImVec2{width, height};
 }
 
-void draw_legend(ImDrawList& list, const PlotView& plot, const std::vector<PixelPath>& paths,
-                 const PlotFrame& frame, const Theme& theme, float scale) {
+std::string draw_legend(ImDrawList& list, const PlotView& plot, const std::vector<PixelPath>& paths,
+                        const PlotFrame& frame, const Theme& theme, float scale, ImVec2 pointer) {
     const LegendSizes sizes(scale);
     const auto [line, pad, sample] = sizes;
     if (frame.legend_width > 0) {
@@ -118,21 +121,26 @@ void draw_legend(ImDrawList& list, const PlotView& plot, const std::vector<Pixel
         in_lines(all, frame.legend_width, sizes, [&](const LegendEntry& entry, ImVec2 at) {
             draw_entry(list, entry, {corner.x + at.x, corner.y + at.y}, sizes, theme, scale);
         });
-        return;
+        return {};
     }
-    const float available = 0.7F * frame.area.width() - sample - 3 * pad;
+    const float available = frame.area.width() - sample - 5 * pad;
     const float lines = (0.6F * frame.area.height() - pad) / line;
-    if (lines < 2 || available < 3 * line) return;
+    if (lines < 2 || available < 3 * line) return {};
     const std::vector<LegendEntry> entries = entries_of(plot, available, static_cast<std::size_t>(lines));
-    if (entries.size() < 2) return;
+    if (entries.size() < 2) return {};
     float width = 0;
     for (const LegendEntry& entry : entries) width = std::max(width, text_size(entry.text).x);
     const ImVec2 size{width + sample + 3 * pad, line * static_cast<float>(entries.size()) + pad};
     const ScreenRect box = legend_place(paths, frame.area, size, pad);
     list.AddRectFilled(box.min, box.max, packed(theme.panel, 0.88F), 4 * scale);
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        draw_entry(list, entries[i], {box.min.x + pad, box.min.y + pad / 2 + line * static_cast<float>(i)},
-                   sizes, theme, scale);
+    std::string whole;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const ImVec2 corner{box.min.x + pad, box.min.y + pad / 2 + line * static_cast<float>(i)};
+        draw_entry(list, entries[i], corner, sizes, theme, scale);
+        const ScreenRect place{corner, {box.max.x, corner.y + line}};
+        if (place.contains(pointer) && entries[i].text != entries[i].whole) whole = entries[i].whole;
+    }
+    return whole;
 }
 
 } // namespace gaspard

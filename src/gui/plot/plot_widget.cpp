@@ -227,16 +227,18 @@ bool steer(const PlotView& plot, const PlotFrame& frame, PlotZoom& zoom, float s
     return std::hypot(io.MousePos.x - from.x, io.MousePos.y - from.y) < click_slack * scale;
 }
 
-void draw(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, ScreenRect rect, const Theme& theme,
-          float scale) {
+/// Returns what the legend says of the name at the pointer.
+std::string draw(ImDrawList& list, const PlotView& plot, const PlotFrame& frame, ScreenRect rect,
+                 const Theme& theme, float scale, ImVec2 pointer) {
     draw_frame(list, plot, frame, rect, theme, scale);
     draw_marks(list, plot, frame, theme, scale);
     draw_levels(list, plot, frame, theme, scale);
     const std::vector<PixelPath> paths = pixel_paths(plot, frame);
     draw_curves(list, plot, paths, frame, theme, scale);
-    draw_legend(list, plot, paths, frame, theme, scale);
+    std::string name = draw_legend(list, plot, paths, frame, theme, scale, pointer);
     for (const MarkView& mark : plot.marks)
         if (mark.handle) draw_handle(list, plot, frame, mark, theme, scale);
+    return name;
 }
 
 } // namespace
@@ -248,7 +250,7 @@ void draw_plot(ImDrawList& list, const Plot& plot, ScreenRect rect, const Theme&
 void draw_plot(ImDrawList& list, const PlotView& plot, ScreenRect rect, const PlotZoom& zoom,
                const Theme& theme, float scale) {
     const PlotFrame frame = make_frame(plot, rect, zoom, scale);
-    if (frame.drawable()) draw(list, plot, frame, rect, theme, scale);
+    if (frame.drawable()) draw(list, plot, frame, rect, theme, scale, {-FLT_MAX, -FLT_MAX});
 }
 
 bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zoom, const Theme& theme,
@@ -277,9 +279,12 @@ bool plot_widget(const char* id, const PlotView& plot, ImVec2 size, PlotZoom& zo
     if (zoom != before) frame = make_frame(plot, rect, zoom, scale);
     if (!frame.drawable()) return menu;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw(list, plot, frame, rect, theme, scale);
     const ImVec2 pointer = ImGui::GetIO().MousePos;
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive() && frame.area.contains(pointer))
+    const std::string name = draw(list, plot, frame, rect, theme, scale, pointer);
+    const bool pointed = ImGui::IsItemHovered() && !ImGui::IsItemActive() && frame.area.contains(pointer);
+    if (pointed && !name.empty())
+        ImGui::SetTooltip("%s", name.c_str());
+    else if (pointed)
         draw_read_out(list, plot, frame, pointer, theme, scale);
     if (ImGui::IsItemActive() && ImGui::IsMouseDown(1))
         if (const auto rectangle = dragged_rectangle(frame, scale)) {

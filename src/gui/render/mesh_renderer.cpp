@@ -1,6 +1,7 @@
 #include "gui/render/mesh_renderer.hpp"
 
 #include "core/base/check.hpp"
+#include "core/tessellate/coarse_tessellation.hpp"
 #include "gui/scene/clip_matrix.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace gaspard {
 
 namespace {
 
-constexpr std::size_t table_width = 2048; // as in the shaders
+constexpr std::size_t most_when_moving = 30'000; // triangles, of curved cells
 
 // Texture units.
 constexpr int computational_unit = 0, physical_unit = 1, colours_unit = 2, segments_unit = 3, cells_unit = 4,
@@ -77,8 +78,8 @@ float logarithm_of(const MeshScene& scene) {
 
 MeshRenderer::MeshRenderer(const Gl& gl)
     : gl_(gl), fill_program_(make_program(gl, "mesh_fill")), line_program_(make_program(gl, "mesh_line")),
-      arrow_program_(make_program(gl, "arrow")), fill_array_(gl), tangled_array_(gl), empty_array_(gl),
-      triangles_(gl), tangled_triangles_(gl), colours_(gl), layer_(gl) {
+      arrow_program_(make_program(gl, "arrow")), tangled_array_(gl), empty_array_(gl), tangled_triangles_(gl),
+      cells_(gl), coarse_(gl), colours_(gl), layer_(gl) {
     const auto fill = [&](const char* name) { return uniform(gl, fill_program_, name); };
     const auto line = [&](const char* name) { return uniform(gl, line_program_, name); };
     const auto arrow = [&](const char* name) { return uniform(gl, arrow_program_, name); };
@@ -102,37 +103,21 @@ MeshRenderer::MeshRenderer(const Gl& gl)
         gl.Uniform1i(uniform(gl, *program, "cell_values"), cell_values_unit);
         gl.Uniform1i(uniform(gl, *program, "facets"), facets_unit);
     }
-    gl.BindVertexArray(fill_array_.name());
-    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.name());
     gl.BindVertexArray(tangled_array_.name());
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, tangled_triangles_.name());
 }
 
-void MeshRenderer::fill_table(Table& table, const TexelFormat& texel, const void* texels, std::size_t count) {
-    const auto rows = static_cast<int>((count + table_width - 1) / table_width);
-    const auto width = static_cast<GLsizei>(table_width);
-    gl_.ActiveTexture(GL_TEXTURE0);
-    gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    if (table.texture.name() == 0) table.texture = GlTexture(gl_);
-    gl_.BindTexture(GL_TEXTURE_2D, table.texture.name());
-    if (rows > table.rows) {
-        gl_.TexImage2D(GL_TEXTURE_2D, 0, texel.internal, width, rows, 0, texel.format, texel.type, nullptr);
-        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        table.rows = rows;
-    }
-    const auto full = static_cast<GLsizei>(count / table_width),
-               rest = static_cast<GLsizei>(count % table_width);
-    const auto* bytes = static_cast<const unsigned char*>(texels);
-    if (full > 0) gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, full, texel.format, texel.type, bytes);
-    if (rest > 0)
-        gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, texel.format, texel.type,
-                          bytes + static_cast<std::size_t>(full) * table_width * texel.bytes);
-    uploaded_bytes_ += count * texel.bytes;
+MeshRenderer::CellSet::CellSet(const Gl& gl) : array(gl), triangles(gl) {
+    gl.BindVertexArray(array.name());
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles.name());
+}
+
+void MeshRenderer::fill(TexelTable& table, const TexelFormat& format, const void* texels, std::size_t count) {
+    uploaded_bytes_ += table.fill(gl_, format, texels, count);
 }
 
 void MeshRenderer::upload_points(const Points& points, const MeshScene& scene, bool with_values,
-                                 Table& table) {
+                                 TexelTable& table) {
     texels_.resize(points.size());
     const double *x = points.x.data(), *y = points.y.data(), *z = points.z.data();
     for (std::size_t i = 0; i < texels_.size(); ++i)
@@ -143,7 +128,7 @@ void MeshRenderer::upload_points(const Points& points, const MeshScene& scene, b
         const double* values = scene.point_values->data();
         for (std::size_t i = 0; i < texels_.size(); ++i) texels_[i].a = place.of(values[i]);
     }
-    fill_table(table, {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16}, texels_.data(), texels_.size());
+    fill(table, four_floats, texels_.data(), texels_.size());
 }
 
 void MeshRenderer::upload_cell_values(const MeshScene& scene) {
@@ -151,11 +136,11 @@ void MeshRenderer::upload_cell_values(const MeshScene& scene) {
     const std::vector<double>& values = scene.colouring->values;
     numbers_.resize(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) numbers_[i] = place.of(values[i]);
-    fill_table(cell_values_, {GL_R32F, GL_RED, GL_FLOAT, 4}, numbers_.data(), numbers_.size());
+    fill(cell_values_, one_float, numbers_.data(), numbers_.size());
 }
 
-void MeshRenderer::upload_numbers(Table& table, const std::vector<std::uint32_t>& numbers) {
-    fill_table(table, {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4}, numbers.data(), numbers.size());
+void MeshRenderer::upload_numbers(TexelTable& table, const std::vector<std::uint32_t>& numbers) {
+    fill(table, one_number, numbers.data(), numbers.size());
 }
 
 void MeshRenderer::upload_triangles(const GlVertexArray& array, const std::vector<std::uint32_t>& triangles) {
@@ -167,8 +152,7 @@ void MeshRenderer::upload_triangles(const GlVertexArray& array, const std::vecto
 
 void MeshRenderer::upload_segments(LineSet& set, const std::vector<Segment>& segments) {
     set.count = segments.size();
-    fill_table(set.table, {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16}, segments.data(),
-               segments.size());
+    fill(set.table, four_numbers, segments.data(), segments.size());
 }
 
 std::vector<MeshRenderer::Segment> MeshRenderer::segments_of(const Tessellation& tessellation) {
@@ -205,22 +189,40 @@ void MeshRenderer::upload_contours(const MeshScene& scene) {
     upload_segments(contours_on_light_, on_light);
 }
 
+void MeshRenderer::upload_cells(const Tessellation& tessellation, const MeshScene& scene, CellSet& set) {
+    const CellShape shape = scene.mesh->kind.shape;
+    set.parts =
+        make_facets(tessellation, shape == CellShape::quadrilateral || shape == CellShape::hexahedron);
+    fill(set.facets, four_numbers, set.parts.facets.data(), set.parts.facets.size());
+    upload_triangles(set.array, set.parts.corners);
+    upload_segments(set.edges, segments_of(tessellation));
+    upload_numbers(set.cells,
+                   scene.cell_dimension == 1 ? tessellation.segment_cells : tessellation.triangle_cells);
+    set.caps = 3 * tessellation.caps;
+    set.cuts = tessellation.cuts;
+}
+
 void MeshRenderer::upload_structure(const MeshScene& scene) {
     const Tessellation& tessellation = *scene.tessellation;
-    const CellShape shape = scene.mesh->kind.shape;
-    const int cell_dimension = scene.cell_dimension;
-    facets_ = make_facets(tessellation, shape == CellShape::quadrilateral || shape == CellShape::hexahedron);
-    fill_table(facet_table_, {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16}, facets_.facets.data(),
-               facets_.facets.size());
-    upload_triangles(fill_array_, facets_.corners);
-    upload_segments(edges_, segments_of(tessellation));
-
+    upload_cells(tessellation, scene, cells_);
     std::vector<Segment> discs;
-    if (cell_dimension == 1)
+    if (scene.cell_dimension == 1)
         for (std::uint32_t p = 0; p < tessellation.point_count; ++p) discs.push_back({p, p, p, p});
     upload_segments(discs_, discs);
-    upload_numbers(shown_cells_,
-                   cell_dimension == 1 ? tessellation.segment_cells : tessellation.triangle_cells);
+}
+
+/// Of the scene that is on the card.
+const MeshRenderer::CellSet& MeshRenderer::cells_for(bool quickly) {
+    if (!quickly || shown_.cell_dimension == 1) return cells_;
+    if (shown_.tessellation != coarse_of_) {
+        coarse_of_ = shown_.tessellation;
+        const CellShape shape = shown_.mesh->kind.shape;
+        const bool triangles = shape == CellShape::triangle;
+        const auto coarse = coarsened(*coarse_of_, triangles ? 3 : 4, most_when_moving);
+        is_coarse_ = coarse.has_value();
+        if (coarse) upload_cells(*coarse, shown_, coarse_);
+    }
+    return is_coarse_ ? coarse_ : cells_;
 }
 
 void MeshRenderer::upload_tangled(const MeshScene& scene) {
@@ -236,7 +238,7 @@ void MeshRenderer::upload_tangled(const MeshScene& scene) {
                     {t.segments[2 * i], t.segments[2 * i + 1], t.segments[2 * i], t.segments[2 * i]});
         for (std::size_t i = 0; i < t.triangle_cells.size(); ++i) {
             if (t.triangle_cells[i] >= marked.size() || marked[t.triangle_cells[i]] == 0) continue;
-            for (std::size_t k = 0; k < 3; ++k) triangles.push_back(facets_.corners[3 * i + k]);
+            for (std::size_t k = 0; k < 3; ++k) triangles.push_back(cells_.parts.corners[3 * i + k]);
         }
         for (const auto& loop : cell_outlines(t, *scene.tangled))
             for (std::size_t k = 0; k < loop.size(); ++k) { // the opposite side of the cell is beside it
@@ -302,23 +304,22 @@ void MeshRenderer::clear(PixelRect area, int bottom, const Theme& theme) {
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-void MeshRenderer::bind_points(const Table& computational, const Table& physical) {
-    gl_.ActiveTexture(GL_TEXTURE0 + computational_unit);
-    gl_.BindTexture(GL_TEXTURE_2D, computational.texture.name());
-    gl_.ActiveTexture(GL_TEXTURE0 + physical_unit);
-    gl_.BindTexture(GL_TEXTURE_2D, physical.texture.name());
+void MeshRenderer::bind_points(const TexelTable& computational, const TexelTable& physical) {
+    computational.bind(gl_, computational_unit);
+    physical.bind(gl_, physical_unit);
+}
+
+void MeshRenderer::bind_cells(const CellSet& set) {
+    set.cells.bind(gl_, cells_unit);
+    set.facets.bind(gl_, facets_unit);
 }
 
 void MeshRenderer::bind_tables() {
-    const auto bind = [&](int unit, GLuint texture) {
-        gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        gl_.BindTexture(GL_TEXTURE_2D, texture);
-    };
     bind_points(computational_, physical_);
-    bind(colours_unit, colours_.name());
-    bind(cells_unit, shown_cells_.texture.name());
-    bind(cell_values_unit, cell_values_.texture.name());
-    bind(facets_unit, facet_table_.texture.name());
+    gl_.ActiveTexture(GL_TEXTURE0 + colours_unit);
+    gl_.BindTexture(GL_TEXTURE_2D, colours_.name());
+    cell_values_.bind(gl_, cell_values_unit);
+    bind_cells(*drawn_);
 }
 
 void MeshRenderer::draw_fill(const Frame& frame, const FillPart& part) {
@@ -345,23 +346,22 @@ void MeshRenderer::draw_fill(const Frame& frame, const FillPart& part) {
 
 /// All cells; where planes cut a solid, its caps in full colour and the rest paler.
 void MeshRenderer::draw_cells(const Frame& frame, Colour surface) {
-    const std::size_t all = shown_.tessellation->triangles.size(), caps = 3 * shown_.tessellation->caps;
-    draw_fill(frame, {fill_array_, 0, all - caps, surface, dusk, caps > 0 ? 1.0F : 0.0F});
-    draw_fill(frame, {fill_array_, all - caps, caps, surface, dusk_of_caps, 0});
+    const std::size_t all = drawn_->parts.corners.size(), caps = drawn_->caps;
+    draw_fill(frame, {drawn_->array, 0, all - caps, surface, dusk, caps > 0 ? 1.0F : 0.0F});
+    draw_fill(frame, {drawn_->array, all - caps, caps, surface, dusk_of_caps, 0});
 }
 
 void MeshRenderer::draw_lines(const Frame& frame, const LineSet& set, const LineStyle& style) {
     if (set.count == 0) return;
     gl_.UseProgram(line_program_.name());
-    gl_.ActiveTexture(GL_TEXTURE0 + segments_unit);
-    gl_.BindTexture(GL_TEXTURE_2D, set.table.texture.name());
+    set.table.bind(gl_, segments_unit);
     gl_.UniformMatrix4fv(line_.clip, 1, GL_FALSE, glm::value_ptr(frame.clip));
     gl_.Uniform1f(line_.blend, frame.blend);
     gl_.Uniform2f(line_.half_viewport, frame.clip_to_pixels.x, frame.clip_to_pixels.y);
     gl_.Uniform1f(line_.half_width, style.width / 2);
     gl_.Uniform2f(line_.fade, style.fade_begin, style.fade_end);
     gl_.Uniform1f(line_.haze, style.haze);
-    gl_.Uniform1f(line_.pieces, static_cast<float>(shown_.tessellation->cuts));
+    gl_.Uniform1f(line_.pieces, static_cast<float>(drawn_->cuts));
     gl_.Uniform1f(line_.pull, style.pull);
     set_colour(gl_, line_.surface, style.surface);
     set_colour(gl_, line_.flat_ink, style.flat_ink);
@@ -393,7 +393,7 @@ void MeshRenderer::begin_layer(const Frame& frame, PixelRect area) {
         gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
         gl_.PolygonOffset(2, 2); // away from the viewer, more so for steep faces, so that edges stay visible
-        draw_fill(frame, {fill_array_, 0, shown_.tessellation->triangles.size()});
+        draw_fill(frame, {drawn_->array, 0, drawn_->parts.corners.size()});
         gl_.Disable(GL_POLYGON_OFFSET_FILL);
         gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     }
@@ -408,10 +408,11 @@ void MeshRenderer::end_layer(const Frame& frame, PixelRect area, int bottom, Col
 }
 
 bool MeshRenderer::draw(const MeshScene& scene, const Camera& camera, PixelRect area, int framebuffer_height,
-                        const Theme& theme, float scale, const std::function<bool()>& give_up) {
+                        const Theme& theme, float scale, bool quickly, const std::function<bool()>& give_up) {
     if (area.width <= 0 || area.height <= 0) return true;
     GASPARD_CHECK(scene.tessellation != nullptr);
     upload(scene);
+    drawn_ = &cells_for(quickly);
     const int bottom = framebuffer_height - area.y - area.height;
     clear(area, bottom, theme);
     bind_tables();
@@ -462,7 +463,7 @@ bool MeshRenderer::draw_layers(const Frame& frame, PixelRect area, int bottom, c
     style.limb_begin = limb_begin, style.limb_end = limb_end;
     if (scene.cell_dimension > 1 && scene.lines) {
         begin_layer(frame, area);
-        draw_lines(frame, edges_, style);
+        draw_lines(frame, drawn_->edges, style);
         const bool complete = !give_up();
         end_layer(frame, area, bottom, theme.line_on_dark, theme.line_on_light);
         if (!complete) return false;
@@ -491,7 +492,7 @@ void MeshRenderer::draw_line_cells(const Frame& frame, LineStyle style, const Th
     style.width = line_cell_width * scale;
     style.flat_ink = theme.faint_text;
     style.by_map = shown_.colouring != nullptr;
-    draw_lines(frame, edges_, style);
+    draw_lines(frame, drawn_->edges, style);
     if (!shown_.lines) return;
     style.by_map = false;
     style.width = rimmed_disc_width * scale;
@@ -563,6 +564,7 @@ void MeshRenderer::draw_veil(const Frame& frame, const Theme& theme) {
         gl_.DepthFunc(GL_LESS);
         gl_.DepthMask(GL_TRUE);
     }
+    bind_cells(cells_);
     draw_fill(frame, {tangled_array_, 0, tangled_count_, veil, dusk});
     if (!frame.planar) return;
     gl_.DepthMask(GL_FALSE);
@@ -572,8 +574,7 @@ void MeshRenderer::draw_veil(const Frame& frame, const Theme& theme) {
 
 void MeshRenderer::draw_arrows(const Frame& frame, const Theme& theme, float scale) {
     gl_.UseProgram(arrow_program_.name());
-    gl_.ActiveTexture(GL_TEXTURE0 + segments_unit);
-    gl_.BindTexture(GL_TEXTURE_2D, arrows_.texture.name());
+    arrows_.bind(gl_, segments_unit);
     gl_.UniformMatrix4fv(arrow_.clip, 1, GL_FALSE, glm::value_ptr(frame.clip));
     gl_.Uniform2f(arrow_.half_viewport, frame.clip_to_pixels.x, frame.clip_to_pixels.y);
     gl_.Uniform1f(arrow_.head_width, arrow_head_width * scale);

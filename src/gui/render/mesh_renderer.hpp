@@ -9,6 +9,7 @@
 #include "gui/gl/pixel_rect.hpp"
 #include "gui/render/facets.hpp"
 #include "gui/render/line_layer.hpp"
+#include "gui/render/texel_table.hpp"
 #include "gui/scene/mesh_scene.hpp"
 
 #include <array>
@@ -26,33 +27,35 @@ class MeshRenderer {
 
     /// Fills `area` of the bound framebuffer, which is `framebuffer_height` high, with the theme's background
     /// and the scene. `camera` is one of an image of area.size(); `scale` widens lines on high-density
-    /// displays. False if `give_up`, asked before each layer, said so; then the image is not complete.
+    /// displays. `quickly`: many curved cells are subdivided less, as for a mesh that moves. False if
+    /// `give_up`, asked before each layer, said so; then the image is not complete.
     bool draw(const MeshScene& scene, const Camera& camera, PixelRect area, int framebuffer_height,
-              const Theme& theme, float scale, const std::function<bool()>& give_up = {});
+              const Theme& theme, float scale, bool quickly = false,
+              const std::function<bool()>& give_up = {});
 
     /// Bytes sent to the graphics card so far: unchanged arrays send none.
     std::size_t uploaded_bytes() const { return uploaded_bytes_; }
 
   private:
-    /// Numbers that shaders fetch by index: a texture, 2048 texels wide, as buffer textures may be too small.
-    struct Table {
-        GlTexture texture;
-        int rows = 0;
-    };
     /// Two ends and what lies beside (see Tessellation::segment_sides).
     using Segment = std::array<std::uint32_t, 4>;
     struct Texel {
         float r, g, b, a;
     };
-    /// What one texel of a table is.
-    struct TexelFormat {
-        GLint internal;
-        GLenum format, type;
-        std::size_t bytes;
-    };
     struct LineSet {
-        Table table;
+        TexelTable table;
         std::size_t count = 0;
+    };
+    /// The cells of a tessellation and their edges, on the card.
+    struct CellSet {
+        explicit CellSet(const Gl& gl);
+        GlVertexArray array;
+        GlBuffer triangles;
+        TexelTable facets, cells; ///< cells: which one a triangle belongs to, or a segment
+        LineSet edges;
+        DrawnFacets parts;
+        std::size_t caps = 0; ///< as in the tessellation
+        int cuts = 1;
     };
     struct LineStyle {
         float width = 1; ///< in pixels, like the two below
@@ -86,7 +89,9 @@ class MeshRenderer {
 
     void upload(const MeshScene& scene);
     void upload_structure(const MeshScene& scene);
-    void upload_points(const Points& points, const MeshScene& scene, bool with_values, Table& table);
+    void upload_cells(const Tessellation& tessellation, const MeshScene& scene, CellSet& set);
+    const CellSet& cells_for(bool quickly);
+    void upload_points(const Points& points, const MeshScene& scene, bool with_values, TexelTable& table);
     void upload_cell_values(const MeshScene& scene);
     void upload_colours(const ColourMap& map);
     static std::vector<Segment> segments_of(const Tessellation& tessellation);
@@ -95,10 +100,11 @@ class MeshRenderer {
     void upload_tangled(const MeshScene& scene);
     void upload_triangles(const GlVertexArray& array, const std::vector<std::uint32_t>& triangles);
     void upload_segments(LineSet& set, const std::vector<Segment>& segments);
-    void upload_numbers(Table& table, const std::vector<std::uint32_t>& numbers);
-    void fill_table(Table& table, const TexelFormat& format, const void* texels, std::size_t count);
+    void upload_numbers(TexelTable& table, const std::vector<std::uint32_t>& numbers);
+    void fill(TexelTable& table, const TexelFormat& format, const void* texels, std::size_t count);
     void clear(PixelRect area, int bottom, const Theme& theme);
-    void bind_points(const Table& computational, const Table& physical);
+    void bind_points(const TexelTable& computational, const TexelTable& physical);
+    void bind_cells(const CellSet& set);
     void bind_tables();
     void set_depth_test(bool on);
     /// Which corners of an array of triangles to draw, and how.
@@ -127,12 +133,15 @@ class MeshRenderer {
     FillUniforms fill_{};
     LineUniforms line_{};
     ArrowUniforms arrow_{};
-    GlVertexArray fill_array_, tangled_array_, empty_array_;
-    GlBuffer triangles_, tangled_triangles_;
-    Table computational_, physical_, shown_cells_, cell_values_, arrows_, overlay_points_, facet_table_,
-        contours_computational_, contours_physical_;
-    DrawnFacets facets_; ///< of the tessellation that is shown
-    LineSet edges_, discs_, outlines_, overlay_edges_, contours_on_dark_, contours_on_light_;
+    GlVertexArray tangled_array_, empty_array_;
+    GlBuffer tangled_triangles_;
+    TexelTable computational_, physical_, cell_values_, arrows_, overlay_points_, contours_computational_,
+        contours_physical_;
+    CellSet cells_, coarse_;                        ///< coarse_: for meshes that move, once it was asked for
+    std::shared_ptr<const Tessellation> coarse_of_; ///< what coarse_ was made of
+    bool is_coarse_ = false;                        ///< coarse_ has something
+    const CellSet* drawn_ = &cells_;                ///< one of them
+    LineSet discs_, outlines_, overlay_edges_, contours_on_dark_, contours_on_light_;
     std::vector<Texel> texels_; ///< workspace for conversions
     std::vector<float> numbers_;
     GlTexture colours_;

@@ -104,8 +104,11 @@ class AxisDrawer {
                             end.y <= pane_.max.y + 1;
         const bool covered = legend_ && at.x < legend_->max.x && end.x > legend_->min.x &&
                              at.y < legend_->max.y && end.y > legend_->min.y;
-        if (inside && !covered)
-            list_.AddText({std::round(at.x), std::round(at.y)}, packed(ink), text.c_str());
+        if (!inside || covered) return;
+        const float around = scale_;
+        list_.AddRectFilled({at.x - around, at.y}, {end.x + around, end.y},
+                            packed(theme_.background, 0.8F)); // over control nets
+        list_.AddText({std::round(at.x), std::round(at.y)}, packed(ink), text.c_str());
     }
 
     void draw_horizontal(const PlaneAxis& axis) const {

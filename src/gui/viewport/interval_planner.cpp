@@ -31,6 +31,17 @@ PlotView view_of(const Plot& plot, const std::vector<std::optional<Extremes>>& e
     return view;
 }
 
+AxisRange both(AxisRange one, AxisRange other) {
+    return {std::min(one.low, other.low), std::max(one.high, other.high)};
+}
+
+/// Makes the vertical axis cover a range besides its own, unless a range is asked for.
+void cover(PlotView& view, AxisRange range) {
+    if (view.y.low || view.y.high) return;
+    const AxisRange all = both(home_range(view, true), range);
+    view.y.low = from_axis(view.y, all.low), view.y.high = from_axis(view.y, all.high);
+}
+
 /// Makes curves of plots above each other begin and end at the same pixel.
 void align(PlannedPlot& above, PlannedPlot& below, float scale) {
     float left = 0, right = 0;
@@ -43,6 +54,23 @@ void align(PlannedPlot& above, PlannedPlot& below, float scale) {
 }
 
 } // namespace
+
+const std::vector<ColumnRanges>&
+ComparedRanges::of(const std::vector<std::shared_ptr<const Snapshot>>& snapshots, const Values& view) {
+    if (snapshots == snapshots_ && (snapshots.empty() || view == view_)) return ranges_;
+    snapshots_ = snapshots, view_ = view;
+    ranges_.clear();
+    for (const auto& snapshot : snapshots) {
+        const std::vector<IntervalColumn> columns = interval_plots(*snapshot, view);
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const ColumnRanges now{shown_range(columns[i].values, true),
+                                   shown_range(columns[i].spacing, true)};
+            if (i == ranges_.size()) ranges_.push_back(now);
+            ranges_[i] = {both(ranges_[i].values, now.values), both(ranges_[i].spacing, now.spacing)};
+        }
+    }
+    return ranges_;
+}
 
 struct IntervalPlanner::Picture {
     std::vector<IntervalColumn> columns;
@@ -67,7 +95,8 @@ void IntervalPlanner::make(const Snapshot& snapshot, const Values& view, const s
 
 std::vector<PlannedPlot> IntervalPlanner::plan(const Snapshot& snapshot, const Values& view,
                                                const std::string& title, ScreenRect available,
-                                               const std::vector<ColumnZoom>& zooms, float scale) {
+                                               const std::vector<ColumnZoom>& zooms, float scale,
+                                               const std::vector<ColumnRanges>& compared) {
     make(snapshot, view, title);
     const float margin = viewport_margin * scale, gap = viewport_gap * scale;
     const std::size_t count = picture_->columns.size();
@@ -89,6 +118,8 @@ std::vector<PlannedPlot> IntervalPlanner::plan(const Snapshot& snapshot, const V
                           .spacing = true,
                           .zoom = {zoom.x, zoom.spacing},
                           .of = picture_};
+        if (i < compared.size())
+            cover(above.view, compared[i].values), cover(below.view, compared[i].spacing);
         align(above, below, scale);
         plots.push_back(std::move(above));
         plots.push_back(std::move(below));

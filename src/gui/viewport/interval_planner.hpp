@@ -21,6 +21,24 @@ struct ColumnZoom {
     friend bool operator==(const ColumnZoom&, const ColumnZoom&) = default;
 };
 
+/// The vertical ranges of the plots of one column, in axis units.
+struct ColumnRanges {
+    AxisRange values, spacing;
+};
+
+/// What the plots of several snapshots cover together.
+class ComparedRanges {
+  public:
+    /// Of each column; none if there are no snapshots. Computed only for other snapshots or another view.
+    const std::vector<ColumnRanges>& of(const std::vector<std::shared_ptr<const Snapshot>>& snapshots,
+                                        const Values& view);
+
+  private:
+    std::vector<std::shared_ptr<const Snapshot>> snapshots_;
+    Values view_;
+    std::vector<ColumnRanges> ranges_;
+};
+
 /// A plot to be drawn: what, and where it belongs.
 struct PlannedPlot {
     PlotView view; ///< valid as long as `of`
@@ -35,9 +53,10 @@ class IntervalPlanner {
   public:
     /// The plots side by side in `available`, in the order of columns, with margins. `title` is written above
     /// those that have none of their own. Plots in a column begin and end at the same pixel; those of column
-    /// i are zoomed as zooms[i] says, if it is there.
+    /// i are zoomed as zooms[i] says, if it is there, and else cover compared[i], too.
     std::vector<PlannedPlot> plan(const Snapshot& snapshot, const Values& view, const std::string& title,
-                                  ScreenRect available, const std::vector<ColumnZoom>& zooms, float scale);
+                                  ScreenRect available, const std::vector<ColumnZoom>& zooms, float scale,
+                                  const std::vector<ColumnRanges>& compared = {});
 
   private:
     struct Picture;

@@ -29,8 +29,9 @@ struct ViewportText {
     std::string title{};   ///< above the mesh; may be empty
     std::string subject{}; ///< what is solved: "plane, ring"; may be empty
     StepReport report{};
-    bool caption = true; ///< whether the line at the bottom is drawn
-    float legend = 0;    ///< least width of the legend in pixels: meshes beside each other are of one size
+    int last_iteration = 0; ///< of the run, for the caption; 0: unknown
+    bool caption = true;    ///< whether the line at the bottom is drawn
+    float legend = 0;       ///< least width of the legend in pixels: meshes beside each other are of one size
     bool with_legend = true; ///< whether the legend of the colours is drawn
     bool notes = true;       ///< whether notes are: tangled cells, the exact mesh
 };
@@ -98,6 +99,10 @@ class ViewportPlanner {
     void forget_home() { home_ = {}; }
     /// What home shows of a planar scene besides the mesh, such as control points beyond it.
     void show_also(std::optional<Box> box) { also_ = box; }
+    /// The vertical axes of plots of an interval cover those of these snapshots, too.
+    void compare_plots(std::vector<std::shared_ptr<const Snapshot>> snapshots) {
+        compared_ = std::move(snapshots);
+    }
     /// As SceneBuilder::work_in_background(), of a view's own mesh.
     void work_in_background() { maker_.work_in_background(); }
     /// Whether the next plan may show more.
@@ -129,6 +134,8 @@ class ViewportPlanner {
     std::vector<IntervalPlanner> interval_planners_; ///< of intervals beside each other
     double spun_ = 0;
     std::optional<Box> also_;
+    std::vector<std::shared_ptr<const Snapshot>> compared_;
+    ComparedRanges compared_ranges_;
     struct Home {
         std::shared_ptr<const Mesh> of;
         Size size;

@@ -85,7 +85,7 @@ std::string layout_of(const MeshScene& scene, const Values& view) {
 std::vector<std::vector<std::string>> caption_lines(const ViewportText& text, float width, float scale) {
     std::vector<std::vector<std::string>> lines;
     float used = width + 1;
-    for (auto& part : caption_parts(text.subject, text.report)) {
+    for (auto& part : caption_parts(text.subject, text.report, text.last_iteration)) {
         const float need = ImGui::CalcTextSize(part.c_str()).x + 4 * viewport_gap * scale;
         if (used + need > width) {
             lines.emplace_back();
@@ -265,6 +265,7 @@ void ViewportPlanner::place_plots(const Snapshot& snapshot, const Values& view, 
     const bool among_others = view.text("layout") == "runs" && !others.empty();
     const std::size_t count = among_others ? others.size() + 1 : 1;
     if (interval_planners_.size() < count) interval_planners_.resize(count);
+    const auto& compared = compared_ranges_.of(compared_, view);
     const ScreenRect available = above_caption(plan, scale);
     const int columns = columns_for(count, available);
     const int rows = (static_cast<int>(count) + columns - 1) / columns;
@@ -276,9 +277,9 @@ void ViewportPlanner::place_plots(const Snapshot& snapshot, const Values& view, 
         const std::string& title = !among_others ? plan.text.title
                                    : i == 0      ? plan.text.subject
                                                  : others[i - 1].title;
-        for (PlannedPlot& plot :
-             interval_planners_[i].plan(i == 0 ? snapshot : *others[i - 1].snapshot, view, title,
-                                        {corner, {corner.x + width, corner.y + height}}, zooms, scale))
+        for (PlannedPlot& plot : interval_planners_[i].plan(
+                 i == 0 ? snapshot : *others[i - 1].snapshot, view, title,
+                 {corner, {corner.x + width, corner.y + height}}, zooms, scale, compared))
             plan.plots.push_back(std::move(plot));
     }
 }

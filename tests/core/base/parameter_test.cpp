@@ -117,7 +117,7 @@ TEST(Values, NameTheNearestKeyAndChoice) {
 
 TEST(Values, RangesOfIntegersArePrintedAsIntegers) {
     EXPECT_EQ(describe_range({.kind = ParameterKind::integer, .minimum = 0, .maximum = 1e6}), "0 to 1000000");
-    EXPECT_EQ(describe_range({.minimum = 0.5, .maximum = 1e-4}), "0.5 to 1e-04");
+    EXPECT_EQ(describe_range({.minimum = 0.5, .maximum = 1e-4}), "0.5 to 10⁻⁴");
 }
 
 TEST(Values, NumbersReadBackToTheSameDouble) {

@@ -280,7 +280,7 @@ TEST(FlowInput, IsRefusedWithOneSentence) {
     q[7] = std::numeric_limits<double>::infinity();
     EXPECT_EQ(refusal([&] { flow.set_state(q); }), "the state of a flow has values that are not finite");
     flow.set_state(random_state(4, 1));
-    EXPECT_EQ(refusal([&] { flow.advance(1e6); }), "the flow would need more than 10 steps until time 1e+06");
+    EXPECT_EQ(refusal([&] { flow.advance(1e6); }), "the flow would need more than 10 steps until time 10⁶");
     QuasiGeostrophicFlow without({.cells = 4, .froude = 0});
     EXPECT_EQ(refusal([&] { without.set_state(std::vector<double>(96, 1)); }),
               "with the Froude number 0 the mean of q must be 0, but it is 1");

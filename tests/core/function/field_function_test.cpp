@@ -323,13 +323,13 @@ TEST(FieldFunction, NumbersThatAreTooLargeAreRefused) {
     for (const double sign : {-1.0, 1.0}) {
         const FieldData values = grid(steps(0, 0.25, 5), steps(0, 0.25, 5),
                                       [&](double x, double) { return x > 0.4 ? sign * 1.7e308 : 0.0; });
-        const std::string number = sign < 0 ? "-1.7e+308" : "1.7e+308";
+        const std::string number = sign < 0 ? "−1.7×10³⁰⁸" : "1.7×10³⁰⁸";
         EXPECT_EQ(error_of(values, {}, on(SpaceKind::euclidean)),
-                  "the field has the value " + number + "; beyond 1e150 values are too large to be used");
+                  "the field has the value " + number + "; beyond 10¹⁵⁰ values are too large to be used");
     }
     const FieldData far = grid({-1.7e308, 0, 1.7e308}, steps(0, 0.5, 3), [](double, double y) { return y; });
     EXPECT_EQ(error_of(far, {}, on(SpaceKind::euclidean)),
-              "the field has the coordinate -1.7e+308; beyond 1e150 coordinates are too large to be used");
+              "the field has the coordinate −1.7×10³⁰⁸; beyond 10¹⁵⁰ coordinates are too large to be used");
 }
 
 TEST(FieldFunction, ScatteredPointsOnTheSphereInBothKindsOfCoordinates) {

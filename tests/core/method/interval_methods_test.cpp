@@ -249,7 +249,7 @@ TEST_F(IntervalMethods, InvalidInputIsOneSentence) {
     EXPECT_EQ(complaint({"domain.start=1"}), "domain.end (1) must be greater than domain.start (1)");
     EXPECT_EQ(
         complaint({"pde.eps=0"}),
-        "pde.eps = 0 is out of range: 1e-12 to 1 (the smaller, the thinner the layers of the solution)");
+        "pde.eps = 0 is out of range: 10⁻¹² to 1 (the smaller, the thinner the layers of the solution)");
     EXPECT_EQ(complaint({"monitor.q=1"}),
               "monitor.q = 1 is out of range: 0.01 to 0.99 (share of the cells in layers)");
     EXPECT_NE(complaint({"pde.source=1 + sine(x)"}).find("unknown function 'sine' at character 5"),

@@ -93,15 +93,15 @@ TEST_F(QuadrilateralMeshPde, StepsAreStoppedAndLeaveTheIterateBefore) {
 TEST_F(QuadrilateralMeshPde, RefusesCoefficientsForWhichThePictureWouldBeWrong) {
     EXPECT_EQ(complaint("layer-2d", {"pde.source=log(x)"}), "pde.source is not finite at (0, 0)");
     EXPECT_EQ(complaint("layer-2d", {"pde.reaction=x - 0.5"}),
-              "pde.reaction is -0.5 at (0, 0); it must not be negative");
+              "pde.reaction is −0.5 at (0, 0); it must not be negative");
     EXPECT_EQ(complaint("layer-2d", {"pde.squared=false", "pde.diffusion_y=-1"}),
-              "pde.diffusion_y is -1 at (0, 0); it must not be negative");
+              "pde.diffusion_y is −1 at (0, 0); it must not be negative");
     EXPECT_EQ(complaint("layer-2d", {"pde.diffusion_y=-1"}), "") << "its square is positive";
     EXPECT_EQ(complaint("layer-2d", {"pde.reaction=sin(pi*x)"}), "") << "-1e-16 at 1 is rounding";
     EXPECT_EQ(complaint("layer-1d", {"pde.source=log(x)"}), "pde.source is not finite at x = 0");
     EXPECT_EQ(complaint("layer-1d", {"pde.source=1/(x - 0.5)"}), "pde.source is not finite at x = 0.5");
     EXPECT_EQ(complaint("layer-1d", {"pde.reaction=-1"}),
-              "pde.reaction is -1 at x = 0; it must not be negative");
+              "pde.reaction is −1 at x = 0; it must not be negative");
     EXPECT_EQ(complaint("layer-1d-convection", {"pde.reaction=-1"}), "") << "u grows, and is unique";
 }
 

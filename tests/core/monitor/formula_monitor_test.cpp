@@ -155,12 +155,12 @@ TEST(FormulaMonitor, NamesTheFirstPointWhereItIsNotPositive) {
     x.set(1, {0.25, 0.125, 0});
     std::vector<double> values(2);
     EXPECT_EQ(message_of<InputError>([&] { negative->values(x, values); }),
-              "the formula must be positive and finite, but is -0.25 at (0.25, 0.125); max(..., 0.01) around "
+              "the formula must be positive and finite, but is −0.25 at (0.25, 0.125); max(..., 0.01) around "
               "it makes it positive");
     EXPECT_EQ(message_of<InputError>([&] {
                   formula_monitor("(x - 0.25)/abs(x - 0.25) + 2*sqrt(x - 0.25)")->values(x, values);
               }).substr(0, 53),
-              "the formula must be positive and finite, but is nan a");
+              "the formula must be positive and finite, but is NaN a");
     EXPECT_EQ(message_of<InputError>([] { formula_monitor("1 + a*x"); }),
               "the formula's parameter 'a' has no value");
     EXPECT_EQ(message_of<InputError>([] {

@@ -1,4 +1,5 @@
 #include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
 #include "core/monitor/radial.hpp"
 #include "support/built_in.hpp"
 #include "support/monitor_values.hpp"
@@ -159,9 +160,9 @@ TEST(SechMonitor, SaysWhichParameterMakesItNegative) {
     EXPECT_EQ(with_amplitude(-0.99), "");
     EXPECT_EQ(with_amplitude(0), "");
     for (const double amplitude : {-1.0, -1.5, -1e300}) {
-        EXPECT_NE(with_amplitude(amplitude).find("monitor.amplitude = " + format_number(amplitude)),
+        EXPECT_NE(with_amplitude(amplitude).find("monitor.amplitude = " + exact_number(amplitude)),
                   std::string::npos);
-        EXPECT_NE(with_amplitude(amplitude).find("greater than -1"), std::string::npos);
+        EXPECT_NE(with_amplitude(amplitude).find("greater than −1"), std::string::npos);
     }
 }
 

@@ -82,7 +82,7 @@ TEST_F(ParameterStudy, WhatIsNotAllowedIsRefusedBeforeAnythingRuns) {
                                      {"domain.cells=8:many", "8:1024"},
                                      {"domain.cells=8:8", "single value"},
                                      {"monitor.q=0.1:0.9", "needs a number of values"},
-                                     {"pde.eps=1:0", "1e-12 to 1"},
+                                     {"pde.eps=1:0", "10⁻¹² to 1"},
                                      {"pde.source=x", "is a text"},
                                      {"view.blend=0,1", "does not change what is solved"},
                                      {"monitor.K=auto,1", "must be numbers"},

@@ -1,5 +1,6 @@
 #include "core/base/error.hpp"
 #include "core/base/number_text.hpp"
+#include "core/base/short_number.hpp"
 #include "core/spline/patch_file.hpp"
 #include "core/spline/patch_xml.hpp"
 #include "core/spline/spline_domain.hpp"
@@ -587,7 +588,7 @@ TEST(PatchFile, ATinyPatchIsNamed) {
                s + "],[" + s + "," + s + "]]}";
     };
     for (const char* size : {"1e-31", "1e-100", "1e-200", "1e-320"})
-        expect_in("it measures only " + format_number(*parse_number(size)) + "; the smallest size is 1e-30",
+        expect_in("it measures only " + exact_number(*parse_number(size)) + "; the smallest size is 10⁻³⁰",
                   refusal(patch(size)));
     EXPECT_NO_THROW(parsed(patch("1.5e-30")));
 }

@@ -81,7 +81,7 @@ TEST(BoundaryLoop, AllowsNodesOnStraightSidesInSinglePrecision) {
     const auto triangle = rounded_polygon(listed_points({{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}}), 0.01);
     EXPECT_NEAR(curve->area(), triangle->area(), 1e-6);
     EXPECT_EQ(refusal(triangles_of({{0, 0, 0}, {0.5, 1e-4, 0}, {1, 0, 0}, {0.5, 1, 0}}, {0, 1, 3, 1, 2, 3})),
-              "the boundary of the mesh is not convex at node 1 at (0.5, 1e-04)");
+              "the boundary of the mesh is not convex at node 1 at (0.5, 10⁻⁴)");
 }
 
 TEST(BoundaryLoop, ItsCurveIsNearItsPolygon) {
@@ -108,7 +108,7 @@ TEST(BoundaryLoop, RefusesOtherCells) {
     EXPECT_EQ(refusal(triangles_of({{0, 0, 0}, {1, 0, 0}, {0, std::nan(""), 0}}, {0, 1, 2})),
               "each coordinate of node 2 must be a finite number");
     EXPECT_EQ(refusal(triangles_of({{0, 0, 0}, {1e-8, 0, 0}, {0, 1e-8, 0}}, {0, 1, 2})),
-              "the size of the mesh must be between 1e-06 and 2e+06, not 1e-08");
+              "the size of the mesh must be between 10⁻⁶ and 2×10⁶, not 10⁻⁸");
 }
 
 TEST(BoundaryLoop, RefusesOtherSurfaces) {

@@ -214,9 +214,9 @@ TEST(ConvexCurve, RefusesBadNumbers) {
     const double nan = std::numeric_limits<double>::quiet_NaN(),
                  most = std::numeric_limits<double>::infinity();
     const auto message = [](auto&& make) { return message_of<InputError>(make); };
-    EXPECT_EQ(message([&] { ellipse({}, 0, 1); }), "the semi-axis a must be between 1e-06 and 1e+06, not 0");
+    EXPECT_EQ(message([&] { ellipse({}, 0, 1); }), "the semi-axis a must be between 10⁻⁶ and 10⁶, not 0");
     EXPECT_EQ(message([&] { ellipse({}, 1, nan); }),
-              "the semi-axis b must be between 1e-06 and 1e+06, not nan");
+              "the semi-axis b must be between 10⁻⁶ and 10⁶, not NaN");
     EXPECT_EQ(message([&] {
                   ellipse({most, 0, 0}, 1, 1);
               }),
@@ -225,11 +225,11 @@ TEST(ConvexCurve, RefusesBadNumbers) {
     EXPECT_EQ(message([&] { rounded_rectangle({}, 1, 1, 21); }),
               "the exponent of a rounded rectangle must be between 2 and 20, not 21");
     EXPECT_EQ(message([&] { rounded_rectangle({}, 2e6, 1, 4); }),
-              "the semi-axis a must be between 1e-06 and 1e+06, not 2e+06");
+              "the semi-axis a must be between 10⁻⁶ and 10⁶, not 2×10⁶");
     EXPECT_EQ(message([&] { rounded_polygon(square_corners(), -1); }),
-              "the radius of the corners must be positive, not -1");
+              "the radius of the corners must be positive, not −1");
     EXPECT_EQ(message([&] { rounded_polygon(square_corners(1e7), 1); }),
-              "the size of the curve must be between 1e-06 and 2e+06, not 1e+07");
+              "the size of the curve must be between 10⁻⁶ and 2×10⁶, not 10⁷");
     EXPECT_EQ(message([&] {
                   rounded_polygon(listed_points({{0, 0, 0}, {1, nan, 0}, {0, 1, 0}}), 1);
               }),

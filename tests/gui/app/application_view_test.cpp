@@ -1,5 +1,7 @@
 #include "gui/application_fixture.hpp"
 
+#include <imgui_internal.h> // the names of draw lists
+
 namespace gaspard {
 namespace {
 
@@ -14,6 +16,58 @@ TEST_F(ApplicationTest, TheSizeForProjectorsHidesThePanelAndRestoresIt) {
     application.press_key("F10");
     application.press_key("F10");
     EXPECT_FALSE(panel()) << "it was hidden before";
+}
+
+TEST_F(ApplicationTest, ASmallWindowShowsTheMeshAloneWithoutOverlaps) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
+    const auto resize = [&](float width, float height) {
+        ImGui::GetIO().DisplaySize = {width, height};
+        for (int i = 0; i < 3; ++i) frame();
+    };
+    const auto shows = [&](const char* item) { return application.items().count(item) == 1; };
+    resize(1400, 900);
+    EXPECT_TRUE(shows("monitor.as-formula"));
+    resize(ImGui::GetFontSize() * 31, 380);
+    EXPECT_TRUE(shows("monitor.type"));
+    EXPECT_FALSE(shows("monitor.as-formula")) << "its button would cover the heading";
+    resize(ImGui::GetFontSize() * 21, 240);
+    EXPECT_FALSE(shows("monitor.type")) << "the panel is left out";
+    EXPECT_EQ(application.viewport_rectangle().left, 0);
+    EXPECT_GT(shown().rectangle.height(), 4 * ImGui::GetFontSize());
+    for (const auto& [width, height] : {std::pair{60.0F, 40.0F}, {1.0F, 1.0F}, {3000.0F, 20.0F}})
+        resize(width, height); // nothing is thrown
+    resize(1400, 900);
+    EXPECT_TRUE(shows("monitor.type"));
+}
+
+TEST_F(ApplicationTest, AxesStayWithTheMeshThatIsOnTheScreen) {
+    ASSERT_TRUE(wait_until([&] { return run().ended() && !application.views().empty(); }));
+    const auto drawn = [&] { // the axes are drawn first, the handles last: only the former are compared
+        std::vector<ImVec2> corners;
+        const ImDrawData& data = *ImGui::GetDrawData();
+        for (int i = 0; i < data.CmdListsCount; ++i)
+            if (std::string(data.CmdLists[i]->_OwnerName) == "##viewport")
+                for (int k = 0; k < std::min(400, data.CmdLists[i]->VtxBuffer.Size); ++k)
+                    corners.push_back(data.CmdLists[i]->VtxBuffer[k].pos);
+        return corners;
+    };
+    const auto same = [](const std::vector<ImVec2>& one, const std::vector<ImVec2>& other) {
+        return one.size() == other.size() &&
+               std::equal(one.begin(), one.end(), other.begin(),
+                          [](ImVec2 a, ImVec2 b) { return a.x == b.x && a.y == b.y; });
+    };
+    frame();
+    const std::vector<ImVec2> before = drawn();
+    ASSERT_FALSE(before.empty());
+    const std::vector<ShownView> painted = application.views();
+    look().set("camera", std::string("centre 0.5 0.4 height 1.7"));
+    application.stay_with(painted);
+    frame();
+    EXPECT_FALSE(application.views().front().camera == painted.front().camera);
+    EXPECT_TRUE(same(drawn(), before)) << "the mesh of the new camera is not there yet";
+    application.stay_with({});
+    frame();
+    EXPECT_FALSE(same(drawn(), before));
 }
 
 TEST_F(ApplicationTest, TheMouseSteersTheCamera) {

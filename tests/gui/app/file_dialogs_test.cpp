@@ -110,6 +110,18 @@ TEST_F(FileDialogsTest, AFigureInMillimetresIsDrawnInPixels) {
     EXPECT_NE(read_file(folder / "talk.png").find("pHYs"), std::string::npos);
 }
 
+TEST_F(FileDialogsTest, TheSizeOfTextsIsDraggedOrTyped) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    click("action.figure");
+    EXPECT_LT(item("figure.text_size").right, item("figure.text_size.number").left)
+        << "the knob does not cover the number";
+    fill("figure.text_size.number", "1.75");
+    fill("figure.file", (folder / "texts").string());
+    click("figure.ok");
+    ASSERT_TRUE(says("Saved " + (folder / "texts.png").string())) << said();
+    EXPECT_DOUBLE_EQ(look().real("text_size"), 1.75);
+}
+
 TEST_F(FileDialogsTest, TheWindowGoesOnWhileALargeFigureIsDrawn) {
     ASSERT_TRUE(wait_until([&] { return run().ended(); }));
     draw_figure("6000", "large");

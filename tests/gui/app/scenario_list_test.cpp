@@ -70,6 +70,24 @@ TEST_F(ScenarioListTest, ArrowKeysAndEnterChoose) {
     EXPECT_FALSE(application.items().count("scenario=plane-bell")) << "the list is closed";
 }
 
+TEST_F(ScenarioListTest, TheFirstKeyMarksTheFirstCardAlsoIfFramesAreSlow) {
+    frame();
+    ui.click(application.items().find("scenario")->second, drawing());
+    for (int i = 0; i < 4; ++i) frame();
+    ImGui::GetIO().DeltaTime = 0.6F; // longer than a key is held before it repeats
+    ui.key(ImGuiKey_DownArrow, true);
+    frame();
+    frame();
+    ui.key(ImGuiKey_DownArrow, false);
+    frame();
+    ImGui::GetIO().DeltaTime = 1.0F / 60;
+    ui.key(ImGuiKey_Enter, true);
+    frame();
+    ui.key(ImGuiKey_Enter, false);
+    const std::string first = "plane-bell";
+    ASSERT_TRUE(wait_until([&] { return run().scenario.name == first; })) << run().scenario.name;
+}
+
 TEST_F(ScenarioListTest, EnterOpensTheFirstThatMatches) {
     frame();
     ui.click(application.items().find("scenario")->second, drawing());

@@ -92,7 +92,7 @@ TEST(MonitorPictures, EachIsComputedOnceAFewPerFrame) {
         return std::pair(a.low.y, a.low.x) < std::pair(b.low.y, b.low.x);
     };
     std::optional<PicturePlace> last;
-    int sheets_begun = 0; // by places, as a new sheet may have the address of the old one
+    int sheets_begun = 0;           // by places, as a new sheet may have the address of the old one
     for (int i = 0; i < 200; ++i) { // more than there is room for
         pictures.begin_frame();
         const auto before = pictures.find(ring, subjects[0]); // drawn before the others of this frame
@@ -109,6 +109,23 @@ TEST(MonitorPictures, EachIsComputedOnceAFewPerFrame) {
 }
 
 class MonitorListTest : public ApplicationTest {};
+
+TEST_F(MonitorListTest, EveryFormulaFitsIntoTheList) {
+    const Theme theme = dark_theme();
+    apply_theme(theme, 1);
+    load_font(*ImGui::GetIO().Fonts, theme, 1);
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+    ui.frame([&] {
+        const ImVec2 room = MonitorList::formula_room();
+        for (const MonitorType& type : catalogue->monitors) {
+            const auto listed = listed_formula(type, room);
+            const bool phrase = type.equation.find("the formula") != std::string::npos;
+            EXPECT_TRUE(listed || phrase) << type.name << ": " << type.equation;
+        }
+    });
+}
 
 TEST_F(MonitorListTest, TheListHasPicturesAndChooses) {
     ASSERT_TRUE(wait_until([&] { return run().snapshot != nullptr; }));

@@ -69,6 +69,30 @@ TEST_F(PanelTest, EveryRowHasItsItem) {
     EXPECT_TRUE(items.count("method.tolerance")) << "what is changed is in sight";
 }
 
+TEST_F(PanelTest, ColoursAreListedByTheirLabels) {
+    std::string text;
+    scenario.view.set("color", std::string("aspect_ratio"));
+    const auto rows = [&] {
+        items.clear();
+        ImGui::SetNextWindowSize({380, 900});
+        ImGui::Begin("panel");
+        ImGui::LogToBuffer();
+        panel.draw_rows({catalogue, opened, theme, items}, opened.view, scenario.view, {"color"});
+        if (ImGui::GetCurrentContext()->LogEnabled) // not if the list is open, which is a window of its own
+            text = ImGui::GetCurrentContext()->LogBuffer.c_str();
+        ImGui::LogFinish();
+        ImGui::End();
+    };
+    ui.frame(rows);
+    ui.frame(rows);
+    EXPECT_NE(text.find("aspect ratio"), std::string::npos) << text;
+    EXPECT_EQ(text.find("aspect_ratio"), std::string::npos) << text;
+    ui.click(items.at("view.color"), rows);
+    for (int i = 0; i < 3; ++i) ui.frame(rows);
+    ui.click(items.at("view.color=interpolation_error"), rows);
+    EXPECT_EQ(scenario.view.text("color"), "interpolation_error") << "files keep the key";
+}
+
 TEST_F(PanelTest, DraggingASliderChangesTheValueAndStaysInRange) {
     settle();
     ui.drag(items.at("monitor.amplitude"), 0.1F, 0.6F, drawing());

@@ -139,6 +139,30 @@ TEST(PlotWidget, HasALegendForSeveralCurves) {
     EXPECT_GT(drawn_vertices(plot), drawn_vertices(plot_of({0, 1}, {1, 2})) + 40);
 }
 
+TEST(Legend, TellsTheWholeOfANameThatIsShortened) {
+    HeadlessUi ui;
+    const std::string name = "a name of many words that is too long for a plot of this size, whatever it is";
+    Plot plot = plot_of({1, 2}, {1, 2});
+    plot.curves.push_back({name, {1, 2}, {2, 1}, false});
+    const auto told_at = [&](float width, ImVec2 pointer) {
+        std::string whole;
+        ui.frame([&] {
+            const PlotView view = view_of(plot);
+            const PlotFrame frame = make_frame(view, {{0, 0}, {width, 300}}, {}, 1);
+            whole = draw_legend(*ImGui::GetBackgroundDrawList(), view, pixel_paths(view, frame), frame,
+                                dark_theme(), 1, pointer);
+        });
+        return whole;
+    };
+    const auto told = [&](float width) {
+        std::string whole;
+        for (float y = 0; y < 300 && whole.empty(); y += 5) whole = told_at(width, {width / 2, y});
+        return whole;
+    };
+    EXPECT_EQ(told(400), name);
+    EXPECT_EQ(told(900), "") << "it is written in full";
+}
+
 TEST(Legend, OfManyNamesInASmallPlotStandsAboveTheCurves) {
     HeadlessUi ui;
     ui.frame([] {

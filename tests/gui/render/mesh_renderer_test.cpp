@@ -1,8 +1,10 @@
 // Contexts without a window, and what the renderer sends to the graphics card.
 #include "core/base/error.hpp"
 #include "gui/gl/offscreen.hpp"
+#include "gui/globes.hpp"
 #include "gui/render/mesh_renderer.hpp"
 #include "gui/scenes.hpp"
+#include "gui/similarity.hpp"
 #include "support/messages.hpp"
 
 #include <algorithm>
@@ -166,6 +168,27 @@ TEST_F(Renderer, DrawsIntoItsAreaOnly) {
         }
 }
 
+TEST_F(Renderer, ACurvedMeshThatMovesIsDividedLessAndLooksTheSame) {
+    const MeshScene scene = maker_.make(xn_globe(icosahedral_globe(3, 2), 4), view("monitor", 1));
+    ASSERT_GT(scene.tessellation->triangle_cells.size(), 30'000U);
+    const auto draw_globe = [&](bool quickly) {
+        const std::size_t before = renderer_.uploaded_bytes();
+        target_.bind();
+        renderer_.draw(scene, home(scene.box, size_), {0, 0, 320, 240}, 240, dark_theme(), 1, quickly);
+        EXPECT_EQ(context_->gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+        return renderer_.uploaded_bytes() - before;
+    };
+    draw_globe(false);
+    const Image full = target_.read();
+    EXPECT_GT(draw_globe(true), 0U) << "fewer triangles, sent when they are first needed";
+    const Image quick = target_.read();
+    EXPECT_NE(quick.rgba, full.rgba);
+    EXPECT_EQ(difference(quick, full), "");
+    EXPECT_EQ(draw_globe(true), 0U) << "and only once";
+    draw_globe(false);
+    EXPECT_EQ(target_.read().rgba, full.rgba);
+}
+
 TEST_F(Renderer, ShowsOneMeshAfterAnother) {
     draw(maker_.make(ring_snapshot(10), view("monitor", 1)));
     draw(maker_.make(sphere_snapshot(3), view("monitor", 1)));
@@ -220,12 +243,13 @@ TEST_F(Renderer, NodalValuesAreBilinearInAQuadrilateral) {
                         value += weights[c] * scene.colouring->values[node];
                     }
                     const Pixel pixel = to_pixel(camera, size_, place);
-                    const double away = std::hypot(pixel.x - std::floor(pixel.x) - 0.5,
-                                                   pixel.y - std::floor(pixel.y) - 0.5);
+                    const double away =
+                        std::hypot(pixel.x - std::floor(pixel.x) - 0.5, pixel.y - std::floor(pixel.y) - 0.5);
                     if (away > 0.1) continue; // not in the middle of a pixel
                     const auto colour =
                         colour_at(*scene.colouring->map, scene.colouring->range.position(value));
-                    EXPECT_LE(distance(image, static_cast<int>(pixel.x), static_cast<int>(pixel.y), colour), 3)
+                    EXPECT_LE(distance(image, static_cast<int>(pixel.x), static_cast<int>(pixel.y), colour),
+                              3)
                         << "cell " << cell << ", " << s << ", " << t << ": " << value;
                     ++compared;
                 }

@@ -11,6 +11,27 @@
 namespace gaspard {
 namespace {
 
+class SmallIntervalTest : public ApplicationFixture {
+  protected:
+    SmallIntervalTest() : SmallIntervalTest(std::make_shared<Catalogue>(builtin_catalogue())) {}
+
+  private:
+    explicit SmallIntervalTest(const std::shared_ptr<const Catalogue>& of)
+        : ApplicationFixture(of, find_scenario(*of, "layer-1d")) {}
+};
+
+TEST_F(SmallIntervalTest, AWindowTooSmallForPlotsSaysSo) {
+    ASSERT_TRUE(wait_until([&] { return run().ended(); }));
+    const auto says = [&](float width, float height) {
+        ImGui::GetIO().DisplaySize = {width, height};
+        for (int i = 0; i < 3; ++i) frame();
+        return application.items().count("viewport.too-small") == 1;
+    };
+    EXPECT_FALSE(says(1400, 900));
+    EXPECT_TRUE(says(300, 180));
+    EXPECT_FALSE(says(1400, 900));
+}
+
 class IntervalPlan : public PlanFixture {
   protected:
     IntervalPlan() : PlanFixture("interval", {{100, 50}, {901, 650}}) {
@@ -47,6 +68,32 @@ TEST_F(IntervalPlan, PlotsOfAColumnBeginAndEndAtTheSamePixel) {
             EXPECT_GT(below.area.height(), 60);
         }
     }
+}
+
+TEST_F(IntervalPlan, WhileIteratesAreComparedTheirAxesStay) {
+    const auto snapshot = [](double width, std::uint64_t version) {
+        auto made = std::make_shared<Snapshot>(layer_snapshot(16, width));
+        made->version = version;
+        for (Field& field : made->fields)
+            for (double& value : field.values) value *= static_cast<double>(version);
+        return made;
+    };
+    const auto first = snapshot(0.2, 1), middle = snapshot(0.05, 2), last = snapshot(0.01, 4);
+    const auto range = [&](const Snapshot& shown, std::size_t which) {
+        return home_range(plots(shown)[which].view, true);
+    };
+    EXPECT_NE(range(*first, 0), range(*last, 0));
+    EXPECT_NE(range(*first, 1), range(*last, 1));
+    const AxisRange lowest = range(*first, 0), highest = range(*last, 0);
+    planner_.compare_plots({first, last});
+    for (const std::size_t which : {0U, 1U}) {
+        EXPECT_EQ(range(*first, which), range(*middle, which));
+        EXPECT_EQ(range(*middle, which), range(*last, which));
+    }
+    EXPECT_LE(range(*middle, 0).low, std::min(lowest.low, highest.low) + 1e-12);
+    EXPECT_GE(range(*middle, 0).high, std::max(lowest.high, highest.high) - 1e-12);
+    planner_.compare_plots({});
+    EXPECT_NE(range(*first, 0), range(*last, 0)) << "fitted again afterwards";
 }
 
 TEST_F(IntervalPlan, ALinearAxisIsExactToTenToMinusTwelveAtBothEnds) {
