@@ -41,6 +41,24 @@ std::shared_ptr<const FieldData> read_field(const Values& values, const DataCont
                                          read, &memory_of);
 }
 
+ParameterRow field_transform_row() {
+    return {.key = "transform",
+            .label = "Transform",
+            .kind = ParameterKind::choice,
+            .default_value = std::string("none"),
+            .choices = {"none", "absolute", "square", "logarithm"},
+            .help = "what is done to the values: nothing, the absolute value, the square, or the logarithm "
+                    "(base 10)"};
+}
+
+FieldTransform field_transform(const Values& values) {
+    const std::string& transform = values.text("transform");
+    return transform == "absolute"    ? FieldTransform::absolute
+           : transform == "square"    ? FieldTransform::square
+           : transform == "logarithm" ? FieldTransform::logarithm
+                                      : FieldTransform::none;
+}
+
 std::vector<ParameterRow> field_rows(const Space& space) {
     constexpr double most = 1e6;
     std::vector<ParameterRow> rows = {
@@ -72,14 +90,7 @@ std::vector<ParameterRow> field_rows(const Space& space) {
          .slider = SliderRange{0, 20},
          .default_value = std::int64_t{0},
          .help = "index of the level (height, depth, z), from 0; -1: the last"},
-        {.key = "transform",
-         .label = "Transform",
-         .kind = ParameterKind::choice,
-         .default_value = std::string("none"),
-         .choices = {"none", "absolute", "square", "logarithm"},
-         .help =
-             "what is done to the values: nothing, the absolute value, the square, or the logarithm (base "
-             "10)"},
+        field_transform_row(),
         {.key = "missing",
          .label = "Missing values",
          .kind = ParameterKind::choice,
@@ -102,13 +113,9 @@ std::vector<ParameterRow> field_rows(const Space& space) {
 }
 
 FieldOptions field_options(const Values& values) {
-    const std::string &transform = values.text("transform"), &missing = values.text("missing"),
-                      &placement = values.text("placement");
+    const std::string &missing = values.text("missing"), &placement = values.text("placement");
     FieldOptions options;
-    options.transform = transform == "absolute"    ? FieldTransform::absolute
-                        : transform == "square"    ? FieldTransform::square
-                        : transform == "logarithm" ? FieldTransform::logarithm
-                                                   : FieldTransform::none;
+    options.transform = field_transform(values);
     options.missing = missing == "floor"   ? MissingValues::lowest
                       : missing == "error" ? MissingValues::error
                                            : MissingValues::nearest;

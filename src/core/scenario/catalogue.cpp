@@ -43,11 +43,14 @@ bool contains(const std::vector<std::string>& list, const std::string& word) {
     return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-Capability plane_capability() {
+Capability plane_capability(const char* boundary, const std::vector<std::string>& further_monitors) {
+    std::vector<std::string> monitors = {"ring",         "bell",     "ring-and-bell", "random-bells",
+                                         "random-waves", "constant", "formula",       "image",
+                                         "field",        "derived",  "combine"};
+    monitors.insert(monitors.end(), further_monitors.begin(), further_monitors.end());
     return {.domain = "plane",
-            .boundaries = {"periodic", "walls"},
-            .monitors = {"ring", "bell", "ring-and-bell", "random-bells", "random-waves", "constant",
-                         "formula", "image", "field", "derived", "combine"},
+            .boundaries = {boundary},
+            .monitors = std::move(monitors),
             .methods = {"relaxation", "accelerated", "quasi-newton", "newton", "auto"},
             .prepare = [](const PrepareContext& context) -> std::shared_ptr<const Discretisation> {
                 const Values& domain = context.scenario.domain.values;
@@ -168,7 +171,8 @@ Catalogue builtin_catalogue() {
                     nvfem_method()},
         .pdes = {no_pde(), reaction_diffusion_pde(), coupled_pde(), convection_diffusion_pde(),
                  plane_reaction_diffusion_pde(), plane_convection_diffusion_pde()},
-        .capabilities = {plane_capability(), sphere_capability(cubed_sphere_domain(), cubed_sphere_grid),
+        .capabilities = {plane_capability("periodic", {"flow"}), plane_capability("walls", {}),
+                         sphere_capability(cubed_sphere_domain(), cubed_sphere_grid),
                          sphere_capability(icosahedral_sphere_domain(), icosahedral_sphere_grid)},
         .output_rows = output_rows()};
     for (auto& domain : spline_domains()) {
